@@ -9,16 +9,16 @@
 
 namespace burin {
 
-/// Declares --setup: which setup of a project a command works in.
+/// Declares --setup, which selects the setup of a project that a command works in.
 void addSetupChoice(CommandParser command, CommandContext& context);
 
-/// A setup by its number or its name. Errors: nameUnknown, argumentInvalid (a name that several have).
+/// Finds a setup by its number or its name. Errors: nameUnknown, argumentInvalid (several setups have the name).
 Result<SetupId> setupNamed(const Project& project, const std::string& text);
-/// Its name; "setup 2" where it has none.
+/// The name of a setup; "setup 2" if it has none.
 std::string textOf(const SetupName& setup);
 
-// Projects in the setup that --setup asked for, or in their first one. Errors: as the function of Project or
-// ProjectChange, and those of setupNamed.
+// Open a project in the setup selected by --setup, or in its first one. Errors: those of the corresponding function of
+// Project or ProjectChange, and of setupNamed.
 Result<Project> projectForReading(const std::string& file, const CommandContext& context);
 Result<Project> projectToMill(const std::string& file, const CommandContext& context);
 Result<ProjectChange> projectToChange(const std::string& file, const CommandContext& context);

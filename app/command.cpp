@@ -20,7 +20,7 @@ namespace burin {
 
 namespace {
 
-Progress theProgress; // a signal handler can reach nothing else
+Progress theProgress; // global, as a signal handler cannot access anything else
 
 sem_t stopAsked;
 
@@ -29,7 +29,7 @@ extern "C" void stopWork(int) {
     sem_post(&stopAsked);
 }
 
-/// Names of files may be no UTF-8.
+/// File names need not be UTF-8.
 std::string written(const nlohmann::json& object) {
     return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -61,7 +61,7 @@ private:
     std::thread thread_;
 };
 
-/// Waits for the request to stop, and ends the program where its work does not.
+/// Waits for a request to stop, and ends the program if its work does not stop by itself.
 class CommandContext::Ender {
 public:
     Ender() : thread_([this] { watch(); }) {}

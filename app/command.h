@@ -18,8 +18,8 @@ namespace burin {
 
 class Project;
 
-/// What every command of the command line gets: where its answer and its messages go, and the wish to stop it.
-/// One object a run; the main thread alone, but for `progress()`.
+/// The context of every command of the command line: output of its answer and messages, and requests to stop it. One
+/// object per run; main thread only, except `progress()`.
 class CommandContext {
 public:
     CommandContext();
@@ -28,19 +28,19 @@ public:
     CommandContext& operator=(const CommandContext&) = delete;
 
     bool json = false; ///< one JSON object on standard output instead of text
-    std::string setup; ///< that --setup asked for; empty: the first
+    std::string setup; ///< argument of --setup; empty: the first
 
-    /// Cancelled by SIGINT and SIGTERM. Work that does not look at it, or that waits for a pipe, is ended all the same
-    /// in less than a second, as by a kill: what was recorded is on the disk, and no output is left half written.
+    /// Cancelled by SIGINT and SIGTERM. Work that ignores the cancellation, or that waits for a pipe, is killed in less
+    /// than a second: recorded data are on the disk, and no output is left half written.
     Progress& progress() noexcept;
-    /// Begins a stage of work, named on a terminal together with its progress.
+    /// Begins a stage of work, whose name and progress are shown on a terminal.
     void stage(TextId title);
-    /// The answer: `object` with --json, `text` without.
+    /// Outputs the answer: `object` with --json, otherwise `text`.
     void answer(const nlohmann::json& object, const std::string& text);
-    /// A line on standard error.
+    /// Writes a line to standard error.
     void message(const std::string& text);
-    /// Words an error on standard error, as {"error": …} with --json, and returns the exit status.
-    /// @param standing says in the same sentence what was kept in spite of it; empty: nothing was changed
+    /// Reports an error on standard error, as {"error": …} with --json, and returns the exit status.
+    /// @param standing states in the same sentence what was kept despite the error; empty: nothing was changed
     int fail(const Error& error, const QString& standing = {});
 
 private:
@@ -50,11 +50,11 @@ private:
     std::unique_ptr<ProgressLine> line_;
 };
 
-/// Says which of the outputs of a command that failed are new all the same, as a disk that refuses everything lets none
-/// be taken back; empty: none. For `fail`.
+/// States which outputs of a failed command were replaced nevertheless, because the disk refused to restore the
+/// previous files; empty if there are none. For `fail`.
 QString standingOutputs(std::span<const StagedFile> outputs);
 
-/// Says under what name the file of an earlier version of Burin stands beside the one that was just saved.
+/// Reports the name under which the file of an earlier version of Burin was kept next to the one that was just saved.
 void tellKeptEarlier(CommandContext& context, const Project& project);
 
 /// Adds one subcommand; its callback stores the exit status.

@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-/// The parser's own words in --help.
+/// Words that the parser itself uses in --help.
 constexpr std::array parserWords{
     BURIN_TEXT("Help", "Usage"),       BURIN_TEXT("Help", "OPTIONS"),  BURIN_TEXT("Help", "SUBCOMMAND"),
     BURIN_TEXT("Help", "SUBCOMMANDS"), BURIN_TEXT("Help", "Options"),  BURIN_TEXT("Help", "Positionals"),
@@ -25,7 +25,7 @@ constexpr std::array parserWords{
     BURIN_TEXT("Help", "UINT"),        BURIN_TEXT("Help", "FLOAT"),
 };
 
-/// One of `parserWords` in the user's language; other text stays as it is.
+/// One of `parserWords` in the user's language; other text is unchanged.
 std::string parserWord(const std::string& word) {
     for (const TextId& known : parserWords)
         if (word == known.text) return worded(known);
@@ -43,7 +43,7 @@ public:
     }
 };
 
-/// Its type as --help shows it.
+/// Translates the type shown by --help.
 CLI::Option& translated(CLI::Option& option) {
     option.type_name(parserWord(option.get_type_name()));
     return option;

@@ -19,30 +19,30 @@ class Option;
 
 namespace burin {
 
-// How the command line is declared. Only command_line.cpp knows the library that parses it, and translates there what
-// --help shows: every `TextId` is given in English, as BURIN_TEXT marks it. Main thread alone.
+// Declaration of the command line. Only command_line.cpp depends on the parser library and translates the texts shown
+// by --help: every `TextId` is given in English, as marked by BURIN_TEXT. Main thread only.
 
-/// One option, flag or positional argument. A handle: copies mean the same argument, which its command owns.
+/// One option, flag or positional argument. A handle: copies refer to the same argument, which is owned by its command.
 class Argument {
 public:
     explicit Argument(CLI::Option& option) : option_(&option) {}
 
     Argument required() const;
-    /// --help shows the value that the variable has now as the default.
+    /// Makes --help show the present value of the variable as the default.
     Argument showDefault() const;
-    /// Both limits are allowed.
+    /// Limits the value; both limits are allowed.
     Argument range(double low, double high) const;
     Argument range(int low, int high) const;
     Argument choices(const std::vector<std::string>& names) const;
-    /// @param allowed what is asked for where the text is blank
+    /// @param allowed what the error asks for if the text is blank
     Argument notBlank(TextId allowed) const;
-    /// Of lists: one word may hold several values with this character between them.
+    /// For lists: one word may contain several values, separated by this character.
     Argument separatedBy(char delimiter) const;
-    /// Of lists: each use of the option takes one value.
+    /// For lists: each use of the option takes one value.
     Argument oneAtATime() const;
     Argument excludes(Argument other) const;
     Argument needs(Argument other) const;
-    /// What --help calls the value, instead of its type.
+    /// The name of the value in --help, instead of its type.
     Argument valueName(TextId name) const;
 
 private:
@@ -57,18 +57,18 @@ std::vector<std::string> keysOf(const std::map<std::string, T>& map) {
     return keys;
 }
 
-/// One command, or a command of a command. A handle, as `Argument` is; the `CommandLine` owns what it refers to.
+/// A command or a subcommand. A handle, like `Argument`; the `CommandLine` owns the object that it refers to.
 class CommandParser {
 public:
     explicit CommandParser(CLI::App& app) : app_(&app) {}
 
     CommandParser command(const char* name, TextId help) const;
-    /// A command of this one has to be given.
+    /// A subcommand is required.
     void requireCommand() const;
-    /// At most one command of this one may be given.
+    /// At most one subcommand may be given.
     void allowOneCommand() const;
     bool commandGiven() const;
-    /// What this command does not know is left to the one that it belongs to.
+    /// Passes unknown arguments on to the parent command.
     void passOn() const;
 
     /// `value` has to outlive the parsing. T: std::string, double, int, std::int64_t, std::uint32_t, std::uint64_t,
@@ -76,22 +76,22 @@ public:
     /// @param names "-o,--output"
     template <class T>
     Argument option(const char* names, T& value, TextId help) const;
-    /// As `option`, for an argument that is known by its position. @param name as --help and errors show it
+    /// As `option`, for a positional argument. @param name as shown by --help and errors
     template <class T>
     Argument positional(TextId name, T& value, TextId help) const;
     /// @param take called with the value while parsing
     Argument option(const char* names, const std::function<void(const std::string&)>& take, TextId help) const;
     Argument flag(const char* names, bool& value, TextId help) const;
-    /// Text below the help, translated already.
+    /// Text below the help, already translated.
     void footer(const std::string& text) const;
-    /// Called when the command was given, once all arguments are parsed.
+    /// Called after parsing all arguments, if the command was given.
     void run(const std::function<void()>& callback) const;
 
 private:
     CLI::App* app_;
 };
 
-/// The whole command line. Make it once translations are installed: texts are translated as they are declared.
+/// The whole command line. Create it after installing translations: texts are translated when they are declared.
 class CommandLine {
 public:
     CommandLine();
@@ -99,13 +99,13 @@ public:
     CommandLine(const CommandLine&) = delete;
     CommandLine& operator=(const CommandLine&) = delete;
 
-    /// Where the commands are added.
+    /// The root, to which commands are added.
     CommandParser program() const;
-    /// Of the commands, in the order in which they were added.
+    /// Names of the commands, in the order in which they were added.
     std::vector<std::string> commandNames() const;
-    /// Parses, and runs the command that was given. Prints help and version on standard output, and what is wrong as
-    /// one sentence on standard error.
-    /// @return exit status; nothing: a command was run
+    /// Parses, and runs the command that was given. Prints help and version on standard output, and errors as one
+    /// sentence on standard error.
+    /// @return exit status; empty if a command was run
     std::optional<int> parse(int argc, char** argv) const;
 
 private:

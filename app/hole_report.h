@@ -13,7 +13,7 @@ namespace burin {
 
 /// [{"centre_mm": [x, y], "diameter_mm", "top_mm", "bottom_mm"}], setup frame
 nlohmann::json jsonOf(const std::vector<UprightHole>& holes);
-/// How many there are of each diameter, for people: one line; empty without any.
+/// The number of holes of each diameter, as readable text: one line; empty if there are none.
 std::string textOf(const std::vector<UprightHole>& holes);
 
 } // namespace burin

@@ -10,23 +10,23 @@ namespace burin {
 
 class CommandContext;
 
-/// What a command about a library of the user's own files was asked.
+/// The arguments of a command for a library of the user's own files.
 struct LibraryArguments {
     std::string id, file, newId, name;
     bool replace = false;
 };
 
-/// A command with list, show, add, copy and remove: its words, and what it does.
+/// A command with list, show, add, copy and remove: its texts and its functions.
 struct LibraryCommand {
     using Run = int (*)(const LibraryArguments&, CommandContext&);
 
     const char* name; ///< "machines"
     TextId about, list, show, add, addedFile, copy, copied, remove, replace;
-    TextId item; ///< what an id stands for, in the help of its argument
+    TextId item; ///< what an id identifies, in the help of its argument
     Run runList, runShow, runAdd, runCopy, runRemove;
 };
 
-/// @return the command, to which more may be added
+/// @return the command, to which subcommands may be added
 CommandParser registerLibrary(CommandParser program, CommandContext& context, int& status,
                               const LibraryCommand& library);
 

@@ -33,7 +33,7 @@ void addCommands(const burin::CommandLine& line, burin::CommandContext& context,
     for (const burin::Register registerCommand : commands) registerCommand(line.program(), context, status);
 }
 
-/// The parser would only say that a command is missing.
+/// An error that names the unknown command; the parser would only report a missing command.
 std::optional<burin::Error> unknownCommand(const burin::CommandLine& line, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return std::nullopt;
     std::string known;
@@ -44,7 +44,7 @@ std::optional<burin::Error> unknownCommand(const burin::CommandLine& line, int a
     return burin::Error{burin::ErrorCode::nameUnknown, "command", argv[1], known};
 }
 
-/// The commands as the command line knows them.
+/// Whether a word is a command of the command line.
 bool isCommand(const std::string& word) {
     const burin::CommandLine line;
     burin::CommandContext context;
@@ -53,20 +53,20 @@ bool isCommand(const std::string& word) {
     return std::ranges::count(line.commandNames(), word) > 0;
 }
 
-/// Translations need an application; the letters in a picture Qt's fonts as well, but no display.
+/// Translations need an application, and text in pictures needs Qt's fonts, but no display.
 std::unique_ptr<QCoreApplication> makeApplication(int& argc, char** argv) {
     const std::string_view command = argc > 1 ? argv[1] : "";
     if (command != "demo" && command != "picture" && command != "sheet")
         return std::make_unique<QCoreApplication>(argc, argv);
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    // What Qt misses without a desktop (a folder for the session) is nothing to trouble a user of commands with.
+    // Warnings of Qt about a missing desktop (such as a session folder) are irrelevant to users of commands.
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
         if (type == QtCriticalMsg || type == QtFatalMsg) std::cerr << text.toStdString() << "\n";
     });
     return std::make_unique<QGuiApplication>(argc, argv);
 }
 
-/// What `work` returns, or the exit status after a sentence on what it threw.
+/// Returns the result of `work`, or the exit status after reporting an exception in one sentence.
 int guarded(const std::function<int()>& work) {
     try {
         return work();
@@ -92,12 +92,12 @@ int runCommand(int argc, char** argv) {
 int run(int argc, char** argv) {
     if (burin::asksForWindow(argc, argv, isCommand)) return burin::runWorkstation(argc, argv);
     const std::unique_ptr<QCoreApplication> application = makeApplication(argc, argv);
-    std::setlocale(LC_NUMERIC, "C"); // Qt took the user's: numbers of arguments and files are the same everywhere
+    std::setlocale(LC_NUMERIC, "C"); // Qt set the user's locale; numbers in arguments and files are the same everywhere
     QCoreApplication::setApplicationName("Burin");
     burin::Messages::install(QLocale::system());
-    QLocale::setDefault(QLocale::c()); // a decimal point in every language, as arguments and files have it
+    QLocale::setDefault(QLocale::c()); // a decimal point in every language, as in arguments and files
 
-    return guarded([&] { return runCommand(argc, argv); }); // here its sentence is in the user's language
+    return guarded([&] { return runCommand(argc, argv); }); // messages are in the user's language from here on
 }
 
 } // namespace

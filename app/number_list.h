@@ -11,12 +11,12 @@
 
 namespace burin {
 
-/// Numbers with commas between them; nothing where it is not just so many.
+/// Comma-separated numbers; empty if the text is anything but `count` of them.
 std::optional<std::vector<double>> numbersOf(const std::string& text, std::size_t count);
 /// "X,Y,Z"
 std::optional<glm::dvec3> vectorOf(const std::string& text);
 
-/// What stands between separators, empty parts included: one more than there are separators.
+/// The parts between separators, including empty ones: one more than there are separators.
 std::vector<std::string> partsOf(const std::string& text, char separator);
 
 } // namespace burin

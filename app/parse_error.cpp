@@ -12,7 +12,7 @@ namespace burin {
 
 namespace {
 
-/// What the parser's English text says at the places that `pattern` captures; empty: it says something else.
+/// The parts of the parser's English text captured by `pattern`; empty if it does not match.
 QStringList partsByText(const QString& text, const char* pattern) {
     const QRegularExpressionMatch match =
         QRegularExpression("^" + QString(pattern) + "$", QRegularExpression::DotMatchesEverythingOption).match(text);
@@ -24,7 +24,7 @@ QString notAllowed(const QString& argument, const QString& value, const QString&
         {ErrorCode::argumentInvalid, argument.toStdString(), value.toStdString(), allowed.toStdString()});
 }
 
-/// "0.500000" as it would be written: "0.5".
+/// "0.500000" in its shortest form: "0.5".
 QString shortest(const QString& number) {
     const std::optional<double> value = parseNumber(number.toStdString());
     return value ? QString::fromStdString(formatShortest(*value)) : number;
@@ -40,7 +40,7 @@ QString sentenceFor(const char* fault) {
             parts[0], parts[1],
             QCoreApplication::translate("Command", "%1 to %2").arg(shortest(parts[2]), shortest(parts[3])));
     if (const QStringList parts = partsByText(text, "(.*?): (.*) not in \\{(.*)\\}"); !parts.isEmpty()) {
-        QStringList names; // of "name->value" where the parser maps them
+        QStringList names; // from "name->value" where the parser maps them
         for (const QString& entry : parts[2].split(',')) names << entry.section("->", 0, 0);
         return notAllowed(parts[0], parts[1], names.join(", "));
     }

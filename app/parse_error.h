@@ -7,7 +7,7 @@
 namespace burin {
 
 /// One sentence in the user's language for arguments that the parser rejected. Needs the installed translations.
-/// @param fault  what CLI11's ParseError says, in its English
+/// @param fault the English message of CLI11's ParseError
 QString sentenceFor(const char* fault);
 
 } // namespace burin

@@ -30,7 +30,7 @@ std::vector<std::string> passIds() {
     return ids;
 }
 
-/// How far drawings are moved. Errors: argumentInvalid.
+/// The displacement of drawings. Errors: argumentInvalid.
 Result<glm::dvec2> moveOf(const PassArguments& arguments) {
     if (arguments.move.empty()) return glm::dvec2(0.0);
     const std::optional<glm::dvec3> by = vectorOf(arguments.move + ",0");
@@ -54,8 +54,8 @@ Result<PlanDrawing> drawingOf(const std::string& file, const PassArguments& argu
     return drawing;
 }
 
-/// Areas and lines of a file: a drawing, or a request as `path list --json` shows it. Errors: those of readDrawing and
-/// passRequestFromJson.
+/// Areas and lines of a file: a drawing, or a request as printed by `path list --json`. Errors: those of readDrawing
+/// and passRequestFromJson.
 Result<PassRequest> shapesIn(const std::string& file, bool asArea, const PassArguments& arguments,
                              CommandContext& context) {
     if (file.ends_with(".json")) {
@@ -82,7 +82,7 @@ Result<void> addArea(const PassArguments& arguments, CommandContext& context, Pa
     return {};
 }
 
-/// Faces of the part and what strokes paint: where the tool is to touch the part.
+/// Adds the faces of the part and painted strokes: where the tool is to touch the part.
 Result<void> addPainted(const PassArguments& arguments, const Project& project, const Model& part,
                         CommandContext& context, PassRequest& request) {
     for (const std::string& text : arguments.faces) {

@@ -13,25 +13,25 @@
 
 namespace burin {
 
-/// What the command line says of a computed pass, as it was written.
+/// The arguments for a computed pass, as given by the user.
 struct PassArguments {
     std::string kind, tool, area, lines, move, unit;
     std::vector<std::int64_t> leads, paint;
-    std::vector<std::string> faces;      ///< places on the part
-    std::vector<std::string> holes;      ///< places in plan
+    std::vector<std::string> faces;      ///< points on the part
+    std::vector<std::string> holes;      ///< points in plan
     double brush = 10.0;                 ///< mm, diameter
-    std::optional<std::int64_t> instead; ///< id of the pass whose place it takes
-    bool preview = false;                ///< nothing is kept
+    std::optional<std::int64_t> instead; ///< id of the pass that it replaces
+    bool preview = false;                ///< nothing is saved
     double directionDegrees = 0.0;
     std::optional<double> flattestDegrees, steepestDegrees;
     PassRequest request;
 };
 
-/// Declares --pass and all that belongs to it. @param arguments outlives the parsing
+/// Declares --pass and the options that belong to it. @param arguments outlives the parsing
 /// @return --pass itself
 Argument addPass(CommandParser command, PassArguments& arguments);
 
-/// The request that they make. @param part as it lies in the setup
+/// The request described by the arguments. @param part in the setup frame
 /// Errors: those of readDrawing, linesOfTake, faceArea and validate; argumentInvalid.
 Result<PassRequest> requestOf(const PassArguments& arguments, const Project& project, const Model& part,
                               CommandContext& context);

@@ -26,7 +26,7 @@ Result<std::vector<GeneratedInfo>> passesOf(const Project& project, const Stored
 
 namespace {
 
-/// null where nothing is known of it, or what the file says is none.
+/// null if the pass has no request, or an invalid one.
 json requestOf(const GeneratedInfo& pass) {
     const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
     return request ? json::parse(toJson(*request)) : json();

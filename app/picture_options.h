@@ -11,7 +11,7 @@ namespace burin {
 
 struct PictureContent;
 
-/// What the command line says of how a picture is to be drawn, as it was written.
+/// The options for drawing a picture, as given by the user.
 struct PictureOptions {
     std::string view = "isometric", section;
     double transparency = 0.0; ///< %
@@ -19,12 +19,12 @@ struct PictureOptions {
 
 /// Declares --view, --section and --transparency.
 void addPictureOptions(CommandParser command, PictureOptions& options);
-/// Before work that takes time: whether --section can be read. Errors: argumentInvalid.
+/// Checks --section before work that takes time. Errors: argumentInvalid.
 Result<void> checkPictureOptions(const PictureOptions& options);
-/// The bytes of a PNG file with a picture of `content`. Errors: argumentInvalid (a section beside the workpiece), those
-/// of drawPicture.
+/// The bytes of a PNG file with a picture of `content`. Errors: argumentInvalid (a section that misses the workpiece),
+/// those of drawPicture.
 Result<std::string> pictureOf(PictureContent content, const PictureOptions& options);
-/// Writes it. Errors: also those of writeFileAtomically.
+/// Writes the picture to a file. Errors: also those of writeFileAtomically.
 Result<void> writePicture(PictureContent content, const PictureOptions& options, const std::string& file);
 
 } // namespace burin

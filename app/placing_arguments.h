@@ -13,7 +13,7 @@
 
 namespace burin {
 
-/// What the command line says of how a part is to lie, as it was written.
+/// The arguments for the placement of a part, as given by the user.
 struct PlacingArguments {
     std::vector<std::string> align, turn;
     std::string move;
@@ -24,13 +24,14 @@ struct PlacingArguments {
 /// Declares --align, --turn and --move.
 void addPlacing(CommandParser command, PlacingArguments& arguments);
 
-/// First what is aligned, then turned, then moved; turns leave the middle of the part's box where it is.
-/// @param part as it lies before. Errors: argumentInvalid, those of partFaceAt.
+/// Applies alignments first, then rotations, then the translation; rotations are about the centre of the part's
+/// bounding box.
+/// @param part before the placement. Errors: argumentInvalid, those of partFaceAt.
 Result<Placement> placingOf(const PlacingArguments& arguments, std::shared_ptr<const Model> part, Progress& progress);
 
 /// {"turn": three columns, "shift_mm"}
 nlohmann::json jsonOf(const Placement& placement);
-/// "turned by 90 degrees about 1, 0, 0, moved by 0, 0, 12 mm"; empty for none.
+/// "turned by 90 degrees about 1, 0, 0, moved by 0, 0, 12 mm"; empty if there is none.
 std::string textOf(const Placement& placement);
 
 } // namespace burin

@@ -8,8 +8,8 @@ constexpr char message[] = "burin: this processor lacks instructions that Burin 
                            "); configure it with -DBURIN_INSTRUCTIONS=x86-64 and build it again, which makes it slower "
                            "and changes no result.\n";
 
-/// Before anything else of the program, so that its user reads a sentence instead of "illegal instruction". Nothing of
-/// any library: it may be built for more than there is.
+/// Runs before anything else in the program, so that the user reads a sentence instead of "illegal instruction". Must
+/// not use any library: it may be compiled for instructions that the processor lacks.
 __attribute__((constructor(101))) void requireInstructions() {
     __builtin_cpu_init();
     if (__builtin_cpu_supports(BURIN_INSTRUCTIONS)) return;

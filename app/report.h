@@ -18,7 +18,7 @@
 
 namespace burin {
 
-// JSON of things that several commands report. Keys carry their unit (README.md).
+// JSON of objects that several commands report. Keys include their unit (README.md).
 
 nlohmann::json jsonOf(const glm::dvec3& v);
 nlohmann::json jsonOf(const Box& box); ///< [[x, y, z], [x, y, z]]
@@ -29,26 +29,26 @@ nlohmann::json jsonOf(const VerifyReport& report);
 nlohmann::json jsonOf(const std::vector<EditReport>& reports);
 nlohmann::json jsonOf(const std::vector<LintMark>& marks);
 
-/// What edits left out and why, the longest first; lines that follow others, empty where there is nothing.
+/// What edits left out and why, the longest first; lines to append to others, empty if nothing was left out.
 std::string textOfOmissions(const std::vector<EditReport>& reports);
-/// How strokes that begin in material are entered, and where the tool plunges; lines that follow others, or nothing.
+/// How strokes that begin in material are entered, and where the tool plunges; lines to append to others, or empty.
 std::string textOfEntries(const std::vector<EditReport>& reports);
 /// "(1.000, 2.000, 3.000) mm"
 std::string placeText(const glm::dvec3& place);
-/// The same for people, several lines.
+/// The model as readable text, several lines.
 std::string textOf(const Model& model);
-/// What the check found, what the control would reject and the machine that the program was judged for.
+/// The findings of the check, what the control would reject, and the machine for which the program was checked.
 std::string textOf(const CheckedProgram& program, double gougeTolerance, const MachineProfile& machine);
 
-/// What is doubtful about a part, for JSON: what import said, in English, and what embedding found.
+/// Doubts about a part, for JSON: messages of the import, in English, and findings of the embedding.
 std::vector<std::string> doubtsOf(const Model& model, const EmbeddedSetup& embedded);
-/// The same for people, as lines that follow others; empty where there is no doubt.
+/// The same as readable text, lines to append to others; empty if there are none.
 std::string textOfDoubts(const Model& model, const EmbeddedSetup& embedded);
-/// Why a command does not go on with a part of which bodies are too small for the voxels to be protected, and how it
-/// does all the same; empty where all are protected.
+/// Why a command refuses a part with bodies too small for the voxels to be protected, and how to continue nevertheless;
+/// empty if all bodies are protected.
 std::string unprotected(const EmbeddedSetup& embedded);
 
-/// Why a program that failed its check was not written, and how it is all the same.
+/// Why a program that failed its check was not written, and how to write it nevertheless.
 std::string notWritten(const std::string& file);
 
 } // namespace burin

@@ -20,10 +20,10 @@ namespace burin {
 
 namespace {
 
-// Lists longer than these are cut.
+// Longer lists are truncated.
 constexpr std::size_t mostFindings = 20, mostOmissions = 10, mostPlunges = 5, mostPathModes = 5;
 
-/// "and 7 more", where a list was cut.
+/// "and 7 more", for a truncated list.
 std::string moreText(std::size_t all, std::size_t shown) {
     return worded(BURIN_TEXT("Command", "and %1 more"), {std::to_string(all - shown)});
 }
@@ -36,8 +36,8 @@ std::string placeText(const glm::dvec3& place) {
 
 namespace {
 
-// What a model's format and unit are called, where that is no name: formats such as "STEP AP214" are the same
-// everywhere.
+// Names of a model's format and unit that need translation: formats such as "STEP AP214" are the same in every
+// language.
 [[maybe_unused]] constexpr std::array modelWords{BURIN_TEXT("ImportUnit", "none"),
                                                  BURIN_TEXT("ImportFormat", "STL binary")};
 
@@ -94,7 +94,7 @@ std::string textOfDoubts(const Model& model, const EmbeddedSetup& embedded) {
 
 namespace {
 
-/// The ids of findings and near passes, which JSON has, as people read them.
+/// Readable names for the ids of findings and near passes in JSON.
 constexpr std::array findingNames{
     BURIN_TEXT("FindingName", "gouge"),
     BURIN_TEXT("FindingName", "rapid_in_stock"),
@@ -160,7 +160,7 @@ std::string textOf(const Finding& finding) {
                   BURIN_TEXT("Command", "%2, and on %1 more lines"), {text});
 }
 
-/// Lines that follow others; empty: there are none.
+/// Lines to append to others; empty if there are none.
 std::string linesOf(const std::vector<LintMark>& marks) {
     std::string text;
     for (std::size_t i = 0; i < marks.size() && i < mostFindings; ++i) {
@@ -303,7 +303,7 @@ std::string warningText(const std::string& text) {
     return worded(BURIN_TEXT("Command", "warning  %1"), {text});
 }
 
-/// What spindle, tool and controller made of it: load, feeds, corners. A line each.
+/// Effects of spindle, tool and controller: load, feeds, corners. One line each.
 std::vector<std::string> motionLines(const CheckedProgram& program) {
     const VerifyReport& report = program.report;
     std::vector<std::string> lines;
@@ -322,7 +322,7 @@ std::vector<std::string> motionLines(const CheckedProgram& program) {
     return lines;
 }
 
-/// Findings with a remedy for each kind, warnings and near passes. A line each.
+/// Findings with a remedy for each kind, warnings and near passes. One line each.
 std::vector<std::string> findingLines(const VerifyReport& report) {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < report.findings.size() && i < mostFindings; ++i)

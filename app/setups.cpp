@@ -45,7 +45,7 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-/// Reads the part again, and says what came of its bodies.
+/// Reads the part again, and reports what happened to its bodies.
 Result<void> updatePart(Project& project, const SetupsArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Importing"));
     const Result<Model> before = project.model();
@@ -70,7 +70,7 @@ Result<void> updatePart(Project& project, const SetupsArguments& arguments, Comm
     return {};
 }
 
-/// What was milled was milled of the part as it lay.
+/// Requires a setup without recordings and passes: they refer to the present placement of the part.
 Result<void> requireUntouched(const Project& project) {
     const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
     if (!sources) return sources.error();
@@ -100,7 +100,7 @@ Result<TakenStock> takeStock(Project& project, CommandContext& context) {
     return taken ? Result<TakenStock>(*taken) : taken.error();
 }
 
-/// Its placement and origin; nothing where nothing is embedded in it yet.
+/// The placement and origin of a setup; empty if nothing is embedded in it yet.
 Result<std::optional<Setup>> contentOf(const Project& project, SetupId id) {
     Result<Setup> setup = project.setup(id);
     if (setup) return std::optional(std::move(*setup));

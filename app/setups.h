@@ -12,11 +12,11 @@
 
 namespace burin {
 
-/// What the command line says of a project's setups, as it was written.
+/// The arguments for the setups of a project, as given by the user.
 struct SetupsArguments {
     std::optional<std::string> add, name;
     std::string after, remove;
-    std::string part; ///< file of the part as it is now
+    std::string part; ///< file of the current version of the part
     bool newStock = false, takeStock = false;
     PlacingArguments placing;
 
@@ -24,23 +24,23 @@ struct SetupsArguments {
 };
 
 /// Declares --add-setup, --after, --new-stock, --update-stock, --update-part, --name, --delete-setup, --align, --turn
-/// and
-/// --move.
+/// and --move.
 void addSetups(CommandParser command, SetupsArguments& arguments);
 
-/// How the stock that an earlier setup leaves was taken, where one was.
+/// How the stock left by an earlier setup was taken over; empty if none was.
 using TakenStock = std::optional<AddedSetup>;
 
-/// Updates the part, then deletes, adds, places, updates and names setups, in this order. The one that was added is
-/// used then; else the one in use is meant. Errors: those of addFurtherSetup, takeStockAnew, placingOf and Project.
+/// Updates the part, then deletes, adds, places, updates and names setups, in this order. If a setup was added, the
+/// following steps apply to it; otherwise to the setup in use. Errors: those of addFurtherSetup, takeStockAnew,
+/// placingOf and Project.
 Result<TakenStock> changeSetups(Project& project, const SetupsArguments& arguments, CommandContext& context);
 
-/// Says in a message how the stock was taken, for after it was saved: a command that fails says its one sentence only.
+/// Reports how the stock was taken over. Call it after saving: a command that fails prints only its one sentence.
 void tellStock(const TakenStock& stock, CommandContext& context);
 
-/// Each setup with its number, how its part lies and where its stock comes from. Errors: fileDamaged.
+/// Each setup with its number, the placement of its part and the origin of its stock. Errors: fileDamaged.
 Result<nlohmann::json> jsonOfSetups(const Project& project);
-/// The same for people, a line each; empty where there is one whose part lies as it came.
+/// The same as readable text, one line each; empty if there is only one, whose part was not moved.
 Result<std::string> textOfSetups(const Project& project);
 
 } // namespace burin

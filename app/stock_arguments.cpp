@@ -22,13 +22,13 @@ std::optional<int> axisOf(const std::string& name) {
     return axis == std::string_view::npos ? std::nullopt : std::optional(static_cast<int>(axis));
 }
 
-/// "NAME=TEXT", cut at the last '=' of those that a name may hold, or at the first.
+/// Splits "NAME=TEXT" at the given position of '='.
 std::optional<std::pair<std::string, std::string>> pairOf(const std::string& text, std::size_t equals) {
     if (equals == std::string::npos || equals == 0) return std::nullopt;
     return std::pair(text.substr(0, equals), text.substr(equals + 1));
 }
 
-/// Calls use(body, value) for each "BODY=VALUE"; a name that several bodies bear stands for all of them.
+/// Calls use(body, value) for each "BODY=VALUE"; a name shared by several bodies refers to all of them.
 Result<void> forBodies(const char* option, const std::vector<std::string>& pairs, const Model& model,
                        const std::function<Result<void>(std::size_t body, const std::string& value)>& use) {
     for (const std::string& text : pairs) {
@@ -60,7 +60,7 @@ Result<void> setRoles(Setup& setup, const StockArguments& arguments, const Model
 }
 
 Result<void> setForm(Setup& setup, const StockArguments& arguments) {
-    setup.form = stockFormFromId(arguments.form).value_or(StockForm::box); // the parser allows no other
+    setup.form = stockFormFromId(arguments.form).value_or(StockForm::box); // the parser accepts no other
     const std::optional<int> axis = axisOf(arguments.axis);
     const std::optional<glm::dvec3> direction = vectorOf(arguments.axis);
     if (!axis && !direction)

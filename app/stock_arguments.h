@@ -12,7 +12,7 @@
 
 namespace burin {
 
-/// What the command line says of a stock, its materials and the roles of bodies, as it was written.
+/// The arguments for a stock, its materials and the roles of bodies, as given by the user.
 struct StockArguments {
     std::string form = "box", box, cylinder, axis = "z", file, table, material = "aluminium-6061";
     double margin = 5.0; ///< mm
@@ -22,25 +22,23 @@ struct StockArguments {
 };
 
 /// Declares --stock, --stock-box, --stock-cylinder, --stock-axis, --stock-file, --stock-table, --margin, --material,
-/// --role, --body-material,
-/// --layer, --grade, --grade-table, --bands and --free-carving.
+/// --role, --body-material, --layer, --grade, --grade-table, --bands and --free-carving.
 void addStock(CommandParser command, StockArguments& arguments);
 
-/// A setup with all that they say; what is left is for placeStock. Errors: argumentInvalid, nameUnknown (a body, a
-/// layer).
+/// Applies the arguments to a setup; placeStock does the rest. Errors: argumentInvalid, nameUnknown (a body, a layer).
 Result<Setup> withStock(Setup setup, const StockArguments& arguments, const Model& model);
 
-/// {"name", "material", "axis", "from_mm", "to_mm", "graded"}, in the order of their priority.
+/// {"name", "material", "axis", "from_mm", "to_mm", "graded"}, ordered by priority.
 nlohmann::json jsonOfLayers(const Setup& setup);
 /// The role of each body by its name.
 nlohmann::json jsonOfRoles(const Model& model, const Setup& setup);
-/// The form of the stock, roles that are no part, and layers, a line each; empty for a box of one material.
+/// The form of the stock, roles other than part, and layers, one line each; empty for a box of one material.
 std::string textOfStock(const Model& model, const Setup& setup);
 
 /// Each material with its volume and mass, each graded layer with its error.
 nlohmann::json jsonOfMaterials(const EmbeddedSetup& embedded);
 nlohmann::json jsonOfGradings(const EmbeddedSetup& embedded);
-/// The same for people, a line each; says when nothing pushes back. Empty where there is one material and a part.
+/// The same as readable text, one line each; states if nothing pushes the tool back. Empty for one material and a part.
 std::string textOfMaterials(const Setup& setup, const EmbeddedSetup& embedded);
 
 } // namespace burin

@@ -61,7 +61,7 @@ const char* kindName(BoundLayer::Kind kind) {
     return "";
 }
 
-/// A name of JSON as people read it.
+/// The readable form of a name in JSON.
 std::string wordFor(const char* name) {
     constexpr std::array words{BURIN_TEXT("Command", "box"), BURIN_TEXT("Command", "cylinder"),
                                BURIN_TEXT("Command", "mesh"), BURIN_TEXT("Command", "fixture"),
@@ -75,9 +75,9 @@ std::string textOf(const glm::dvec3& vector) {
     return formatShortest(vector.x) + ", " + formatShortest(vector.y) + ", " + formatShortest(vector.z);
 }
 
-/// To the micrometre.
+/// Rounded to micrometres.
 std::string lengthsOf(const glm::dvec3& place) {
-    return textOf(glm::round(place * 1e3) / 1e3 + 0.0); // no "-0"
+    return textOf(glm::round(place * 1e3) / 1e3 + 0.0); // avoids "-0"
 }
 
 } // namespace
@@ -168,7 +168,7 @@ Result<Around> aroundOf(const Project& project) {
 std::string machineFor(const Project& project, const std::string& asked, CommandContext& context) {
     if (!asked.empty()) return asked;
     const Result<ProgramTarget> target = project.programTarget();
-    if (!target) return {}; // whoever makes the milling context meets the same error
+    if (!target) return {}; // creating the milling context reports the same error
     const Result<MachineProfile> machine = loadMachine(target->machine);
     if (machine || machine.error().code != ErrorCode::nameUnknown) return target->machine;
     context.message(worded(BURIN_TEXT("Command", "The project's machine \"%1\" is not on this computer; \"%2\" is used "

@@ -17,7 +17,7 @@ namespace burin {
 
 class CommandContext;
 
-/// What the command line says of what stands around a setup and of the tool's axis, as it was written.
+/// The arguments for fixtures and limits of a setup and for the tool's axis, as given by the user.
 struct SurroundingsArguments {
     std::vector<std::string> fixtures, keepOuts;
     double clearance = 1.0; ///< mm
@@ -29,7 +29,7 @@ void addSurroundings(CommandParser command, SurroundingsArguments& arguments);
 /// Declares --axis alone.
 void addAxis(CommandParser command, std::string& axis);
 
-/// The fixtures, read in child processes, then the keep-out volumes.
+/// The fixtures, which are read in child processes, followed by the keep-out volumes.
 /// @param fileUnit mm per unit of a file that states none. Errors: those of importModel and fixturesOf,
 /// argumentInvalid.
 Result<std::vector<Obstacle>> obstaclesOf(const SurroundingsArguments& arguments, double fileUnit, Progress& progress);
@@ -38,7 +38,7 @@ Result<AxisMode> axisModeOf(const std::string& axis);
 /// "middle", "off" or "X,Y,Z". Errors: argumentInvalid.
 Result<TravelPlacement> travelPlacementOf(const std::string& travel);
 
-/// What a project says of what stands around its stock, and how its tool is held.
+/// The fixtures and limits of a project, and how its tool is held.
 struct Around {
     std::vector<Obstacle> obstacles;
     AxisMode axis;
@@ -47,14 +47,15 @@ struct Around {
 };
 Result<Around> aroundOf(const Project& project);
 
-/// Id of the machine asked for, or of the project's. Where that one is not known here another one stands in, and a
-/// message says which.
+/// Id of the requested machine, or of the project's. If that one is not known here, it is replaced by another one, and
+/// a message reports which.
 std::string machineFor(const Project& project, const std::string& asked, CommandContext& context);
 
-/// What is asked for, or what the project's programs are for, or what another machine's control reads.
+/// The requested dialect; otherwise that of the project's programs if the machine is theirs; otherwise that of the
+/// machine's control.
 std::string dialectFor(const std::string& asked, const ProgramTarget& target, const MachineProfile& machine);
 
-/// Names that `kept` has already get numbers; then both. So each obstacle can be told from the others.
+/// Concatenates both lists; names that `kept` already has get numbers, so that every obstacle has its own name.
 std::vector<Obstacle> joined(std::vector<Obstacle> kept, std::vector<Obstacle> added);
 
 /// {"mode": "fixed" | "chosen" | "free", "direction"}
@@ -65,7 +66,7 @@ nlohmann::json jsonOf(const TravelPlacement& placement);
 /// {"layer", "kind", "name", "on"}, by number.
 nlohmann::json jsonOf(const std::vector<BoundLayer>& layers);
 
-/// The same for people, a line each.
+/// The same as readable text, one line each.
 std::string textOf(const AxisMode& axis);
 std::string textOf(const Obstacle& obstacle);
 /// "fixture vise", "the part", "the machine's travel"

@@ -12,7 +12,7 @@ namespace burin {
 
 namespace {
 
-/// The nearest sample; beyond the end: the end.
+/// The nearest sample; the end for times beyond it.
 std::uint64_t sampleAt(const TakeInfo& take, double seconds) {
     const double samples = std::round(std::max(0.0, seconds) / take.tickPeriod);
     return samples >= static_cast<double>(take.sampleCount) ? take.sampleCount : static_cast<std::uint64_t>(samples);

@@ -9,12 +9,12 @@
 
 namespace burin {
 
-/// "TAKE:SECONDS" as a moment of a project's recordings, to a sample; "TAKE" alone is its end.
-/// Errors: argumentInvalid (of another form, or beyond the take's end), nameUnknown (the take).
+/// "TAKE:SECONDS" as a moment of a project's recordings, rounded to a sample; "TAKE" alone is the end of the take.
+/// Errors: argumentInvalid (wrong form, or beyond the take's end), nameUnknown (the take).
 Result<TakeMoment> momentOf(const Project& project, const std::string& text);
 
-/// A stretch of a take. @param from, to s since its start; nothing: its start, its end
-/// Errors: nameUnknown, argumentInvalid (nothing lies between them).
+/// An interval of a take. @param from, to s since its start; empty: its start, its end
+/// Errors: nameUnknown, argumentInvalid (the interval is empty).
 Result<SampleRange> stretchOf(const Project& project, std::int64_t take, std::optional<double> from,
                               std::optional<double> to);
 

@@ -11,13 +11,13 @@ namespace burin {
 
 class CommandContext;
 
-/// readAnyVolume, as a stage of a command. A file that states no unit is told.
+/// readAnyVolume, as a stage of a command. Reports a file that states no unit.
 Result<RunVolume> readVolume(const std::string& file, const std::string& table, CommandContext& context);
 
-/// An error of reading with the option's name in place of "table".
+/// A read error with "table" replaced by the option's name.
 Error withTableOption(Error error, const char* option);
 
-/// Says that a voxel array states no unit of length.
+/// Reports that a voxel array states no unit of length.
 void tellUnknownUnit(const std::string& file, CommandContext& context);
 
 } // namespace burin

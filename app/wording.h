@@ -10,17 +10,17 @@
 
 namespace burin {
 
-/// A text in the user's language, its %1, %2 … replaced by the first, second … value. UTF-8. English as long as no
-/// translations are installed. Thread: any.
+/// A text in the user's language, with %1, %2 … replaced by the values. UTF-8. English as long as no translations are
+/// installed. Thread-safe.
 std::string worded(TextId text, std::initializer_list<std::string> values = {});
 
-/// `one` where `count` is 1, otherwise `many`; %1 is the count, %2 the first value.
+/// `one` if `count` is 1, otherwise `many`; %1 is the count, %2 the first value.
 std::string worded(std::size_t count, TextId one, TextId many, std::initializer_list<std::string> values = {});
 
-/// The name of a tool, machine or material: in the user's language where Burin is shipped with it, otherwise as it is.
+/// The name of a tool, machine or material: translated if it is shipped with Burin, otherwise unchanged.
 std::string resourceName(const std::string& name);
 
-/// An option whose text is not what it may be. @param allowed what it may be
+/// The error for an option with an invalid text. @param allowed what is allowed
 Error wrongArgument(const char* option, const std::string& text, TextId allowed);
 
 } // namespace burin

@@ -28,8 +28,8 @@ namespace {
 
 std::atomic<bool> atWork{false};
 
-/// When the X server dies, its library calls exit() in the middle of everything. Threads still run then; taking down
-/// static objects beneath them helps nobody, and what was recorded is on the disk already.
+/// When the X server dies, its library calls exit() at any point. Threads are still running then; destroying static
+/// objects that they use would only do harm, and everything recorded is on the disk already.
 void leaveAtOnce() {
     if (atWork) std::_Exit(EXIT_FAILURE);
 }
@@ -41,7 +41,7 @@ bool hasDisplay() {
     };
     const char* platform = std::getenv("QT_QPA_PLATFORM");
     const std::string_view wished = platform != nullptr ? platform : "";
-    if (wished == "offscreen" || wished == "minimal") return false; // these can't draw with OpenGL
+    if (wished == "offscreen" || wished == "minimal") return false; // these cannot draw with OpenGL
     return set("DISPLAY") || set("WAYLAND_DISPLAY") || !wished.empty();
 }
 
@@ -50,7 +50,7 @@ void installLanguage() {
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     QLocale::setDefault(locale);
     Messages::install(locale);
-    auto* qt = new QTranslator(QCoreApplication::instance()); // the texts of Qt's own dialogs
+    auto* qt = new QTranslator(QCoreApplication::instance()); // texts of Qt's own dialogs
     if (qt->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
                  QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(qt);
@@ -75,13 +75,13 @@ int runWorkstation(int argc, char** argv) {
                   << "\n";
         return static_cast<int>(ErrorClass::wrongUse);
     }
-    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat()); // the window's own context has to share with the view's
+    QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat()); // the window's context shares with that of the view
     QApplication application(argc, argv);
-    std::setlocale(LC_NUMERIC, "C"); // Qt took the user's, but files are the same everywhere
+    std::setlocale(LC_NUMERIC, "C"); // Qt set the user's locale, but files are the same everywhere
     QCoreApplication::setApplicationName(QStringLiteral("Burin"));
     QCoreApplication::setApplicationVersion(QStringLiteral(BURIN_VERSION));
     QGuiApplication::setWindowIcon(themedIcon(QStringLiteral("mill"), &Palette::accent));
-    QGuiApplication::setDesktopFileName(QStringLiteral("org.burin.Burin")); // its icon, also on Wayland
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.burin.Burin")); // for its icon, also on Wayland
     installLanguage();
 
     MainWindow window;

@@ -6,11 +6,11 @@
 
 namespace burin {
 
-/// Whether these arguments ask for the window: nothing, or one file that is no command and no option.
+/// Whether these arguments request the window: none at all, or one file that is neither a command nor an option.
 /// @param isCommand whether a word is a command's name
 bool asksForWindow(int argc, char** argv, bool (*isCommand)(const std::string& word));
 
-/// Opens the window and stays until it is closed. Without a display: one sentence on standard error.
+/// Opens the window and returns when it is closed. Without a display: one sentence on standard error.
 /// @return exit status
 int runWorkstation(int argc, char** argv);
 

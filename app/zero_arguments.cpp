@@ -14,7 +14,7 @@ namespace burin {
 
 namespace {
 
-/// "stock:low,low,high"; nothing where it is not just that.
+/// "stock:low,low,high"; empty for any other text.
 std::optional<ProgramZero> onBox(ProgramZero zero, const std::string& text) {
     const std::vector<std::string> halves = partsOf(text, ':');
     if (halves.size() != 2) return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<ProgramZero> onBox(ProgramZero zero, const std::string& text) {
     return zero;
 }
 
-/// "near:X,Y,Z": what a click there would mean. Nothing where it is not just that.
+/// "near:X,Y,Z": the result of a click at that point. Empty for any other text.
 Result<std::optional<ProgramZero>> nearCorner(ProgramZero zero, const std::string& text, const Model& part,
                                               Progress& progress) {
     constexpr std::string_view near = "near:";

@@ -14,7 +14,7 @@
 
 namespace burin {
 
-/// What the command line says of program zero, as it was written.
+/// The arguments for program zero, as given by the user.
 struct ZeroArguments {
     std::string zero, workOffset;
 
@@ -24,12 +24,12 @@ struct ZeroArguments {
 /// Declares --zero and --work-offset.
 void addZero(CommandParser command, ZeroArguments& arguments);
 
-/// What they change of a program zero. @param part as it lies in the setup
+/// Applies the arguments to a program zero. @param part in the setup frame
 /// Errors: argumentInvalid, those of partFaceAt.
 Result<ProgramZero> changedZero(ProgramZero zero, const ZeroArguments& arguments, const Model& part,
                                 Progress& progress);
 
-/// {"work_offset", "on", "sides", "point_mm"}; sides or point only where they count.
+/// {"work_offset", "on", "sides", "point_mm"}; only those of sides and point that apply.
 nlohmann::json jsonOf(const ProgramZero& zero);
 /// "G54, stock: X middle, Y middle, Z high".
 std::string textOf(const ProgramZero& zero);

@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Burin authors
 # SPDX-License-Identifier: Apache-2.0
-# Where an installed Burin has its files, all relative to the program (core/base/file.h looks there), and the Debian
-# package: cmake --install build/release --prefix FOLDER, and cpack -G DEB --config build/release/CPackConfig.cmake.
+# The locations of an installed Burin's files, all relative to the program (core/base/file.h looks there), and the
+# Debian package: cmake --install build/release --prefix FOLDER, and cpack -G DEB --config
+# build/release/CPackConfig.cmake.
 
 set(burin_id org.burin.Burin) # of desktop entry, icon and metadata
 set(desktop ${CMAKE_SOURCE_DIR}/resources/desktop)
@@ -27,7 +28,7 @@ install(FILES ${desktop}/burin.bash-completion DESTINATION share/bash-completion
 install(FILES ${CMAKE_SOURCE_DIR}/resources/udev/70-burin-devices.rules DESTINATION lib/udev/rules.d)
 install(FILES ${desktop}/copyright DESTINATION share/doc/burin)
 
-# The date of what is installed is that of the sources, so that the same sources give the same package.
+# Installed files get the date of the sources, so that the same sources give the same package.
 string(TIMESTAMP burin_date "%Y-%m-%d" UTC)
 string(TIMESTAMP burin_changelog_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 find_package(Git QUIET)
@@ -42,7 +43,7 @@ endif()
 configure_file(${desktop}/${burin_id}.metainfo.xml.in ${CMAKE_BINARY_DIR}/${burin_id}.metainfo.xml @ONLY)
 install(FILES ${CMAKE_BINARY_DIR}/${burin_id}.metainfo.xml DESTINATION share/metainfo)
 
-# The man page is what the program says of itself. Both are compressed as Debian wants it, without a name or a time.
+# The man page is made from the program's own help. Both files are compressed as Debian requires, without name or time.
 find_program(HELP2MAN help2man REQUIRED)
 find_program(GZIP gzip REQUIRED)
 configure_file(${desktop}/changelog.in ${CMAKE_BINARY_DIR}/changelog @ONLY)
@@ -70,7 +71,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What no library names: texts of Qt's own, a font with equally wide digits, software OpenGL.
+# Dependencies that no library names: Qt's own translations, a font with digits of equal width, software OpenGL.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
     "qt6-translations-l10n, fonts-roboto-unhinted, libgl1-mesa-dri, libegl-mesa0, shared-mime-info")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "rtkit")

@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The Burin authors
 # SPDX-License-Identifier: Apache-2.0
-# Headers of others that nearly every source includes, compiled once: it spares one to five seconds a source. Each
-# source still includes what it uses; the presets debug and asan build without these, where a forgotten include shows.
+# Third-party headers that nearly every source includes, compiled once, which saves one to five seconds per source. Each
+# source still includes what it uses; the presets debug and asan build without precompiled headers and reveal missing
+# includes.
 
 option(BURIN_PRECOMPILED_HEADERS "Compile the headers of the standard library, GLM and QtCore once" ON)
 
-# burin_precompiled_set(NAME HEADERS ... USES ...): what burin_precompile(TARGET NAME) takes.
+# burin_precompiled_set(NAME HEADERS ... USES ...): defines a set for burin_precompile(TARGET NAME).
 function(burin_precompiled_set name)
     cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "HEADERS;USES")
     if(NOT BURIN_PRECOMPILED_HEADERS)
@@ -18,15 +19,15 @@ function(burin_precompiled_set name)
     target_precompile_headers(burin_precompiled_${name} PRIVATE ${arg_HEADERS})
 endfunction()
 
-# burin_precompile(TARGET SET): TARGET's sources, those that it compiles with flags of their own apart.
+# burin_precompile(TARGET SET): for TARGET's sources, except those that it compiles with flags of their own.
 function(burin_precompile target set)
     if(BURIN_PRECOMPILED_HEADERS)
         target_precompile_headers(${target} REUSE_FROM burin_precompiled_${set})
         if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-            # g++ 12 forgets that a precompiled std::string is a system's, and warns inside it (bug 105329).
+            # g++ 12 does not treat a precompiled std::string as system code, and warns inside it (bug 105329).
             target_compile_options(${target} PRIVATE -Wno-array-bounds -Wno-stringop-overflow)
         endif()
-        # What moc adds beside the sources is next to nothing.
+        # The output of moc is too small to benefit.
         set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/${target}_autogen/mocs_compilation.cpp
             PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
     endif()

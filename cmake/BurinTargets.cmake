@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Burin authors
 # SPDX-License-Identifier: Apache-2.0
-# The few functions that declare every target of Burin. What a target does not name, it can't link.
+# The few functions that declare every target of Burin. A target can only link what it names.
 
 set(BURIN_SANITIZE "" CACHE STRING "Sanitizers for all of our code, as for -fsanitize=")
 option(BURIN_FUZZ "Build the fuzzers; needs clang" OFF)
@@ -8,7 +8,8 @@ option(BURIN_FUZZ "Build the fuzzers; needs clang" OFF)
 include(CheckLinkerFlag)
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
-    # Else it gives up on precompiled headers, and finds nothing that was compiled in another clone.
+    # Otherwise ccache does not handle precompiled headers, and does not find objects that were compiled in another
+    # clone.
     set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}
         CCACHE_NOHASHDIR=1 ${CCACHE_PROGRAM})
     set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
@@ -20,24 +21,24 @@ target_compile_options(burin_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshado
     -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wcast-align -Wformat=2
     -Wimplicit-fallthrough)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-    # g++ 12 sees overlapping copies inside its own std::string (bug 105329).
+    # g++ 12 reports overlapping copies inside its own std::string (bug 105329).
     target_compile_options(burin_warnings INTERFACE -Werror -Wno-restrict)
 endif()
 
-# For tests: optimising one takes half of the compiler's time, and those that compute most run as long without it. Never
-# for what is shipped: of an inline function the linker keeps the program's copy, in the core's stead.
+# For tests: optimising a test takes half of the compiler's time, and those that compute most run as long without it.
+# Not for shipped programs: the linker keeps the program's copy of an inline function instead of the core's.
 add_library(burin_light_build INTERFACE)
 target_compile_options(burin_light_build INTERFACE $<$<CONFIG:Release>:-O1>)
-check_linker_flag(CXX -fuse-ld=gold BURIN_HAS_GOLD) # three times as fast as the linker that is there always
+check_linker_flag(CXX -fuse-ld=gold BURIN_HAS_GOLD) # three times as fast as the default linker
 if(BURIN_HAS_GOLD)
     target_link_options(burin_light_build INTERFACE -fuse-ld=gold)
 endif()
 
 add_library(burin_options INTERFACE)
 target_include_directories(burin_options INTERFACE ${CMAKE_SOURCE_DIR})
-# The same path on every machine: no fused multiply-add behind the programmer's back. Nothing reads errno after a root.
+# The same path on every machine: no implicit fused multiply-add. No code reads errno after a square root.
 target_compile_options(burin_options INTERFACE -ffp-contract=off -fno-math-errno)
-# The figures that Burin is held to were measured with AVX2. app/processor.cpp speaks up where it is missing.
+# The required benchmark figures were measured with AVX2. If it is missing, app/processor.cpp reports that.
 set(instructions "")
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
     set(instructions x86-64-v3)
@@ -60,14 +61,15 @@ endif()
 option(BURIN_UNITY "Compile several sources of a folder at once: it spares two thirds of the time" ON)
 
 # burin_unity(TARGET)
-# Compiles its sources six at once. Names in the anonymous namespaces of a folder have to differ then. Never for the
-# folders that each tick runs through: what their functions inline stays as it was measured.
+# Compiles its sources in batches of six, so names in the anonymous namespaces of a folder must be unique. Not for
+# folders whose code runs in each tick: what is inlined there stays as it was measured.
 function(burin_unity target)
     if(BURIN_UNITY)
         set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
         if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-            # A source that another one includes is taken for a header, whose types nobody else could complete; and
-            # where much is inlined g++ 12 sees unset members of an empty std::variant (the preset debug asks it again).
+            # g++ 12 takes a source that another one includes for a header, whose types could not be completed
+            # elsewhere; and with much inlining it reports unset members of an empty std::variant (the preset debug
+            # checks that again).
             target_compile_options(${target} PRIVATE -Wno-subobject-linkage -Wno-maybe-uninitialized)
         endif()
     endif()
@@ -94,7 +96,7 @@ function(burin_library name)
     add_library(burin::${name} ALIAS burin_${name})
 endfunction()
 
-# burin_moc(TARGET): its classes with signals and slots get what moc makes of them.
+# burin_moc(TARGET): runs moc for the classes with signals and slots.
 function(burin_moc target)
     get_target_property(BURIN_MOC Qt6::moc LOCATION)
     configure_file(${CMAKE_SOURCE_DIR}/cmake/moc.in ${CMAKE_BINARY_DIR}/moc @ONLY)
@@ -102,8 +104,8 @@ function(burin_moc target)
 endfunction()
 
 # burin_vectorised(SOURCES ...)
-# Sources with BURIN_VECTORISED functions (core/base/vectorised.h): comparisons raise no flags, so that lanes stay side
-# by side. Results are the same.
+# Sources with BURIN_VECTORISED functions (core/base/vectorised.h): comparisons raise no floating-point exceptions, so
+# that the lanes stay vectorised. Results are the same.
 function(burin_vectorised)
     set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "-fno-trapping-math;-Wno-psabi"
         SKIP_PRECOMPILE_HEADERS ON)
@@ -117,7 +119,7 @@ function(burin_program name)
 endfunction()
 
 # burin_plugin(KIND NAME SOURCES ... USES ...)
-# A loadable module with its metadata, plugin.json, beside it in plugins/KIND/NAME of the build tree.
+# A loadable module with its metadata, plugin.json, next to it in plugins/KIND/NAME of the build tree.
 function(burin_plugin kind name)
     cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SOURCES;USES")
     set(target burin_plugin_${kind}_${name})
@@ -130,7 +132,7 @@ function(burin_plugin kind name)
     set_property(GLOBAL APPEND PROPERTY BURIN_PLUGINS ${target})
 endfunction()
 
-# burin_test_entry(TEST SECONDS ENVIRONMENT COMMAND ...): makes it known to ctest.
+# burin_test_entry(TEST SECONDS ENVIRONMENT COMMAND ...): adds a test to ctest.
 function(burin_test_entry test seconds environment)
     if(BURIN_SANITIZE) # up to twenty times slower
         math(EXPR seconds "${seconds} * 10")
@@ -141,10 +143,10 @@ function(burin_test_entry test seconds environment)
 endfunction()
 
 # burin_test(PLACE NAME [GUI] [USES ...] [TIMEOUT SECONDS] [LONG SECONDS] [AFTER ...])
-# tst_NAME.cpp, a class of QtTest, known to ctest as PLACE.NAME. The tests of a PLACE share the program tst_PLACE, which
-# takes NAME as its first argument: compiled and linked together they take half of the time. AFTER names programs that it
-# starts. With GUI it gets an X display of its own. LONG: it has more cases than the usual run takes (tests/long_run.h);
-# all of them, within that time, are the test PLACE.NAME.long of `tests/run --long`.
+# tst_NAME.cpp, a class of QtTest, which ctest runs as PLACE.NAME. The tests of a PLACE share the program tst_PLACE,
+# which takes NAME as its first argument: compiling and linking them together takes half of the time. AFTER names
+# programs that it starts. With GUI it gets an X display of its own. LONG: it has more cases than the usual run uses
+# (tests/long_run.h); all of them, with that time limit, are the test PLACE.NAME.long of `tests/run --long`.
 find_program(XVFB_RUN xvfb-run)
 function(burin_test place name)
     cmake_parse_arguments(PARSE_ARGV 2 arg "GUI" "TIMEOUT;LONG" "USES;AFTER")
@@ -155,8 +157,8 @@ function(burin_test place name)
         set(launcher ${XVFB_RUN} -a -s "-screen 0 1600x1000x24 +extension GLX")
     endif()
     burin_test_program(${place} program)
-    # Straight to moc: looking for what else to run it on (AUTOMOC) takes longer than it does, once a test. Without
-    # TARGET, whose include folders it would read through.
+    # Calls moc directly, as AUTOMOC needs more time per test to find its inputs than moc itself takes. Without TARGET,
+    # whose include folders moc would search.
     qt_generate_moc(tst_${name}.cpp ${CMAKE_CURRENT_BINARY_DIR}/tst_${name}.moc)
     target_sources(${program} PRIVATE tst_${name}.cpp ${CMAKE_CURRENT_BINARY_DIR}/tst_${name}.moc)
     target_link_libraries(${program} PRIVATE ${arg_USES})
@@ -191,14 +193,14 @@ function(burin_test_program place variable)
     endif()
     burin_precompile(${target} ${precompiled})
     burin_unity(${target})
-    # Not in tests: that is a build folder, and its "plugins" would be taken for Burin's.
+    # Not in tests: that is a folder of the build tree, and its "plugins" would be taken for Burin's.
     set_target_properties(${target} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test-programs)
 endfunction()
 
 # burin_test_load(WAITING|DISTURBED TEST ...)
-# tests/run shares four slots out, for two cores. A test keeps a core busy and has two of them; WAITING ones, which let
-# time pass, have one; DISTURBED ones, which measure time or run the haptic loop by the clock for long, have three, so
-# that they only run beside a waiting one. Both begin first, as they go together.
+# tests/run distributes four slots, for two cores. A test keeps a core busy and has two slots. WAITING tests, which
+# mostly wait, have one; DISTURBED tests, which measure time or run the haptic loop in real time for long, have three,
+# so that they only run together with a waiting one. Both kinds start first, as they are run together.
 function(burin_test_load load)
     foreach(test IN LISTS ARGN)
         if(TEST ${test}.long)

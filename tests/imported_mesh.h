@@ -7,8 +7,8 @@
 
 namespace burin::tests {
 
-/// All bodies of one of the fixtures' models in one mesh, through the real import; empty where that fails. The test's
-/// target needs burin-import.
+/// All bodies of one of the fixtures' models in a single mesh, read by the real import; empty if that fails. The test's
+/// target has to depend on burin-import.
 inline TriangleMesh importedMesh(const char* file) {
     ImportOptions options;
     options.worker = std::filesystem::path(BURIN_BUILD_DIRECTORY) / "burin-import";

@@ -7,8 +7,8 @@
 
 namespace burin::testing {
 
-/// Whether every case is asked for (`tests/run --long`). The usual run takes a share of them that still shows each
-/// fact.
+/// Whether all cases are requested (`tests/run --long`). The usual run uses a share of them that still demonstrates
+/// each fact.
 inline bool longRun() {
     return qEnvironmentVariableIsSet("BURIN_LONG_RUN");
 }
@@ -21,7 +21,7 @@ T inLongRun(T all, T share) {
 
 } // namespace burin::testing
 
-/// First in a test function that the usual run leaves out: it takes long, and others show what it has in common with
-/// them.
+/// To be used first in a test function that the usual run skips, because it takes long and other tests cover what it
+/// has in common with them.
 #define BURIN_ONLY_IN_LONG_RUNS                                                                                        \
     if (!burin::testing::longRun()) QSKIP("in tests/run --long")

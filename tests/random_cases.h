@@ -13,7 +13,7 @@
 
 namespace burin::testing {
 
-/// A property that is dear to check: of the cases that are asked for, so many in a hundred.
+/// Checks a property that is expensive, with a percentage of the requested number of cases.
 template <class Testable>
 bool holds(const std::string& description, int percent, Testable&& testable) {
     rc::detail::TestParams params = rc::detail::configuration().testParams;
@@ -26,7 +26,7 @@ bool holds(const std::string& description, int percent, Testable&& testable) {
     return result.template is<rc::detail::SuccessResult>();
 }
 
-/// A property that is dear to check: the usual run tries 30 in a hundred of the cases that are asked for.
+/// Checks a property that is expensive: the usual run tries 30 % of the requested number of cases.
 template <class Testable>
 bool holdsInShare(const std::string& description, Testable&& testable) {
     return holds(description, inLongRun(100, 30), std::forward<Testable>(testable));

@@ -8,7 +8,7 @@
 
 namespace burin::testing {
 
-/// A mesh as an STL file of text, every coordinate to the last bit.
+/// A mesh as a text STL file, with coordinates that are exact to the last bit.
 inline QByteArray stlText(const TriangleMesh& mesh, const QByteArray& name = "mesh") {
     QByteArray text = "solid " + name + '\n';
     for (const auto& triangle : mesh.triangles) {

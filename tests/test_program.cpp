@@ -33,7 +33,7 @@ int main(int argc, char* argv[]) {
     const std::string wanted = argc > 1 ? argv[1] : "";
     for (const burin::RegisteredTest& test : burin::registeredTests()) {
         if (burin::nameOf(test) != wanted) continue;
-        // Applications keep their files by name: each test under its own.
+        // Applications name their files after the program: each test gets its own name.
         std::string program = std::string(argv[0]) + '_' + wanted;
         argv[1] = program.data();
         return test.run(argc - 1, argv + 1);

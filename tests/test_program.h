@@ -9,21 +9,21 @@
 
 namespace burin {
 
-/// Stands where a test needs no application object.
+/// Used by tests that need no application object.
 struct NoApplication {
     NoApplication(int& /*argc*/, char** /*argv*/) {}
 };
 
 /// One test class of a folder's program.
 struct RegisteredTest {
-    const char* file; ///< its source, by whose name main() finds it
+    const char* file; ///< its source file, by whose name main() finds it
     int (*run)(int argc, char** argv);
 };
 
-/// Makes `test` known to main() (tests/test_program.cpp). Before main() alone.
+/// Registers `test` for main() (tests/test_program.cpp). To be called before main() only.
 bool registerTest(const RegisteredTest& test);
 
-/// Runs every function of Test that the arguments, those of QtTest, ask for; returns QtTest's status.
+/// Runs the functions of Test that the arguments, which are those of QtTest, request; returns QtTest's status.
 template <typename Test, typename Application>
 int runTest(int argc, char** argv) {
     Application application(argc, argv);
@@ -34,7 +34,8 @@ int runTest(int argc, char** argv) {
 
 } // namespace burin
 
-/// Ends the namespace of a test's source, in place of QTEST_MAIN: the tests of a folder share a program.
+/// Placed at the end of the namespace of a test's source instead of QTEST_MAIN, as the tests of a folder share a
+/// program.
 #define BURIN_TEST(Test, Application)                                                                                  \
     [[maybe_unused]] static const bool registered##Test =                                                              \
         burin::registerTest({__FILE__, &burin::runTest<Test, Application>});

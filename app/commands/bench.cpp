@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A program that tests/benchmarks builds beside Burin, because it links peers that Burin itself does not need.
+/// A program that tests/benchmarks builds separately, because it links other projects that Burin itself does not need.
 struct Benchmark {
     const char* name;
     const char* program;
@@ -63,7 +63,7 @@ void listBenchmarks(CommandContext& context) {
     context.answer(list, text);
 }
 
-/// The benchmark writes to our own output and messages; Ctrl-C reaches it as it reaches us.
+/// Runs the benchmark with our standard output and error; both processes receive Ctrl-C.
 int start(const Benchmark& benchmark, const BenchArguments& arguments, CommandContext& context) {
     QStringList words;
     if (context.json) words << QStringLiteral("--json");
@@ -77,7 +77,7 @@ int start(const Benchmark& benchmark, const BenchArguments& arguments, CommandCo
     for (bool asked = false; process.state() != QProcess::NotRunning;) {
         process.waitForFinished(wait);
         if (!context.progress().cancelled() || asked) continue;
-        process.terminate(); // a signal to us alone
+        process.terminate(); // the signal was sent to this process only
         asked = true;
     }
     if (process.error() == QProcess::FailedToStart || process.exitStatus() == QProcess::CrashExit)

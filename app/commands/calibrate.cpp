@@ -22,7 +22,7 @@ struct CalibrateArguments {
     bool onWorkpiece = false, replace = false, dryRun = false;
 };
 
-/// A calibration with the file that its material was written to; empty: none.
+/// A calibration with the file to which its material was written; empty: none.
 struct Calibrated {
     CalibratedMaterial made;
     std::string file;
@@ -90,7 +90,7 @@ std::string textOf(const Calibrated& entry) {
     return text + "\n  " + (entry.file.empty() ? worded(BURIN_TEXT("Command", "not written (--dry-run)")) : entry.file);
 }
 
-/// Writes the materials to the user's library, all or none, once all ids may be used.
+/// Writes the materials to the user's library, all or none, after checking all ids.
 Result<void> keepMaterials(std::vector<Calibrated>& materials, const CalibrateArguments& arguments) {
     for (Calibrated& entry : materials) {
         const Result<std::filesystem::path> file = userMaterialFile(entry.made.material.id, arguments.replace);
@@ -113,7 +113,7 @@ Result<void> keepMaterials(std::vector<Calibrated>& materials, const CalibrateAr
     return putInPlace(files);
 }
 
-/// A name without a material to start from is mended by an option of this command.
+/// If no material to start from is given, the error suggests an option of this command.
 Error withOptionNamed(Error error, const CalibrateArguments& arguments) {
     if (error.code == ErrorCode::argumentInvalid && error.subject == "material" && arguments.like.empty())
         error.detail = worded(BURIN_TEXT("Command", "a known material, or --like MATERIAL"));

@@ -36,7 +36,7 @@ struct DemoArguments {
     PictureOptions picture;
 };
 
-/// What the demo leaves behind, for the answer and the report.
+/// The results of the demo, for the answer and the report.
 struct DemoResult {
     MillingContext milling;
     OperatorOutcome milled;
@@ -44,7 +44,7 @@ struct DemoResult {
     CheckedProgram program;
 };
 
-/// The paper's figure 13 b: a block of 40 × 32 × 40 voxels and a ball of radius 0.5; we read the voxel as 0.1 mm.
+/// Figure 13 b of the paper: a block of 40 × 32 × 40 voxels and a ball of radius 0.5; a voxel is taken as 0.1 mm.
 Result<Setup> blockSetup(const DemoArguments& arguments) {
     Setup setup;
     setup.voxel = arguments.voxel > 0.0 ? arguments.voxel : 0.1;
@@ -64,7 +64,7 @@ Result<Setup> partSetup(const DemoArguments& arguments, const Model& model) {
     return placeStock(model, setup);
 }
 
-/// A new project with part, stock, material and tool. Errors: those of importing, placing and storing.
+/// Creates a project with part, stock, material and tool. Errors: those of importing, placing and storing.
 Result<ProjectChange> makeProject(const DemoArguments& arguments, const Tool& tool, CommandContext& context) {
     Model model;
     if (!arguments.block) {
@@ -89,7 +89,7 @@ Result<ProjectChange> makeProject(const DemoArguments& arguments, const Tool& to
     return project;
 }
 
-/// The whole job on a project. Errors: those of its stages.
+/// Runs the whole job on a project. Errors: those of its stages.
 Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Embedding"));
     Result<MillingContext> milling = makeMillingContext(project, tool, arguments.machine, context.progress());
@@ -97,13 +97,13 @@ Result<DemoResult> work(Project& project, const Tool& tool, const DemoArguments&
     context.stage(BURIN_TEXT("Command", "Computing the tool's boundary"));
     OperatorRequest request;
     request.timeLimit = arguments.seconds;
-    // The paper's model wax takes deep, wide cuts; what is left of the steps the fine finishing passes take.
+    // The paper's model wax allows deep, wide cuts; the fine finishing passes remove the remaining steps.
     request.levelDepth = 1.4 * tool.cutter.diameter;
     request.finishingDepth = 2.0 * tool.cutter.diameter;
     request.roughingStepOver = 0.85 * tool.cutter.diameter;
     request.finishingStepOver = tool.cutter.diameter / 17.0;
     request.seed = arguments.seed;
-    request.saves = false; // with everything else, at the end
+    request.saves = false; // saved with everything else, at the end
     const auto field = clearanceField(*milling, request.allowance, context.progress());
     if (!field) return field.error();
     context.stage(BURIN_TEXT("Command", "Milling"));
@@ -152,7 +152,7 @@ json jsonOf(const DemoResult& result) {
     answer["shank_contact_ticks"] = shank;
     answer["tick_us_p50"] = p50;
     answer["tick_us_p999"] = p999;
-    answer["tick_cpu_us_p999"] = cpuP999; // without what other programs took from the tick
+    answer["tick_cpu_us_p999"] = cpuP999; // without the time that other programs took from the tick
     answer["milling_s"] = simulated;
     answer["milling_wall_s"] = wall;
     answer["blocks"] = result.program.parsed.blocks;
@@ -170,7 +170,7 @@ json jsonOf(const DemoResult& result) {
     return answer;
 }
 
-/// Where the tool stands in the picture: on a place that it cut, near the viewer and high up.
+/// The position of the tool in the picture: a point that it cut, near the viewer and high up.
 glm::dvec3 placeToShow(const Path& path) {
     constexpr glm::dvec3 towardsViewer(0.3, -0.4, 1.0);
     glm::dvec3 best(0.0);
@@ -184,7 +184,7 @@ glm::dvec3 placeToShow(const Path& path) {
     return best;
 }
 
-/// Without the path, whose fine passes would hide what they made.
+/// Draws the result without the path, whose fine passes would hide the surface.
 Result<StagedFile> drawResult(const DemoResult& result, const PictureOptions& options, const fs::path& file) {
     PictureContent content;
     content.workpiece = result.program.machined;
@@ -196,7 +196,7 @@ Result<StagedFile> drawResult(const DemoResult& result, const PictureOptions& op
     return StagedFile::containing(file, *png);
 }
 
-/// Program, picture and report, and the project with its verdict: all or none of them.
+/// Writes program, picture and report, and the project with its verdict: all or none of them.
 Result<void> writeAll(ProjectChange& project, const DemoResult& result, const DemoArguments& arguments,
                       const fs::path& folder, const json& answer) {
     std::vector<StagedFile> files;
@@ -219,7 +219,7 @@ Result<void> writeAll(ProjectChange& project, const DemoResult& result, const De
                    [&] { return project.save(files); });
 }
 
-/// None of what is written is the model.
+/// Checks that no output replaces the model.
 Result<void> checkOutputs(const DemoArguments& arguments) {
     const fs::path folder = arguments.output;
     const std::array<fs::path, 1> inputs{arguments.model};

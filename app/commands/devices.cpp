@@ -54,7 +54,7 @@ std::string textOf(const FoundDevice& device, const StylusDescription& stylus) {
     return text;
 }
 
-/// Drivers that have no devices because a library of their maker's is missing.
+/// Reports drivers that have no devices because a library of the vendor is missing.
 void addDrivers(DeviceRegistry& registry, json& answer, std::string& text) {
     for (const DriverState& driver : registry.drivers()) {
         json entry{{"id", driver.id}, {"name", driver.name}, {"ready", !driver.missing.has_value()}};
@@ -67,7 +67,7 @@ void addDrivers(DeviceRegistry& registry, json& answer, std::string& text) {
     }
 }
 
-/// What --test asks for.
+/// The arguments of --test.
 struct TrialArguments {
     std::string device, mode;
     TrialSettings settings;
@@ -127,7 +127,7 @@ int runDevices(CommandContext& context) {
             entry["self_paced"] = StylusHandle(*stylus).selfPaced() != nullptr;
             entry["health"] = jsonOf(made.health());
             line(textOf(device, made.description()));
-        } else { // there, but not to be used: that is what is to be known of it
+        } else { // present but unusable: reports why
             entry["fault"] = Messages::sentence(stylus.error()).toStdString();
             line(device.id + ": " + device.name + "\n  " + Messages::sentence(stylus.error()).toStdString());
         }

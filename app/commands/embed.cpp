@@ -62,8 +62,8 @@ Result<void> addStockFile(const EmbedArguments& arguments, Setup& setup, Command
     return {};
 }
 
-/// What a hand recorded is not replaced unless somebody says so. A file that can't be opened is for the saving to
-/// judge.
+/// Refuses to replace a project with recordings unless --replace is given. A file that cannot be opened is left to the
+/// check when saving.
 Result<void> mayBeReplaced(const EmbedArguments& arguments) {
     std::error_code unreached;
     if (arguments.replace || !std::filesystem::exists(arguments.output, unreached)) return {};
@@ -83,7 +83,8 @@ const char* optionOf(const std::filesystem::path& input, const EmbedArguments& a
     return input == arguments.stock.table ? "--stock-table" : "--fixture";
 }
 
-/// The model, the stock and the fixtures: none of them is where the project, or what Burin keeps beside it, will be.
+/// Checks that model, stock and fixtures are not where the project, or files that Burin keeps next to it, will be
+/// written.
 Result<void> checkPlaces(const EmbedArguments& arguments) {
     std::vector<std::filesystem::path> inputs;
     if (!arguments.model.empty()) inputs.emplace_back(arguments.model);
@@ -97,7 +98,7 @@ Result<void> checkPlaces(const EmbedArguments& arguments) {
     return {};
 }
 
-/// As its file has it, or mirrored. Free carving needs none.
+/// The model as in its file, or mirrored. Free carving needs none.
 Result<Model> modelOf(const EmbedArguments& arguments, CommandContext& context) {
     if (arguments.model.empty()) {
         if (arguments.stock.freeCarving) return Model{};
@@ -109,7 +110,7 @@ Result<Model> modelOf(const EmbedArguments& arguments, CommandContext& context) 
     context.stage(BURIN_TEXT("Command", "Importing"));
     Result<Model> model = importModel(arguments.model, options, context.progress());
     if (!model || arguments.mirror.empty()) return model;
-    const int axis = arguments.mirror.front() - 'x'; // the parser allows no other than x, y and z
+    const int axis = arguments.mirror.front() - 'x'; // the parser accepts x, y and z only
     auto whole = std::make_shared<const Model>(std::move(*model));
     return *placed(whole, mirroredAcross(axis, whole->box().centre()));
 }

@@ -37,7 +37,7 @@ json jsonOf(const TakeInfo& take) {
             {"complete", take.complete}};
 }
 
-/// "passed" is said only where all that the check judged is as it was then.
+/// "passed" is reported only if everything that the check depended on is unchanged.
 const char* stateOf(const ReopenedProgram& kept) {
     if (!kept.upToDate) return "out_of_date";
     if (kept.program->passed()) return "passed";
@@ -82,7 +82,7 @@ std::string infoText(const StoredPath& path) {
                    std::to_string(path.edits.size())});
 }
 
-/// What a project lacks is null, so that a half-done project can be looked at too.
+/// Missing parts of a project are null, so that an unfinished project can be inspected as well.
 int runInfo(const std::string& file, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Opening"));
     const Result<Project> project = projectForReading(file, context);

@@ -19,7 +19,7 @@ int runList(const LibraryArguments&, CommandContext& context) {
     int status = 0;
     for (const std::string& id : machineIds()) {
         const Result<MachineProfile> machine = loadMachine(id);
-        if (!machine) { // the others can be used all the same
+        if (!machine) { // the others can still be used
             status = context.fail(machine.error());
             continue;
         }
@@ -37,7 +37,7 @@ int runShow(const LibraryArguments& arguments, CommandContext& context) {
     const Result<MachineProfile> machine = loadMachine(arguments.id);
     if (!machine) return context.fail(machine.error());
     std::string text = toJson(*machine);
-    text.pop_back(); // the answer ends its line itself
+    text.pop_back(); // `answer` adds the line end
     context.answer(json::parse(text), text);
     return 0;
 }

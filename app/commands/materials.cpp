@@ -39,7 +39,7 @@ int listMaterials(const LibraryArguments&, CommandContext& context) {
     int status = 0;
     for (const std::string& id : materialIds()) {
         const Result<Property> material = loadMaterial(id);
-        if (!material) { // the others can be used all the same
+        if (!material) { // the others can still be used
             status = context.fail(material.error());
             continue;
         }
@@ -59,7 +59,7 @@ int showMaterial(const LibraryArguments& arguments, CommandContext& context) {
     const Result<Property> material = loadMaterial(arguments.id);
     if (!material) return context.fail(material.error());
     std::string text = toJson(*material);
-    text.pop_back(); // the answer ends its line itself
+    text.pop_back(); // `answer` adds the line end
     context.answer(json::parse(text), text);
     return 0;
 }

@@ -49,7 +49,7 @@ const char* nameOf(FeedBound bound) {
     return "limit";
 }
 
-/// The cut of a take that asks for most, and the feed for it; null: nothing was cut, or the tables lack values.
+/// The most demanding cut of a take, and the feed for it; null if nothing was cut, or the tables lack values.
 json heaviestCutOf(const TakeOutcome& outcome, const PropertyList& properties) {
     if (!outcome.heaviestFeed) return nullptr;
     const SmoothedCut& cut = outcome.heaviestCut;
@@ -90,7 +90,7 @@ json jsonOf(const TakeOutcome& outcome, const ToolBounds& bounds, const Property
             {"heaviest_cut", heaviestCutOf(outcome, properties)}};
 }
 
-/// What held the tool besides the part, and what could not follow the hand.
+/// Objects other than the part that held the tool, and motion that could not follow the hand.
 std::string alarmsOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
     std::string text;
     const auto add = [&text](std::uint64_t ticks, TextId what, const std::string& holder = {}) {
@@ -124,7 +124,7 @@ std::string textOf(const TakeOutcome& outcome, const ToolBounds& bounds, const P
            heaviestText(outcome, properties) + alarmsOf(outcome, bounds);
 }
 
-/// What one stylus is to make of a project.
+/// The work to be done with one stylus on a project.
 struct MillWork {
     const MillArguments& arguments;
     Project& project;
@@ -132,18 +132,18 @@ struct MillWork {
     const ToolBounds& bounds;
     CommandContext& context;
     Pace pace;
-    json& answer;                          ///< gets what is told of the whole session
-    std::optional<StagedFile>& trace;      ///< gets the trace that was asked for
-    OpenedSessionTrace* played;            ///< the trace that is the stylus; null: none is
-    std::optional<GuideSettings> guides{}; ///< that hold a hand
+    json& answer;                          ///< receives the values reported for the whole session
+    std::optional<StagedFile>& trace;      ///< receives the requested trace
+    OpenedSessionTrace* played;            ///< the trace that serves as the stylus; null: none
+    std::optional<GuideSettings> guides{}; ///< for hand guidance
 };
 
-/// How much of the cutting was felt, and who says so.
+/// Reports the share of the cutting force that was felt, and the source of this value.
 void tellFelt(const FeltCutting& felt, const char* source, json& answer) {
     answer["felt"] = {{"gain", felt.gain}, {"friction", felt.friction}, {"source", source}};
 }
 
-/// An older trace, one that somebody wrote, or a take's: readings alone say nothing of what was felt.
+/// For a trace of an older version, a hand-written one or that of a take: readings alone do not say what was felt.
 FeltCutting feltWithout(const std::string& file, const MillWork& work) {
     FeltCutting felt = feltByPlannedHand;
     felt.gain = work.arguments.felt.value_or(felt.gain);
@@ -157,7 +157,7 @@ FeltCutting feltWithout(const std::string& file, const MillWork& work) {
     return felt;
 }
 
-/// As the session was that left a trace, but for the allowance where this one is told another.
+/// Configures a request like the session that recorded a trace, except that the allowance may be given anew.
 /// Errors: argumentInvalid (its tool had another axis).
 Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequest& request) {
     request.replayed = &trace;
@@ -184,7 +184,7 @@ Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequ
     return {};
 }
 
-/// One take with a stylus; its end, the time given, or the request to stop ends it.
+/// Records one take with a stylus, until it ends, the given time has passed, or a stop is requested.
 Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std::string& name, bool cutsOnButton,
                                           const MillWork& work, const SessionTrace* replayed = nullptr) {
     TakeRequest request;
@@ -219,7 +219,7 @@ Result<std::vector<TakeOutcome>> millWithTrace(OpenedSessionTrace& trace, const 
     return takes;
 }
 
-/// How many guides of the project hold.
+/// Reports how many guides of the project are active.
 void tellGuides(const MillWork& work) {
     const auto count = work.guides ? std::ranges::count_if(work.guides->guides, &Guide::on) : 0;
     work.answer["guides"] = count;
@@ -228,7 +228,7 @@ void tellGuides(const MillWork& work) {
             worded(BURIN_TEXT("Command", "Active guides of the project: %1"), {std::to_string(count)}));
 }
 
-/// Its first button, where it has one, is the spindle's.
+/// The first button of the device, if it has one, controls the spindle.
 Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const MillWork& work) {
     DeviceRegistry registry;
     const Result<FoundDevice> device = registry.find(name);
@@ -285,7 +285,7 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     return std::move(outcome->takes);
 }
 
-/// What bounds the tool, as the project has it or the arguments say otherwise. A hand need not wait for all of it.
+/// The bounds of the tool, by the project or by the arguments. With a hand, not all of them have to be computed first.
 Result<ToolBounds> boundsFor(const Project& project, const MillingContext& milling, const MillArguments& arguments,
                              const SessionTrace* played, Progress& progress) {
     const Result<AxisMode> axis = arguments.axis.empty() ? project.axisMode() : axisModeOf(arguments.axis);
@@ -301,14 +301,14 @@ Result<ToolBounds> boundsFor(const Project& project, const MillingContext& milli
     return ToolBounds::grow(milling, lent(milling.part), milling.tool, *axis, surroundings, allowance, {}, progress);
 }
 
-/// Saves what was milled, and the trace with it: both or neither.
+/// Saves the milled work together with the trace: both or neither.
 Result<void> saveWith(Project& project, std::optional<StagedFile>& trace) {
     const Result<void> saved = project.save(trace ? std::span(&*trace, 1) : std::span<StagedFile>());
-    if (saved) project.abandonChanges(); // all of it is in the file
+    if (saved) project.abandonChanges(); // all of them are in the file
     return saved;
 }
 
-/// What a fault leaves of a recording and its trace.
+/// What remains of a recording and its trace after a fault.
 QString keptRecording(const Project& project, const std::optional<StagedFile>& trace) {
     QStringList words;
     if (trace) words << standingOutputs(std::span(&*trace, 1));
@@ -328,7 +328,7 @@ Result<void> checkTrace(const MillArguments& arguments) {
     return checkOutput("--trace", arguments.trace, inputs);
 }
 
-/// Switches off what was recorded after a moment. @return what was off before
+/// Switches off everything recorded after a moment. @return what was off before
 Result<SwitchedOff> punchIn(Project& project, const std::string& from) {
     const Result<TakeMoment> moment = momentOf(project, from);
     if (!moment) return moment.error();
@@ -340,7 +340,7 @@ Result<SwitchedOff> punchIn(Project& project, const std::string& from) {
     return before;
 }
 
-/// So that who opens the project next cuts nothing again. What can't be kept is no fault.
+/// Keeps the workpiece, so that opening the project again needs no cutting. A failure to keep it is ignored.
 void keepWorkpiece(Project& project, MillingContext& milling, Progress& progress) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes || takes->empty()) return;
@@ -373,7 +373,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
     const Result<SwitchedOff> off =
         arguments.from.empty() ? Result<SwitchedOff>(SwitchedOff{}) : punchIn(*project, arguments.from);
     if (!off) return context.fail(off.error());
-    const auto nothingMilled = [&](const Error& error) { // all counts that did
+    const auto nothingMilled = [&](const Error& error) { // restores what was active before
         static_cast<void>(setSwitchedOff(*project, *off));
         return context.fail(error);
     };
@@ -402,7 +402,7 @@ int runMill(const MillArguments& arguments, CommandContext& context) {
         millAsAsked({arguments, *project, *milling, *bounds, context, arguments.realtime ? Pace::realtime : Pace::fast,
                      answer, trace, played ? &*played : nullptr});
     if (!outcome) {
-        // What was recorded until somebody ended it is saved as if it had ended by itself.
+        // An interrupted recording is saved as if it had ended by itself.
         const bool ended = outcome.error().code == ErrorCode::cancelled && project->unsaved() && *project->unsaved();
         if (ended && saveWith(*project, trace)) return context.fail(outcome.error());
         return context.fail(outcome.error(), keptRecording(*project, trace));

@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// The names, in the order in which --help lists them.
+/// The names, in the order used by --help.
 const std::map<std::string, OperatorIntent> intents{{"contour", OperatorIntent::contour},
                                                     {"hostile", OperatorIntent::hostile},
                                                     {"passes", OperatorIntent::passes},

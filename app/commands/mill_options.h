@@ -10,13 +10,13 @@
 
 namespace burin {
 
-/// What `burin mill` is asked for, as it was written.
+/// The arguments of `burin mill`, as given by the user.
 struct MillArguments {
     std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis, from;
     bool realtime = false, fast = false, overrides = false;
     double seconds = 0.0, rate = 1000.0;
-    int deadMan = 0;       ///< button, from 1; 0: none
-    bool noGuides = false; ///< those of the project don't hold
+    int deadMan = 0;       ///< number of the button, from 1; 0: none
+    bool noGuides = false; ///< the guides of the project are disabled
     std::string grip = "firm", intent = "passes";
     std::optional<double> allowance, felt;
     OperatorRequest hand;
@@ -25,7 +25,7 @@ struct MillArguments {
 /// Declares the arguments of `burin mill`.
 void addMillOptions(CommandParser command, MillArguments& arguments);
 
-/// What --grip and --intent name.
+/// The values of --grip and --intent.
 HandImpedance gripOf(const MillArguments& arguments);
 OperatorIntent intentOf(const MillArguments& arguments);
 

@@ -29,13 +29,13 @@ using nlohmann::json;
 
 struct PathArguments {
     std::string project, machine, output, edit, name;
-    std::string outputOption = "--output"; ///< that the user gave the output with
+    std::string outputOption = "--output"; ///< option that specified the output
     std::int64_t path = 0, take = 0;
     std::vector<std::int64_t> takes;
     std::size_t place = 0;
     ProgramPathArguments program;
     PassArguments pass;
-    std::optional<std::int64_t> meantPass; ///< that is deleted, or computed again
+    std::optional<std::int64_t> meantPass; ///< the pass to be deleted or recomputed
 };
 
 int list(const PathArguments& arguments, CommandContext& context) {
@@ -55,7 +55,7 @@ int list(const PathArguments& arguments, CommandContext& context) {
     return 0;
 }
 
-/// A path has one tool: that of the first take asked for, or the last one that milled.
+/// A path has one tool: that of the first requested take, or that of the last take.
 Result<std::string> toolForNew(const Project& project, const PathArguments& arguments) {
     if (arguments.takes.empty()) {
         const Result<std::vector<TakeInfo>> standing = standingTakes(project);
@@ -113,7 +113,7 @@ Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
     return {};
 }
 
-/// An edit, or a pass.
+/// Adds an edit, or a pass.
 int addTo(const PathArguments& arguments, CommandContext& context) {
     if (arguments.pass.kind.empty() && arguments.edit.empty())
         return context.fail({ErrorCode::argumentInvalid, "--edit", "",
@@ -178,7 +178,7 @@ Result<void> updateEdit(StoredPath& path, const PathArguments& arguments) {
     return {};
 }
 
-/// Empty for a straight move.
+/// Columns of the arc; empty for a straight move.
 std::string arcColumns(const PathPoint& point) {
     if (!point.arc) return ",,,,,";
     std::string text;
@@ -258,8 +258,8 @@ int show(const PathArguments& arguments, CommandContext& context) {
     return 0;
 }
 
-/// What a take milled; of one that doesn't say (before format 4) what the project's workpiece is made of, none where
-/// that can't be made any more.
+/// The materials that a take milled; if it does not state them (before format 4), those of the project's workpiece;
+/// empty if that can no longer be made.
 MaterialIds materialIdsOf(const Project& project, const TakeInfo& take) {
     if (!take.materials.empty()) return take.materials;
     const Result<Model> model = project.model();
@@ -270,7 +270,7 @@ MaterialIds materialIdsOf(const Project& project, const TakeInfo& take) {
     return list ? idsOf(*list) : MaterialIds{};
 }
 
-/// Writes a take as CSV: all that was recorded, or the stylus alone as a trace that `burin mill` plays.
+/// Writes a take as CSV: complete, or only the stylus, as a trace that `burin mill` can play.
 int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& context) {
     if (const Result<void> free = checkPlace(arguments); !free) return context.fail(free.error());
     const Result<Project> project = projectForReading(arguments.project, context);

@@ -15,7 +15,7 @@ namespace burin {
 
 namespace {
 
-/// What was left out and why; lines that follow others, empty where nothing was. @param pass computed or a preview
+/// What was left out and why; lines to append to others, empty if nothing was. @param pass computed or a preview
 template <class Pass>
 std::string textOfOmissions(const Pass& pass) {
     std::string text;
@@ -35,7 +35,7 @@ std::string textOfOmissions(const Pass& pass) {
     return text;
 }
 
-/// Whether a path of the project is still made of a source. Errors: those of Project::paths.
+/// Whether any path of the project uses a source. Errors: those of Project::paths.
 Result<bool> isUsed(const Project& project, PathSource source) {
     const Result<std::vector<StoredPath>> paths = project.paths();
     if (!paths) return paths.error();
@@ -43,7 +43,7 @@ Result<bool> isUsed(const Project& project, PathSource source) {
         *paths, [&](const StoredPath& path) { return std::ranges::find(path.sources, source) != path.sources.end(); });
 }
 
-/// Passes that no path is made of. Errors: also those of Project::removeGenerated.
+/// Removes passes that no path uses. Errors: also those of Project::removeGenerated.
 Result<void> removeUnused(Project& project, const std::vector<PathSource>& sources) {
     for (const PathSource source : sources) {
         if (!source.isGenerated()) continue;
@@ -59,7 +59,7 @@ Result<void> removeUnused(Project& project, const std::vector<PathSource>& sourc
 
 namespace {
 
-/// What a pass came to.
+/// The result of a pass.
 struct KeptPass {
     StoredPath path;
     std::int64_t source = 0;
@@ -81,7 +81,7 @@ struct KeptPass {
     }
 };
 
-/// Computes a pass, and keeps it in the project as a source of the path. Errors: those of pathsBeforePass, computePass
+/// Computes a pass and stores it in the project as a source of the path. Errors: those of pathsBeforePass, computePass
 /// and Project.
 Result<KeptPass> keepPass(Project& project, const MillingContext& milling, StoredPath path, const PassRequest& request,
                           std::optional<std::int64_t> instead, CommandContext& context) {
@@ -105,7 +105,7 @@ Result<KeptPass> keepPass(Project& project, const MillingContext& milling, Store
     return KeptPass{std::move(path), *source, std::move(*pass)};
 }
 
-/// Tells what a pass would come to, roughly, and keeps nothing.
+/// Reports an estimate of a pass without storing anything.
 int tellPreview(const Project& project, const MillingContext& milling, const StoredPath& path,
                 const PassRequest& request, std::optional<std::int64_t> instead, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Computing the preview"));
@@ -167,7 +167,7 @@ int recompute(ProjectChange& project, StoredPath path, std::optional<std::int64_
     if (const Result<void> known = checkPassOf(path, pass); !known) return context.fail(known.error());
     Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
     if (!passes) return context.fail(passes.error());
-    std::erase_if(*passes, [](const GeneratedInfo& each) { return each.request.empty(); }); // of programs
+    std::erase_if(*passes, [](const GeneratedInfo& each) { return each.request.empty(); }); // those of programs
     if (passes->empty())
         return context.fail({ErrorCode::argumentInvalid, "PATH", std::to_string(path.id),
                              worded(BURIN_TEXT("Command", "a path with a computed pass"))});

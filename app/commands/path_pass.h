@@ -9,19 +9,19 @@
 
 namespace burin {
 
-/// Computes a pass, makes it the last source of a path or the first of a new one, saves and answers.
-/// Where the arguments name a pass of the path, in its place.
-/// @param path without sources: a new one @param machine by id; empty: the project's @return exit status
+/// Computes a pass, appends it to the sources of a path or makes it the first of a new one, saves and answers. If the
+/// arguments name a pass of the path, that one is replaced.
+/// @param path without sources: a new one @param machine id; empty: that of the project @return exit status
 int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& arguments, const std::string& machine,
               CommandContext& context);
 
-/// Computes a path's passes anew, as each was asked for, in the place where it is, saves and answers.
-/// @param pass id; nothing: all of the path @return exit status
+/// Recomputes passes of a path from their stored requests, keeping their positions, saves and answers.
+/// @param pass id; empty: all passes of the path @return exit status
 int recompute(ProjectChange& project, StoredPath path, std::optional<std::int64_t> pass, const std::string& machine,
               CommandContext& context);
 
-/// Takes a path out of a project, or one pass out of a path, saves and answers; passes that no path is made of any more
-/// go with it. @param pass id; nothing: all of the path @return exit status
+/// Removes a path from a project, or one pass from a path, saves and answers; passes that no path uses any more are
+/// removed as well. @param pass id; empty: the whole path @return exit status
 int removeFrom(ProjectChange& project, StoredPath path, std::optional<std::int64_t> pass, CommandContext& context);
 
 } // namespace burin

@@ -18,7 +18,7 @@ namespace burin {
 
 namespace {
 
-/// What can't be taken over as it stands.
+/// What could not be imported unchanged.
 std::string textOfLosses(const ProgramPasses& passes) {
     std::string text = "\n" + worded(BURIN_TEXT("Command", "Rapids were left out: links replace them."));
     const auto add = [&text](std::size_t count, TextId one, TextId many) {
@@ -33,7 +33,8 @@ std::string textOfLosses(const ProgramPasses& passes) {
     return text;
 }
 
-/// The tool asked for, or all that the project's numbers may mean. Errors: those of toolFor and Project::tools.
+/// The requested tool, or all tools that the project's tool numbers may refer to. Errors: those of toolFor and
+/// Project::tools.
 Result<ToolChoice> toolsMeant(const Project& project, const std::string& asked) {
     if (asked.empty()) {
         Result<std::vector<Tool>> tools = project.tools();
@@ -43,7 +44,7 @@ Result<ToolChoice> toolsMeant(const Project& project, const std::string& asked) 
     return tool ? Result<ToolChoice>(ToolChoice{{*tool}, true}) : tool.error();
 }
 
-/// Keeps each pass as a source of its tool's path. Errors: those of Project.
+/// Stores each pass as a source of its tool's path. Errors: those of Project.
 Result<std::vector<StoredPath>> keep(Project& project, const ProgramPasses& passes, const std::string& name) {
     std::vector<StoredPath> paths;
     std::vector<std::string> tools;

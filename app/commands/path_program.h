@@ -9,13 +9,13 @@
 
 namespace burin {
 
-/// What the command line says of a program that becomes paths, as it was written.
+/// The arguments for converting a program to paths, as given by the user.
 struct ProgramPathArguments {
     std::string file, tool, dialect, name;
 };
 
-/// Makes a path of what a program mills with each tool, saves and answers.
-/// @param machine by id; empty: the project's @return exit status
+/// Makes one path per tool from the moves of a program, saves and answers.
+/// @param machine id; empty: that of the project @return exit status
 int addProgramPaths(ProjectChange& project, const ProgramPathArguments& arguments, const std::string& machine,
                     CommandContext& context);
 

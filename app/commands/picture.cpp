@@ -27,7 +27,7 @@ struct ProjectPictureArguments {
     PictureOptions options;
 };
 
-/// A workpiece is made with some tool: that of the first take, or the one that `mill` takes by itself.
+/// A tool is needed to make a workpiece: that of the first take, or the default of `mill`.
 Result<Tool> anyTool(const Project& project) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
@@ -54,7 +54,8 @@ Result<std::vector<std::shared_ptr<const EvaluatedPath>>> evaluatedPaths(const P
     return evaluated;
 }
 
-/// What the first path is coloured by. Errors: nameUnknown, those of figureMatter, strokesOf and pathValues.
+/// The values by which the first path is coloured. Errors: nameUnknown, those of figureMatter, strokesOf and
+/// pathValues.
 Result<std::shared_ptr<const PathValues>> valuesOf(const Project& project, const MillingContext& milling,
                                                    const ProjectPictureArguments& arguments,
                                                    const std::shared_ptr<const EvaluatedPath>& path,
@@ -74,7 +75,7 @@ Result<std::shared_ptr<const PathValues>> valuesOf(const Project& project, const
     return std::make_shared<const PathValues>(std::move(*values));
 }
 
-/// The workpiece as the takes left it, with what stands around it.
+/// The workpiece as the takes left it, with fixtures and limits.
 Result<PictureContent> contentOf(const ProjectPictureArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Opening"));
     const Result<Project> project = projectForReading(arguments.project, context);

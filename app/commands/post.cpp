@@ -26,7 +26,7 @@ struct PostArguments {
     std::vector<std::int64_t> paths;
     double tolerance = 0.02;
     std::string units;
-    std::uint32_t from = 0; ///< line of the program that was posted before; 0: all of it
+    std::uint32_t from = 0; ///< line of the program posted before; 0: the whole program
     std::string interrupted;
 };
 
@@ -36,7 +36,7 @@ int runFrom(const PostArguments& arguments, CommandContext& context) {
                       context);
 }
 
-/// The paths asked for, or the first one of each tool.
+/// The requested paths, or the first one of each tool.
 Result<std::vector<StoredPath>> chosenPaths(Project& project, const std::vector<std::int64_t>& wanted) {
     if (wanted.empty()) return jobPaths(project);
     const Result<std::vector<StoredPath>> paths = project.paths();

@@ -18,13 +18,13 @@ namespace burin {
 
 namespace {
 
-/// A program that was interrupted, and what it was made for.
+/// A program that was interrupted, and its target.
 struct Interrupted {
     std::string text, dialect, machine;
     NcUnits units = NcUnits::millimetre;
 };
 
-/// The newest one that the project keeps. Errors: projectIncomplete.
+/// The newest program in the project. Errors: projectIncomplete.
 Result<Interrupted> keptIn(const Project& project, CommandContext& context) {
     const Result<std::optional<ReopenedProgram>> reopened = reopenProgram(project);
     if (!reopened) return reopened.error();
@@ -54,7 +54,7 @@ Result<Interrupted> interruptedProgram(const Project& project, const RestartArgu
     return Interrupted{std::move(*text), {}, {}, target->units};
 }
 
-/// Tools that a text of the project may call.
+/// Tools that a program of the project may call.
 Result<std::vector<Tool>> toolsIn(const Project& project) {
     Result<std::vector<Tool>> tools = project.tools();
     if (!tools || !tools->empty()) return tools;

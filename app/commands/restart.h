@@ -9,16 +9,17 @@
 
 namespace burin {
 
-/// What `burin post --from` is asked for. Empty: as the interrupted program was made.
+/// The arguments of `burin post --from`. Empty: as for the interrupted program.
 struct RestartArguments {
     std::string project, output;
     std::string program; ///< file of the interrupted program; empty: the one that the project posted last
     std::uint32_t line = 0;
     std::string dialect, machine, units, overrideReason;
-    double tolerance = 0.02; ///< mm, deepest gouge that passes
+    double tolerance = 0.02; ///< mm, deepest gouge that is accepted
 };
 
-/// Writes the rest of an interrupted program, once it passes its check; the project stays as it is. @return exit status
+/// Writes the remainder of an interrupted program after it passed its check; the project is unchanged. @return exit
+/// status
 int runRestart(const RestartArguments& arguments, CommandContext& context);
 
 } // namespace burin

@@ -64,7 +64,7 @@ Result<void> changeObstacles(std::vector<Obstacle>& obstacles, const SetupArgume
     return {};
 }
 
-/// Another machine comes with the dialect of its control.
+/// Another machine implies the dialect of its control.
 Result<void> changeTarget(ProgramTarget& target, const SetupArguments& arguments) {
     if (!arguments.machine.empty()) {
         if (const Result<MachineProfile> machine = loadMachine(arguments.machine); !machine) return machine.error();
@@ -79,7 +79,7 @@ Result<void> changeTarget(ProgramTarget& target, const SetupArguments& arguments
     return {};
 }
 
-/// Program zero is no part of what recordings are of: it may change at any time.
+/// Recordings do not depend on program zero: it may change at any time.
 Result<void> changeZero(Project& project, const ZeroArguments& arguments, Progress& progress) {
     if (arguments.empty()) return {};
     Result<Setup> setup = project.setup();
@@ -93,7 +93,7 @@ Result<void> changeZero(Project& project, const ZeroArguments& arguments, Progre
     return complete ? project.setSetup(*complete) : Result<void>(complete.error());
 }
 
-/// A zero that the tool's tip can't reach can't be touched. Errors: argumentInvalid.
+/// Checks that the tool's tip can reach the zero, as it could not be touched off otherwise. Errors: argumentInvalid.
 Result<void> checkTravel(const Around& around) {
     if (!around.travel.on || !around.travel.zero) return {};
     const Result<MachineProfile> machine = loadMachine(around.target.machine);
@@ -108,7 +108,7 @@ Result<void> checkTravel(const Around& around) {
     return {};
 }
 
-/// What is wrong with the arguments is found before anything is kept.
+/// Applies the arguments; errors in them are detected before anything is stored.
 Result<void> change(ProjectChange& project, Around& around, const SetupArguments& arguments, Progress& progress) {
     if (Result<void> done = changeObstacles(around.obstacles, arguments, progress); !done) return done;
     if (!arguments.around.axis.empty()) {
@@ -131,10 +131,10 @@ Result<void> change(ProjectChange& project, Around& around, const SetupArguments
                    [&] { return project->setProgramTarget(around.target); }, [&] { return project.save(); });
 }
 
-/// What a project says of its setups, and of the one in use.
+/// Data of a project on its setups, and on the one in use.
 struct Answer {
     Around around;
-    std::optional<Setup> setup; ///< nothing: nothing is embedded yet
+    std::optional<Setup> setup; ///< empty if nothing is embedded yet
     nlohmann::json setups;
     std::string setupsText;
 };

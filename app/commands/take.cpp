@@ -62,7 +62,7 @@ int runChange(const TakeArguments& arguments, Change change, CommandContext& con
     return 0;
 }
 
-/// Declares one of them.
+/// Declares one such command.
 CommandParser addChange(CommandParser command, const char* name, TextId help, Change change, CommandContext& context,
                         int& status, const std::shared_ptr<TakeArguments>& arguments) {
     const CommandParser one = command.command(name, help);

@@ -40,7 +40,7 @@ int listTools(const LibraryArguments&, CommandContext& context) {
     int status = 0;
     for (const std::string& id : toolIds()) {
         const Result<Tool> tool = loadTool(id);
-        if (!tool) { // the others can be used all the same
+        if (!tool) { // the others can still be used
             status = context.fail(tool.error());
             continue;
         }
@@ -58,7 +58,7 @@ int showTool(const LibraryArguments& arguments, CommandContext& context) {
     const Result<Tool> tool = loadTool(arguments.id);
     if (!tool) return context.fail(tool.error());
     std::string text = toJson(*tool);
-    text.pop_back(); // the answer ends its line itself
+    text.pop_back(); // `answer` adds the line end
     context.answer(json::parse(text), text);
     return 0;
 }
@@ -73,7 +73,7 @@ int keepTool(const Tool& tool, bool replace, CommandContext& context, json more 
     return 0;
 }
 
-constexpr const char* usualTool = "flat-6"; ///< that lends what a file of another program lacks
+constexpr const char* usualTool = "flat-6"; ///< supplies values that a file of another program lacks
 
 std::string linesOf(const std::vector<std::string>& notes) {
     std::string lines;
@@ -114,7 +114,7 @@ struct ImportArguments {
     bool replace = false, dryRun = false;
 };
 
-/// What Burin is shipped with stays: who has its id gets a number behind it.
+/// Shipped tools are not replaced: a tool with the id of one gets a number appended to its id.
 void keepClearOfShipped(ReadTools& read) {
     for (ReadTool& tool : read.tools)
         tool.tool.id = freeResourceId(tool.tool.id, [&](const std::string& id) {
@@ -123,7 +123,7 @@ void keepClearOfShipped(ReadTools& read) {
         });
 }
 
-/// None is kept where one of them can't be. Errors: argumentInvalid.
+/// Refuses to store any tool if one of them cannot be stored. Errors: argumentInvalid.
 Result<void> mayBeKept(const ReadTools& read, bool replace) {
     for (const ReadTool& tool : read.tools)
         if (isOfUser(toolResource, tool.tool.id) && !replace)
@@ -132,7 +132,7 @@ Result<void> mayBeKept(const ReadTools& read, bool replace) {
     return {};
 }
 
-/// As many as there were before, where the file of one of them can't be written. Errors: those of saveTool.
+/// Stores all tools, or restores the previous ones if one cannot be written. Errors: those of saveTool.
 Result<void> keepAll(const ReadTools& read) {
     std::vector<std::pair<std::string, std::optional<Tool>>> before;
     for (const ReadTool& tool : read.tools) {
@@ -142,7 +142,7 @@ Result<void> keepAll(const ReadTools& read) {
             before.emplace_back(tool.tool.id, own ? std::optional(std::move(*own)) : std::nullopt);
             continue;
         }
-        for (const auto& [id, former] : before) // what can't be put back either is told by the same error
+        for (const auto& [id, former] : before) // a failure to restore is covered by the same error
             if (former)
                 static_cast<void>(saveTool(*former, true));
             else

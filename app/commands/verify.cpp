@@ -32,7 +32,7 @@ struct VerifyArguments {
     std::string workpiece;
 };
 
-/// The tool asked for, or that of the first take.
+/// The requested tool, or that of the first take.
 Result<Tool> chosenTool(const Project& project, const std::string& id) {
     if (!id.empty()) return toolFor(project, id);
     const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
@@ -41,7 +41,7 @@ Result<Tool> chosenTool(const Project& project, const std::string& id) {
     return toolFor(project, sources->front().toolId);
 }
 
-/// The scale of the map's colours, from the deepest gouge to the most stock.
+/// The colour scale of the map, from the deepest gouge to the most excess stock.
 nlohmann::json jsonOf(const DeviationScale& scale) {
     nlohmann::json marks = nlohmann::json::array();
     for (const DeviationScale::Mark& mark : scale.marks())
@@ -50,7 +50,7 @@ nlohmann::json jsonOf(const DeviationScale& scale) {
     return marks;
 }
 
-/// Writes the workpiece as the program leaves it by a time, and adds what stands there then.
+/// Writes the workpiece as the program leaves it at a time, and adds the state at that time to the answer.
 Result<void> writeWorkpiece(const CheckedProgram& checked, const MillingContext& milling,
                             const VerifyArguments& arguments, nlohmann::json& answer, Progress& progress) {
     Result<ProgramTime> spread = programTime(checked, milling.machine, milling.setup.workOffset, progress);
@@ -104,7 +104,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (const auto known = loadDialect(request.dialect); !known) return context.fail(known.error());
     Result<std::vector<Tool>> tools = project->tools();
     if (!tools) return context.fail(tools.error());
-    request.tools = arguments.tool.empty() ? std::move(*tools) : std::vector{*tool}; // who names a tool means it
+    request.tools = arguments.tool.empty() ? std::move(*tools) : std::vector{*tool}; // the named tool is the only one
     request.anyNumber = !arguments.tool.empty();
     request.gougeTolerance = arguments.tolerance;
     request.exactSamples = arguments.exactSamples;
@@ -120,7 +120,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     if (!checked) return context.fail(checked.error());
 
     nlohmann::json answer = jsonOf(checked->report);
-    if (context.json) answer.update(nlohmann::json::parse(loadsToJson(checked->report))); // nothing else shows them
+    if (context.json) answer.update(nlohmann::json::parse(loadsToJson(checked->report))); // not reported anywhere else
     answer["passed"] = checked->passed();
     answer["lint"] = jsonOf(checked->lint);
     answer["program"] = std::filesystem::absolute(arguments.program).lexically_normal().string();

@@ -32,7 +32,7 @@ struct VolumeArguments {
     bool stock = false;
 };
 
-/// Makes a volume out of the arguments' files.
+/// Makes a volume from the files in the arguments.
 using Make = Result<RunVolume> (*)(const VolumeArguments& arguments, CommandContext& context);
 
 std::string sizeText(const Grid& grid) {
@@ -52,13 +52,13 @@ json jsonOf(const glm::dvec3& vector) {
     return json::array({vector.x, vector.y, vector.z});
 }
 
-/// Mass and its moments; none where the material states no density.
+/// Mass and its moments; null if the material states no density.
 json momentsJson(const Property& property, const BodyMoments& body) {
     json answer{{"id", property.id}, {"volume_mm3", body.volume}, {"centroid_mm", jsonOf(body.centroid)}};
     const glm::dmat3 inertia = body.inertia();
     answer["inertia_mm5"] = json::array({jsonOf(inertia[0]), jsonOf(inertia[1]), jsonOf(inertia[2])});
     const double weight = property.valueOr(density, 0.0);
-    constexpr double cubicMillimetres = 1e3; // of a cm³
+    constexpr double cubicMillimetres = 1e3; // per cm³
     answer["mass_g"] = weight > 0.0 ? json(weight * body.volume / cubicMillimetres) : json();
     return answer;
 }
@@ -102,7 +102,7 @@ Result<RunVolume> readFirst(const VolumeArguments& arguments, CommandContext& co
     return readVolume(arguments.first, arguments.table, context);
 }
 
-/// An operation of two volumes in one grid.
+/// A set operation on two volumes in one grid.
 template <Result<RunVolume> (*operation)(const VolumeSnapshot&, const VolumeSnapshot&)>
 Result<RunVolume> combine(const VolumeArguments& arguments, CommandContext& context) {
     Result<RunVolume> a = readVolume(arguments.first, arguments.table, context);
@@ -115,13 +115,13 @@ Result<RunVolume> combine(const VolumeArguments& arguments, CommandContext& cont
 Result<RunVolume> turn(const VolumeArguments& arguments, CommandContext& context) {
     Result<RunVolume> volume = readFirst(arguments, context);
     if (!volume) return volume.error();
-    const auto axis = static_cast<RunAxis>(arguments.axis.front() - 'x'); // the parser allows no other
+    const auto axis = static_cast<RunAxis>(arguments.axis.front() - 'x'); // the parser accepts no other
     Result<TurnedVolume> made = turned(volume->snapshot(), axis, context.progress());
     if (!made) return std::move(made).error();
     return std::move(made->volume);
 }
 
-/// The boundary voxels alone.
+/// Keeps only the boundary voxels.
 Result<RunVolume> boundary(const VolumeArguments& arguments, CommandContext& context) {
     Result<RunVolume> volume = readFirst(arguments, context);
     if (!volume) return volume.error();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // burin-import: the child process in which Burin reads CAD files. It takes one request on standard input and answers on
-// standard output, both in the form of core/cad/worker_message.h; Burin sets its limits.
+// standard output, both in the format of core/cad/worker_message.h; Burin sets its limits.
 #include "core/cad/reader/reader.h"
 #include "core/cad/worker_message.h"
 
@@ -20,18 +20,18 @@
 
 namespace {
 
-int channel = -1; // where answers go; a plain number, because the handler of exhausted memory needs it
+int channel = -1; // output for answers; a plain integer, because the out-of-memory handler needs it
 
 void send(std::string_view bytes) noexcept {
     while (!bytes.empty()) {
         const ssize_t written = ::write(channel, bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) ::_exit(EXIT_FAILURE); // nobody listens any more
+        if (written <= 0) ::_exit(EXIT_FAILURE); // nobody reads any more
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
 }
 
-/// Keeps standard output for answers: whatever OpenCASCADE prints goes nowhere.
+/// Reserves standard output for answers: anything that OpenCASCADE prints is discarded.
 void takeOutput() {
     channel = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
     const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -39,7 +39,7 @@ void takeOutput() {
     ::dup2(nowhere, STDERR_FILENO);
 }
 
-/// When memory runs out there is none left to say so: the answer stands ready from the start.
+/// Once memory is exhausted no message can be composed: the answer is prepared at the start.
 void answerWhenMemoryRunsOut() {
     static const std::string answer =
         burin::encodeFrame(burin::WorkerAnswer(burin::Error{burin::ErrorCode::importOutOfMemory, {}, {}, {}}));
@@ -94,11 +94,11 @@ int main() {
         std::cerr << "burin-import is started by Burin to read CAD files; use: burin import MODEL\n";
         return 2;
     }
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // never outlives the Burin that asked
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // never outlives the Burin process that started it
     takeOutput();
     answerWhenMemoryRunsOut();
     const auto request = burin::decodeRequest(readInput());
     if (!request) return 2;
     send(burin::encodeFrame(answerTo(*request)));
-    ::_exit(EXIT_SUCCESS); // past OpenCASCADE's own cleaning up, which nobody needs
+    ::_exit(EXIT_SUCCESS); // skips OpenCASCADE's clean-up, which is not needed
 }

@@ -10,18 +10,18 @@
 
 namespace burin {
 
-/// Bytes that new work can take without swapping: the kernel's MemAvailable (proc(5)); where there is none, all of the
-/// machine's memory.
+/// Bytes that can be allocated without swapping: the kernel's MemAvailable (proc(5)); if it is not available, all of
+/// the machine's memory.
 std::size_t availableMemory();
 
-/// What helps where memory does not suffice, besides closing other programs.
+/// The remedy for insufficient memory, besides closing other programs.
 enum class MemoryRemedy : std::uint8_t { largerVoxels, fewerTakes };
 /// Error::detail of MemoryRemedy::fewerTakes; that of the other is empty.
 inline constexpr std::string_view fewerTakes = "fewer takes";
 
-/// Whether work finds the memory that it needs, before it takes it: the kernel hands out what it does not have, and
-/// ends programs later. A fifth of what is available is left to others.
-/// @param subject  what it is for  @param bytes  on top of what is taken already
+/// Checks whether the memory that some work needs is available, before it is allocated: the kernel overcommits memory,
+/// and kills programs later. A fifth of the available memory is left to other programs.
+/// @param subject the work @param bytes in addition to what is allocated already
 /// Errors: outOfMemory, with both values as place.
 Result<void> needMemory(const char* subject, double bytes, MemoryRemedy remedy = MemoryRemedy::largerVoxels);
 

@@ -4,10 +4,10 @@
 
 #include "core/base/vectorised.h"
 
-// For loops that are compiled for processors with AVX-512 as well: those have registers for conditions, which no
-// compiler finds from comparisons of vectors, and twice the others. BURIN_AVX512 is there where the compiler can do so;
-// what stands between BURIN_AVX512_BEGIN and _END is to be called where `hasAvx512` alone. Under sanitizers as well:
-// the choice is the program's own, made when all is up.
+// For loops that are also compiled for processors with AVX-512, which have mask registers (that no compiler uses for
+// vector comparisons by itself) and registers twice as wide. BURIN_AVX512 is defined if the compiler supports this;
+// code between BURIN_AVX512_BEGIN and _END may be called only if `hasAvx512`. Works under sanitizers as well, as the
+// program itself makes the choice once everything is initialised.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__)
 #include <immintrin.h>
 

@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-constexpr int backgroundNice = 10; // Linux: a weight of 110 beside 1024
+constexpr int backgroundNice = 10; // Linux: a weight of 110 instead of 1024
 
 class HelperObserver final : public oneapi::tbb::task_scheduler_observer {
 public:
@@ -27,7 +27,7 @@ void workInBackground() noexcept {
 }
 
 void helpInBackground() {
-    static auto& observer = *new HelperObserver; // helpers may still come and go while the program ends
+    static auto& observer = *new HelperObserver; // never destroyed: workers may outlive static objects
     static_cast<void>(observer);
 }
 

@@ -4,13 +4,13 @@
 
 namespace burin {
 
-/// The calling thread, and threads that it makes, work behind others of this machine from now on: they get a core that
-/// is free, and a tenth of one that others want. For long work beside a window, or beside a hand; never for a thread
-/// that starts a loop or a recorder. Can't be taken back without rights. Never fails.
+/// Gives the calling thread, and threads that it creates, a lower priority than others of this machine from now on:
+/// they get free cores, and a tenth of a core that others want. For long work while a window or a haptic device is in
+/// use; never for a thread that starts a loop or a recorder. Cannot be undone without privileges. Never fails.
 void workInBackground() noexcept;
 
-/// The same for every thread that helps with `parallelFor`, in all of the program; those that ask for it stay as they
-/// are. Once is enough. Thread: any.
+/// The same for every thread that works for `parallelFor`, in the whole program; threads that call it keep their
+/// priority. One call is enough. Thread-safe.
 void helpInBackground();
 
 } // namespace burin

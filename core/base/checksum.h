@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// CRC-64/XZ (polynomial of ECMA-182, reflected): tells every change of up to 64 bits in a row for sure. The check
+/// CRC-64/XZ (polynomial of ECMA-182, reflected): detects every change within up to 64 consecutive bits. The check
 /// value of "123456789" is 0x995dc9bbdf1939fa.
 std::uint64_t checksum(std::string_view bytes) noexcept;
 

@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::string_view replacement = "\xEF\xBF\xBD"; // U+FFFD
 
-/// A character and the bytes that it takes; `valid` is false where they are no UTF-8 (one byte is then skipped).
+/// A character and its size in bytes; `valid` is false if they are not UTF-8 (one byte is then skipped).
 struct Character {
     std::uint32_t code = 0;
     std::size_t bytes = 1;
     bool valid = false;
 };
 
-/// RFC 3629: no longer form than needed, no surrogates, nothing above U+10FFFF.
+/// RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF.
 Character characterAt(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);

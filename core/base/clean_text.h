@@ -7,11 +7,12 @@
 
 namespace burin {
 
-/// A name or a sentence from outside as one line of valid UTF-8: bytes that are none, control characters (with those
-/// that reverse or break the text around them) become U+FFFD, line ends and tabs spaces. For whoever reads a file.
+/// A name or a sentence from an external source as one line of valid UTF-8: invalid bytes and control characters (also
+/// those that reverse or break the surrounding text) become U+FFFD, line ends and tabs become spaces. For text read
+/// from files.
 std::string cleanLine(std::string_view text);
 
-/// The same of a text of several lines, whose line ends and tabs stay. For whoever writes to a terminal.
+/// The same for a text of several lines, which keeps line ends and tabs. For text written to a terminal.
 std::string cleanText(std::string_view text);
 
 } // namespace burin

@@ -9,12 +9,12 @@
 namespace burin {
 
 namespace {
-constexpr int level = 3; // Zstandard's own choice: higher ones gained little on noisy doubles
-// So that many frames together stay below what their file may come to, too.
+constexpr int level = 3; // Zstandard's default: higher levels gained little on noisy doubles
+// Chosen so that the total of many frames also stays below the limit for their file.
 constexpr std::size_t evenBytes = 64U << 10U, mostPacking = 256;
 constexpr std::size_t skippableHeader = 8;
 
-/// RFC 8878, 3.1.2: a number that says "skip" and the size of what follows, both with the lowest byte first.
+/// RFC 8878, 3.1.2: a magic number for skippable frames and the size of the content, both little-endian.
 std::string skippableFrame(std::size_t zeros) {
     std::string frame("\x50\x2a\x4d\x18", 4);
     for (std::size_t i = 0; i < 4; ++i) frame.push_back(static_cast<char>((zeros >> (8 * i)) & 0xff));
@@ -29,7 +29,7 @@ std::string compress(std::string_view bytes) {
     ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
     std::string frame(ZSTD_compressBound(bytes.size()), '\0');
     const std::size_t written = ZSTD_compress2(context.get(), frame.data(), frame.size(), bytes.data(), bytes.size());
-    // With room for the bound, all that can be lacking is memory for its tables.
+    // With a buffer of the bound's size, only memory for its tables can be lacking.
     if (ZSTD_isError(written) != 0) throw std::bad_alloc();
     frame.resize(written);
     if (bytes.size() > evenBytes + mostPacking * written) {

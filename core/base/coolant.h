@@ -8,10 +8,10 @@
 
 namespace burin {
 
-/// What cools and clears the cut, as a control switches it: off (M9), mist (M7), flood (M8).
+/// Coolant, as a control switches it: off (M9), mist (M7), flood (M8).
 enum class Coolant : std::uint8_t { off, mist, flood };
 
-/// As files have it.
+/// The name used in files.
 constexpr std::string_view idOf(Coolant coolant) noexcept {
     constexpr std::array<std::string_view, 3> ids{"off", "mist", "flood"};
     return ids[static_cast<std::size_t>(coolant)];

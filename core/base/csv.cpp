@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-/// Takes a quoted field off `rest`, which begins behind the opening quote. False: it does not end.
+/// Reads a quoted field from `rest`, which begins behind the opening quote. Returns false if it is not closed.
 bool takeQuoted(std::string_view& rest, std::string& field) {
     for (;;) {
         const std::size_t quote = rest.find('"');

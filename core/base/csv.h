@@ -9,11 +9,11 @@
 
 namespace burin {
 
-/// Takes the first line off `rest`, without its LF or CR LF.
+/// Removes the first line from `rest` and returns it without its LF or CR LF.
 std::string_view takeLine(std::string_view& rest);
 
-/// The fields of one line between commas (RFC 4180): a field may stand in double quotes, where two of them mean one.
-/// Spaces and tabs around a field are dropped. Nothing: a quote that does not end, or text behind it.
+/// The comma-separated fields of one line (RFC 4180): a field may be enclosed in double quotes, where two of them stand
+/// for one. Spaces and tabs around a field are dropped. Empty for a quote that is not closed, or text behind it.
 std::optional<std::vector<std::string>> csvFields(std::string_view line);
 
 /// True for well-formed UTF-8 (RFC 3629).

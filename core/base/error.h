@@ -8,13 +8,13 @@
 
 namespace burin {
 
-/// What went wrong. Stable: tests and translations key on it; ui/messages words each one, with its remedy.
-/// The comment says what `Error::subject` and `Error::place` hold.
+/// What went wrong. Stable: tests and translations use it as a key; ui/messages words each one, with its remedy. The
+/// comment states the contents of `Error::subject` and `Error::place`.
 enum class ErrorCode : std::uint16_t {
-    // work that was stopped, resources of the machine
+    // interrupted work, resources of the machine
     cancelled,     ///< subject: the work
-    outOfMemory,   ///< subject: the work; place: what it needs and what is free, where known; detail
-    internalFault, ///< a promise of our own code was broken; subject: where
+    outOfMemory,   ///< subject: the work; place: needed and available memory, if known; detail
+    internalFault, ///< an internal invariant was violated; subject: where
     // files
     fileNotFound,      ///< subject: file
     fileNotReadable,   ///< subject: file; detail: the system's reason
@@ -22,21 +22,21 @@ enum class ErrorCode : std::uint16_t {
     diskFull,          ///< subject: file
     fileEmpty,         ///< subject: file
     fileFormatUnknown, ///< subject: file
-    fileDamaged,       ///< subject: file; place: what part, where known
+    fileDamaged,       ///< subject: file; place: the damaged part, if known
     // use
     argumentInvalid, ///< subject: the argument; place: its value; detail: what is allowed
     nameUnknown,     ///< subject: the kind ("material", "tool", …); place: the name; detail: names that exist
-    notSupported,    ///< subject: what was asked for; place: what this version can do instead
+    notSupported,    ///< subject: what was requested; place: what this version can do instead
     // CAD import
     importTimedOut,     ///< subject: file; place: the limit with its unit
     importOutOfMemory,  ///< subject: file; place: the limit with its unit
     importCrashed,      ///< subject: file; detail: signal
-    modelHasNoSolid,    ///< subject: file; place: what it holds instead
+    modelHasNoSolid,    ///< subject: file; place: what it contains instead
     modelNotWatertight, ///< subject: file; place: number of open edges and the body
-    modelTooLarge,      ///< subject: file; place: how far it reaches; detail: how far it may
+    modelTooLarge,      ///< subject: file; place: its extent; detail: the largest allowed one
     meshIncomplete,     ///< subject: file; place: faces without triangles
     // volume and setup
-    volumeTooLarge,    ///< subject: size asked for; place: the limit
+    volumeTooLarge,    ///< subject: requested size; place: the limit
     volumeOutOfMemory, ///< the reserved memory is used up; subject: bytes reserved
     partOutsideStock,  ///< subject: body; place: by how much, with unit
     stockInvalid,      ///< subject: the parameter; detail: what is allowed
@@ -44,14 +44,14 @@ enum class ErrorCode : std::uint16_t {
     resourceInvalid, ///< subject: file; place: key; detail: what is wrong
     // devices and haptics
     deviceNotFound,       ///< subject: device
-    deviceFault,          ///< subject: device; place: record of what led to it, if any; detail: what it reports
+    deviceFault,          ///< subject: device; place: record of the events before it, if any; detail: what it reports
     deviceUnplugged,      ///< subject: device; place: as above
     deviceStopped,        ///< its forces are off for now; subject: device; place: as above; detail: why
-    deviceHot,            ///< its motors are hot, so that it is asked for half of its force; subject: device
-    deviceNotAllowed,     ///< subject: device; place: the file that the system keeps it under
+    deviceHot,            ///< its motors are hot, so that its force is limited to half; subject: device
+    deviceNotAllowed,     ///< subject: device; place: the device file of the system
     deviceIncompatible,   ///< subject: device; place: its protocol; detail: ours
-    deviceLibraryMissing, ///< subject: whose devices; place: the library and what it comes with; detail: folders that
-                          ///< were looked in
+    deviceLibraryMissing, ///< subject: vendor of the devices; place: the library and where it comes from; detail:
+                          ///< folders that were searched
     deviceLibraryUnfit,   ///< subject: file; place: a function that
                           ///< is missing, or its version; detail:
                           ///< what Burin needs
@@ -64,39 +64,39 @@ enum class ErrorCode : std::uint16_t {
                        ///< it
     recordingOverflow, ///< the disk could not keep up; subject: samples kept
     // path, NC, verification
-    editMisplaced, ///< subject: title of an edit (context "Edit"); place: of the one that it has to come before
-    editRepeated,  ///< there can be one in a path; subject: its title
-    editUnguarded, ///< subject: title of an edit that may lead the tool into the part; place: of one that relies on its
-                   ///< being held out; detail: of one that holds it out
-    pathEmpty,     ///< subject: path
-    pathGouges,    ///< nothing of it can be made; subject: path; place: where; detail: text of the context "Omission"
-    dialectNotFound,    ///< subject: dialect id; detail: ids that exist
+    editMisplaced,   ///< subject: title of an edit (context "Edit"); place: title of the edit that it has to precede
+    editRepeated,    ///< a path may contain only one; subject: its title
+    editUnguarded,   ///< subject: title of an edit that may lead the tool into the part; place: title of one that needs
+                     ///< the path to be kept out of it; detail: title of one that does so
+    pathEmpty,       ///< subject: path
+    pathGouges,      ///< all of it had to be left out; subject: path; place: where; detail: text of "Omission"
+    dialectNotFound, ///< subject: dialect id; detail: ids that exist
     pluginIncompatible, ///< subject: plugin file; place: its interface version; detail: ours
     pluginInvalid,      ///< subject: plugin file; detail
     programSyntax,      ///< subject: file; place: line and column; detail: the word
-    programLimit,       ///< subject: what ("feed", "X travel"); place: the value and the limit
-    checkFailed,        ///< subject: file or path; place: the findings in short
+    programLimit,       ///< subject: the quantity ("feed", "X travel"); place: the value and the limit
+    checkFailed,        ///< subject: file or path; place: summary of the findings
 };
 
-/// How an error ends the command line: its exit status (README.md lists them).
+/// The class of an error, which is the exit status of the command line (README.md lists them).
 enum class ErrorClass : std::uint8_t {
     checkFailed = 1,
     wrongUse = 2,
     badInput = 3,
     outOfSpaceOrRights = 4,
     cancelled = 5,
-    ownFault = 6 ///< of Burin itself
+    ownFault = 6 ///< in Burin itself
 };
 
-/// A record of a fault. Core says which, where and on what; `ui/messages` is the one place that words it.
+/// A record of a fault: its code, the object and the location; it is worded by `ui/messages` only.
 struct Error {
     ErrorCode code = ErrorCode::internalFault;
     std::string subject; ///< the file, device, path or argument concerned
-    std::string place;   ///< "line 118", "pose 4021", a value; empty when there is none
-    std::string detail;  ///< English, for the log, and where the code's comment says so for the sentence
+    std::string place;   ///< "line 118", "pose 4021", a value; empty if there is none
+    std::string detail;  ///< English, for the log, and for the sentence where the comment of the code says so
 };
 
-/// The exit class of an error. Without a default: the compiler asks for the class of a code that is new.
+/// The class of an error. There is no default, so that the compiler asks for the class of a new code.
 constexpr ErrorClass errorClass(ErrorCode code) noexcept {
     switch (code) {
     case ErrorCode::cancelled:

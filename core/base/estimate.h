@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// Whether the source of a value calls it an estimate: what is judged by such a value is warned of, not refused.
+/// Whether the source of a value calls it an estimate: checks against such a value warn instead of refusing.
 inline bool isEstimate(std::string_view source) noexcept {
     return source.find("estimate") != std::string_view::npos || source.find("Estimate") != std::string_view::npos;
 }

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Bytes to read at first: one more than there are, so that the end is found at once. A pipe or a device does not tell.
+/// Bytes to read at first: one more than the file has, so that its end is found at once. Pipes and devices have no
+/// size.
 std::size_t firstRoom(const fs::path& file) {
     constexpr std::uintmax_t least = 65536;
     std::error_code untold;
@@ -35,7 +36,7 @@ fs::path firstExisting(const fs::path& first, const fs::path& second) {
 
 std::string reasonOf(int systemError) {
     if (systemError == EISDIR) return "is a folder";
-    return systemError == 0 ? "the system states no reason" : std::strerror(systemError); // 0: a library told none
+    return systemError == 0 ? "the system states no reason" : std::strerror(systemError); // 0: not reported
 }
 
 } // namespace

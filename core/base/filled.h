@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// `text` with the first value for %1 and so on, at most nine; in one pass, so that a value may itself hold "%2".
+/// `text` with %1 replaced by the first value and so on, at most nine; in one pass, so that a value may contain "%2".
 inline std::string filled(std::string_view text, std::span<const std::string> values) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {

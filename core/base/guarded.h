@@ -10,8 +10,8 @@
 
 namespace burin {
 
-/// What a piece of work gives, its exceptions as errors: nothing may escape from a thread.
-/// @param subject what the work is called, for the sentence
+/// Calls `work` and returns its result, exceptions converted to errors: no exception may leave a thread.
+/// @param subject name of the work, for the message
 template <class Work>
 auto guarded(const char* subject, Work&& work) -> decltype(work()) {
     try {

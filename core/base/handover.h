@@ -9,8 +9,8 @@
 
 namespace burin {
 
-/// Hands values that own something from one writing thread to one reading thread, none overwritten: what the writer
-/// moved in, the reader alone moves out and frees. No lock; neither side waits.
+/// Queue that passes ownership of values from one writing thread to one reading thread without overwriting any: what
+/// the writer moved in, only the reader moves out and frees. Lock-free; neither side blocks.
 template <class T, std::size_t places>
 class Handover {
 public:
@@ -21,7 +21,7 @@ public:
         slots_[put_ % places] = std::move(value);
         ready_.store(++put_, std::memory_order_release);
     }
-    /// Reader's thread. False when there is nothing.
+    /// Reader's thread. False if it is empty.
     bool take(T& value) noexcept {
         const std::size_t next = taken_.load(std::memory_order_relaxed);
         if (next == ready_.load(std::memory_order_acquire)) return false;

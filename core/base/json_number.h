@@ -9,9 +9,8 @@
 
 namespace burin {
 
-/// The whole number that a JSON value is, from `low` to `high`; nothing when it is anything else. nlohmann::json cuts
-/// off what does not fit the type that it is asked for: 4294967297 would pass as an int of 1, 18446744073709551615 as
-/// -1.
+/// The integer value of a JSON value, from `low` to `high`; empty for anything else. nlohmann::json truncates values
+/// that do not fit the requested type: 4294967297 would pass as an int of 1, 18446744073709551615 as -1.
 /// @param value of any kind of nlohmann::basic_json
 template <class Json>
 std::optional<std::int64_t> wholeNumber(const Json& value, std::int64_t low = std::numeric_limits<std::int64_t>::min(),

@@ -17,11 +17,11 @@ using nlohmann::json;
 
 namespace {
 
-/// nlohmann::json keeps the last of two equal keys without a word; here that is a fault. Its parser would call for each
-/// key too, but then looks through a whole list after each object in it.
+/// Finds duplicate keys, which are faults here: nlohmann::json silently keeps the last one. Its parser could call a
+/// function for each key too, but then searches a whole list after each object in it.
 class DoubledKey final : public json::json_sax_t {
 public:
-    const std::string& key() const noexcept { return first_; } ///< empty: there is none
+    const std::string& key() const noexcept { return first_; } ///< empty if there is none
 
     bool start_object(std::size_t) override {
         open_.emplace_back();
@@ -222,7 +222,7 @@ void JsonObject::readNested(const json& node, const std::string& path, const std
     }
     JsonObject nested(shared_, node, path);
     read(nested);
-    (void)nested.finish(); // a fault is kept in what all of them share
+    (void)nested.finish(); // the shared state keeps a fault
 }
 
 void JsonObject::object(std::string_view key, const std::function<void(JsonObject&)>& read) {

@@ -16,26 +16,26 @@
 
 namespace burin {
 
-/// Reads a JSON object strictly: every key is asked for once, with its type and range; a key that nobody asked for, a
-/// missing or doubled one, a wrong type, a value out of range is a fault. The first fault is kept and names the key
-/// with its way from the top ("cutter.holder[1].length_mm"); reading goes on with harmless values, so that a reader
-/// needs to look only once, at `finish`. One thread.
+/// Reads a JSON object strictly: every key is requested once, with its type and range; an unrequested, missing or
+/// duplicate key, a wrong type and a value out of range are faults. The first fault is kept and names the key with its
+/// path from the top ("cutter.holder[1].length_mm"); reading continues with harmless values, so that a reader has to
+/// check only once, in `finish`. One thread.
 class JsonObject {
 public:
-    /// @param origin file name for messages. Errors: resourceInvalid (not JSON, not an object, a doubled key).
+    /// @param origin file name for messages. Errors: resourceInvalid (not JSON, not an object, a duplicate key).
     static Result<JsonObject> parse(std::string_view text, const std::string& origin);
 
-    /// Lowest value of the range (or 0) stands in for a faulty number.
+    /// A faulty number is replaced by the lowest value of the range (or 0).
     double number(std::string_view key, NumberRange range = {});
     double numberOr(std::string_view key, double otherwise, NumberRange range = {});
     int integer(std::string_view key, int low, int high);
     bool boolean(std::string_view key);
     bool booleanOr(std::string_view key, bool otherwise);
     std::string text(std::string_view key); ///< not empty
-    /// Place of the text in `choices`; 0 stands in for a faulty one.
+    /// Index of the text in `choices`; 0 replaces a faulty one.
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& choices);
     std::vector<double> numbers(std::string_view key, std::size_t count, NumberRange range = {});
-    /// Any number of them that `group` divides.
+    /// Any count that is a multiple of `group`.
     std::vector<double> numbers(std::string_view key, NumberRange range, std::size_t group);
     std::vector<std::string> texts(std::string_view key); ///< any number, none of them empty
     void object(std::string_view key, const std::function<void(JsonObject&)>& read);
@@ -47,10 +47,10 @@ public:
     std::map<std::string, std::string> textsByName(std::string_view key);
 
     bool has(std::string_view key) const;
-    /// For rules between keys: a fault of `key`.
+    /// Reports a fault of `key`, for rules that involve several keys.
     void fail(std::string_view key, std::string detail);
 
-    /// The first fault, or an unknown key. Nested objects are finished by their reader.
+    /// The first fault, or an unknown key. For nested objects it is called by the functions that read them.
     Result<void> finish();
 
 private:

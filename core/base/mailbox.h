@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// Hands the newest value from one writing thread to one reading thread. Nobody waits, nothing is allocated; a value
-/// that was overtaken by a newer one is dropped.
+/// Passes the newest value from one writing thread to one reading thread. Never blocks, never allocates; a value that
+/// is replaced by a newer one before it was read is dropped.
 template <class T>
 class Mailbox {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -19,7 +19,7 @@ public:
         slots_[back_] = value;
         back_ = middle_.exchange(back_ | fresh, std::memory_order_acq_rel) & slotMask;
     }
-    bool take(T& value) noexcept { // reader's thread; false when there is nothing new
+    bool take(T& value) noexcept { // reader's thread; false if there is nothing new
         if ((middle_.load(std::memory_order_relaxed) & fresh) == 0) return false;
         front_ = middle_.exchange(front_, std::memory_order_acq_rel) & slotMask;
         value = slots_[front_];

@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// Bounds of a number in a file or a field, both allowed. In the unit of what it bounds.
+/// Bounds of a number in a file or a field, both inclusive. In the unit of that number.
 struct NumberRange {
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();

@@ -8,22 +8,22 @@
 
 namespace burin {
 
-/// Text of a number with a decimal point, whatever the locale. `decimals` digits behind it, rounded half to even as
-/// the C++ library does; "-0.000" becomes "0.000".
+/// Text of a number with a decimal point, independent of the locale. `decimals` digits behind it, rounded half to even
+/// as the C++ library does; "-0.000" becomes "0.000".
 std::string formatFixed(double value, int decimals);
 
-/// The same of a limit, which its text never falls short of.
+/// The same for a limit; the text is never less than the value.
 std::string formatLimit(double value, int decimals);
 
-/// Shortest text that reads back as the same double, with a decimal point, whatever the locale.
+/// Shortest text that reads back as the same double, with a decimal point, independent of the locale.
 std::string formatShortest(double value);
 
-/// The number that the whole of `text` writes, or nothing. Never depends on the locale; refuses "nan" and "inf".
+/// The number if the whole of `text` is one, otherwise empty. Independent of the locale; refuses "nan" and "inf".
 std::optional<double> parseNumber(std::string_view text);
 
-/// "270 m/min" as a number and a unit, blanks around either left out.
+/// "270 m/min" as a number and a unit, without the blanks around them.
 struct NumberWithUnit {
-    std::optional<double> value; ///< none: it does not begin with a number
+    std::optional<double> value; ///< empty: it does not begin with a number
     std::string unit;            ///< empty: none
 };
 NumberWithUnit numberWithUnit(std::string_view text);

@@ -10,8 +10,8 @@
 
 namespace burin {
 
-/// Tells the thread sanitizer what oneTBB, which is not built for it, orders: what was done before `give` is seen after
-/// `take`. Does nothing without it.
+/// Tells the thread sanitizer about the ordering by oneTBB, which is not built for it: everything done before `give` is
+/// visible after `take`. Does nothing without the sanitizer.
 class SanitizerOrder {
 public:
 #ifdef __SANITIZE_THREAD__
@@ -30,14 +30,16 @@ private:
     char token_ = 0;
 };
 
-/// What `parallelStretches` hands to oneTBB: calls `stretch(work, from, to)` for stretches of 0 … count - 1. Its source
-/// alone holds oneTBB's own code and is not built for the thread sanitizer, so that all that is can be watched.
+/// Interface of `parallelStretches` to oneTBB: calls `stretch(work, from, to)` for intervals of 0 … count - 1. Only its
+/// source file contains code of oneTBB and is not built for the thread sanitizer, so that all other code can be
+/// checked.
 void runStretches(std::size_t count, std::size_t grain, void* work,
                   void (*stretch)(void* work, std::size_t from, std::size_t to));
 
-/// Calls `body(from, to)` for stretches that together make up first … end - 1, shared among all cores (oneTBB). Returns
-/// when all are done and what they wrote is there. Stretches run at the same time: they must not write the same data.
-/// @param grain a stretch is not split below so many. An exception of `body` ends the work and goes on to the caller.
+/// Calls `body(from, to)` for intervals that together make up first … end - 1, shared among all cores (oneTBB). Returns
+/// when all are done and their results are visible. Intervals run concurrently: they must not write the same data.
+/// @param grain intervals are not split below this size. An exception of `body` ends the work and is rethrown to the
+/// caller.
 template <class Index, class Body>
 void parallelStretches(Index first, Index end, std::size_t grain, const Body& body) {
     if (!(first < end)) return;
@@ -58,7 +60,7 @@ void parallelStretches(Index first, Index end, std::size_t grain, const Body& bo
     work.done.take();
 }
 
-/// Calls `body(i)` for i from first to end - 1. As parallelStretches.
+/// Calls `body(i)` for i from first to end - 1. Otherwise as parallelStretches.
 template <class Index, class Body>
 void parallelFor(Index first, Index end, const Body& body) {
     parallelStretches(first, end, 1, [&](Index from, Index to) {

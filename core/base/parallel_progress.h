@@ -11,21 +11,21 @@
 
 namespace burin {
 
-/// Counts what several threads have done of one stage of a work. `Progress` has one writer: what is counted is reported
-/// by the thread that made this, which has to be the work's, and takes part in the stage.
+/// Counts the work that several threads have done in one stage. `Progress` has one writer: progress is reported by the
+/// thread that created this object, which has to be the one of the work, and takes part in the stage.
 class ParallelProgress {
 public:
-    /// @param pieces of the stage, all of them  @param low, high of the reports, 0 … 1
+    /// @param pieces of the stage, in total @param low, high range of the reports, 0 … 1
     ParallelProgress(Progress& progress, std::size_t pieces, double low = 0.0, double high = 1.0) noexcept
         : progress_(progress), pieces_(pieces), low_(low), high_(high) {}
-    /// What others did last is told now. The work's thread.
+    /// Reports what other threads did last. The work's thread.
     ~ParallelProgress() { report(done_.load(std::memory_order_relaxed)); }
     ParallelProgress(const ParallelProgress&) = delete;
     ParallelProgress& operator=(const ParallelProgress&) = delete;
 
-    /// Any thread; never waits.
-    /// @param pieces that are done now and were not before; what is done again, as when memory did not suffice, adds
-    ///        nothing beyond all of them
+    /// Thread-safe; never blocks.
+    /// @param pieces that are newly done; work that is repeated, as when memory did not suffice, adds nothing beyond
+    /// the total
     void add(std::size_t pieces = 1) noexcept {
         const std::size_t done = done_.fetch_add(pieces, std::memory_order_relaxed) + pieces;
         if (std::this_thread::get_id() == owner_) report(done);

@@ -27,7 +27,7 @@ Error invalid(const fs::path& file, std::string detail) {
     return Error{ErrorCode::pluginInvalid, file.string(), "", std::move(detail)};
 }
 
-/// Only letters, digits, dash, underscore and points inside: such a name can't leave the plugin's folder.
+/// Letters, digits, dash, underscore and points inside only: such a name cannot lead out of the plugin's folder.
 bool isPlainName(const std::string& name) {
     return name.front() != '.' && std::ranges::all_of(name, [](unsigned char c) {
                return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' ||
@@ -35,7 +35,7 @@ bool isPlainName(const std::string& name) {
            });
 }
 
-/// The texts of a plugin, each of them there and not empty, and nothing else.
+/// The texts of a plugin: all of them required and not empty, and no others.
 Result<std::map<std::string, std::string, std::less<>>> textsOf(const PluginKind& kind, const fs::path& file,
                                                                 const Json& metadata) {
     std::vector<std::string_view> keys{"id", "kind", "name", "version", "library"};
@@ -88,7 +88,7 @@ Result<PluginDescription> readDescription(const PluginKind& kind, const fs::path
     return describe(kind, file, metadata);
 }
 
-/// Sorts by id. A second plugin with an id is a fault.
+/// Sorts by id. Duplicate ids are a fault.
 std::optional<Error> sortById(std::vector<PluginDescription>& found) {
     std::ranges::sort(found, {}, &PluginDescription::id);
     const auto twice = std::ranges::adjacent_find(found, {}, &PluginDescription::id);

@@ -7,7 +7,8 @@
 
 namespace burin {
 
-/// How far a long work is, and the wish to stop it. One writer (the work), any readers, any canceller; never waits.
+/// Progress of a long work, and a request to stop it. One writer (the work), any number of readers and cancellers;
+/// never blocks.
 class Progress {
 public:
     /// @param fraction of this stage that is done, 0 … 1; values outside are clamped.
@@ -15,7 +16,7 @@ public:
         const double clamped = std::clamp(fraction, 0.0, 1.0);
         fraction_.store(low_ + (high_ - low_) * clamped, std::memory_order_relaxed);
     }
-    /// Later reports cover this part of the whole, 0 … 1. Called by the work, between its stages.
+    /// Maps later reports to this part of the total, 0 … 1. Called by the work, between its stages.
     void stage(double low, double high) noexcept {
         low_ = low;
         high_ = high;
@@ -24,7 +25,7 @@ public:
     double fraction() const noexcept { return fraction_.load(std::memory_order_relaxed); }
 
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-    /// For loops that know only a flag.
+    /// For loops that need a plain flag.
     const std::atomic<bool>& cancelFlag() const noexcept { return cancelled_; }
     bool cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
 
@@ -35,11 +36,11 @@ private:
     double low_ = 0.0, high_ = 1.0; // the work's thread only
 };
 
-/// While it lives, reports cover a part of the stage that is under way: for work that is made of others' work. The
-/// work's thread.
+/// During its lifetime, reports cover a part of the current stage: for work that is composed of other work. The work's
+/// thread.
 class ProgressPart {
 public:
-    /// @param low, high of the stage, 0 … 1
+    /// @param low, high part of the stage, 0 … 1
     ProgressPart(Progress& progress, double low, double high) noexcept
         : progress_(progress), low_(progress.low_), high_(progress.high_) {
         progress.stage(low_ + (high_ - low_) * low, low_ + (high_ - low_) * high);

@@ -24,7 +24,7 @@ bool isLetterOrDigit(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-/// An environment variable that holds an absolute path, as the XDG base directory specification demands.
+/// An environment variable that contains an absolute path, as the XDG base directory specification requires.
 fs::path absolutePathFrom(const char* variable) {
     const char* value = std::getenv(variable);
     const fs::path path = value != nullptr ? fs::path(value) : fs::path();
@@ -46,7 +46,7 @@ bool isIn(const fs::path& folder, std::string_view id) {
     return isResourceId(id) && !folder.empty() && fs::exists(folder / fileName(id), ignored);
 }
 
-/// Letters to put in, take out or change to make one text of another (Levenshtein).
+/// The number of letters to insert, remove or change to turn one text into another (Levenshtein distance).
 std::size_t editsBetween(std::string_view one, std::string_view other) {
     std::vector<std::size_t> row(other.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -60,7 +60,7 @@ std::size_t editsBetween(std::string_view one, std::string_view other) {
     return row.back();
 }
 
-/// All of a few ids; of many those that may have been meant, the most alike first.
+/// All ids if there are few; otherwise those that may have been meant, the most similar first.
 std::vector<std::string> mostAlike(std::vector<std::string> ids, std::string_view wanted) {
     constexpr std::size_t readable = 20, named = 8, longest = 64;
     if (ids.size() <= readable) return ids;

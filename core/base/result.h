@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// A value, or the Error that stands in its place. Reading the wrong one is a programming fault (asserted).
+/// A value, or an Error in its place. Access to the wrong one is a programming error (asserted).
 template <class T>
 class [[nodiscard]] Result {
 public:

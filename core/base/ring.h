@@ -24,7 +24,7 @@ public:
     }
     std::size_t capacity() const noexcept { return slots_.size(); }
 
-    /// Writer's thread. False, and nothing changed, when the ring is full.
+    /// Writer's thread. Returns false and changes nothing if the ring is full.
     bool push(const T& value) noexcept {
         const std::size_t tail = tail_.load(std::memory_order_relaxed);
         if (tail - head_.load(std::memory_order_acquire) == slots_.size()) return false;
@@ -32,7 +32,7 @@ public:
         tail_.store(tail + 1, std::memory_order_release);
         return true;
     }
-    /// Reader's thread: moves up to `target.size()` of the oldest values there and returns how many.
+    /// Reader's thread: moves up to `target.size()` of the oldest values to `target` and returns their number.
     std::size_t pop(std::span<T> target) noexcept {
         const std::size_t head = head_.load(std::memory_order_relaxed);
         const std::size_t waiting = tail_.load(std::memory_order_acquire) - head;
@@ -41,7 +41,7 @@ public:
         head_.store(head + count, std::memory_order_release);
         return count;
     }
-    /// Any thread; exact only for the writer and the reader.
+    /// Thread-safe; exact only for the writer and the reader.
     std::size_t size() const noexcept {
         const std::size_t head = head_.load(std::memory_order_acquire);
         return tail_.load(std::memory_order_acquire) - head;

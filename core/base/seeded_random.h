@@ -9,8 +9,8 @@
 
 namespace burin {
 
-/// Random numbers that are the same everywhere: the standard's distributions may differ from library to library; its
-/// generator may not.
+/// Random numbers that are the same on every platform: the distributions of the standard library may differ between
+/// implementations; its generator may not.
 class SeededRandom {
 public:
     explicit SeededRandom(std::uint64_t seed) : generator_(seed) {}

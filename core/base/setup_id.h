@@ -6,11 +6,11 @@
 
 namespace burin {
 
-/// Names one setup (clamping) of a job. Ids are a project's own and never used twice.
+/// Identifies one setup (clamping) of a job. Ids are unique within a project and never reused.
 enum class SetupId : std::int64_t {};
-/// Of every new project, and what a project of a version that knew one alone has.
+/// The setup of every new project, and of projects of a version that knew only one.
 inline constexpr SetupId firstSetup{1};
-/// Stands for the setup that a project is used in (Project::useSetup); what a project gives names its own.
+/// Refers to the setup selected in a project (Project::useSetup); objects returned by a project have the actual id.
 inline constexpr SetupId setupInUse{0};
 
 constexpr std::int64_t numberOf(SetupId id) noexcept {

@@ -26,11 +26,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t longestName = 255;  // bytes, of every file system that Burin is used on
+constexpr std::size_t longestName = 255;  // bytes, for every file system that Burin is used on
 constexpr std::size_t temporaryRoom = 40; // ".", ".PID-NUMBER.part-journal"
 constexpr std::array journalEndings{"", "-wal", "-shm", "-journal"};
 
-/// A system call that a signal interrupted is made again; not for ever, should a driver give nothing else.
+/// Repeats a system call that was interrupted by a signal; a limited number of times, in case a driver keeps failing.
 template <class Call>
 auto uninterrupted(Call call) {
     auto outcome = call();
@@ -38,7 +38,7 @@ auto uninterrupted(Call call) {
     return outcome;
 }
 
-/// 0, or the `errno` value of what went wrong.
+/// Returns 0, or the `errno` value of the failure.
 int writeAll(int descriptor, std::string_view content) {
     while (!content.empty()) {
         const ssize_t written = uninterrupted([&] { return ::write(descriptor, content.data(), content.size()); });
@@ -53,18 +53,18 @@ fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// Flushes the names in a folder. 0, or the `errno` value of what went wrong.
+/// Flushes the names in a folder. Returns 0, or the `errno` value of the failure.
 int flushFolder(const fs::path& folder) {
     const int descriptor = uninterrupted([&] { return ::open(folder.c_str(), O_RDONLY | O_CLOEXEC); });
-    // One may write in a folder that one may not read, and some file systems can't flush any (EINVAL): what was renamed
-    // there is then as durable as they make it.
+    // A folder may be writable but not readable, and some file systems cannot flush any (EINVAL): a rename is then as
+    // durable as the file system makes it.
     if (descriptor < 0) return 0;
     const int reason = uninterrupted([&] { return ::fsync(descriptor); }) != 0 && errno != EINVAL ? errno : 0;
     ::close(descriptor);
     return reason;
 }
 
-/// The descriptor of this process that `/dev/stdout` and the like name; -1: none.
+/// The descriptor of this process that `/dev/stdout` and similar names refer to; -1 if none.
 int descriptorNamed(const fs::path& file) {
     const std::string name = file.lexically_normal().string();
     if (name == "/dev/stdout") return STDOUT_FILENO;
@@ -81,7 +81,7 @@ int descriptorNamed(const fs::path& file) {
     return -1;
 }
 
-/// ".NAME." as the names of `temporaryBeside` begin.
+/// ".NAME.", the beginning of names made by `temporaryBeside`.
 std::string temporaryStart(const fs::path& file) {
     return "." + nameWithRoom(file.filename().string(), temporaryRoom) + ".";
 }
@@ -96,7 +96,7 @@ bool isTemporary(std::string_view name, std::string_view start) {
     return !name.empty() && name.find_first_not_of("0123456789-") == std::string_view::npos;
 }
 
-/// Who writes such a file holds a lock on it.
+/// The writer of such a file holds a lock on it.
 bool isBeingWritten(const fs::path& file) {
     const int descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) return false;
@@ -105,9 +105,9 @@ bool isBeingWritten(const fs::path& file) {
     return locked;
 }
 
-/// Files of this process that are neither put in their places nor removed yet.
+/// Files of this process that are neither put in place nor removed yet.
 struct Unplaced {
-    std::recursive_timed_mutex mutex; ///< also held while files are put in their places
+    std::recursive_timed_mutex mutex; ///< also held while files are put in place
     std::set<fs::path> files;
 };
 
@@ -136,7 +136,7 @@ std::string nameWithRoom(const std::string& name, std::size_t suffixBytes) {
     if (name.size() + suffixBytes <= longestName) return name;
     constexpr std::size_t digits = 16;
     std::size_t kept = longestName - suffixBytes - digits - 1;
-    while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xC0U) == 0x80U) --kept; // no half of a character
+    while (kept > 0 && (static_cast<unsigned char>(name[kept]) & 0xC0U) == 0x80U) --kept; // not within a character
     std::array<char, digits> sum{};
     const auto written = std::to_chars(sum.data(), sum.data() + digits, std::uint64_t{checksum(name)}, 16);
     return name.substr(0, kept) + "~" + std::string(sum.data(), written.ptr);
@@ -154,11 +154,11 @@ void removeAbandonedParts(const fs::path& file) noexcept try {
     for (fs::directory_iterator entry(folderOf(file), failed), end; !failed && entry != end; entry.increment(failed))
         if (isTemporary(entry->path().filename().native(), start) && !isBeingWritten(entry->path()))
             ::unlink(entry->path().c_str());
-} catch (...) { // out of memory: they stay until the next time
+} catch (...) { // out of memory: the files stay until the next call
 }
 
 fs::path behindLinks(const fs::path& file) {
-    constexpr int mostLinks = 40; // as the kernel has it
+    constexpr int mostLinks = 40; // limit of the kernel
     fs::path target = file;
     for (int link = 0; link < mostLinks && descriptorNamed(target) < 0; ++link) {
         std::error_code none;
@@ -216,11 +216,11 @@ Result<void> StagedFile::openBeside() {
         [&] { return ::open(beside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666); });
     if (descriptor_ < 0) {
         const int reason = errno;
-        beside_.clear(); // it may be somebody else's
+        beside_.clear(); // the file may belong to another process
         return writeError(file_, reason);
     }
     noteUnplaced(beside_);
-    ::flock(descriptor_, LOCK_EX | LOCK_NB); // where locks fail it is only less protected from being cleaned up
+    ::flock(descriptor_, LOCK_EX | LOCK_NB); // without a lock the file is only less protected from clean-up
     return {};
 }
 
@@ -257,7 +257,7 @@ Result<void> StagedFile::flush() {
     if (isStream()) return {};
     struct stat standing {};
     if (::stat(target_.c_str(), &standing) == 0) {
-        // Only root may give a file away; for others it is theirs from now on, as with any editor.
+        // Only root may change the owner of a file; otherwise the file is then owned by the user, as with any editor.
         if (::fchown(descriptor_, standing.st_uid, standing.st_gid) == 0 || standing.st_uid == ::geteuid())
             static_cast<void>(::fchmod(descriptor_, standing.st_mode & 07777));
         else
@@ -278,7 +278,7 @@ Result<void> StagedFile::sendToStream() {
     return {};
 }
 
-/// What stands there gets a second name, until it is clear that it is not needed. 0, or why it got none.
+/// Gives the present file a second name until it is no longer needed. Returns 0, or the reason for the failure.
 int StagedFile::linkPrevious() {
     const fs::path name = temporaryBeside(target_);
     const int reason = uninterrupted([&] { return ::link(target_.c_str(), name.c_str()); }) == 0 ? 0 : errno;
@@ -334,7 +334,7 @@ PlacingTogether::~PlacingTogether() {
 }
 
 void abandonStagedFiles() noexcept {
-    // Kept for ever. Who holds it longer waits for the reader of a pipe.
+    // Never unlocked. A thread that holds it longer is waiting for the reader of a pipe.
     static_cast<void>(unplaced().mutex.try_lock_for(std::chrono::milliseconds(200)));
     for (const fs::path& file : unplaced().files) removeWithJournals(file);
 }

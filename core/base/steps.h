@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// Runs `steps`, callables that give Result<void>, one after the other up to the first that fails, and returns its
-/// error. A list of calls would run them all before the first is looked at.
+/// Runs `steps`, callables that return Result<void>, in order until one fails, and returns its error. With a list of
+/// calls all of them would run before the first result is checked.
 template <class... Steps>
 Result<void> inOrder(Steps&&... steps) {
     Result<void> outcome;

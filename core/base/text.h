@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// A text of the user interface that was marked in core. Both pointers refer to literals.
+/// A text of the user interface that was marked for translation in core. Both pointers refer to literals.
 struct TextId {
     const char* context = "";
     const char* text = "";

@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// A text without what of `blanks` stands at its ends; a view of the same characters.
+/// A text without characters of `blanks` at its ends; a view of the same characters.
 inline std::string_view trimmed(std::string_view text, std::string_view blanks = " \t\r\n") noexcept {
     const std::size_t first = text.find_first_not_of(blanks);
     if (first == std::string_view::npos) return {};

@@ -7,12 +7,12 @@
 #include <emmintrin.h>
 #endif
 
-// BURIN_VECTORISED before a function compiles it, where the program is built for any x86-64, twice, for AVX2 as well,
-// and picks when the program is loaded. Neither has fused multiply-add, so that both give the same bits. What such a
-// function calls must be inlined (BURIN_INLINE) or it stays as it is. Sources that use it: burin_vectorised in CMake.
-// BURIN_VECTORISED_TO_AVX512 adds a third time, with registers for conditions and twice the others, for functions where
-// that was measured to pay: the lanes and the bits stay the same.
-// Empty for clang and under sanitizers, whose runtime is not up yet when the choice is made.
+// BURIN_VECTORISED before a function compiles it twice if the program is built for any x86-64: also for AVX2; the
+// version is selected when the program is loaded. Neither uses fused multiply-add, so that both give the same bits.
+// Functions called by it must be inlined (BURIN_INLINE), or they are compiled only once. Sources that use it:
+// burin_vectorised in CMake. BURIN_VECTORISED_TO_AVX512 adds a third version, with mask registers and twice as many
+// registers, for functions where measurements showed a benefit: the lanes and the bits stay the same. Empty for clang
+// and under sanitizers, whose runtime is not initialised yet when the version is selected.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) &&                        \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #ifdef __AVX2__
@@ -28,17 +28,16 @@
 #endif
 #define BURIN_INLINE inline __attribute__((always_inline))
 
-// The eight lanes are handed on in registers of whatever width there is; nothing here crosses a library's border.
+// The eight lanes are passed in registers of any width; nothing here crosses the boundary of a library.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
 namespace burin {
 
-/// Eight numbers side by side (GCC vector extension, which clang knows too): +, -, *, /, comparisons (all bits or none)
-/// and `condition ? a : b` work lane by lane.
-/// For values in registers alone: their alignment depends on what a function is compiled for. In memory they are
-/// `Eight`.
+/// Eight numbers in a vector (GCC vector extension, also supported by clang): +, -, *, /, comparisons (all bits or
+/// none) and `condition ? a : b` work lane by lane. For values in registers only: their alignment depends on the target
+/// of the function. In memory they are `Eight`.
 using Floats = float __attribute__((vector_size(32)));
 using Integers = std::int32_t __attribute__((vector_size(32)));
 using Words = std::uint32_t __attribute__((vector_size(32)));
@@ -71,7 +70,7 @@ BURIN_INLINE void store(const Lanes& values, Eight<Number>& to) noexcept {
 }
 
 BURIN_INLINE Floats floats(float value) noexcept {
-    return value - Floats{}; // as a sum it would keep -0 from becoming +0, which costs an addition
+    return value - Floats{}; // a sum would have to turn -0 into +0, which costs an addition
 }
 BURIN_INLINE Integers integers(std::int32_t value) noexcept {
     // One move and one shuffle; Integers{} + value becomes an insertion for each lane.
@@ -90,23 +89,23 @@ BURIN_INLINE Integers least(Integers a, Integers b) noexcept {
 BURIN_INLINE Integers most(Integers a, Integers b) noexcept {
     return a > b ? a : b;
 }
-/// Square roots; 0 of what is below 0.
+/// Square roots; 0 for negative numbers.
 BURIN_INLINE Floats rootsOf(Floats squares) noexcept {
     const Floats held = most(squares, Floats{});
     Floats roots;
     for (int i = 0; i < lanes; ++i) roots[i] = __builtin_sqrtf(held[i]);
     return roots;
 }
-/// Whole part of numbers, towards 0.
+/// Integral part of numbers, truncated towards 0.
 BURIN_INLINE Integers wholeOf(Floats numbers) noexcept {
     return __builtin_convertvector(numbers, Integers);
 }
 BURIN_INLINE Floats floatsOf(Integers numbers) noexcept {
     return __builtin_convertvector(numbers, Floats);
 }
-/// One bit a lane of a comparison's result.
+/// One bit per lane of a comparison's result.
 BURIN_INLINE std::uint32_t bitsOf(Integers condition) noexcept {
-#ifdef __SSE2__ // as every x86-64 has; the compiler does not find it by itself
+#ifdef __SSE2__ // available on every x86-64; the compiler does not find it by itself
     const auto low = __builtin_shufflevector(condition, condition, 0, 1, 2, 3);
     const auto high = __builtin_shufflevector(condition, condition, 4, 5, 6, 7);
     return static_cast<std::uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(low)) |
@@ -118,7 +117,7 @@ BURIN_INLINE std::uint32_t bitsOf(Integers condition) noexcept {
 #endif
 }
 
-/// True where a comparison holds in any lane.
+/// Whether a comparison holds in any lane.
 BURIN_INLINE bool anyOf(Integers condition) noexcept {
 #ifdef __SSE2__
     const auto low = __builtin_shufflevector(condition, condition, 0, 1, 2, 3);
@@ -128,7 +127,7 @@ BURIN_INLINE bool anyOf(Integers condition) noexcept {
     return bitsOf(condition) != 0;
 #endif
 }
-/// Numbers without their signs.
+/// Absolute values.
 BURIN_INLINE Floats magnitudes(Floats numbers) noexcept {
     return reinterpret_cast<Floats>(reinterpret_cast<Integers>(numbers) & integers(0x7fffffff));
 }

@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// s since 1970, UTC. For what people read later; durations are measured with the steady clock.
+/// s since 1970, UTC. For timestamps shown to people; durations are measured with the steady clock.
 inline double unixTime() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }

@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <cstdint>
 
-// As many numbers side by side as the widest registers hold, for loops that are compiled for both widths: such a loop
-// stands in a file of its own, which is included for each with `using namespace` of one of the namespaces below. What
-// is told of the first holds for the second.
+// Vectors as wide as the widest registers, for loops that are compiled for both widths: such a loop is in a file of its
+// own, which is included once for each width with `using namespace` of one of the namespaces below. Comments on the
+// first one apply to the second as well.
 namespace burin {
 
-/// Numbers that stand side by side in memory, as many as a register of that kind holds.
+/// Consecutive numbers in memory, as many as a register of that kind holds.
 template <class Lanes, class Number>
 BURIN_INLINE Lanes lanesAt(const Number* from) noexcept {
     static_assert(sizeof(Lanes) % sizeof(Number) == 0);
@@ -65,15 +65,15 @@ using burin::bitsOf;
 using burin::least;
 using burin::most;
 using burin::wholeOf;
-/// The first number in the first eight lanes, the next one in the next eight where a register holds two.
+/// The first number in the first eight lanes, the next one in the next eight if a register holds two groups of eight.
 BURIN_INLINE Floats eachEight(float first, float) noexcept {
     return floats(first);
 }
-/// The lanes for which the lowest bits say so, those of eight always alike.
+/// The lanes selected by the lowest bits, one per lane; the bits of a group of eight lanes are equal.
 BURIN_INLINE Mask lanesOf(std::uint64_t bits) noexcept {
     return integers(-static_cast<std::int32_t>(bits & 1U));
 }
-/// Which eight the lanes belong to: 0, and 1 where a register holds two.
+/// The index of the group of eight that a lane belongs to: 0, and 1 if a register holds two.
 BURIN_INLINE Floats eightNumbers() noexcept {
     return Floats{};
 }
@@ -83,12 +83,12 @@ BURIN_INLINE Mask hasSign(Floats numbers) noexcept {
 BURIN_INLINE Floats select(Mask mask, Floats then, Floats otherwise) noexcept {
     return mask ? then : otherwise;
 }
-/// One more where the mask says so.
+/// Adds one where the mask is set.
 BURIN_INLINE Integers counted(Integers count, Mask mask) noexcept {
     return count - mask;
 }
-/// Writes the words that the mask chooses, one after the other, and whatever behind them, `width` in all.
-/// @return behind the last that was chosen
+/// Writes the words selected by the mask consecutively, followed by arbitrary ones, `width` in total.
+/// @return behind the last selected word
 BURIN_INLINE std::uint32_t* append(Words words, Mask mask, std::uint32_t* to) noexcept {
     for (std::size_t i = 0; i < width; ++i) {
         *to = words[static_cast<int>(i)];
@@ -96,16 +96,16 @@ BURIN_INLINE std::uint32_t* append(Words words, Mask mask, std::uint32_t* to) no
     }
     return to;
 }
-/// The first of fours of numbers, the second, …
+/// The first numbers of groups of four, the second ones, …
 template <class Lanes>
 struct Fours {
     Lanes of[4];
 };
-/// Reads numbers, four that belong together and then the next four: the first of each four, then the second, …
-/// @tparam step from four to four
+/// Reads groups of four numbers and separates them: the first of each group, then the second, …
+/// @tparam step distance from group to group
 template <class Lanes, int step, class Number>
 BURIN_INLINE Fours<Lanes> foursAt(const Number* from) noexcept {
-    const auto both = [&](int i) noexcept -> Lanes { // of i and of 4 + i
+    const auto both = [&](int i) noexcept -> Lanes { // of group i and of group 4 + i
         Number __attribute__((vector_size(16))) low, high;
         __builtin_memcpy(&low, from + step * i, sizeof low);
         __builtin_memcpy(&high, from + step * (4 + i), sizeof high);
@@ -121,7 +121,7 @@ BURIN_INLINE Fours<Lanes> foursAt(const Number* from) noexcept {
              __builtin_shufflevector(highAb, highCd, 0, 1, 8, 9, 4, 5, 12, 13),
              __builtin_shufflevector(highAb, highCd, 2, 3, 10, 11, 6, 7, 14, 15)}};
 }
-/// Writes vectors, and one number more.
+/// Writes interleaved vectors, and one number more.
 BURIN_INLINE void storeVectors(Floats x, Floats y, Floats z, float* to) noexcept {
     const Floats low = __builtin_shufflevector(x, y, 0, 8, 1, 9, 4, 12, 5, 13),
                  high = __builtin_shufflevector(x, y, 2, 10, 3, 11, 6, 14, 7, 15);
@@ -232,7 +232,7 @@ BURIN_INLINE Integers counted(Integers count, Mask mask) noexcept {
     return reinterpret_cast<Integers>(_mm512_mask_add_epi32(before, mask.bits, before, _mm512_set1_epi32(1)));
 }
 BURIN_INLINE std::uint32_t* append(Words words, Mask mask, std::uint32_t* to) noexcept {
-    // In a register: to compress into memory is many times slower on some processors.
+    // In a register: compressing directly into memory is many times slower on some processors.
     const __m512i chosen = _mm512_maskz_compress_epi32(mask.bits, reinterpret_cast<__m512i>(words));
     _mm512_storeu_si512(to, chosen);
     return to + std::popcount(mask.bits);
@@ -240,7 +240,7 @@ BURIN_INLINE std::uint32_t* append(Words words, Mask mask, std::uint32_t* to) no
 using eight_lanes::Fours;
 template <class Lanes, int step>
 BURIN_INLINE Fours<Lanes> foursAt(const std::uint32_t* from) noexcept {
-    const auto four = [&](int i) noexcept { // of i, 4 + i, 8 + i, 12 + i
+    const auto four = [&](int i) noexcept { // of groups i, 4 + i, 8 + i, 12 + i
         const auto at = [&](int place) noexcept {
             return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + step * place));
         };
@@ -258,7 +258,7 @@ BURIN_INLINE Fours<Lanes> foursAt(const std::uint32_t* from) noexcept {
     return {{low(lowAc, lowBd), high(lowAc, lowBd), low(highAc, highBd), high(highAc, highBd)}};
 }
 BURIN_INLINE void storeVectors(Floats x, Floats y, Floats z, float* to) noexcept {
-    // A third of the numbers in each register: x and y where they belong, then z between.
+    // A third of the numbers in each register: x and y at their positions, then z between them.
     const Floats xy[3]{__builtin_shufflevector(x, y, 0, 16, 0, 1, 17, 0, 2, 18, 0, 3, 19, 0, 4, 20, 0, 5),
                        __builtin_shufflevector(x, y, 21, 0, 6, 22, 0, 7, 23, 0, 8, 24, 0, 9, 25, 0, 10, 26),
                        __builtin_shufflevector(x, y, 0, 11, 27, 0, 12, 28, 0, 13, 29, 0, 14, 30, 0, 15, 31, 0)};
@@ -273,7 +273,7 @@ BURIN_INLINE void storeVectors(Floats x, Floats y, Floats z, float* to) noexcept
 } // namespace burin::sixteen_lanes
 BURIN_AVX512_END
 
-/// In a namespace within burin: the names of sixteen lanes, before those of eight that burin itself has.
+/// In a namespace within burin: selects the names for sixteen lanes over those for eight that burin itself has.
 #define BURIN_USING_SIXTEEN_LANES                                                                                      \
     using namespace sixteen_lanes;                                                                                     \
     using sixteen_lanes::bitsOf;                                                                                       \

@@ -19,7 +19,7 @@ std::string lowered(std::string_view text) {
     return lower;
 }
 
-/// A ZIP archive in memory, read only.
+/// A ZIP archive in memory, read-only.
 class ZipArchive {
 public:
     explicit ZipArchive(std::string_view content) {
@@ -88,13 +88,13 @@ bool isArchiveWith(std::string_view content, std::string_view ending) {
     if (!content.starts_with("PK\x03\x04")) return false;
     const ZipArchive zip(content);
     if (zip.isOpen()) return zip.find(ending).has_value();
-    return lowered(content.substr(0, 65536)).find(ending) != std::string::npos; // its end is missing
+    return lowered(content.substr(0, 65536)).find(ending) != std::string::npos; // the end of the archive is missing
 }
 
 std::optional<std::string> zippedFile(const std::string& name, std::string_view content) {
     const Source whole(zip_source_buffer_create(nullptr, 0, 0, nullptr), &zip_source_free);
     if (!whole) return std::nullopt;
-    zip_source_keep(whole.get()); // closing the archive lets go of one hold, the owner here of the other
+    zip_source_keep(whole.get()); // closing the archive releases one reference, the owner here the other
     zip_t* archive = zip_open_from_source(whole.get(), ZIP_TRUNCATE, nullptr);
     if (archive == nullptr) {
         zip_source_free(whole.get());

@@ -10,14 +10,14 @@
 
 namespace burin {
 
-/// A file of a ZIP archive in memory whose name ends so, whatever its letters' case; nothing: the archive has none, is
-/// damaged, or the file is larger. @param most bytes: what a few packed ones unpack to has no other bound, unless the
-/// process has a limit of memory of its own, as the import program has
+/// The content of the file in a ZIP archive in memory whose name has this ending, case-insensitive; empty if there is
+/// none, the archive is damaged, or the file is larger. @param most bytes: the only limit for the size of unpacked
+/// data, unless the process has a memory limit of its own, like the import program
 std::optional<std::string> unzippedFile(std::string_view archive, std::string_view ending,
                                         std::size_t most = std::numeric_limits<std::size_t>::max());
-/// Whether the content is a ZIP archive that names such a file.
+/// Whether the content is a ZIP archive that lists such a file.
 bool isArchiveWith(std::string_view content, std::string_view ending);
-/// An archive of one file; nothing: there is not enough memory for it.
+/// An archive of one file; empty if there is not enough memory for it.
 std::optional<std::string> zippedFile(const std::string& name, std::string_view content);
 
 } // namespace burin

@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// Appends values to a string of bytes, in this machine's byte order: both ends are processes of one machine.
+/// Appends values to a string of bytes in the byte order of this machine; writer and reader run on the same machine.
 class ByteWriter {
 public:
     template <class T>
@@ -36,8 +36,8 @@ private:
     std::string bytes_;
 };
 
-/// Reads back what ByteWriter wrote, from bytes that nobody vouches for: whatever does not fit turns `good` false and
-/// reads as zero or empty from then on; nothing is allocated that the bytes do not hold.
+/// Reads back what ByteWriter wrote, from untrusted bytes: whatever does not fit makes `good` false and reads as zero
+/// or empty from then on. Never allocates more than the bytes hold.
 class ByteReader {
 public:
     explicit ByteReader(std::string_view bytes) noexcept : rest_(bytes) {}
@@ -64,14 +64,15 @@ public:
             std::memcpy(values.data(), source, values.size() * sizeof(T));
         return values;
     }
-    /// How many items of at least `leastSize` bytes each follow; 0 and not good when so many can't follow.
+    /// Reads the number of items of at least `leastSize` bytes each that follow. If that many can't follow, returns 0
+    /// and makes `good` false.
     std::uint64_t count(std::size_t leastSize) noexcept {
         const auto count = value<std::uint64_t>();
         if (count > rest_.size() / leastSize) good_ = false;
         return good_ ? count : 0;
     }
     bool good() const noexcept { return good_; }
-    /// Everything fitted and nothing is left over.
+    /// Whether everything fitted and no bytes are left over.
     bool finished() const noexcept { return good_ && rest_.empty(); }
 
 private:

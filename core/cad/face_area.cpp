@@ -14,9 +14,9 @@ namespace burin {
 
 namespace {
 
-constexpr double reach = 1.0;          // mm from a place to its face
-constexpr double leastCosine = 0.9397; // of a bend of 20 degrees
-constexpr double leastUpwards = 1e-3;  // z of a normal: what is steeper has no area from above
+constexpr double reach = 1.0;          // mm, largest distance from a point to its face
+constexpr double leastCosine = 0.9397; // of the angle of a bend, 20 degrees
+constexpr double leastUpwards = 1e-3;  // z of a normal; steeper triangles have no area from above
 
 /// A triangle of one of a model's bodies.
 struct Spot {
@@ -40,7 +40,7 @@ Spot nearestSpot(const Model& model, const glm::dvec3& place) {
     return nearest;
 }
 
-/// The face of a mesh that a triangle lies on.
+/// The face of a mesh that contains a triangle.
 class Face {
 public:
     explicit Face(const TriangleMesh& mesh) : mesh_(mesh), places_(firstAtSamePlace(mesh)) {
@@ -48,7 +48,7 @@ public:
             for (int side = 0; side < 3; ++side) sides_.emplace(keyOf(i, side), static_cast<std::uint32_t>(i));
     }
 
-    /// Its outlines: the material of the face to the left.
+    /// Returns its outlines, with the material of the face to the left.
     std::vector<PlanRing> outlines(std::size_t from) {
         std::vector<char> on(mesh_.triangles.size(), 0);
         std::vector<std::size_t> open;
@@ -85,7 +85,7 @@ private:
         const double length = glm::length(normal);
         return length > 0.0 ? normal / length : glm::dvec3(0.0);
     }
-    /// The triangle behind a side, unless the face ends there.
+    /// Returns the triangle on the other side of an edge, unless the face ends there.
     std::optional<std::size_t> beside(std::size_t triangle, int side) const {
         const auto found = sides_.find(std::uint64_t{corner(triangle, side + 1)} << 32 | corner(triangle, side));
         if (found == sides_.end() || glm::dot(normalOf(triangle), normalOf(found->second)) < leastCosine) return {};
@@ -109,7 +109,7 @@ private:
 
     const TriangleMesh& mesh_;
     std::vector<std::uint32_t> places_;
-    std::unordered_map<std::uint64_t, std::uint32_t> sides_; ///< of directed sides the triangle
+    std::unordered_map<std::uint64_t, std::uint32_t> sides_; ///< triangle of each directed side
 };
 
 } // namespace

@@ -8,11 +8,11 @@
 
 namespace burin {
 
-/// The face of a model at a place as it is seen from above: what is reached from there without a bend of more than 20
-/// degrees, which is what hands and eyes take for one face of a B-rep or of a mesh. Frame of the model, mm. What stands
-/// upright or faces down has no area from above and is left out.
-/// Errors: argumentInvalid (no face is within 1 mm of the place, or it has no area from above).
-/// Cost: all triangles of the body.
+/// The area of the model's face at a point, seen from above: everything that can be reached from the point without a
+/// bend of more than 20 degrees, which users take for one face of a B-rep or of a mesh. Frame of the model, mm.
+/// Triangles that are vertical or face down have no area from above and are left out.
+/// Errors: argumentInvalid (no face lies within 1 mm of the point, or it has no area from above).
+/// Cost: linear in the triangles of the body.
 Result<PlanRegion> faceArea(const Model& model, const glm::dvec3& place);
 
 } // namespace burin

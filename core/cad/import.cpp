@@ -31,7 +31,7 @@ Result<void> checkOptions(const ImportOptions& options) {
     return {};
 }
 
-/// Finds the plain faults of a file without starting anything.
+/// Finds the simple errors of a file without starting a process.
 Result<void> checkFile(const fs::path& file) {
     std::error_code failed;
     const fs::file_status status = fs::status(file, failed);
@@ -44,7 +44,7 @@ Result<void> checkFile(const fs::path& file) {
     return {};
 }
 
-/// One share for each process; a process takes about as long to start as a few points take to measure.
+/// Splits the points into one part for each process; starting a process takes about as long as measuring a few points.
 std::vector<WorkerRequest> shares(const Model& model, std::span<const glm::dvec3> points) {
     constexpr std::size_t processes = 2, leastShare = 16;
     const std::size_t count = std::clamp<std::size_t>(points.size() / leastShare, 1, processes);
@@ -84,7 +84,7 @@ Result<Model> importModel(const fs::path& file, const ImportOptions& options, Pr
     auto* model = std::get_if<Model>(&answers->front());
     if (!model) return Error{ErrorCode::importCrashed, whole.string(), {}, "it answered something else"};
     model->sourceFile = whole.string();
-    // What a file calls its bodies goes to lists, terminals, projects and programs.
+    // Names of bodies from the file appear in lists, terminals, projects and programs.
     for (Body& body : model->bodies) body.name = cleanLine(body.name);
     for (ImportNote& note : model->notes) note.text = cleanLine(note.text);
     return std::move(*model);

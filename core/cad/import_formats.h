@@ -15,14 +15,14 @@ namespace burin {
 struct Model;
 struct ModelSource;
 
-/// What a format says of a file's content.
+/// The result of checking whether a file's content is of a format.
 struct FormatMatch {
-    bool known = false;  ///< it is of this format
+    bool known = false;  ///< the content is of this format
     std::string missing; ///< what the file lacks or where it ends too early; empty: it is complete
 };
 
-// The table of formats that can be imported, a row each. The window uses the suffixes alone; what knows a format's
-// content and what reads it exist in the import program (core/cad/reader), each in the file of its format.
+// The table of the formats that can be imported, one row each. The window uses only the suffixes; the functions that
+// recognise and read a content exist in the import program (core/cad/reader), each in the file of its format.
 
 struct StepFormat {
     static constexpr std::string_view name = "STEP";
@@ -87,7 +87,8 @@ struct StlFormat {
 FormatMatch matchFormat(StlFormat format, std::string_view content);
 Result<Model> readFormat(StlFormat format, ModelSource& source);
 
-/// In the order in which a file's content is asked. STL comes last: a binary file has no mark but its length.
+/// In the order in which a file's content is checked. STL comes last: a binary STL file can be recognised only by its
+/// length.
 using ImportFormats = std::tuple<StepFormat, BrepFormat, IgesFormat, ThreeMfFormat, AmfFormat, PlyFormat, OffFormat,
                                  ObjFormat, StlFormat>;
 
@@ -102,7 +103,8 @@ std::vector<std::string_view> suffixesOf(const std::tuple<Formats...>*) {
 
 } // namespace import_formats
 
-/// Suffixes of all formats, in lower case and without a dot, for file dialogs: what a file is, its content tells.
+/// Returns the suffixes of all formats, in lower case and without a dot, for file dialogs only: the format of a file is
+/// decided by its content.
 inline std::vector<std::string_view> importSuffixes() {
     return import_formats::suffixesOf(static_cast<const ImportFormats*>(nullptr));
 }

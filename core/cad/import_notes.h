@@ -12,8 +12,8 @@
 
 namespace burin::import_notes {
 
-// What an import may note. %1 … %3 stand for names and numbers. Projects keep the filled English text, and the user
-// interface finds its text here again: one that was ever released stays as it is.
+// The notes that an import may add. %1 … %3 stand for names and numbers. Projects store the filled English text, and
+// the user interface looks it up here again, so a text that was ever released must not change.
 
 inline constexpr TextId unitConverted = BURIN_TEXT("ImportNote", "Lengths in %1 were converted: 1 %2 = %3 mm.");
 inline constexpr TextId unitsMixed =
@@ -54,7 +54,7 @@ inline constexpr TextId piecesApart = BURIN_TEXT("ImportNote", "%1 consists of %
 inline constexpr TextId restLeftOut = BURIN_TEXT("ImportNote", "Data after the last triangle was left out.");
 inline constexpr TextId endMissing =
     BURIN_TEXT("ImportNote", "The file ends without \"endsolid\"; what was read of it is complete.");
-/// As earlier versions worded it.
+/// The wording of earlier versions.
 inline constexpr TextId endMissingBefore =
     BURIN_TEXT("ImportNote", "The file ends without \"endsolid\"; what was read of it is whole.");
 inline constexpr TextId noVolume = BURIN_TEXT("ImportNote", "%1 has no volume, so nothing of it can be protected.");
@@ -69,11 +69,11 @@ inline constexpr std::array all{unitConverted,    unitsMixed,        brepWithout
                                 piecesApart,      fileWithoutUnit,   coloursLeftOut,  restLeftOut,     endMissing,
                                 endMissingBefore, noVolume,          partsMissing,    solidEmpty};
 
-/// The names that are given where a file has none; %1: a number from 1.
+/// Names given to bodies and solids that have none in the file; %1: a number from 1.
 inline constexpr TextId unnamedBody = BURIN_TEXT("ImportNote", "Body %1");
 inline constexpr TextId unnamedSolid = BURIN_TEXT("ImportNote", "Solid %1");
 
-/// In English, the first value for %1 and so on; at most nine.
+/// Returns the English text with the first value for %1 and so on; at most nine values.
 inline std::string fill(TextId note, std::initializer_list<std::string> values) {
     return filled(note.text, std::span(values.begin(), values.size()));
 }

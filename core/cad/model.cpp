@@ -8,8 +8,9 @@ namespace burin {
 
 namespace {
 
-/// Tight where the box can be placed itself. Else around the mesh, whose chord it may lack of the surface, and within
-/// what holds the placed box.
+/// Returns the placed box of a body, tight if the axes stay parallel to those of the frame. Otherwise the box of the
+/// mesh, grown by the chord by which the mesh may lie inside the surface, intersected with the box around the placed
+/// box.
 Box placedBox(const Body& placedBody, const Box& before, double chord, const Placement& placement) {
     Box box = boxAround(before, placement);
     if (alongAxes(placement) || placedBody.mesh.empty()) return box;
@@ -21,7 +22,7 @@ Box placedBox(const Body& placedBody, const Box& before, double chord, const Pla
 
 void place(Body& body, double chord, const Placement& placement) {
     for (glm::dvec3& vertex : body.mesh.vertices) vertex = placement.point(vertex);
-    if (mirrors(placement)) // what was seen counter-clockwise from outside is clockwise now
+    if (mirrors(placement)) // the corners that were counter-clockwise seen from outside are clockwise now
         for (auto& triangle : body.mesh.triangles) std::swap(triangle[1], triangle[2]);
     body.box = placedBox(body, body.box, chord, placement);
 }

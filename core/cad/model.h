@@ -16,8 +16,8 @@ namespace burin {
 
 /// One solid of a model, in mm and in the model's frame (placements of an assembly applied).
 struct Body {
-    std::string name;                                  ///< as in the file; "Body 1" … where it has none
-    std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB, where the file has one
+    std::string name;                                  ///< as in the file; "Body 1" … if it has none there
+    std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB, if the file has one
     double volume = 0.0; ///< mm³: of the B-rep, tolerance 1e-6; of the mesh where there is no B-rep
     double area = 0.0;   ///< mm²
     Box box;             ///< tight
@@ -26,13 +26,13 @@ struct Body {
     std::size_t faceCount = 0; ///< B-rep faces; 0 for a mesh file
 };
 
-/// What importing found, healed or could not heal; in the order of its steps.
+/// What the import found, healed or could not heal, in the order of its steps.
 struct ImportNote {
     enum class Kind { unit, healing, warning } kind = Kind::warning;
     std::string text; ///< English, for report and log
 };
 
-/// A CAD model: as its file has it, or as it lies in a setup.
+/// A CAD model, either as in its file or placed in a setup.
 struct Model {
     std::string sourceFile; ///< absolute path
     std::string format;     ///< "STEP AP214", "IGES", "BREP", "STL binary", "STL ASCII"
@@ -42,16 +42,18 @@ struct Model {
     std::vector<Body> bodies;
     std::vector<ImportNote> notes;
     std::string brep; ///< healed B-rep, OpenCASCADE binary form; empty for a mesh file
-    /// Which of the B-rep's solids the bodies are, in order, where the model is a part of an imported one; empty: all.
+    /// Numbers of the B-rep's solids that are the bodies, in order, if the model is a part of an imported one; empty:
+    /// all.
     std::vector<std::uint32_t> brepSolids;
     Placement brepPlacement; ///< from the B-rep's frame to the model's
 
-    Box box() const;       ///< of all bodies, mm, frame of the model; empty without any
+    Box box() const;       ///< of all bodies, mm, frame of the model; empty if there are none
     double volume() const; ///< of all bodies, mm³
 };
 
-/// A model as it lies in another frame: meshes and boxes there, the B-rep with another `brepPlacement`. A mirrored one
-/// is another part than the file has. Neither turned nor moved, it is the same one, shared.
+/// Returns the model placed in another frame: meshes and boxes are transformed, the B-rep gets another `brepPlacement`.
+/// A mirrored model is a different part from that in the file. If the placement neither rotates nor moves it, the same
+/// model is returned, shared.
 std::shared_ptr<const Model> placed(std::shared_ptr<const Model> model, const Placement& placement);
 
 } // namespace burin

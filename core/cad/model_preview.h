@@ -12,10 +12,10 @@
 
 namespace burin {
 
-// What a model looks like while its mesh is still being made. These types are for the picture alone: they are no Model
-// and no TriangleMesh, so that nothing can be embedded in them, milled to them or measured on them.
+// The appearance of a model while its mesh is still being made. These types are for display only: they are neither
+// Model nor TriangleMesh, so that nothing can be embedded in them, milled to them or measured on them.
 
-/// Triangles to look at: coarse, and there may be holes between them.
+/// Triangles for display: coarse, possibly with holes between them.
 struct PreviewMesh {
     std::vector<glm::vec3> vertices; ///< mm, frame of the model
     std::vector<std::array<std::uint32_t, 3>> triangles;

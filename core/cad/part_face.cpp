@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-/// Of its corners and the middles of its edges, the one that is nearest.
+/// Returns the nearest of the triangle's corners and midpoints of its edges.
 glm::dvec3 cornerOf(const Triangle& triangle, const glm::dvec3& place) {
     const std::array places{triangle[0],
                             triangle[1],
@@ -28,7 +28,7 @@ glm::dvec3 cornerOf(const Triangle& triangle, const glm::dvec3& place) {
                                      [&place](const glm::dvec3& corner) { return glm::distance(corner, place); });
 }
 
-/// Of the triangle that is nearest.
+/// Returns the nearest triangle as a face.
 PartFace triangleAt(const Model& model, const glm::dvec3& place) {
     PartFace found;
     double nearest = std::numeric_limits<double>::infinity();

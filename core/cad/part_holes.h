@@ -7,7 +7,8 @@
 
 namespace burin {
 
-/// The round upright holes of all bodies of a part, in its frame, mm. Any thread. Cost: all triangles.
+/// Returns the round vertical holes of all bodies of a part, in its frame, mm. Thread-safe. Cost: linear in the
+/// triangles.
 std::vector<UprightHole> uprightHoles(const Model& part);
 
 /// Holes of one diameter.
@@ -15,7 +16,7 @@ struct HoleSize {
     double diameter = 0.0; ///< mm
     int count = 0;
 };
-/// How many there are of each diameter, within 0.01 mm, the smallest first.
+/// Returns the number of holes of each diameter, equal within 0.01 mm, the smallest diameter first.
 std::vector<HoleSize> sizesOf(const std::vector<UprightHole>& holes);
 
 } // namespace burin

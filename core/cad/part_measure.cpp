@@ -19,14 +19,14 @@ namespace {
 
 using Kind = MeasuredFace::Kind;
 
-constexpr double parallelWithin = 1e-5; // rad: what single precision makes of the faces of an STL file
-constexpr double behindFace = 1e-6;     // mm, in which a ray does not look for the other side
+constexpr double parallelWithin = 1e-5; // rad: error of the faces of an STL file due to single precision
+constexpr double behindFace = 1e-6;     // mm, the part of a ray that is ignored when looking for the opposite side
 
 bool isRound(const MeasuredFace& face) noexcept {
     return face.kind == Kind::cylinder || face.kind == Kind::cone || face.kind == Kind::torus;
 }
 
-/// Of two lines through the origin, 0 … π / 2; precise where they are nearly parallel, too.
+/// The angle between two lines through the origin, 0 … π / 2; precise also for nearly parallel lines.
 double acuteAngle(const glm::dvec3& one, const glm::dvec3& other) {
     return std::atan2(glm::length(glm::cross(one, other)), std::abs(glm::dot(one, other)));
 }
@@ -39,7 +39,7 @@ double fromPlane(const glm::dvec3& place, const MeasuredFace& plane) {
     return std::abs(glm::dot(place - plane.place, plane.normal));
 }
 
-/// Straight in from the place to the first triangle that the ray leaves the material through.
+/// Returns the distance from the point straight in to the first triangle where the ray leaves the material.
 std::optional<double> thicknessAt(const Model& model, const MeasuredFace& face) {
     const Ray in{face.place, -face.normal};
     std::optional<double> nearest;
@@ -54,7 +54,7 @@ std::optional<double> thicknessAt(const Model& model, const MeasuredFace& face) 
     return nearest;
 }
 
-/// The triangle at a place.
+/// Measures the triangle at a point.
 Result<MeasuredFace> measuredTriangle(const Model& model, const glm::dvec3& place, const ImportOptions& options,
                                       Progress& progress) {
     const Result<PartFace> triangle = partFaceAt(model, place, options, progress);

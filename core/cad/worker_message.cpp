@@ -24,11 +24,11 @@ struct FrameHead {
     std::uint32_t version = messageVersion;
     FrameKind kind = FrameKind::progress;
     std::uint32_t reserved = 0;
-    std::uint64_t size = 0;     // bytes behind the head
+    std::uint64_t size = 0;     // bytes after the header
     std::uint64_t checksum = 0; // of those bytes
 };
 
-/// FNV-1a over words of eight bytes: finds a cut or overwritten answer, no attack.
+/// FNV-1a over words of eight bytes: detects a truncated or overwritten answer, not an attack.
 std::uint64_t checksum(std::string_view bytes) noexcept {
     std::uint64_t hash = 14695981039346656037ULL;
     while (!bytes.empty()) {
@@ -106,7 +106,7 @@ bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Its vertices are places and its triangles name some of them.
+/// Whether all vertices are finite points and all triangles refer to existing ones.
 template <class Mesh>
 bool isSoundMesh(const Mesh& mesh) {
     const std::size_t count = mesh.vertices.size();

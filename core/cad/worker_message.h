@@ -20,41 +20,41 @@
 
 namespace burin {
 
-// What Burin and its import program say to each other. The request stands on the program's standard input; the program
-// writes frames to its standard output: any number of progress frames, among them one preview at most, then one with an
-// answer.
+// The messages between Burin and its import program. The request is passed on the program's standard input; the program
+// writes frames to its standard output: any number of progress frames, at most one preview among them, then one frame
+// with the answer.
 
-/// Read this model file.
+/// Request to read a model file.
 struct ReadRequest {
     std::string file;         ///< absolute path
     double meshChord = 0.005; ///< mm
     double fileUnit = 1.0;    ///< mm per unit of a file that states none
-    bool careful = false;     ///< without the faster of the two meshers: a process that used it crashed
+    bool careful = false;     ///< do not use the faster of the two meshers: a process that used it crashed
     bool preview = false;     ///< send a preview as soon as there is one
 };
 
-/// Measure these points.
+/// Request to measure the distances of points.
 struct DistanceRequest {
     std::string brep;                  ///< `Model::brep`
     std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
     std::vector<glm::dvec3> points;    ///< mm
 };
 
-/// Follow the edges.
+/// Request to follow the edges.
 struct EdgeRequest {
     std::string brep;                  ///< `Model::brep`
     std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
     double chord = 0.005;              ///< mm
 };
 
-/// Find the face at a place.
+/// Request to find the face at a point.
 struct FaceRequest {
     std::string brep;                  ///< `Model::brep`
     std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
     glm::dvec3 place{0.0};             ///< mm
 };
 
-/// Measure the faces at one or two places.
+/// Request to measure the faces at one or two points.
 struct MeasureRequest {
     std::string brep;                  ///< `Model::brep`
     std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
@@ -63,10 +63,10 @@ struct MeasureRequest {
 
 using WorkerRequest = std::variant<ReadRequest, DistanceRequest, EdgeRequest, FaceRequest, MeasureRequest>;
 
-/// The end of the program's work.
+/// The result that ends the program's work.
 using WorkerAnswer = std::variant<Error, Model, std::vector<double>, std::vector<PartEdge>, PartFace, PartMeasure>;
 
-/// How far the program is, 0 … 1.
+/// The progress of the program, 0 … 1.
 struct WorkerProgress {
     double fraction = 0.0;
 };
@@ -74,17 +74,17 @@ struct WorkerProgress {
 using WorkerFrame = std::variant<WorkerProgress, WorkerAnswer, ModelPreview>;
 
 std::string encodeRequest(const WorkerRequest& request);
-/// Nothing when the bytes are not a request of this version.
+/// Empty if the bytes are not a request of this version.
 std::optional<WorkerRequest> decodeRequest(std::string_view bytes);
 
 /// Bytes of one frame, with version, length and checksum.
 std::string encodeFrame(const WorkerFrame& frame);
 
-/// Cuts a stream of bytes into frames. Survives anything that the stream may hold.
+/// Splits a stream of bytes into frames. Tolerates any content of the stream.
 class FrameReader {
 public:
     void append(std::string_view bytes) { waiting_.append(bytes); }
-    /// The next whole frame; nothing while more bytes are needed, or when the stream is damaged.
+    /// Returns the next complete frame; empty while more bytes are needed, or if the stream is damaged.
     std::optional<WorkerFrame> next();
     bool damaged() const noexcept { return damaged_; }
     std::size_t waitingBytes() const noexcept { return waiting_.size(); }

@@ -44,7 +44,7 @@ void closeDescriptor(int& descriptor) noexcept {
     descriptor = -1;
 }
 
-/// The request in a nameless file in memory, which stands ready whole: nobody has to feed a pipe.
+/// Writes the request to an anonymous file in memory, complete from the start, so that no pipe has to be fed.
 int requestDescriptor(const WorkerRequest& request) {
     const std::string bytes = encodeRequest(request);
     int descriptor = ::memfd_create("burin-request", MFD_CLOEXEC);
@@ -61,7 +61,8 @@ int requestDescriptor(const WorkerRequest& request) {
     return descriptor;
 }
 
-/// What a new process gets: a group and signals of its own, the request as input, the pipe as output, no errors shown.
+/// Settings of a new process: a process group and signals of its own, the request as input, the pipe as output, no
+/// error output.
 class SpawnPlan {
 public:
     SpawnPlan(int input, int output) {
@@ -86,7 +87,7 @@ public:
     SpawnPlan(const SpawnPlan&) = delete;
     SpawnPlan& operator=(const SpawnPlan&) = delete;
 
-    /// Zero, or the system's error.
+    /// Starts the process; returns zero, or the system's error.
     int start(const std::string& program, pid_t& process) const {
         std::string name = program;
         std::array<char*, 2> arguments{name.data(), nullptr};
@@ -103,11 +104,11 @@ void limit(pid_t process, __rlimit_resource resource, rlim_t soft, rlim_t hard) 
     ::prlimit(process, resource, &limits, nullptr);
 }
 
-/// Set from outside, so that they hold for whatever program is started. The system's own limit of processor time counts
-/// whole seconds: it is there for a caller that is stopped or killed.
+/// Sets the limits from outside, so that they hold for any program that is started. The system's own limit of processor
+/// time counts whole seconds; it is needed if the caller is stopped or killed.
 void setLimits(pid_t process, const ImportLimits& limits) {
     limit(process, RLIMIT_CORE, 0, 0);
-    // At the soft limit SIGXCPU ends it, which says why; SIGKILL at the hard one would say nothing.
+    // At the soft limit SIGXCPU ends the process, which identifies the cause; SIGKILL at the hard limit would not.
     const auto seconds = static_cast<rlim_t>(std::ceil(std::max(limits.seconds, 0.0))) + 1;
     limit(process, RLIMIT_CPU, seconds, seconds + 1);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // their shadow memory alone is terabytes
@@ -115,7 +116,7 @@ void setLimits(pid_t process, const ImportLimits& limits) {
 #endif
 }
 
-/// That a running process has used; zero where the system does not tell.
+/// Processor time used by a running process, s; zero if the system does not report it.
 double processorSeconds(pid_t process) {
     clockid_t clock{};
     timespec used{};
@@ -212,7 +213,7 @@ void WorkerProcess::checkTime() {
 
 void WorkerProcess::readOutput() {
     std::array<char, 1 << 16> buffer; // NOLINT: filled by read
-    // So much at a time that cancelling and time limits stay alive beside a program that writes without end.
+    // Limited in each call, so that cancelling and time limits still work while a program writes endlessly.
     for (int turn = 0; turn < 64 && output_ >= 0 && !finished(); ++turn) {
         const ssize_t size = ::read(output_, buffer.data(), buffer.size());
         if (size < 0 && errno == EINTR) continue;
@@ -247,7 +248,7 @@ void WorkerProcess::checkEnd() {
     int status = 0;
     const pid_t ended = ::waitpid(process_, &status, WNOHANG);
     if (ended == 0 || (ended < 0 && errno == EINTR)) return;
-    ::kill(-process_, SIGKILL); // what it may have started
+    ::kill(-process_, SIGKILL); // any processes that it started
     process_ = -1;
     if (ended > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) return finish(outOfProcessorTime());
     if (ended > 0 && WIFSIGNALED(status))
@@ -266,7 +267,7 @@ void waitForOutput(const std::vector<WorkerProcess>& workers) {
     ::poll(waits.data(), waits.size(), pollMilliseconds);
 }
 
-/// Whether all have answered; an error as soon as there is one.
+/// Returns whether all have answered; an error as soon as there is one.
 Result<bool> advanceAll(std::vector<WorkerProcess>& workers, std::vector<std::optional<WorkerAnswer>>& answers,
                         Progress& progress, const PreviewSink& show) {
     double fractions = 0.0;

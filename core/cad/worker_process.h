@@ -12,11 +12,12 @@
 
 namespace burin {
 
-/// One run of the import program: a child process in a group of its own, with limits on memory, processor time and wall
-/// time. It is killed, with all that it started, when the object goes. Thread: the one that made it.
+/// One run of the import program: a child process in a process group of its own, with limits on memory, processor time
+/// and wall time. The destructor kills it together with all processes that it started. Use it only on the thread that
+/// created it.
 class WorkerProcess {
 public:
-    /// Starts `options.worker` on a request. `subject` is what its errors name.
+    /// Starts `options.worker` with a request. @param subject the subject of its errors.
     /// Errors: fileNotFound (no such program), internalFault (the system refuses a process).
     static Result<WorkerProcess> start(const WorkerRequest& request, const ImportOptions& options, std::string subject);
 
@@ -24,15 +25,15 @@ public:
     WorkerProcess& operator=(WorkerProcess&&) = delete;
     ~WorkerProcess();
 
-    /// Descriptor that becomes readable when the program writes or ends; -1 once it wrote all.
+    /// File descriptor that becomes readable when the program writes or ends; -1 once all output was read.
     int output() const noexcept { return output_; }
-    /// Takes in what the program wrote, and notices its end and its limits. Never waits.
+    /// Reads what the program wrote, and checks whether it ended or exceeded its limits. Never blocks.
     void advance();
     bool finished() const noexcept { return answer_.has_value(); }
     double fraction() const noexcept { return fraction_; }
-    /// What there is to see before the answer; nothing: not yet, or taken. One alone is ever given.
+    /// Returns the preview; empty if there is none yet, or if it was taken already. A program sends at most one.
     std::optional<ModelPreview> takePreview() { return std::exchange(preview_, std::nullopt); }
-    /// What the program answered, or the error that its end means. Call when finished.
+    /// Returns the answer of the program, or the error that corresponds to how it ended. Call only when finished.
     WorkerAnswer takeAnswer() { return std::move(*answer_); }
 
 private:
@@ -58,8 +59,9 @@ private:
     std::optional<WorkerAnswer> answer_;
 };
 
-/// Runs one program for each request, side by side, until all have answered or one has failed; the answers in order.
-/// `progress` shows their mean and stops them all when it is cancelled; `show` gets previews as they come.
+/// Runs one program for each request, in parallel, until all have answered or one has failed. Returns the answers in
+/// order of the requests. `progress` shows their mean and stops them all when it is cancelled; `show` receives the
+/// previews as they arrive.
 Result<std::vector<WorkerAnswer>> runWorkers(const std::vector<WorkerRequest>& requests, const ImportOptions& options,
                                              const std::string& subject, Progress& progress,
                                              const PreviewSink& show = {});

@@ -21,7 +21,7 @@ std::string today() {
     return text.data();
 }
 
-/// In the order of the file, each once; only the requested one.
+/// Returns the materials in the order of the file, each once; only the requested one if there is one.
 Result<std::vector<std::string>> materialsOf(const std::vector<ForceRecord>& records, const std::string& wanted) {
     std::vector<std::string> materials;
     std::string known;
@@ -36,7 +36,7 @@ Result<std::vector<std::string>> materialsOf(const std::vector<ForceRecord>& rec
     return std::vector<std::string>{wanted};
 }
 
-/// What the calibrated material has beside K and Kr: the material of that id, or the one that it is said to be like.
+/// Returns the material that provides the values other than K and Kr: the one of that id, or the one to copy from.
 Result<Property> basisOf(const std::string& id, const CalibrationRequest& request) {
     const std::string& like = request.like;
     if (like.empty()) {

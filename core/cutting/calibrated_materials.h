@@ -12,21 +12,22 @@ namespace burin {
 
 struct CalibrationRequest {
     std::filesystem::path forces; ///< force records, CSV
-    std::string material;         ///< only this one of those in the file; empty: all
-    std::string like;             ///< whose other values a new material takes over; empty: none may be new
+    std::string material;         ///< calibrate only this material of the file; empty: all
+    std::string like;             ///< existing material whose other values a new material copies; empty: the file may
+                                  ///< name no new material
     CalibrationOptions options;
-    bool wanted = true; ///< false: nobody will read the other values of a material, so none have to be known
+    bool wanted = true; ///< false: the other values of a material will not be read, so they need not be known
 };
 
-/// A calibration with the material that it makes.
+/// A calibration and the resulting material.
 struct CalibratedMaterial {
     MaterialCalibration calibration;
     Property material;
 };
 
-/// Fits each material of a file, in the file's order; what a material has beside K and Kr stays.
+/// Fits each material of a file, in the file's order; the values of a material other than K and Kr stay.
 /// Errors: those of readFile, parseForceRecords and calibrate, nameUnknown (no such material in the file),
-/// argumentInvalid (subject "material": one that is not known, and none that it is like).
+/// argumentInvalid (subject "material": an unknown material, and no existing one to copy from).
 Result<std::vector<CalibratedMaterial>> calibrateMaterials(const CalibrationRequest& request);
 
 } // namespace burin

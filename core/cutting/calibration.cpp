@@ -21,7 +21,7 @@ Error refused(const std::string& origin, const std::string& material, std::strin
     return {ErrorCode::resourceInvalid, origin, "material " + material, std::move(why)};
 }
 
-/// What least squares say of the coefficients; the fit has what it counts.
+/// Writes the coefficients and their confidence from the least squares to the result.
 void conclude(const ForceFit& fit, double t, MaterialCalibration& result) {
     const double chip = fit.referenceChip();
     const Estimate k = fit.specificEnergy();
@@ -45,7 +45,7 @@ void sortByLine(std::vector<LeftOut>& leftOut) {
     std::sort(leftOut.begin(), leftOut.end(), [](const LeftOut& a, const LeftOut& b) { return a.line < b.line; });
 }
 
-/// What ChipLaw::edge makes of the records.
+/// Calibrates with ChipLaw::edge.
 Result<MaterialCalibration> withEdge(EdgeFit fit, const std::string& origin, MaterialCalibration result) {
     const std::string& material = result.material;
     fit.run();
@@ -63,7 +63,7 @@ Result<MaterialCalibration> withEdge(EdgeFit fit, const std::string& origin, Mat
     if (!(result.edgeForce.high > 0.0) || !(result.radialEdgeForce.high > 0.0))
         return refused(origin, material,
                        "the force of the edge comes out negative; use another law (--law kienzle or constant)");
-    // What noise makes of an edge that needs no force.
+    // A negative value is noise of an edge that needs no force.
     for (Confidence* const edge : {&result.edgeForce, &result.radialEdgeForce})
         edge->value = std::max(0.0, edge->value);
     const std::optional<Confidence> ratio =

@@ -11,9 +11,9 @@ namespace burin {
 
 namespace {
 
-constexpr double medianOfTwo = 1.1774; // of |error| in two components, over the deviation of either
+constexpr double medianOfTwo = 1.1774; // of |error| in two components, relative to the deviation of either
 constexpr double farOff = 5.2;         // standard deviations: 1 of 150,000 good records lies beyond in two components
-constexpr double smallSampleMargin = 5.0; // records: noise that few of them tell is uncertain
+constexpr double smallSampleMargin = 5.0; // records: the noise of few records is uncertain
 constexpr double roundingNoise = 1e-9;    // of the forces
 constexpr int mostIterations = 50;
 
@@ -34,7 +34,7 @@ double EdgeFit::limit() const noexcept {
     return farOff * (1.0 + smallSampleMargin / static_cast<double>(observations_.size()));
 }
 
-/// Two complex unknowns by their normal equations.
+/// Solves for the two complex unknowns by the normal equations.
 void EdgeFit::solve(const std::vector<double>& weights) {
     std::complex<double> chipEdge, towardsChip, towardsEdge;
     chipChip_ = edgeEdge_ = 0.0;
@@ -58,7 +58,7 @@ double EdgeFit::noise() const {
     return std::sqrt(sum / (2.0 * static_cast<double>(counted()) - 4.0));
 }
 
-/// Chooses anew what counts. True: that changed.
+/// Selects anew which records count. Returns true if the selection changed.
 bool EdgeFit::select(double scale) {
     double largest = 0.0;
     for (const ForceObservation& o : observations_) largest = std::max(largest, std::abs(o.force));
@@ -109,7 +109,7 @@ void EdgeFit::report(MaterialCalibration& result) const {
         const ForceObservation& o = observations_[i];
         const std::complex<double> left = residual(o);
         if (counts_[i]) {
-            // What a wrong force counts as along the tooth's way and across it.
+            // The residual in the coordinates of the tooth: along its motion and perpendicular to it.
             const std::complex<double> turned = left * std::conj(o.ofChip) / std::abs(o.ofChip);
             result.residuals.push_back({o.line, turned.real(), turned.imag()});
             result.chipLow = std::min(result.chipLow, o.chip);

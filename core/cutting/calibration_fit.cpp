@@ -13,9 +13,10 @@ namespace burin {
 
 namespace {
 
-constexpr double deviationPerMedian = 1.4826; // of a normal distribution: standard deviation over median of |x|
+constexpr double deviationPerMedian = 1.4826; // of a normal distribution: standard deviation divided by the median of
+                                              // |x|
 constexpr double farOff = 4.5;                // standard deviations; 1 of 150,000 good records lies beyond
-constexpr double smallSampleMargin = 5.0;     // records: noise that few of them tell is uncertain
+constexpr double smallSampleMargin = 5.0;     // records: the noise of few records is uncertain
 constexpr double roundingNoise = 1e-9;        // of the forces
 constexpr std::size_t mostForAllPairs = 400;
 constexpr int mostIterations = 50;
@@ -60,8 +61,8 @@ void ForceFit::run() {
     }
 }
 
-/// Medians: right as long as fewer than half of the ratios, and not much more than a quarter of the records where there
-/// is an exponent, are far off.
+/// Starts with medians, which are robust as long as fewer than half of the ratios, and with an exponent not much more
+/// than a quarter of the records, are outliers.
 void ForceFit::startRobustly() {
     std::vector<double> values, weights;
     const auto add = [&](double value, double weight) {
@@ -106,14 +107,14 @@ double ForceFit::medianNoise(bool radial) const {
     return deviationPerMedian * medianOf(sizes) * n / (n - (withExponent_ ? 2.0 : 1.0));
 }
 
-/// N, standard deviation of the residuals that count.
+/// N, standard deviation of the residuals of the records that count.
 double ForceFit::noise(bool radial) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < observations_.size(); ++i) {
         const double residual = radial ? radialResidual(observations_[i]) : tangentialResidual(observations_[i]);
         if (counts_[i]) sum += residual * residual;
     }
-    // The exponent is fitted to the tangential forces alone, which are what has two unknowns.
+    // The exponent is fitted only to the tangential forces, so only these have two unknowns.
     const double freedoms = static_cast<double>(counted()) - (withExponent_ && !radial ? 2.0 : 1.0);
     return std::sqrt(sum / freedoms);
 }
@@ -122,7 +123,7 @@ double ForceFit::limit() const noexcept {
     return farOff * (1.0 + smallSampleMargin / static_cast<double>(observations_.size()));
 }
 
-/// Chooses anew what counts. True: that changed.
+/// Selects anew which records count. Returns true if the selection changed.
 bool ForceFit::select() {
     double largest = 0.0;
     for (const ForceObservation& o : observations_)
@@ -140,7 +141,7 @@ bool ForceFit::select() {
     return changed;
 }
 
-/// Gauss-Newton in K0 and mc; with a constant K its first step is the answer.
+/// Gauss-Newton in K0 and mc; with a constant K its first step is the solution.
 void ForceFit::leastSquares() {
     const auto cost = [&] {
         double sum = 0.0;
@@ -179,7 +180,7 @@ void ForceFit::leastSquares() {
             exponent_ = exponent + share * stepExponent;
             share *= 0.5;
         } while (!(cost() <= before) && share > 1e-6);
-        if (!(cost() <= before)) { // no step helps: it is the least to rounding
+        if (!(cost() <= before)) { // no step helps: this is the minimum up to rounding
             energy_ = energy;
             exponent_ = exponent;
             return;

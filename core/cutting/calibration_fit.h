@@ -10,19 +10,18 @@
 
 namespace burin {
 
-/// What a record says of the coefficients: Ft = K(chip) · drive, Fr = Kr Ft.
+/// The equation that a record gives for the coefficients: Ft = K(chip) · drive, Fr = Kr Ft.
 struct ForceObservation {
     std::size_t line = 0;
     double drive = 0.0;                    ///< mm²: 1000 MRR / v, N per J/mm³
     double chip = 0.0;                     ///< mm, > 0
     double tangential = 0.0, radial = 0.0; ///< N
-    double gain = 1.0;                     ///< error of either force, for 1 N in each component of what was measured
-    // As ChipLaw::edge has it: force = (Ktc + i Krc) ofChip + (Kte + i Kre) ofEdge, N; with an error alike in both
-    // parts.
+    double gain = 1.0;                     ///< error of either force for an error of 1 N in each measured component
+    // For ChipLaw::edge: force = (Ktc + i Krc) ofChip + (Kte + i Kre) ofEdge, N; both parts have the same error.
     std::complex<double> force, ofChip, ofEdge; ///< N, mm², mm
 };
 
-/// @return why the record can't be used; empty: `observation` holds what it says
+/// @return the reason why the record can't be used; empty: `observation` was filled from it
 std::string observe(const ForceRecord& record, const CalibrationOptions& options, ForceObservation& observation);
 
 /// Robust least squares of Ft = K0 (h / h0)^-mc · drive, h0 the geometric mean of the chips (mc = 0 for a constant K),
@@ -31,12 +30,12 @@ class ForceFit {
 public:
     ForceFit(std::vector<ForceObservation> observations, bool withExponent);
 
-    /// A robust fit finds what is far off; least squares of the rest, until nothing changes.
+    /// Finds outliers by a robust fit, then fits the others by least squares, repeated until nothing changes.
     void run();
 
     std::size_t counted() const noexcept;
     const std::vector<ForceObservation>& observations() const noexcept { return observations_; }
-    /// The robust estimate of K is not above 0.
+    /// Whether the robust estimate of K is not above 0.
     bool pointsAlong() const noexcept { return pointsAlong_; }
     double referenceChip() const noexcept { return referenceChip_; } ///< mm, h0
 
@@ -44,9 +43,9 @@ public:
     Estimate exponent() const noexcept;                        ///< mc
     Estimate logarithmOfForceAtOneMillimetre() const noexcept; ///< ln kc1.1, kc1.1 in N/mm²
     Estimate radialEnergy() const noexcept;                    ///< L, J/mm³
-    /// K0 with the error that it has where mc is known, as the ratio of L and K0 does not depend on it.
+    /// K0 with its error for a known mc, as the ratio of L and K0 does not depend on mc.
     Estimate energyForRatio() const noexcept;
-    /// Residuals, what was left out and why, chips and noise, into the result.
+    /// Writes the residuals, the excluded records with reasons, the chip thicknesses and the noise to the result.
     void report(MaterialCalibration& result) const;
 
 private:
@@ -65,7 +64,7 @@ private:
     bool withExponent_, pointsAlong_ = false;
     double referenceChip_ = 1.0;
     double energy_ = 0.0, exponent_ = 0.0, radialEnergy_ = 0.0;
-    double tangentialScale_ = 0.0, radialScale_ = 0.0; ///< N, noise as the last selection took it
+    double tangentialScale_ = 0.0, radialScale_ = 0.0; ///< N, noise used in the last selection
     /// Of the normal equations of (K0, mc), weighted; inverse: the covariance for noise of 1 N.
     double energyEnergy_ = 0.0, energyExponent_ = 0.0, exponentExponent_ = 0.0;
     double basisBasis_ = 0.0;
@@ -76,7 +75,8 @@ class EdgeFit {
 public:
     explicit EdgeFit(std::vector<ForceObservation> observations);
 
-    /// Least absolute deviations find what is far off; least squares of the rest, until nothing changes.
+    /// Finds outliers by least absolute deviations, then fits the others by least squares, repeated until nothing
+    /// changes.
     void run();
 
     std::size_t counted() const noexcept;
@@ -85,7 +85,7 @@ public:
     std::complex<double> edge() const noexcept { return edge_; } ///< N/mm
     double chipError() const noexcept;                           ///< of either part
     double edgeError() const noexcept;
-    /// Residuals, what was left out and why, chips and noise, into the result.
+    /// Writes the residuals, the excluded records with reasons, the chip thicknesses and the noise to the result.
     void report(MaterialCalibration& result) const;
 
 private:

@@ -37,7 +37,7 @@ Property calibratedMaterial(const Property& basis, const MaterialCalibration& ca
     };
     set(specificCuttingEnergy, calibration.specificEnergy, "J/mm^3");
     set(radialForceRatio, calibration.radialRatio, "1");
-    // The old edge's force is in the new K of the other laws.
+    // With the other laws, the new K includes the previous edge force.
     material.values.erase(std::string(tangentialEdgeForce));
     material.values.erase(std::string(radialEdgeForce));
     if (calibration.options.law == ChipLaw::edge) {

@@ -10,10 +10,10 @@ namespace burin {
 
 namespace {
 
-constexpr double leastAcross = 0.17; // of the feed, across the axis: 10 degrees from it
+constexpr double leastAcross = 0.17; // share of the feed perpendicular to the axis: 10 degrees from the axis
 
-/// Where the teeth meet the material: angles from the left of the feed, clockwise as the teeth turn; the feed points
-/// to pi / 2.
+/// The engaged arc of the teeth: angles from the left of the feed, clockwise like the rotation of the teeth; the feed
+/// direction is at pi / 2.
 struct Arc {
     double from = 0.0, to = 0.0;
 };
@@ -23,10 +23,10 @@ Arc engagedArc(const ForceRecord& record) {
     return record.immersion == Immersion::down ? Arc{pi - arc, pi} : Arc{0.0, arc};
 }
 
-/// A tooth at angle a stands at r = cos a · left + sin a · feed, moves along t = cos a · feed - sin a · left, has a
-/// chip of fz sin a, and feels -Kt h t - Kr h r. Over the arc, with S and C the integrals of sin² and sin cos, the mean
-/// force has -(Kt C + Kr S) along the feed and Kt S - Kr C to the left, times teeth · depth · fz / 2 pi: two equations
-/// for two unknowns, never singular as S > 0.
+/// A tooth at angle a is at r = cos a · left + sin a · feed, moves along t = cos a · feed - sin a · left, has a chip of
+/// fz sin a, and feels -Kt h t - Kr h r. Over the arc, with S and C the integrals of sin² and sin cos, the mean force
+/// has -(Kt C + Kr S) along the feed and Kt S - Kr C to the left, times teeth · depth · fz / 2 pi: two equations for
+/// two unknowns, never singular as S > 0.
 void resolveTeeth(const ForceRecord& record, const glm::dvec3& force, const glm::dvec3& feed,
                   ForceObservation& observation) {
     const Arc arc = engagedArc(record);
@@ -36,7 +36,7 @@ void resolveTeeth(const ForceRecord& record, const glm::dvec3& force, const glm:
     const glm::dvec3 left = glm::cross(record.axis, feed);
     const double againstFeed = -glm::dot(force, feed), toTheRight = -glm::dot(force, left);
     const double size = sineSine * sineSine + sineCosine * sineCosine;
-    // The sum of the teeth's forces has the integral of sin in place of the two.
+    // For the sum of the teeth's forces, the integral of sin replaces the two.
     observation.tangential = (sineCosine * againstFeed - sineSine * toTheRight) / size * sine;
     observation.radial = (sineSine * againstFeed + sineCosine * toTheRight) / size * sine;
     observation.gain = sine / std::sqrt(size);

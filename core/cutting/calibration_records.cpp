@@ -16,9 +16,9 @@ namespace burin {
 
 namespace {
 
-constexpr double roundingShare = 1e-6; // that a radial depth may exceed the diameter by
+constexpr double roundingShare = 1e-6; // by which a radial depth may exceed the diameter
 
-// What keeps a field from being used; empty: nothing.
+// The reason why a field can't be used; empty: it can be used.
 using Fault = std::string;
 using Reader = Fault (*)(const std::string& text, ForceRecord& record);
 
@@ -70,7 +70,7 @@ Fault immersion(const std::string& text, ForceRecord& record) {
     constexpr std::array<std::string_view, 3> names{"slot", "up", "down"};
     const auto found = std::find(names.begin(), names.end(), text);
     if (found == names.end() && !text.empty()) return "\"" + text + "\" has to be slot, up, down or empty";
-    record.immersion = static_cast<Immersion>(found - names.begin()); // behind them: unknown
+    record.immersion = static_cast<Immersion>(found - names.begin()); // unknown comes after them
     return {};
 }
 
@@ -113,9 +113,9 @@ constexpr std::array columns{
     Column{"removal_rate_mm3_s", statedRate, false},
     Column{"cut", cut, false},
 };
-constexpr std::string_view notePrefix = "note"; // columns that are for people
+constexpr std::string_view notePrefix = "note"; // columns for remarks
 
-/// Which column each field of a row belongs to; nothing: a note.
+/// The column of each field of a row; null: a note.
 using Layout = std::vector<const Column*>;
 
 class Reading {
@@ -140,7 +140,7 @@ private:
                 "line " + std::to_string(line_) + ", column " + std::string(column), what};
     }
 
-    /// The next line that says something.
+    /// Returns the next line that is neither empty nor a comment.
     std::optional<std::string_view> nextLine() {
         while (!rest_.empty()) {
             const std::string_view line = takeLine(rest_);
@@ -199,7 +199,7 @@ private:
         return add(std::move(record));
     }
 
-    /// Rules between columns.
+    /// Checks the rules between columns.
     Result<void> check(ForceRecord& record) const {
         constexpr double shortest = 1e-6;
         if (glm::length(record.axis) < shortest) return fault("axis_x", "the tool axis has no length");
@@ -216,7 +216,7 @@ private:
         return {};
     }
 
-    /// A record of its own, or one more sample of a cut that is known.
+    /// Adds a new record, or one more sample of a known cut.
     Result<void> add(ForceRecord record) {
         if (!record.cut.empty()) {
             const auto [known, isNew] = cuts_.try_emplace(record.cut, records_.size());
@@ -263,7 +263,7 @@ double ForceRecord::feedPerTooth() const noexcept {
 }
 
 double ForceRecord::meanChipThickness() const noexcept {
-    const double width = 2.0 * radialDepth / diameter; // over the radius
+    const double width = 2.0 * radialDepth / diameter; // divided by the radius
     const double arc = std::acos(std::clamp(1.0 - width, -1.0, 1.0));
     return arc > 0.0 ? feedPerTooth() * width / arc : 0.0;
 }

@@ -14,7 +14,7 @@ namespace burin {
 
 namespace {
 
-/// Voxels of the guarded pieces, by their centres.
+/// Tests voxels for the guarded pieces, by their centres.
 class GuardedPieces {
 public:
     GuardedPieces(std::span<const RevolvedPiece> guarded, const ToolPose& pose) : guarded_(guarded), pose_(pose) {}
@@ -32,7 +32,7 @@ private:
     ToolPose pose_;
 };
 
-/// Voxels of the shank of a tool of any shape, by their centres.
+/// Tests voxels for the shank of a tool of any shape, by their centres.
 class VoxelShank {
 public:
     VoxelShank(const VoxelTool& tool, const Pose& pose)
@@ -46,7 +46,7 @@ private:
     glm::dquat back_;
 };
 
-/// A `Guarded` tells whether the voxel around a place (mm, setup frame) belongs to what must not touch.
+/// `Guarded` decides whether the voxel around a point (mm, setup frame) belongs to a part that must not touch.
 template <class Guarded>
 bool onSurface(const Guarded& guarded, const Grid& grid, const VoxelIndex& voxel) {
     const auto holds = [&](int i, int j, int k) {
@@ -60,7 +60,7 @@ bool onSurface(const Guarded& guarded, const Grid& grid, const VoxelIndex& voxel
     return false;
 }
 
-/// @param reach box around what is guarded, in the frame of the grid's lines
+/// @param reach box around the guarded parts, in the frame of the grid's lines
 template <class Guarded>
 std::vector<VoxelIndex> commonSurface(const VolumeSnapshot& workpiece, const Guarded& guarded, const Box& reach) {
     std::vector<VoxelIndex> area;

@@ -23,7 +23,7 @@ struct Overlap {
     glm::dvec3 moment{0.0}; ///< mm times units, line frame
 };
 
-/// A piece that holds every point within `margin` of another one.
+/// Returns a piece that contains every point within `margin` of another one.
 RevolvedPiece grown(const RevolvedPiece& piece, double margin) noexcept {
     if (piece.bulges()) // the cylinder around it
         return {piece.bottom - margin, piece.top + margin, piece.widestRadius() + margin, piece.widestRadius() + margin,
@@ -61,8 +61,8 @@ public:
         rows_ = linesWithin({reach_.low.y, reach_.high.y}, low.y, grid_.edge(), grid_.lineCountV());
     }
 
-    /// Visits the bricks that may hold anything the piece overlaps, and adds what it does.
-    /// @param bricks  null: every brick may
+    /// Visits the bricks that may contain overlapped material, and adds the overlap.
+    /// @param bricks  null: every brick may contain material
     void addTo(Overlap& overlap, OccupiedBricks* bricks) noexcept {
         if (columns_.last < columns_.first || rows_.last < rows_.first) return;
         const auto& [lowCorner, highCorner] = grid_.box();
@@ -84,7 +84,7 @@ public:
 
 private:
     double halfDiagonal(std::int32_t side) const noexcept { return 0.5 * std::numbers::sqrt2 * side * grid_.edge(); }
-    /// Calls `visit(low corner, u range, v range)` for each square of a raster that two ranges of lines touch.
+    /// Calls `visit(low corner, u range, v range)` for each square of a raster that overlaps two ranges of lines.
     template <class Visit>
     static void forEachSquare(std::int32_t side, LineStretch us, LineStretch vs, Visit&& visit) noexcept {
         for (std::int32_t v = vs.first - vs.first % side; v <= vs.last; v += side)
@@ -92,7 +92,7 @@ private:
                 visit(LineIndex{u, v}, LineStretch{std::max(u, us.first), std::min(u + side - 1, us.last)},
                       LineStretch{std::max(v, vs.first), std::min(v + side - 1, vs.last)});
     }
-    /// Whether the grown piece, over the middle of a square of scanlines, reaches into an extent of them.
+    /// Whether the grown piece, above the middle of a square of scanlines, reaches into their occupied extent.
     bool mayTouch(const PieceChord& grownPiece, OccupiedBricks::Extent extent, LineIndex corner,
                   std::int32_t side) const noexcept {
         if (extent.empty()) return false;
@@ -137,7 +137,7 @@ private:
     Box reach_;
     double alongLow_ = 0.0;
     LineStretch columns_, rows_;
-    std::optional<SweptPiece> swept_; ///< only made when a brick is in its way
+    std::optional<SweptPiece> swept_; ///< only made when a brick may overlap the piece
 };
 
 void rankProperties(const RunVolume& workpiece, const Overlap& overlap, ShankContact& contact) noexcept {

@@ -7,11 +7,11 @@
 
 namespace burin {
 
-// Named values of a material: 1 where it is advised, 0 or missing where not.
+// Named values of a material: 1 if the coolant is advised, 0 or missing if not.
 inline constexpr std::string_view floodCoolant = "flood_coolant";
 inline constexpr std::string_view mistCoolant = "mist_coolant";
 
-/// What a material is best cut under: flood before mist, none where it advises neither.
+/// Returns the coolant advised for a material: flood takes precedence over mist; none if neither is advised.
 Coolant advisedCoolant(const Property& material);
 
 } // namespace burin

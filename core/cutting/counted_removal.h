@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// Whether anything can be cut between two places of a line.
+/// Whether a line contains anything machinable between two positions.
 inline bool machinableWithin(const RunVolume& workpiece, LineIndex line, RunPosition from, RunPosition to) noexcept {
     for (const Segment segment : workpiece.line(line)) {
         if (segment.end() > from && segment.property() != airProperty &&
@@ -18,9 +18,9 @@ inline bool machinableWithin(const RunVolume& workpiece, LineIndex line, RunPosi
     return false;
 }
 
-/// Takes the machinable runs between two places of a line out of a workpiece and counts them with their moments.
-/// @param taken  gets the units by property (`removed.byProperty` does not)
-/// @return false when the workpiece's memory is used up: the line is uncut then, and `removed.outOfMemory` set
+/// Removes the machinable runs between two positions of a line from a workpiece and counts them with their moments.
+/// @param taken  receives the units by property (`removed.byProperty` does not)
+/// @return false if the workpiece's memory is used up: the line is then uncut and `removed.outOfMemory` set
 inline bool removeCounted(RunVolume& workpiece, LineIndex line, RunPosition from, RunPosition to, RunAmounts& taken,
                           RemovedUnits& removed) noexcept {
     const PropertyList& properties = workpiece.properties();

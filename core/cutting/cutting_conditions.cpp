@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// The one for this kind of cutter, where the material has it.
+/// Returns the value for this type of cutter if the material has one, else the general one.
 Result<double> positiveValue(const Property& material, std::string_view name, CutterType cutter) {
     const double value = material.valueOr(valueForCutter(name, cutter), material.valueOr(name, 0.0));
     if (std::isfinite(value) && value > 0.0) return value;
@@ -23,8 +23,8 @@ Result<void> checkLimit(const char* name, double value) {
     return Error{ErrorCode::argumentInvalid, name, formatShortest(value), "above 0"};
 }
 
-/// Makers of end mills allow 3 to 10 degrees, the harder the material the less. Our estimates between; half of that for
-/// a tool that does not cut at its centre.
+/// Makers of end mills allow 3 to 10 degrees, less for harder materials. The values in between are our estimates; half
+/// of them for a tool that is not centre-cutting.
 double rampAngleFor(const Tool& tool, const Property& material) {
     constexpr double degree = pi / 180.0, soft = 0.3, middling = 1.2; // J/mm³
     const double energy = material.valueOr(specificCuttingEnergy, 0.0);
@@ -55,7 +55,7 @@ Result<CuttingConditions> cuttingConditions(const Tool& tool, const Property& ma
     const double wantedSpindle = *speed * millimetresPerMetre / (pi * diameter);
     CuttingConditions conditions;
     conditions.spindleSpeed = std::min(wantedSpindle, highest);
-    // The chip load is what the tool needs: the feed follows the speed that the spindle really reaches.
+    // The chip load is determined by the tool: the feed follows the spindle speed that is really reached.
     const double wantedFeed = conditions.spindleSpeed * tool.fluteCount * *chipLoad * diameter;
     conditions.feed = std::min(wantedFeed, maximumFeed);
     conditions.plungeFeed = std::min(conditions.feed * *plungeRatio, maximumFeed);

@@ -13,7 +13,7 @@ namespace burin {
 namespace {
 
 constexpr double thinnestChip = 0.005, thickestChip = 1.0; // mm
-constexpr double usualChipLoad = 0.01;                     // of the diameter, where a material says nothing
+constexpr double usualChipLoad = 0.01;                     // of the diameter, if the material states none
 constexpr double leaningShare = 1.0 / 3.0;                 // of the radius
 
 /// Unit vector from the removed material towards the tool.
@@ -27,7 +27,7 @@ glm::dvec3 awayFrom(const glm::dvec3& place, const ToolPose& pose, double radius
     return std::cos(angle) * pose.axis - std::sin(angle) / length * sideways;
 }
 
-/// mm, of a place on the tool; first order in the turn of the axis.
+/// Returns the motion of a point of the tool, mm; first order in the rotation of the axis.
 glm::dvec3 motionOf(const glm::dvec3& place, const ToolPose& from, const ToolPose& to) noexcept {
     return to.tip - from.tip + glm::cross(glm::cross(from.axis, to.axis), place - to.tip);
 }
@@ -67,7 +67,7 @@ SpinningTool spinningTool(const Tool& tool, double edgeSpeed) noexcept {
 }
 
 double slotArea(const Cutter& cutter, double depth) {
-    constexpr int slices = 200; // of a piece: a sphere's area right to 0.1 %
+    constexpr int slices = 200; // of a piece: a sphere's area accurate to 0.1 %
     double area = 0.0;
     for (const RevolvedPiece& piece : flutePieces(cutter)) {
         const double top = std::min(piece.top, depth), slice = (top - piece.bottom) / slices;

@@ -17,8 +17,8 @@
 
 namespace burin {
 
-/// Scanlines whose centres lie in `stretch` (mm along an axis that starts at `low`), at most `count` of them. One more
-/// at either end where rounding leaves that open: the span decides.
+/// Returns the scanlines whose centres lie in the interval `stretch` (mm along an axis that starts at `low`), at most
+/// `count` of them. Where rounding is ambiguous it includes one more at either end: the exact span decides.
 inline LineStretch linesWithin(const Span& stretch, double low, double edge, std::int32_t count) noexcept {
     constexpr double slack = 1e-6; // voxels
     const double first = std::ceil((stretch.low - low) / edge - 0.5 - slack);
@@ -27,25 +27,25 @@ inline LineStretch linesWithin(const Span& stretch, double low, double edge, std
             static_cast<std::int32_t>(std::clamp(last, -1.0, static_cast<double>(count) - 1.0))};
 }
 
-/// Run units by which a piece that must not touch may overlap a line all the same: a quarter of a voxel, and of a piece
-/// that is shorter than two of those (a holder may be drawn in such steps) half its height.
+/// Run units by which a piece that must not touch may still overlap a line: a quarter of a voxel, and for a piece
+/// shorter than half a voxel (a holder may be drawn in such steps) half its height.
 inline RunPosition contactTolerance(const RevolvedPiece& piece, const Grid& grid) noexcept {
     const double half = 0.5 * (piece.top - piece.bottom) / grid.edge();
     return static_cast<RunPosition>(std::min(0.25, half) * unitsPerVoxel);
 }
 
-/// Calls `visit(line, from, to)` for every scanline of some rows (v) whose centre line meets the swept piece in the
-/// grid, run positions from < to rounded by Grid's one rule; stops when it returns false.
+/// Calls `visit(line, from, to)` for every scanline of some rows (v) whose centre line intersects the swept piece
+/// within the grid, with run positions from < to rounded by Grid's one rule; stops when it returns false.
 /// @param swept in the frame of the grid's lines (inLineFrame)
-/// @param wanted  (line, from, to): whether anything between these places, all that the piece may reach, matters to
-/// `visit`; a span takes more time than the answer
+/// @param wanted  (line, from, to): whether anything between these positions, the whole range that the piece may reach,
+/// matters to `visit`; it is asked first because a span takes more time than this check
 template <class Visit, class Wanted>
 void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch within, Visit&& visit,
                        Wanted&& wanted) noexcept {
     const Box reach = swept.bounds(), box = inLineFrame(grid, grid.box());
     if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
     const RunPosition lowest = grid.toRunPosition(reach.low.z), highest = grid.toRunPosition(reach.high.z);
-    double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at one height
+    double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at the same height
     RunPosition to = 0;
     const LineStretch rows = linesWithin({reach.low.y, reach.high.y}, box.low.y, grid.edge(), grid.lineCountV());
     const std::int32_t last = std::min(rows.last, within.last);
@@ -59,7 +59,7 @@ void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch wi
             if (!wanted(line, lowest, highest)) continue;
             const std::optional<Span> span = swept.along(grid.lineCentre(line).x, y);
             if (!span) continue;
-            // Ends beyond the grid need no arithmetic: most flutes reach out of the stock.
+            // Ends beyond the grid need no arithmetic: most flutes extend beyond the stock.
             const RunPosition from = span->low <= box.low.z ? 0 : grid.toRunPosition(span->low);
             if (span->high != top) to = span->high >= box.high.z ? grid.lineEnd() : grid.toRunPosition(span->high);
             top = span->high;
@@ -68,7 +68,7 @@ void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch wi
     }
 }
 
-/// The same of every line.
+/// The same without a filter of lines.
 template <class Visit>
 void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch within, Visit&& visit) noexcept {
     forEachSpanInRows(swept, grid, within, std::forward<Visit>(visit),
@@ -94,7 +94,7 @@ void forEachPiece(std::span<const Segment> segments, RunPosition from, RunPositi
     }
 }
 
-/// The same of a line of which a window may owe some.
+/// The same for a line that may have pending writes.
 template <class Visit>
 void forEachPieceNotOwed(const RunVolume& workpiece, const GapWindow* window, LineIndex line, RunPosition from,
                          RunPosition to, Visit&& visit) noexcept {
@@ -109,7 +109,7 @@ void forEachPieceNotOwed(const RunVolume& workpiece, const GapWindow* window, Li
     });
 }
 
-/// The same. Protected pieces may be left out.
+/// The same for the remaining material. Protected pieces may be left out.
 template <class Visit>
 void forEachPieceLeft(const RunVolume& workpiece, const GapWindow* window, LineIndex line, RunPosition from,
                       RunPosition to, Visit&& visit) noexcept {

@@ -13,15 +13,16 @@ namespace burin {
 
 namespace {
 
-static_assert(lanes == brickSide); // a register of eight is a row of a brick's lines
+static_assert(lanes == brickSide); // a register of eight holds a row of a brick's lines
 
-constexpr std::int32_t far = 1 << 29; ///< beyond any run position; two of them and one of those still add up
+constexpr std::int32_t far = 1 << 29; ///< beyond any run position; the sum of two of them and a run position does not
+                                      ///< overflow
 
 bool isMachinable(const PropertyList& properties, PropertyIndex property) noexcept {
     return property != airProperty && !properties.isProtected(property);
 }
 
-/// The lines of a brick, one after another: their gaps about one place.
+/// The lines of a brick, one after another: their gaps around one position.
 class LinesAbout {
 public:
     LinesAbout(const RunVolume& workpiece, LineIndex corner, std::int32_t place) noexcept
@@ -58,18 +59,18 @@ private:
     std::int32_t lineEnd_, place_;
 };
 
-/// Bricks along each side of a window.
+/// Returns the number of bricks along each side of a cache.
 std::size_t sideOf(const Grid& grid, double reach) noexcept {
-    // So many bricks an interval of lines lies in at most, wherever it begins.
+    // The largest number of bricks that an interval of lines may overlap, wherever it begins.
     const auto bricks = (static_cast<std::uint32_t>(std::ceil(std::clamp(2.0 * reach, 0.0, 65536.0))) + 15) / 8;
-    // No more than the grid has, and the brick beyond its end that the lines of a group may reach.
+    // No more than the grid has, plus the brick beyond its end that the lines of a group may reach.
     const auto most = static_cast<std::uint32_t>(std::max(grid.lineCountU(), grid.lineCountV())) / 8 + 2;
     return std::bit_ceil(std::min(bricks, most));
 }
 
 /// A sum over lanes.
 double sumOf(const GapWindow::Sums::Lanes<float>& values) noexcept {
-    double sums[4]{}; // side by side
+    double sums[4]{}; // independent partial sums
     for (std::size_t i = 0; i < values.size(); ++i) sums[i % 4] += static_cast<double>(values[i]);
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
@@ -90,7 +91,7 @@ GapWindow::GapWindow(const Grid& grid, double reach)
     open_.resize(side_ * SpanRows::rowsAtOnce);
 }
 
-/// Gives a brick's place to other lines, of which nothing is known yet.
+/// Assigns a brick's memory to other lines, which are not known yet.
 void GapWindow::claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept {
     brick.known = false;
     brick.u = u;
@@ -99,7 +100,7 @@ void GapWindow::claim(Brick& brick, std::int32_t u, std::int32_t v) noexcept {
     gaps.low.fill(far);
     gaps.high.fill(-far);
     if ((u + 1) * brickSide <= lineCountU_ && (v + 1) * brickSide <= lineCountV_) return;
-    // No span reaches out of the gap of a line that the grid does not have.
+    // For a line that the grid does not have, no span can reach beyond the gap.
     for (std::int32_t line = 0; line < brickSide * brickSide; ++line)
         if (u * brickSide + line % brickSide >= lineCountU_ || v * brickSide + line / brickSide >= lineCountV_)
             gaps.set(static_cast<std::size_t>(line), {-far, far, 0, 0});
@@ -111,7 +112,7 @@ std::optional<int> GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow,
     if (first >= coveredFirstRow_ && last <= coveredLastRow_ && firstGroup >= coveredFirstGroup_ &&
         lastGroup <= coveredLastGroup_)
         return 0;
-    coveredLastRow_ = -1; // until it is done
+    coveredLastRow_ = -1; // until this is complete
     int claimed = 0;
     for (std::int32_t v = first; v <= last; ++v)
         for (std::int32_t u = firstGroup; u <= lastGroup; ++u) {
@@ -133,7 +134,7 @@ std::optional<int> GapWindow::cover(RunVolume& workpiece, std::int32_t firstRow,
     return claimed;
 }
 
-/// Before lines of a brick are cut: memory to write them, and a place in the queue.
+/// Prepares the first cut of a brick: reserves memory to write it, and adds it to the queue.
 bool GapWindow::expectCuts(RunVolume& workpiece, Brick& brick) noexcept {
     if (brick.room.empty() && !workpiece.setAside({brick.u * brickSide, brick.v * brickSide}, brick.room)) return false;
     if (!queue_.holds(placeOf(brick))) queue_.add(placeOf(brick));
@@ -151,11 +152,11 @@ bool GapWindow::write(RunVolume& workpiece, Brick& brick) noexcept {
     const BrickSpans spans{brick.owing, positions(gaps.low), positions(gaps.high)};
     if (!workpiece.clear({brick.u * brickSide, brick.v * brickSide}, spans, brick.room)) return false;
     brick.owing = 0;
-    brick.ready = false; // its room went into the volume
+    brick.ready = false; // its reserved room went into the volume
     return true;
 }
 
-/// Takes the first brick out of the queue, in which there is one.
+/// Writes the first brick of the queue and removes it; the queue must not be empty.
 bool GapWindow::writeNext(RunVolume& workpiece) noexcept {
     const std::uint32_t place = *queue_.first();
     if (!write(workpiece, bricks_[place])) return false;
@@ -168,8 +169,8 @@ bool GapWindow::writeDue(RunVolume& workpiece) noexcept {
     for (std::uint32_t pace = queue_.pace(); pace > 0 && !queue_.empty(); --pace)
         if (!writeNext(workpiece)) return false;
     queue_.nextTick();
-    // Without a page to spare, be it for what was written just now, only before the next snapshot is it certain that
-    // everything can be written.
+    // Without a spare page, which may have been used by the writes just now, it is certain only before the next
+    // snapshot that everything can be written.
     return workpiece.hasPagesToSpare() || writeAll(workpiece);
 }
 
@@ -202,7 +203,7 @@ int GapWindow::take(RunVolume& workpiece, std::span<const RowSpans> rows, Remove
     return read;
 }
 
-/// The bricks that some rows of lines share.
+/// Returns the bricks that some rows of lines share.
 GapWindow::BrickRow GapWindow::brickRow(std::span<const RowSpans> rows) noexcept {
     const std::int32_t v = rows.front().v >> 3;
     BrickRow all{&gaps_[brickAt(0, v)], &bricks_[brickAt(0, v)], static_cast<std::uint32_t>(mask_)};
@@ -236,7 +237,7 @@ int GapWindow::takeSome(RunVolume& workpiece, std::span<const RowSpans> spans, R
         Brick& brick = row.bricks[growth.brick & mask_];
         const BrickOfSpans& brickSpans = row.spans[growth.brick - row.first];
         if (const int cost = know(workpiece, brick, brickSpans, row.asked(growth.brick)); cost > 0) {
-            read += cost; // and see what is left to take
+            read += cost; // then take the remaining spans
             continue;
         }
         if (!expectCuts(workpiece, brick)) {
@@ -247,9 +248,9 @@ int GapWindow::takeSome(RunVolume& workpiece, std::span<const RowSpans> spans, R
     return read + takeOpen(workpiece, row, std::span(open_).first(growth.openCount), removed);
 }
 
-/// Reads all lines of a brick, one after another as they lie in memory: far less than each for itself when a span first
-/// comes to it.
-/// @param place of all gaps: where the first span that comes to the brick is
+/// Reads all lines of a brick in the order in which they lie in memory, which is much faster than reading each when a
+/// span first reaches it.
+/// @param place position around which the gaps are taken: that of the first span that reaches the brick
 void GapWindow::learn(const RunVolume& workpiece, Brick& brick, std::int32_t place) noexcept {
     brick.known = true;
     const LineIndex corner{brick.u * brickSide, brick.v * brickSide};
@@ -263,7 +264,7 @@ void GapWindow::learn(const RunVolume& workpiece, Brick& brick, std::int32_t pla
         }
 }
 
-/// The lines that arithmetic could not serve.
+/// Takes the spans of the lines for which the arithmetic was not sufficient.
 int GapWindow::takeOpen(RunVolume& workpiece, const BrickRow& row, std::span<const Open> open,
                         RemovedUnits& removed) noexcept {
     int read = 0;
@@ -302,9 +303,9 @@ void GapWindow::collect(RemovedUnits& removed) noexcept {
     sums_.rows = 0;
 }
 
-/// Looks from an interval in which nothing is left, `around`, as far as `span` goes and on to the next machinable
-/// segments. What the volume shows within it may be gone already; what it shows beyond is there, and is counted as
-/// taken as far as `span` goes.
+/// Examines the line from `around`, an interval in which nothing is left, to the end of `span` and on to the next
+/// machinable segments. Within `around` the volume may still show removed material; material beyond it exists, and is
+/// counted as taken up to the end of `span`.
 GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex line, Bounds around, Bounds span,
                                        RemovedUnits& removed) noexcept {
     const PropertyList& properties = workpiece.properties();
@@ -348,7 +349,8 @@ GapWindow::Found GapWindow::lookAround(const RunVolume& workpiece, LineIndex lin
     return found;
 }
 
-/// Takes a span that its neighbours do not hold: over the border of two materials, or apart from the gap.
+/// Takes a span that extends beyond the neighbours of its gap: across the border of two materials, or apart from the
+/// gap.
 bool GapWindow::widen(RunVolume& workpiece, LineIndex line, Brick& brick, Bounds span, RemovedUnits& removed) noexcept {
     const LineGap gap = gapsOf(brick).at(bitOf(line));
     Bounds around{gap.low, gap.high};
@@ -367,8 +369,7 @@ bool GapWindow::widen(RunVolume& workpiece, LineIndex line, Brick& brick, Bounds
     return true;
 }
 
-/// Reads the lines of a brick if there is a span in some rows of it and they are not known. @return what it cost, in
-/// lines
+/// Reads the lines of a brick if some rows of it have a span and the lines are not known. @return the cost, in lines
 int GapWindow::know(const RunVolume& workpiece, Brick& brick, const BrickOfSpans& spans, std::uint32_t rows) noexcept {
     if (brick.known) return 0;
     for (; rows != 0; rows &= rows - 1) {

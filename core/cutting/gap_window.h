@@ -16,45 +16,47 @@
 
 namespace burin {
 
-/// The scanlines around a tool, kept where a tick finds them at once. For each line it holds the gap: an interval in
-/// which nothing machinable is left, and what borders it on either side. A span that grows the gap within its
-/// neighbours is taken by arithmetic on many lines at a time, without a look at the volume; other spans read the
-/// volume's line. What was removed is a pending write to the volume until it is written, a brick of 8 × 8 lines at a
-/// time, within 16 ticks. Memory: 16 bytes a line, toroidal: a brick of lines uses the place of another that the tool
-/// left behind. Thread: the workpiece's writer, for what asks only (`owed`, `visitAround`) as well.
+/// A cache of the scanlines around a tool, for fast access in each tick. For each line it holds the gap, an interval in
+/// which nothing machinable is left, and the segments that border it on either side. A span that grows the gap within
+/// these neighbours is removed by arithmetic on many lines at a time, without reading the volume; other spans read the
+/// volume's line. Removed material is a pending write to the volume until it is written, a brick of 8 × 8 lines at a
+/// time, within 16 ticks. Memory: 16 bytes a line, toroidal: a brick of lines replaces another that the tool has left
+/// behind. Only on the workpiece's writer thread, including the queries (`owed`, `visitAround`).
 class GapWindow {
 public:
-    static constexpr int brickInLines = 8; ///< what reading a brick at once costs, with what its first cut needs
+    static constexpr int brickInLines = 8; ///< cost of reading a brick at once and preparing its first cut, in lines
 
-    /// Allocates. @param reach lines from the tool's tip that a cut may lie away, the way counted in
+    /// Allocates. @param reach largest distance of a cut from the tool's tip, in lines, including the move
     GapWindow(const Grid& grid, double reach);
 
-    /// Groups, or rows divided by eight, of which the window holds so many at once.
+    /// Number of groups of eight lines, or of rows divided by eight, that fit into the cache at once.
     std::int32_t side() const noexcept { return static_cast<std::int32_t>(side_); }
-    /// Makes sure that the lines of some rows and groups of eight are the window's; what was pending for the lines
-    /// whose places they take is written. @return bricks that were not the window's before; nothing where reserved
-    /// memory ran out, and nothing is lost then
+    /// Makes sure that the lines of some rows and groups of eight are in the cache; pending writes of the lines that
+    /// they replace are written. @return number of bricks that were not in the cache before; empty if reserved memory
+    /// ran out, in which case nothing is lost
     std::optional<int> cover(RunVolume& workpiece, std::int32_t firstRow, std::int32_t lastRow, std::int32_t firstGroup,
                              std::int32_t lastGroup) noexcept;
-    /// Takes spans out of rows that share their bricks. Stops at a brick for which no memory is left: see RemovedUnits.
-    /// @return lines for which the volume was read; a brick at once counts as `brickInLines`
+    /// Removes the spans of rows that share their bricks. Stops at a brick for which no memory is left: see
+    /// RemovedUnits.
+    /// @return number of lines for which the volume was read; a brick read at once counts as `brickInLines`
     int take(RunVolume& workpiece, std::span<const RowSpans> rows, RemovedUnits& removed) noexcept;
-    /// Adds what `take` has summed up so far; to be called after its last row.
+    /// Adds the sums of `take` so far; call after its last row.
     void collect(RemovedUnits& removed) noexcept;
-    /// Gets bricks ready of which a cut may ask soon. @return as `take`
+    /// Prepares bricks that a cut may soon need. @return as `take`
     int look(const RunVolume& workpiece, const RowSpans& row) noexcept;
 
-    /// Bricks that `writeDue` would write now, and more the more is taken before.
+    /// Number of bricks that `writeDue` would write now; the more is taken before, the greater it is.
     std::uint32_t writesDue() const noexcept { return queue_.pace(); }
-    /// To be called once a tick: writes what has to be, at an even pace. False: out of reserved memory.
+    /// Call once a tick: writes the bricks that are due, at an even pace. Returns false if out of reserved memory.
     bool writeDue(RunVolume& workpiece) noexcept;
-    /// Writes all that is pending. False: out of reserved memory; the rest is still pending.
+    /// Writes everything that is pending. Returns false if out of reserved memory; the remaining writes are still
+    /// pending.
     bool writeAll(RunVolume& workpiece) noexcept;
     bool owesNothing() const noexcept { return queue_.empty(); }
     /// Forgets all lines and their pending writes.
     void forget() noexcept;
 
-    /// An interval of which the machinable runs are gone, though the volume may show them; empty where nothing is
+    /// An interval whose machinable runs are removed, though the volume may still show them; empty if nothing is
     /// pending.
     struct Owed {
         RunPosition from = 0, to = 0;
@@ -67,8 +69,8 @@ public:
         return {static_cast<RunPosition>(gap.low), static_cast<RunPosition>(gap.high)};
     }
 
-    /// Calls `visit(property, start, end)` for what is left machinable of a line between two places, if the line's gap
-    /// and what borders it tell all of that. False: they do not.
+    /// Calls `visit(property, start, end)` for the remaining machinable material of a line between two positions, if
+    /// the line's gap and its neighbours determine it completely. Returns false if they do not.
     template <class Visit>
     bool visitAround(LineIndex line, RunPosition from, RunPosition to, Visit&& visit) const noexcept {
         const std::size_t place = brickAt(line.u >> 3, line.v >> 3);
@@ -90,7 +92,7 @@ public:
         std::uint32_t left = 0;         ///< start << 8 | property, of the segment that ends at `low`; 0: none
         std::uint32_t right = 0;        ///< end << 8 | property, of the segment that begins at `high`; 0: none
     };
-    /// Those of a brick, line 8 v + u.
+    /// The gaps of a brick, line 8 v + u.
     struct alignas(64) Gaps {
         std::array<std::int32_t, 64> low, high;
         std::array<std::uint32_t, 64> left, right;
@@ -103,41 +105,41 @@ public:
             right[line] = gap.right;
         }
     };
-    /// Sums over some rows: of every other row of lines in one half of the lanes.
+    /// Sums over some rows; the rows of lines alternate between the two halves of the lanes.
     struct alignas(64) Sums {
         template <class Number>
         using Lanes = std::array<Number, 16>;
         std::array<Lanes<std::int32_t>, 256> byProperty{};
-        Lanes<float> units{}, momentU{}, momentV{}, momentAlong{}; ///< from the origins
+        Lanes<float> units{}, momentU{}, momentV{}, momentAlong{}; ///< relative to the origins
         std::array<std::uint64_t, 4> used{};                       ///< a bit for each property
         std::int32_t originU = 0, originV = 0;                     ///< lines
         std::int32_t alongOrigin = 0;                              ///< run units, doubled
-        int rows = 0;                                              ///< that are in the sums
+        int rows = 0;                                              ///< number of rows in the sums
     };
     /// 8 × 8 lines.
     struct alignas(64) Brick {
         std::int32_t u = -1, v = -1;
         std::uint64_t owing = 0; ///< a bit for each line
         BrickRoom room;
-        bool ready = false; ///< for cuts: in the queue, and with room
+        bool ready = false; ///< ready for cuts: in the queue, and with reserved room
         bool known = false; ///< its lines were read
     };
-    /// A row of bricks with what is to be taken of it.
+    /// A row of bricks with the spans to be removed from it.
     struct BrickRow {
         Gaps* gaps = nullptr;
         Brick* bricks = nullptr;
-        std::uint32_t mask = 0;              ///< of a brick's place in the row
+        std::uint32_t mask = 0;              ///< mask of a brick's position in the row
         std::int32_t firstLine = 0;          ///< along v
-        std::int32_t first = 0, end = 0;     ///< bricks that are asked for
+        std::int32_t first = 0, end = 0;     ///< requested bricks
         EightIntegers begins{}, ends{};      ///< of each row of lines
         const BrickOfSpans* spans = nullptr; ///< of the first brick
 
-        /// Bits of the rows of lines that are asked for of a brick.
+        /// Bits of the requested rows of lines of a brick.
         std::uint32_t asked(std::int32_t brick) const noexcept {
             return bitsOf((load(begins) <= integers(brick)) & (load(ends) > integers(brick)));
         }
     };
-    /// Lines of a brick that need the volume.
+    /// Lines of a brick that require reading the volume.
     struct Open {
         std::int32_t brick = 0, row = 0; ///< along u; of lines, in the brick
         std::uint32_t lanesOf = 0;       ///< bits of those lines
@@ -147,7 +149,7 @@ private:
     struct Bounds {
         std::int32_t low = 0, high = 0; ///< run units
     };
-    /// A gap as the volume shows it.
+    /// A gap as found in the volume.
     struct Found : LineGap {
         std::uint64_t taken = 0; ///< run units
     };
@@ -176,15 +178,15 @@ private:
 
     std::int32_t lineCountU_, lineCountV_;
     std::size_t side_ = 0;   ///< bricks
-    std::int32_t mask_ = 0;  ///< of a brick's place
+    std::int32_t mask_ = 0;  ///< mask of a brick's position
     std::vector<Gaps> gaps_; ///< of the bricks
     std::vector<Brick> bricks_;
-    WriteQueue queue_; ///< of all bricks that owe anything, by their places
+    WriteQueue queue_; ///< of all bricks with pending writes, by their positions
     std::int32_t coveredFirstRow_ = 0, coveredLastRow_ = -1, coveredFirstGroup_ = 0, coveredLastGroup_ = -1;
 
-    std::vector<Open> open_; ///< of the rows that are taken
+    std::vector<Open> open_; ///< of the rows that are being taken
     Sums sums_;
-    int mostRows_ = 1; ///< before the sums could overflow
+    int mostRows_ = 1; ///< number of rows before the sums could overflow
 };
 
 } // namespace burin

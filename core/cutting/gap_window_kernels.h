@@ -4,20 +4,21 @@
 
 #include "core/cutting/gap_window.h"
 
-// Within core/cutting: the inner loop of GapWindow.
+// Internal to core/cutting: the inner loop of GapWindow.
 namespace burin::kernels {
 
-/// How far `growGaps` has come, and what it leaves to the one who calls it.
+/// The progress of `growGaps`, and the lines that it leaves to its caller.
 struct Growth {
     GapWindow::Open* open = nullptr; ///< room for all rows of all bricks
     std::size_t openCount = 0;
-    std::int32_t brick = 0; ///< along u, to go on with
+    std::int32_t brick = 0; ///< along u, the next one to process
 };
-/// Grows the gaps in which spans reach out of them and the neighbours hold enough; sums up what that takes.
-/// False: the brick to go on with is not ready for cuts.
+/// Grows the gaps whose spans extend beyond them while the neighbouring segments are long enough; sums up what is
+/// removed.
+/// Returns false if the next brick is not ready for cuts.
 bool growGaps(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Growth& growth) noexcept;
 
-/// The same for processors without AVX-512; to the last bit, which a test asks of it.
+/// The same for processors without AVX-512; bit-identical, which a test checks.
 namespace any_processor {
 bool grow(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Growth& growth) noexcept;
 }

@@ -1,27 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Of gap_window_kernels.cpp, which includes it once for each width of registers (core/base/whole_registers.h). Two rows
-// of lines at once, or one after the other: sums of every other row are kept apart, so that both come to the same bits.
+// Part of gap_window_kernels.cpp, which includes it once for each width of registers (core/base/whole_registers.h).
+// Processes two rows of lines at once, or one after the other; alternate rows are summed separately, so that both give
+// the same bits.
 
 constexpr std::size_t lanesAtOnce = 16; // of two rows
 constexpr std::size_t parts = lanesAtOnce / width;
 
-/// What one side of gaps lost, lane by lane. Neighbours of one property are the rule: their units stay in a register
-/// until another one comes.
+/// The loss on one side of gaps, lane by lane. The neighbours mostly have one property: their units stay in a register
+/// until another property comes.
 struct Side {
     Integers property{}; ///< of `units`, the same in every lane
     Integers units{};    ///< run units
     Floats momentAlong{};
 };
 
-/// What some lines lost, from the sums' origins; along v from the row of bricks'.
+/// The loss of some lines, relative to the origins of the sums; along v relative to the row of bricks.
 struct Lost {
     Side below, above;
-    Floats units{}, momentU{}, momentV{}; ///< momentU without the lanes' own places
+    Floats units{}, momentU{}, momentV{}; ///< momentU without the positions of the lanes
 };
 
-/// @param part of two rows
+/// @param part index within the two rows
 BURIN_INLINE void flush(GapWindow::Sums& sums, Side& lost, std::size_t part) noexcept {
     const auto place = static_cast<std::size_t>(lost.property[0]);
     std::int32_t* const of = sums.byProperty[place].data() + part * width;
@@ -30,8 +31,8 @@ BURIN_INLINE void flush(GapWindow::Sums& sums, Side& lost, std::size_t part) noe
     lost.units = Integers{};
 }
 
-/// Adds what gaps lost. `grown`: those that lost any; `middle`: of it, doubled, run units from the origin. @return
-/// units as floats
+/// Adds what gaps lost. `grown`: the lanes that lost any; `middle`: the middle of the loss, doubled, run units from the
+/// origin. @return units as floats
 BURIN_INLINE Floats addSide(Integers taken, Mask grown, Words neighbour, Integers middle, GapWindow::Sums& sums,
                             Side& lost, std::size_t part) noexcept {
     const auto property = reinterpret_cast<Integers>(neighbour & 255U);
@@ -53,7 +54,7 @@ BURIN_INLINE Floats addSide(Integers taken, Mask grown, Words neighbour, Integer
     return units;
 }
 
-/// Lines of a brick of which some spans reach out of their gaps.
+/// Lines of a brick, some of whose spans extend beyond their gaps.
 struct Lines {
     std::int32_t *lows, *highs; ///< of their gaps
     const std::uint32_t *lefts, *rights;
@@ -63,11 +64,11 @@ struct Lines {
 };
 
 struct Grown {
-    Floats units;       ///< that were taken
+    Floats units;       ///< removed units
     std::uint32_t open; ///< bits of the lines that need the volume
 };
 
-/// Grows gaps downwards. @param hits lines whose spans begin below their gaps; they end beyond none of these
+/// Grows gaps downwards. @param hits lines whose spans begin below their gaps; none of these spans ends above its gap
 BURIN_INLINE Grown growDown(const Lines& at, Mask hits, GapWindow::Sums& sums, Lost& lost) noexcept {
     const auto left = lanesAt<Words>(at.lefts);
     const Mask apart =
@@ -79,7 +80,7 @@ BURIN_INLINE Grown growDown(const Lines& at, Mask hits, GapWindow::Sums& sums, L
             bitsOf(hits & apart)};
 }
 
-/// And upwards.
+/// Grows gaps upwards.
 BURIN_INLINE Grown growUp(const Lines& at, Mask hits, GapWindow::Sums& sums, Lost& lost) noexcept {
     const auto right = lanesAt<Words>(at.rights);
     const Mask apart =
@@ -112,19 +113,20 @@ BURIN_INLINE void keepOpen(std::int32_t brick, std::int32_t row, std::uint32_t o
         if ((open & 255U) != 0) growth.open[growth.openCount++] = {brick, row, open & 255U};
 }
 
-/// Bits of the lines of rows.
+/// Returns the bits of the lines of some rows.
 BURIN_INLINE std::uint64_t linesOf(std::uint32_t rows) noexcept {
     constexpr std::uint64_t apart = 0x0002040810204081, lowest = 0x0101010101010101; // bit i to 8 i
     return ((((rows & 127U) * apart) & lowest) | static_cast<std::uint64_t>(rows >> 7) << 56) * 255U;
 }
 
-/// Of the sums.
+/// The origin of the sums.
 struct Origin {
     Integers along;
     std::int32_t u;
 };
 
-/// Takes what spans reach out of the gaps of a brick, most of them on one side alone. False: the brick is not ready.
+/// Removes the parts of spans beyond the gaps of a brick, most of them on one side only. Returns false if the brick is
+/// not ready.
 BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, const Origin& origin, GapWindow::Sums& sums,
                             Lost (&lost)[parts], Growth& growth) noexcept {
     const std::uint32_t place = static_cast<std::uint32_t>(growth.brick) & row.mask;
@@ -148,7 +150,7 @@ BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, const Origin& origin
             const Mask below = greater(oldLow, low) & there, above = greater(high, oldHigh) & there;
             const std::uint32_t down = bitsOf(below), up = bitsOf(above);
             if ((down | up) == 0) continue;
-            if (!brick.ready) return false; // nothing of it was taken
+            if (!brick.ready) return false; // nothing of this brick was removed
             const Lines lines{&gaps.low[at], &gaps.high[at], &gaps.left[at], &gaps.right[at], low,
                               high,          oldLow,         oldHigh,        origin.along,    part};
             const Grown grown = up == 0     ? growDown(lines, below, sums, lost[part])
@@ -164,7 +166,7 @@ BURIN_INLINE bool growBrick(const GapWindow::BrickRow& row, const Origin& origin
     for (std::size_t part = 0; part < parts; ++part) {
         lost[part].units += units[part];
         lost[part].momentU += units[part] * momentArm;
-        // Units of a pair were counted once for each pair after it: those of the last, row 6, never.
+        // The units of a pair were counted once for each later pair: those of the last pair, row 6, not at all.
         const Floats even = units[part] * (eightNumbers() + static_cast<float>(6 + part));
         lost[part].momentV += even - 2.0F * before[part];
     }
@@ -186,7 +188,7 @@ BURIN_INLINE void addTo(GapWindow::Sums& sums, Lost& lost, float momentArmV, std
 
 /// See growGaps.
 BURIN_INLINE bool growAll(const GapWindow::BrickRow& row, GapWindow::Sums& sums, Growth& growth) noexcept {
-    const GapWindow::BrickRow own = row; // which the stores can't change
+    const GapWindow::BrickRow own = row; // a copy, which the stores can't change
     const Origin origin{each(sums.alongOrigin), sums.originU};
     Lost lost[parts];
     while (growth.brick < own.end && growBrick(own, origin, sums, lost, growth)) ++growth.brick;

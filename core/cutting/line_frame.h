@@ -11,8 +11,8 @@
 
 namespace burin {
 
-/// A vector of the setup frame in the frame of a grid's lines: x along u, y along v, z along the runs. A cyclic
-/// exchange of axes, so that the frame stays right-handed.
+/// Transforms a vector of the setup frame into the frame of a grid's lines: x along u, y along v, z along the runs. The
+/// axes are exchanged cyclically, so that the frame stays right-handed.
 inline glm::dvec3 inLineFrame(const Grid& grid, const glm::dvec3& v) noexcept {
     return {v[grid.axisOfU()], v[grid.axisOfV()], v[grid.axisOfRuns()]};
 }
@@ -22,7 +22,7 @@ inline ToolPose inLineFrame(const Grid& grid, const ToolPose& pose) noexcept {
 inline Box inLineFrame(const Grid& grid, const Box& box) noexcept {
     return {inLineFrame(grid, box.low), inLineFrame(grid, box.high)};
 }
-/// And back.
+/// The inverse transformation.
 inline glm::dvec3 inSetupFrame(const Grid& grid, const glm::dvec3& v) noexcept {
     glm::dvec3 result;
     result[grid.axisOfU()] = v.x;

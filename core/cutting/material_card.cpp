@@ -17,13 +17,13 @@ namespace {
 
 constexpr std::size_t longest = 1'000'000; // characters
 constexpr std::size_t mostEntries = 10'000;
-constexpr std::size_t deepest = 8; // indentations and brackets; a card has three
+constexpr std::size_t deepest = 8; // indentations and brackets; a real card has three levels
 
 Error unknown(const std::string& origin) {
     return {ErrorCode::fileFormatUnknown, origin, {}, {}};
 }
 
-/// "[FCMat]" or "[General]" on a line of its own, comments before it.
+/// Whether there is "[FCMat]" or "[General]" on a separate line, with only comments before it.
 bool hasSections(std::string_view text) {
     std::istringstream lines{std::string(text)};
     for (std::string line; std::getline(lines, line);) {
@@ -51,7 +51,8 @@ Result<MaterialCard> readSections(std::string_view text, const std::string& orig
     return card;
 }
 
-/// Flow brackets nest as deep as a text says, and the parser goes with them: refused before it is asked.
+/// Flow brackets may be nested arbitrarily deep, and the parser recurses with them, so such a text is rejected before
+/// parsing.
 bool nestsTooDeep(std::string_view text) {
     std::size_t depth = 0;
     for (const char character : text) {
@@ -68,8 +69,8 @@ bool nestsTooDeep(std::string_view text) {
     return false;
 }
 
-/// Names of the deepest level; the first of one name counts.
-/// @param left entries that are still looked at: aliases make a short text as long as it likes
+/// Collects the entries of the deepest level; the first one of each name counts.
+/// @param left number of entries still to be read, limited because aliases can make a short text arbitrarily long
 void collect(const YAML::Node& node, MaterialCard& card, std::size_t depth, std::size_t& left) {
     if (!node.IsMap() || depth > deepest) return;
     for (const auto& entry : node) {

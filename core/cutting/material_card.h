@@ -11,13 +11,13 @@
 
 namespace burin {
 
-/// What a FreeCAD material card says, whichever section or model it stands in.
+/// The values of a FreeCAD material card, regardless of the section or model that states them.
 struct MaterialCard {
     std::map<std::string, std::string, std::less<>> values;
 };
 
-/// Reads a card in its form of YAML or of sections. Bounded: cards longer than 1 MB, or nested deeper than a card is,
-/// are refused. Errors: fileFormatUnknown (neither), resourceInvalid (place: the line).
+/// Reads a card in YAML form or in the form with sections. The size is limited: cards longer than 1 MB, or nested
+/// deeper than real cards, are rejected. Errors: fileFormatUnknown (neither form), resourceInvalid (place: the line).
 Result<MaterialCard> readMaterialCard(std::string_view text, const std::string& origin);
 
 } // namespace burin

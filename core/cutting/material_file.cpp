@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-/// A unit as FreeCAD writes it, and how many of ours it is.
+/// A unit as FreeCAD writes it, and its size in Burin's unit.
 struct CardUnit {
     std::string_view text;
     double size;
@@ -29,7 +29,7 @@ constexpr std::array densityUnits{CardUnit{"kg/m^3", 1e-3}, CardUnit{"g/cm^3", 1
                                   CardUnit{"kg/dm^3", 1.0}};
 constexpr std::array plainUnits{CardUnit{"", 1.0}};
 
-/// What milling needs and a card may lack. Estimates on the careful side.
+/// Values that milling needs and a card may lack, as conservative estimates.
 struct Filling {
     std::string_view name, unit;
     double value;
@@ -71,7 +71,7 @@ private:
         return {};
     }
 
-    /// A number with a unit behind it. A bare one is in the first.
+    /// Reads a number followed by a unit. A number without unit is in the first one.
     template <std::size_t count>
     Result<void> readValue(std::string_view key, const std::array<CardUnit, count>& units, std::string_view name,
                            std::string_view unit, bool estimate = false) {
@@ -94,7 +94,7 @@ private:
     }
 
     Result<void> readValues() {
-        // The speed of carbide is the one that counts; where there is none, that of high speed steel.
+        // The speed of carbide has precedence; if there is none, that of high speed steel is used.
         for (Result<void> done : {readValue("SurfaceSpeedHSS", speedUnits, "surface_speed_hss", "m/min"),
                                   readValue("SurfaceSpeedHSS", speedUnits, surfaceSpeed, "m/min"),
                                   readValue("SurfaceSpeedCarbide", speedUnits, surfaceSpeed, "m/min"),
@@ -110,13 +110,14 @@ private:
         const std::string* written = text("Hardness");
         if (written == nullptr) return {};
         const NumberWithUnit quantity = numberWithUnit(*written);
-        if (!quantity.value) return {}; // "soft": words that no figure depends on
+        if (!quantity.value) return {}; // "soft": words, on which no value depends
         const std::string* units = text("HardnessUnits");
         set("hardness", *quantity.value, units != nullptr && !units->empty() ? *units : "1", "Hardness", false);
         return {};
     }
 
-    /// Older cards: power a removal rate, in kW min a cm³ or J a mm³; their own unit, a volume a time, can't be meant.
+    /// Older cards: power per removal rate, in kW min per cm³ or J per mm³; their stated unit, a volume per time, can't
+    /// be intended.
     Result<void> readPower() {
         const std::string* written = text("Kp");
         if (written == nullptr || text("UnitCuttingForce") != nullptr) return {};
@@ -127,7 +128,7 @@ private:
         return {};
     }
 
-    /// What is felt of a chip of 0.05 mm.
+    /// Adds the specific cutting energy at a chip of 0.05 mm, for the force that is felt.
     void addEnergy() {
         const Property& material = result_.material;
         if (!material.values.contains(kienzleForce) || !material.values.contains(kienzleExponent)) return;

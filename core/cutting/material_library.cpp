@@ -14,13 +14,13 @@ namespace burin {
 
 namespace {
 
-/// A value that Burin reads, and what it may be.
+/// A value that Burin reads, and its range.
 struct KnownValue {
     std::string_view name, unit;
-    double above = 0.0; ///< not this itself
-    double below = 1e6; ///< nor this
+    double above = 0.0; ///< exclusive lower limit
+    double below = 1e6; ///< exclusive upper limit
 };
-// What others may be made of comes first.
+// Values from which others may be derived come first.
 constexpr std::array knownValues{KnownValue{kienzleForce, "N/mm^2", 0.0, 100'000.0},
                                  KnownValue{kienzleExponent, "1", -1e-9, 1.0},
                                  KnownValue{specificCuttingEnergy, "J/mm^3", 0.0, 1000.0},
@@ -38,7 +38,7 @@ bool has(const Property& material, std::string_view name) {
     return material.values.find(name) != material.values.end();
 }
 
-/// One that the material may have.
+/// Checks a value that the material may have.
 Result<void> checkValue(const Property& material, const KnownValue& known, std::string_view name,
                         const std::string& origin) {
     const auto found = material.values.find(name);
@@ -75,7 +75,7 @@ Result<void> checkMaterial(const Property& material, const std::string& origin) 
         return wrong(origin, specificCuttingEnergy, "has to be there, or Kienzle's law: without it nothing is felt");
     for (const std::string_view needed : valuesByCutter)
         if (!has(material, needed)) return wrong(origin, needed, "has to be there: feeds and speeds come from it");
-    const Result<Property> again = propertyFromJson(toJson(material), origin); // else its file could not be read
+    const Result<Property> again = propertyFromJson(toJson(material), origin); // otherwise its file could not be read
     return again ? Result<void>() : again.error();
 }
 

@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// Between which voxels of its runs a brick of scanlines holds anything, for all bricks of a volume, and for blocks of
-/// them: what lies beside a tool is told from the tool at one look for a thousand scanlines. The bounds are those of
-/// the moment when a brick was last looked at; cutting only makes bricks emptier, so they stay bounds while it goes on.
-/// What was not looked at yet may be full.
+/// The range of voxels along the runs within which a brick of scanlines holds anything, for all bricks of a volume and
+/// for blocks of them: a single comparison with a tool excludes a thousand scanlines. A range is that of the moment
+/// when the brick was last read; cutting only makes bricks emptier, so it remains a bound during cutting.
+/// A brick that was not read yet may be full.
 class OccupiedBricks {
 public:
     static constexpr std::int32_t brickSide = burin::brickSide;
@@ -27,12 +27,12 @@ public:
     /// Allocates 4 bytes a brick.
     explicit OccupiedBricks(const Grid& grid);
 
-    /// Of the brick or block that a scanline lies in.
+    /// The range of the brick or block that contains a scanline.
     Extent brick(LineIndex line) const noexcept { return bricks_[brickAt(line)]; }
     Extent block(LineIndex line) const noexcept { return blocks_[blockAt(line)]; }
-    /// Looks at the brick that a scanline lies in. Cost: its 64 scanlines. No allocation.
+    /// Reads the brick that contains a scanline. Cost: its 64 scanlines. No allocation.
     Extent lookAt(const RunVolume& volume, LineIndex line) noexcept;
-    /// Anything may be full again. Cost: 4 bytes a brick. No allocation.
+    /// Assumes again that all bricks may be full. Cost: 4 bytes a brick. No allocation.
     void forget() noexcept;
 
 private:

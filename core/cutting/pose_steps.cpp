@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-constexpr double mostSteps = 1 << 30; // no tool and tolerance that make sense come near it
+constexpr double mostSteps = 1 << 30; // far beyond any reasonable tool and tolerance
 
 } // namespace
 
@@ -33,7 +33,8 @@ PoseSteps::PoseSteps(const ToolPose& from, const ToolPose& to, double reach, dou
     const double sine = glm::length(normal);
     angle_ = std::atan2(sine, glm::dot(from.axis, to.axis));
     turning_ = sine > 1e-12 ? glm::cross(normal, from.axis) / sine : anyAcross(from.axis);
-    // Half a step's turn is the most that its axis is off; a point then is off by less than that angle times its reach.
+    // A step's axis is off by at most half the rotation of a step; a point is then off by less than that angle times
+    // its reach.
     const double steps = std::ceil(0.5 * angle_ * reach / tolerance);
     count_ = 1 + static_cast<std::int32_t>(std::clamp(steps, 1.0, mostSteps));
 }

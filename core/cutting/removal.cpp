@@ -16,18 +16,20 @@ namespace {
 
 // Above this step the flux through the surface, a first-order value, is worse than the volume itself.
 constexpr double longestFluxStep = 0.3; // voxels
-// A larger ball takes so many scanlines a tick that the volume itself is smooth enough (README).
+// A larger ball removes so many scanlines a tick that the volume itself is smooth enough (README).
 constexpr double largestFluxBall = 30.0; // voxels
-// Where the flux is not reported, the flutes' surface is looked at in so many cuts once: a hand's engagement changes
-// little in as many milliseconds, and a look costs some microseconds.
+// If the flux is not reported, the engagement is measured only once in this many cuts: a hand's engagement changes
+// little in as many milliseconds, and a measurement costs some microseconds.
 constexpr int cutsPerLook = 16;
-// Share of the pending difference that a tick reports: slow beside the rows of scanlines, fast beside the hand.
+// Share of the pending difference that a tick reports: slow compared with the rows of scanlines, fast compared with the
+// hand.
 constexpr double pendingShare = 1.0 / 48.0;
-// While the flux goes on, no more of that than so much of it at once, and of the rest a smaller share: where runs lie
-// across the spindle, a ramp takes a whole layer of scanlines in a tick, which the flux has told all the time.
+// While there is flux, at most `evenShare` of the flux is reported of the pending difference at once, and of the excess
+// only `excessShare`: if the runs lie across the spindle, a ramp removes a whole layer of scanlines in one tick, which
+// the flux has already reported continuously.
 constexpr double evenShare = 1.0 / 4.0, excessShare = 1.0 / 8.0;
 
-/// What a tick reports of the pending difference, beside the flux.
+/// Returns the part of the pending difference that a tick reports in addition to the flux.
 double dueOf(double pending, double flux) noexcept {
     const double all = pending * pendingShare;
     if (flux <= 0.0) return all;
@@ -54,7 +56,7 @@ MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing
     const bool isBall = known && first.cornerRadius == first.bottomRadius;
     reportsFlux_ = !isBall || first.bottomRadius <= largestFluxBall * grid.edge();
     reach_ = reachOf(flutes);
-    cutsSinceLook_ = cutsPerLook; // the first cut looks
+    cutsSinceLook_ = cutsPerLook; // so that the first cut measures the engagement
     if (known && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
 }
 
@@ -105,7 +107,7 @@ void MaterialRemoval::approach(RunVolume& workpiece, const ToolPose& pose) noexc
 }
 
 CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
-    if (!cutter_) return {}; // also when nothing is pending: memory that was set aside goes back
+    if (!cutter_) return {}; // also if nothing is pending, so that reserved memory is returned
     RemovedUnits removed;
     cutter_->settle(workpiece, removed);
     CutResult result = account(workpiece, removed);
@@ -126,7 +128,7 @@ Engagement MaterialRemoval::recentEngagement(const RunVolume& workpiece, const T
                                              bool removes) noexcept {
     cutsSinceLook_ = std::min(cutsSinceLook_ + 1, cutsPerLook);
     if (!removes) return {};
-    // Where a tool only just touches, a look may find nothing yet.
+    // If a tool only just touches the material, a measurement may find no engagement yet.
     if (cutsSinceLook_ >= cutsPerLook || lastLook_.area == 0.0) {
         lastLook_ = engagement(workpiece, from, to);
         cutsSinceLook_ = 0;
@@ -149,8 +151,8 @@ void MaterialRemoval::reset() noexcept {
     cutsSinceLook_ = cutsPerLook;
 }
 
-/// Behind a border the tool must not be felt in what it left: what is pending of all materials is what it meets now,
-/// each with its share.
+/// After passing a border, the material that the tool has left must not be felt any more: the pending difference of all
+/// materials is shared out among those that it meets now.
 void MaterialRemoval::passOnPending(const SurfaceFlux::Flux& flux, const CutResult& cut) noexcept {
     if (cut.removed[1].property == airProperty) return; // one material
     double all = 0.0;
@@ -163,7 +165,7 @@ void MaterialRemoval::passOnPending(const SurfaceFlux::Flux& flux, const CutResu
 void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
                              CutResult& result) noexcept {
     const glm::dvec3 tip = to.tip;
-    // mm, that no point of the flutes moves farther than.
+    // mm, upper bound of the motion of any point of the flutes.
     const double step = glm::length(tip - from.tip) + glm::length(to.axis - from.axis) * reach_;
     const bool moves = step > 0.0, small = reportsFlux_ && step < longestFluxStep * workpiece.grid().edge();
     std::optional<SurfaceFlux::Flux> flux;

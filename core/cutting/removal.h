@@ -24,78 +24,79 @@ struct MaterialVolume {
     PropertyIndex property = airProperty; ///< air: entry not used
     std::uint64_t units = 0;              ///< run units: exact
     double volume = 0.0;                  ///< mm³, units times Grid::unitVolume
-    /// mm³, smooth over ticks (README.md). Sums over all materials follow `volume`; those of one material may be off by
-    /// a layer of voxels at a border that the tool passed.
+    /// mm³, smooth over ticks (README.md). The sum over all materials follows `volume`; that of one material may be off
+    /// by a layer of voxels at a border that the tool has passed.
     double reported = 0.0;
 };
 
-/// What one cut took away.
+/// The material that one cut removed.
 struct CutResult {
-    /// One entry a material that lost or reports something, in the order of the property list; the rest is not used.
+    /// One entry for each material that lost or reports volume, in the order of the property list; the others are
+    /// unused.
     std::array<MaterialVolume, maximumMachinableProperties> removed{};
     double volume = 0.0;   ///< mm³, all materials, exact
     double reported = 0.0; ///< mm³, all materials, smooth
-    /// mm, of what was removed, setup frame; meaningless when volume is 0. Right to 1e-9 mm written at once; deferred,
-    /// as the sums are of single precision, to 2^-23 of the grid's diagonal.
+    /// mm, centroid of the removed material, setup frame; meaningless if volume is 0. Accurate to 1e-9 mm when written
+    /// at once; with deferred writing, where the sums have single precision, to 2^-23 of the grid's diagonal.
     glm::dvec3 centroid{0.0};
-    /// mm, of what is reported, setup frame, from tick to tick as smooth as that; meaningless when `reported` is 0.
+    /// mm, centroid of the reported volume, setup frame, as smooth over ticks; meaningless if `reported` is 0.
     glm::dvec3 reportedCentroid{0.0};
-    /// How the flutes stand in material: where the flux is reported (`MaterialRemoval::cut`) at the end of this very
-    /// move, elsewhere as looked at in one of the last 16 cuts. All 0 where nothing is removed or reported.
-    /// The directions that belong to it, of the motion and away from the material, are `CuttingForce`'s.
+    /// The engagement of the flutes: if the flux is reported (`MaterialRemoval::cut`), that at the end of this very
+    /// move, otherwise that measured in one of the last 16 cuts. All 0 if nothing is removed or reported.
+    /// The corresponding directions, of the motion and away from the material, are in `CuttingForce`.
     Engagement engagement;
     bool outOfMemory = false; ///< reserved memory of the volume is used up; lines from there on are uncut
-    /// Part of the way is put off to bound the tick's work: the next cuts, or `settle`, take it and count it then.
+    /// Part of the move is put off to bound the tick's work: the next cuts, or `settle`, remove and count it then.
     bool putOff = false;
 };
 
-/// When a cut reaches the workpiece's runs.
+/// When a cut is written to the workpiece's runs.
 enum class Writing : std::uint8_t {
     everyCut, ///< before `cut` returns
     deferred, ///< within 16 cuts, or with `settle`: for loops of short moves, many times faster
 };
 
-/// Takes what the flutes sweep between two poses out of the machinable runs of a workpiece.
-/// Keeps the state that the smooth figure needs from tick to tick; one object a tool and workpiece.
-/// No allocation, lock or exception in `cut`, `approach` and `settle`. Thread: the workpiece's writer.
+/// Removes the volume that the flutes sweep between two poses from the machinable runs of a workpiece.
+/// Keeps the state of the smooth reported volume from tick to tick; use one object for each tool and workpiece.
+/// No allocation, lock or exception in `cut`, `approach` and `settle`. Only on the workpiece's writer thread.
 ///
-/// Deferred writing: `CutResult` counts at once and exactly, but the runs follow later. Whoever reads the workpiece
-/// for good (undo, saving, amounts, a recount) or changes it otherwise calls `settle` first; pictures need not.
-/// What is pending when the object goes is lost.
+/// Deferred writing: `CutResult` counts at once and exactly, but the runs follow later. Call `settle` before reading
+/// the workpiece for a permanent result (undo, saving, amounts, a recount) or changing it in another way; display does
+/// not need it. Writes that are pending when the object is destroyed are lost.
 class MaterialRemoval {
 public:
-    /// Allocates. @param grid of every workpiece that is cut
+    /// Allocates. @param grid that of every workpiece that is cut
     MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing = Writing::everyCut);
     ~MaterialRemoval();
 
-    /// The tool's axis lies along the runs, +.
-    /// A tip that is not finite removes nothing; neither does a tool that stands still where it arrived.
-    /// The reported volume is the flux through the flutes' surface for moves of no point of them by 0.3 voxel or more,
-    /// whatever the axes of tool and runs, and the exact one above and for a ball of more than 30 voxels of radius;
-    /// 1/48 of what the sum of the reported lags the exact one is added each tick that the tool moves; beyond a quarter
-    /// of the flux 1/384 of it.
+    /// The tool's axis points along the runs in the positive direction.
+    /// A tip that is not finite removes nothing; neither does a tool that rests where its last move ended.
+    /// The reported volume is the flux through the flutes' surface for moves in which no point of the flutes moves by
+    /// 0.3 voxel or more, whatever the axes of tool and runs; for longer moves, and for a ball of more than 30 voxels
+    /// of radius, it is the exact volume. 1/48 of the lag of the reported sum behind the exact one is added in each
+    /// tick in which the tool moves; of the lag beyond a quarter of the flux only 1/384.
     /// Cost: grows with the scanlines under the cutter, not with the grid.
     CutResult cut(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
-    /// The same with any axis, which may turn on the way.
+    /// The same with any axis, which may rotate during the move.
     CutResult cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept;
-    /// Gets ready, within a tick's bounds, for a cut that may begin at this pose, so that the first contact of a large
-    /// tool is not dear. Cuts nothing. For every tick in which the tool moves without cutting.
+    /// Prepares, within a tick's bounds, for a cut that may begin at this pose, so that the first contact of a large
+    /// tool is not expensive. Cuts nothing. Call it in every tick in which the tool moves without cutting.
     void approach(RunVolume& workpiece, const ToolPose& pose) noexcept;
-    /// Writes all that is pending to the workpiece and takes what was put off, which alone its result counts. Gives
-    /// back the memory that was set aside for more, which is lost to the workpiece when the object goes or is reset
-    /// without. Cost: up to that of a first contact.
+    /// Writes everything that is pending to the workpiece and removes what was put off; the result counts only the
+    /// latter. Returns the memory that was set aside for more; without `settle` this memory is lost to the workpiece
+    /// when the object is destroyed or reset. Cost: up to that of a first contact.
     CutResult settle(RunVolume& workpiece) noexcept;
-    /// True when the workpiece's runs show every cut.
+    /// Whether the workpiece's runs show every cut.
     bool settled() const noexcept;
-    /// Forgets the workpiece, what is pending and what is still to be reported: it was changed by other means.
+    /// Forgets the workpiece, all pending writes and the volume still to be reported; call after other changes to it.
     void reset() noexcept;
 
-    /// How the flutes stand, at the end of a move, in the material that the same motion pushes them into next. Any
-    /// cutter and axes; moves of any length; all 0 for a tool that stands still. Cost: a look at some hundreds of
-    /// scanlines, up to tens of microseconds, which a cut that reports the exact volume pays in every 16th tick.
+    /// Returns the engagement, at the end of a move, with the material that the same motion would enter next. Any
+    /// cutter and axes; moves of any length; all 0 for a tool at rest. Cost: reads some hundreds of scanlines, up to
+    /// tens of microseconds, which a cut that reports the exact volume spends in every 16th tick.
     Engagement engagement(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) const noexcept;
 
-    /// What the workpiece is owed, for tests of contact between cuts; nothing: nothing ever is.
+    /// The pending writes to the workpiece, for contact checks between cuts; null if cuts are always written at once.
     const GapWindow* window() const noexcept;
 
 private:
@@ -106,14 +107,14 @@ private:
                                 bool removes) noexcept;
 
     SweepCutter sweep_;
-    std::unique_ptr<WindowCutter> cutter_; ///< none: written with every cut, or of a form that it does not serve
+    std::unique_ptr<WindowCutter> cutter_; ///< null: written with every cut, or a form of tool that it does not support
     SurfaceFlux surface_;
-    double reach_ = 0.0; ///< mm, of the flutes from the tip, at most
+    double reach_ = 0.0; ///< mm, largest distance of the flutes from the tip
     bool reportsFlux_ = true;
     Engagement lastLook_; ///< of a cut whose flux is not reported
     int cutsSinceLook_ = 0;
-    std::array<double, 256> pending_{}; ///< mm³ by property, by which the reported sum lags the exact one
-    glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, of what was reported last
+    std::array<double, 256> pending_{}; ///< mm³ by property, lag of the reported sum behind the exact one
+    glm::dvec3 lastPlace_{0.0};         ///< mm from the tip, centroid of the last reported volume
 };
 
 } // namespace burin

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// What cuts took, counted as they take it.
+/// The material that cuts removed, counted during removal.
 struct RemovedUnits {
     std::array<std::uint64_t, 256> byProperty{}; ///< run units
     std::uint64_t total = 0;                     ///< run units
@@ -18,7 +18,7 @@ struct RemovedUnits {
     bool outOfMemory = false;                    ///< lines from there on are uncut
 };
 
-/// Middle of what was taken, of which there is some: mm, setup frame.
+/// Returns the centroid of the removed material, which must not be empty: mm, setup frame.
 inline glm::dvec3 centroidOf(const RemovedUnits& removed, const Grid& grid) noexcept {
     const double units = static_cast<double>(removed.total);
     glm::dvec3 centroid(0.0); // in voxels from the grid's low corner

@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// Mean thickness of a chip over the feed per tooth, in a slot: the mean of a half sine.
+/// Mean chip thickness divided by the feed per tooth, in a slot: the mean of a half sine.
 inline constexpr double slotChipRatio = 2.0 / pi;
 
 } // namespace burin

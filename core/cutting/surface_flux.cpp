@@ -13,14 +13,14 @@ namespace burin {
 
 namespace {
 
-// So many patches cover a hemisphere or a turn of the wall at most; large tools get larger patches.
+// Largest numbers of patches for a hemisphere or a turn of the wall; large tools get larger patches.
 struct PatchBounds {
     double hemisphere, strips, sectors;
 };
 constexpr PatchBounds fine{1000.0, 240.0, 48.0}, coarse{130.0, 80.0, 32.0};
-// A look at a scanline that the tick has not touched yet is a miss of the cache: from here on few have to do.
+// Reading a scanline that the tick has not accessed yet is a cache miss: above this radius few patches have to suffice.
 constexpr double largestFineRadius = 30.0; // voxels
-// Height of the wall's lowest ring, over the radius, and of each further one over the height below it.
+// Height of the wall's lowest ring divided by the radius, and of each further ring divided by the height below it.
 constexpr double lowestRing = 0.15, ringGrowth = 0.3;
 constexpr double lookAhead = 1.0; // voxels
 constexpr int directionCount = 128;
@@ -34,7 +34,7 @@ double fractionOf(double x) noexcept {
     return x - std::floor(x);
 }
 
-/// The least turn that takes +Z to `axis`: steady as the axis turns.
+/// Returns the smallest rotation that takes +Z to `axis`; it is continuous while the axis rotates.
 glm::dmat3 turnTo(const glm::dvec3& axis) noexcept {
     if (axis.z < -1.0 + 1e-12) return {{1.0, 0.0, 0.0}, {0.0, -1.0, 0.0}, {0.0, 0.0, -1.0}};
     const double k = 1.0 / (1.0 + axis.z), mixed = -axis.x * axis.y * k;
@@ -43,7 +43,7 @@ glm::dmat3 turnTo(const glm::dvec3& axis) noexcept {
 
 } // namespace
 
-/// What the patches find.
+/// The sums over the patches.
 struct SurfaceFlux::Sum {
     const RunVolume& workpiece;
     const GapWindow* window;
@@ -51,13 +51,13 @@ struct SurfaceFlux::Sum {
     Directions directions{};
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest; ///< mm above the tip
 
-    /// This material is ahead of a patch.
+    /// Adds the volume of a material ahead of a patch.
     void take(PropertyIndex property, double volume, const glm::dvec3& place) noexcept {
         flux.volume[property] += volume;
         flux.total += volume;
         flux.moment += volume * place;
     }
-    /// So much of a patch pushes into material, between two heights.
+    /// Adds a patch, or part of its area, that pushes into material between two heights.
     void meet(const Patch& patch, double size, double low, double high) noexcept {
         flux.engagement.area += size;
         for (std::size_t i = 0; i < directions.size(); ++i) directions[i] |= patch.directions[i];
@@ -67,14 +67,14 @@ struct SurfaceFlux::Sum {
 };
 
 SurfaceFlux::SurfaceFlux(std::span<const RevolvedPiece> flutes, double edge) : edge_(edge) {
-    double radius = 0.0; // that the pieces so far end with
+    double radius = 0.0; // end radius of the pieces so far
     for (const RevolvedPiece& piece : flutes) {
         addPiece(piece, radius);
         radius = piece.topRadius;
     }
 }
 
-/// @param innerRadius mm, of the bottom that is covered by the piece before
+/// @param innerRadius mm, of the part of the bottom that is covered by the piece before
 void SurfaceFlux::addPiece(const RevolvedPiece& piece, double innerRadius) {
     const double radius = piece.widestRadius(), flat = piece.bottomRadius - piece.cornerRadius;
     const PatchBounds& most = radius <= largestFineRadius * edge_ ? fine : coarse;
@@ -99,7 +99,8 @@ void SurfaceFlux::addPiece(const RevolvedPiece& piece, double innerRadius) {
     addSide(piece, fineness);
 }
 
-/// @param centre of the arc: from the axis, above the tip; from, to: rad above the plane across the axis
+/// @param centre of the arc: (distance from the axis, height above the tip); from, to: rad above the plane
+/// perpendicular to the axis
 void SurfaceFlux::addArc(const RevolvedPiece& piece, const glm::dvec2& centre, double radius, double from, double to,
                          double spacing) {
     const int arcs = countOf((to - from) * radius, spacing);
@@ -114,15 +115,16 @@ void SurfaceFlux::addArc(const RevolvedPiece& piece, const glm::dvec2& centre, d
     }
 }
 
-/// The straight side over a corner, if any: rings that are the higher the farther they are from the tip.
+/// Adds the straight side above a corner, if any: rings whose height grows with the distance from the tip.
 void SurfaceFlux::addSide(const RevolvedPiece& piece, const Fineness& fineness) {
     const double foot = piece.bottom + piece.cornerRadius, radius = piece.widestRadius();
     if (!(piece.top > foot)) return;
     const bool parallel = piece.bottomRadius == piece.topRadius;
     if (parallel) addRing({radius, radius, foot, piece.top}, countOf(2.0 * pi * radius, fineness.strip), strips_);
-    // In shares of the side, as a cone may be next to level: its heights say nothing then, its radii all.
+    // In shares of the side, as a cone may be almost level: then its heights do not divide it, but its radii do.
     const double height = piece.top - foot, widening = piece.topRadius - piece.bottomRadius;
-    // A cone's ring is no wider than its patches look ahead, or they would look over the stock that its foot meets.
+    // A cone's ring is no wider than the distance that its patches look ahead, otherwise they would look over the stock
+    // that its foot meets.
     const double mostStep = parallel ? 1.0 : lookAhead * edge_ / std::abs(widening);
     for (double low = 0.0; low < 1.0;) {
         const double ring = std::max(edge_, lowestRing * radius) + ringGrowth * low * height;
@@ -136,8 +138,8 @@ void SurfaceFlux::addSide(const RevolvedPiece& piece, const Fineness& fineness) 
     }
 }
 
-/// A place between the circles of a ring and the outward normal there, in the plane of the axis.
-/// @param share of the way from the inner circle
+/// Returns a point between the circles of a ring and the outward normal there, in the plane of the axis.
+/// @param share fraction of the distance from the inner circle
 SurfaceFlux::ProfilePlace SurfaceFlux::placeOn(const Ring& ring, double share) noexcept {
     const glm::dvec2 across(ring.outerRadius - ring.innerRadius, ring.high - ring.low);
     const glm::dvec2 straight = glm::dvec2(ring.innerRadius, ring.low) + share * across;
@@ -146,8 +148,8 @@ SurfaceFlux::ProfilePlace SurfaceFlux::placeOn(const Ring& ring, double share) n
     return {ring.centre + ring.bulge * normal, normal};
 }
 
-/// Cuts a ring into sectors. A sector's integral of the normal: in the plane the chord's normal times the height, along
-/// the axis its area seen from above.
+/// Divides a ring into sectors. A sector's integral of the normal: in the plane, the chord's normal times the height;
+/// along the axis, its area projected along it.
 void SurfaceFlux::addRing(const Ring& ring, int sectors, std::vector<Patch>& patches) const {
     sectors = std::max(12, sectors);
     const double middle = 0.5 * (ring.innerRadius + ring.outerRadius), angle = 2.0 * pi / sectors;
@@ -164,7 +166,7 @@ void SurfaceFlux::addRing(const Ring& ring, int sectors, std::vector<Patch>& pat
                     ring.high,
                     std::hypot(sideways, down),
                     {}};
-        // The directions whose middle lies in the sector: a whole ring has each once.
+        // The directions whose middle lies in the sector, so that a whole ring has each direction once.
         const double width = static_cast<double>(directionCount) / sectors;
         const int first = static_cast<int>(std::ceil((start + i) * width - 0.5)),
                   last = static_cast<int>(std::ceil((start + i + 1) * width - 0.5));
@@ -203,23 +205,23 @@ void SurfaceFlux::measure(const RunVolume& workpiece, const GapWindow* window, c
     if (sum.highest > sum.lowest) flux.engagement.depth = sum.highest - sum.lowest;
 }
 
-/// All heights of the patch at once, of the one scanline ahead of its place.
+/// Measures all heights of the patch at once, on the one scanline ahead of its point.
 void SurfaceFlux::measureAlongRuns(const Patch& patch, const Stand& stand, Sum& sum) const noexcept {
     const double swept = glm::dot(patch.area, stand.motion);
-    if (swept <= 0.0) return;          // turned away from the motion
+    if (swept <= 0.0) return;          // facing away from the motion
     const double up = stand.turn[2].z; // 1 or -1
     const Grid& grid = sum.workpiece.grid();
     const glm::dvec3& probe = stand.probe;
     const glm::dvec3 side = stand.turn * glm::dvec3(patch.place.x, patch.place.y, 0.0);
     const double u = (probe.x + side.x - stand.lines.x) / edge_, v = (probe.y + side.y - stand.lines.y) / edge_;
     if (!(u >= 0.0 && v >= 0.0 && u < grid.lineCountU() && v < grid.lineCountV())) return;
-    const double high = std::max(patch.high, patch.low + 0.25 * edge_); // a level patch looks at something, too
+    const double high = std::max(patch.high, patch.low + 0.25 * edge_); // so that a level patch also samples something
     const RunPosition first = grid.toRunPosition(probe.z + (up > 0.0 ? patch.low : -high)),
                       last = grid.toRunPosition(probe.z + (up > 0.0 ? high : -patch.low));
     const double unit = (edge_ / unitsPerVoxel) / (high - patch.low);
     const LineIndex line{static_cast<std::int32_t>(u), static_cast<std::int32_t>(v)};
-    // Of a wall all heights push into what is ahead of them; of a slope what lies between where its surface is on this
-    // line now and where it will be. Old floors lower than that are none of it.
+    // All heights of a wall push into the material ahead of them; for a slope it is the part between its surface on
+    // this line now and later. Old floors below that do not count.
     const bool slopes = patch.normal.z < 0.0;
     const RunPosition pushed =
         slopes ? grid.toRunPosition(stand.tip.z + up * heightPushedInto(patch, stand, line)) : first;
@@ -241,8 +243,8 @@ void SurfaceFlux::measureAlongRuns(const Patch& patch, const Stand& stand, Sum& 
         forEachPieceLeft(sum.workpiece, sum.window, line, std::min(first, pushed), std::max(last, pushed + 1), add);
 }
 
-/// mm above the tip: half way between where a sloping patch's surface passes a line now and where it will when the tool
-/// has gone as far as it looks ahead, its slope going on as it is.
+/// Returns the height in mm above the tip, half way between the height of a sloping patch's surface on a line now and
+/// that after the tool has moved by the look-ahead distance, with the slope continued.
 double SurfaceFlux::heightPushedInto(const Patch& patch, const Stand& stand, LineIndex line) const noexcept {
     const glm::dvec3 normal = stand.turn * patch.normal, place = stand.turn * patch.place;
     const double x = stand.lines.x + (line.u + 0.5) * edge_ - (stand.tip.x + place.x);
@@ -256,7 +258,7 @@ double SurfaceFlux::heightPushedInto(const Patch& patch, const Stand& stand, Lin
 void SurfaceFlux::measureAtPlace(const Patch& patch, const Stand& stand, Sum& sum) const noexcept {
     const glm::dvec3 motion = stand.motion + glm::cross(stand.turning, patch.place);
     const double swept = glm::dot(patch.area, motion);
-    if (swept <= 0.0) return; // turned away from the motion
+    if (swept <= 0.0) return; // facing away from the motion
     const Grid& grid = sum.workpiece.grid();
     const glm::dvec3 place = stand.tip + stand.turn * patch.place;
     const glm::dvec3 ahead = stand.turn * (motion * (stand.lookAhead / glm::length(motion)));

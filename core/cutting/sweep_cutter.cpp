@@ -23,14 +23,14 @@ void SweepCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPose
         removed.byProperty[property] += taken.units[property];
 }
 
-/// False when the workpiece's memory is used up.
+/// Returns false if the workpiece's memory is used up.
 bool SweepCutter::cutStep(RunVolume& workpiece, const PoseStep& step, RunAmounts& taken,
                           RemovedUnits& removed) const noexcept {
     const Grid& grid = workpiece.grid();
     const auto take = [&](LineIndex line, RunPosition from, RunPosition to) {
         return removeCounted(workpiece, line, from, to, taken, removed);
     };
-    // Most of what a step reaches was cut by the step before it.
+    // Most of the range of a step was cut by the step before it.
     const auto wanted = [&workpiece](LineIndex line, RunPosition from, RunPosition to) {
         return machinableWithin(workpiece, line, from, to);
     };

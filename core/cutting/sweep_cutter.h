@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// Takes what any flutes sweep between two poses, any axis, any axis of the runs, out of the machinable runs of a
-/// workpiece: scanline by scanline, written at once. Exact for a fixed axis (SweptPiece); an axis that turns is
-/// split into steps that keep each point of the flutes within an eighth of a voxel of its place (PoseSteps).
-/// No allocation, lock or exception in `cut`. Thread: the workpiece's writer.
+/// Removes the volume that any flutes sweep between two poses, with any axis of the tool and of the runs, from the
+/// machinable runs of a workpiece, scanline by scanline and written at once. Exact for a fixed axis (SweptPiece); a
+/// rotating axis is split into steps that keep each point of the flutes within an eighth of a voxel of its position
+/// (PoseSteps). No allocation, lock or exception in `cut`. Only on the workpiece's writer thread.
 class SweepCutter {
 public:
     static constexpr double turnTolerance = 0.125; ///< voxels

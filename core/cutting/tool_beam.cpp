@@ -11,9 +11,9 @@ namespace burin {
 
 namespace {
 
-constexpr double fluteCore = 0.8; // diameter of the shaft that bends alike, over that of the flutes
+constexpr double fluteCore = 0.8; // diameter of the shaft with equal bending, divided by that of the flutes
 
-/// mm, of the shaft at a height.
+/// Returns the diameter of the shaft at a height, mm.
 double diameterAt(const Cutter& cutter, const std::vector<RevolvedPiece>& flutes, double height) {
     if (height >= cutter.fluteLength) return cutter.shankDiameter;
     for (const RevolvedPiece& piece : flutes)
@@ -26,7 +26,7 @@ double diameterAt(const Cutter& cutter, const std::vector<RevolvedPiece>& flutes
 ToolBeam::ToolBeam(const Tool& tool) : modulus_(tool.modulus), top_(tool.cutter.stickOut) {
     const std::vector<RevolvedPiece> flutes = flutePieces(tool.cutter);
     const double step = top_ / slices;
-    constexpr double thinnest = 1e-3; // mm: a point has no section
+    constexpr double thinnest = 1e-3; // mm: a point has no cross-section
     double sum0 = 0.0, sum1 = 0.0, sum2 = 0.0;
     for (int i = slices; i-- > 0;) {
         Slice& slice = slices_[static_cast<std::size_t>(i)];

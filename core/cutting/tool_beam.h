@@ -8,17 +8,17 @@
 
 namespace burin {
 
-/// A tool as a beam that the holder clamps at its face: how far a force across its axis bends it, and what that asks of
-/// its material. Flutes count as a shaft of 0.8 of their diameter, which is usual for end mills (Kops & Vo 1990).
-/// Shear, the chuck's and the spindle's own yielding are left out: a real tool yields more.
+/// A tool as a beam clamped at the holder's face: its deflection under a force perpendicular to its axis, and the
+/// resulting stress. Flutes count as a shaft of 0.8 of their diameter, which is usual for end mills (Kops & Vo 1990).
+/// Shear and the compliance of chuck and spindle are left out: a real tool deflects more.
 class ToolBeam {
 public:
     explicit ToolBeam(const Tool& tool);
 
-    /// mm that the tool deflects where the force attacks; 0 where its modulus is not stated.
+    /// Returns the deflection at the point where the force acts, mm; 0 if the tool's modulus is not stated.
     /// @param force N, across the axis. @param height mm above the tip
     double bendingUnder(double force, double height) const noexcept;
-    /// N/mm², the greatest bending stress along the tool.
+    /// Returns the greatest bending stress along the tool, N/mm².
     double stressUnder(double force, double height) const noexcept;
 
 private:
@@ -34,8 +34,8 @@ private:
     double holderModulus_ = 0.0;       ///< mm³, of the section at the holder's face
 };
 
-/// A tool of brittle material bears cuts to a third of the stress at which it breaks: forces are told in the mean over
-/// a turn, and a single tooth of a real tool, which runs out, has about twice that, thousands of times a minute.
+/// A tool of brittle material withstands cuts up to a third of its breaking stress: forces are reported as the mean
+/// over a turn, and a single tooth of a real tool with run-out has about twice that, thousands of times a minute.
 inline constexpr double breakingReserve = 3.0;
 
 } // namespace burin

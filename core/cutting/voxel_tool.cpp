@@ -119,7 +119,7 @@ PropertyIndex VoxelTool::at(const glm::dvec3& place) const noexcept {
 std::int32_t VoxelTool::posesFor(const Pose& from, const Pose& to) const noexcept {
     const double way = glm::length(to.position - from.position) + angleBetween(from.rotation, to.rotation) * reach_;
     if (!std::isfinite(way)) return 0;
-    // Less than a voxel each, so one more step than there are whole voxels; and the first pose.
+    // Each step is less than a voxel, so there is one more step than there are whole voxels; plus the first pose.
     const double steps = std::floor(way / shape_.grid().edge()) + 1.0;
     return way > 0.0 ? static_cast<std::int32_t>(std::min(steps, 1e9)) + 1 : 1;
 }
@@ -149,7 +149,7 @@ VoxelCut VoxelTool::cut(RunVolume& workpiece, const Pose& from, const Pose& to) 
     return cut;
 }
 
-/// One pose; false when the workpiece's memory is used up.
+/// Cuts at one pose; returns false if the workpiece's memory is used up.
 bool VoxelTool::cutAt(RunVolume& workpiece, const Pose& pose, VoxelCut& cut, RemovedUnits& removed) const noexcept {
     const Grid& grid = workpiece.grid();
     const Box reach = inLineFrame(grid, boundsAt(pose));

@@ -14,12 +14,13 @@ namespace {
 
 static_assert(SpanRows::unitsAVoxel == unitsPerVoxel);
 
-/// What a tick may cost, in groups of eight lines. The longest that comes of it, a ball's of R 200 at first contact,
-/// took 0.31 to 0.57 ms (cut.first_contact.r200): 1 ms is when the next one is due.
+/// The largest cost of a tick, in groups of eight lines. The longest resulting time, that of a ball of R 200 at first
+/// contact, was 0.31 to 0.57 ms (cut.first_contact.r200): the next tick is due after 1 ms.
 constexpr double tickBudget = 40000.0;
-constexpr double leastBudget = 15000.0; // what is put off must come to an end, whatever else a tick has to do
+constexpr double leastBudget = 15000.0; // for the work that was put off, which must be finished eventually, whatever
+                                        // else a tick has to do
 constexpr double costOfReading = 5.0;   // of a line of the volume, in groups
-constexpr double costOfBrick = 12.0;    // that the window did not hold
+constexpr double costOfBrick = 12.0;    // of a brick that was not in the cache
 constexpr double costOfWriting = 100.0; // of a brick of the volume
 
 RevolvedPiece inVoxels(const RevolvedPiece& piece, double edge) noexcept {
@@ -32,7 +33,8 @@ RevolvedPiece inVoxels(const RevolvedPiece& piece, double edge) noexcept {
     return scaled;
 }
 
-/// Lines about its middle that a piece covers: upright, or leaning at any angle, as far as that is affordable.
+/// Returns the number of lines from its middle that a piece covers: upright, or leaning at any angle, up to an
+/// affordable limit.
 double windowReach(const SpanRows& spans, double radius) noexcept {
     constexpr double affordable = 250.0;
     const double upright = radius + 0.5 * spans.longestWay({0.0, 0.0, 1.0}) + 1.0;
@@ -63,12 +65,12 @@ LineStretch WindowCutter::groupsOf(const LineStretch& lines) const noexcept {
     return last < first ? LineStretch{} : LineStretch{first >> 3, last >> 3};
 }
 
-/// False: the piece, leaning far, is larger than the window, which is then to be moved about row by row.
+/// Returns false if the leaning piece is larger than the cache, which must then be moved along row by row.
 bool WindowCutter::fits(const LineStretch& rows, const LineStretch& groups) const noexcept {
     return (rows.last >> 3) - (rows.first >> 3) < window_.side() && groups.last - groups.first < window_.side();
 }
 
-/// Some rows of one brick, of the present way. @return their cost, in groups
+/// Takes some rows of one brick for the current move. @return their cost, in groups
 double WindowCutter::takeRows(RunVolume& workpiece, std::int32_t first, std::int32_t end, const LineStretch& groups,
                               RemovedUnits& removed) noexcept {
     const auto count =
@@ -80,7 +82,7 @@ double WindowCutter::takeRows(RunVolume& workpiece, std::int32_t first, std::int
     return cost;
 }
 
-/// One row that is wider than the window, which is moved along it. @return its cost, in groups
+/// Takes one row that is wider than the cache, which is moved along it. @return its cost, in groups
 double WindowCutter::takeWideRow(RunVolume& workpiece, std::int32_t v, LineStretch groups,
                                  RemovedUnits& removed) noexcept {
     double cost = 0.0;
@@ -95,7 +97,7 @@ double WindowCutter::takeWideRow(RunVolume& workpiece, std::int32_t v, LineStret
     return cost;
 }
 
-/// Goes on with the oldest step. @return what is left of the budget; the step is done where any is
+/// Continues the oldest step. @return the remaining budget; the step is done if any is left
 double WindowCutter::advance(RunVolume& workpiece, double budget, RemovedUnits& removed) noexcept {
     Step& step = steps_[firstStep_];
     spans_.begin(step.from, step.to, step.withStart);
@@ -114,12 +116,12 @@ double WindowCutter::advance(RunVolume& workpiece, double budget, RemovedUnits& 
         const double dearestRow = (groups.last - groups.first + 1) * (1.0 + 8.0 * costOfReading);
         std::int32_t v = std::max(rows.first, step.nextRow);
         while (v <= rows.last) {
-            // The rows of a brick at once, unless they could be far more than is left.
+            // The rows of a brick at once, unless they might exceed the remaining budget by far.
             const std::int32_t most = static_cast<std::int32_t>(std::clamp(budget / dearestRow, 1.0, 8.0));
             const std::int32_t end = covered ? std::min({rows.last, v | 7, v + most - 1}) + 1 : v + 1;
             budget -=
                 covered ? takeRows(workpiece, v, end, groups, removed) : takeWideRow(workpiece, v, groups, removed);
-            if (removed.outOfMemory) return budget; // the same rows again, next time
+            if (removed.outOfMemory) return budget; // the same rows again next time
             step.nextRow = v = end;
             if (budget < 0.0 && v <= rows.last) return budget;
         }
@@ -129,7 +131,7 @@ double WindowCutter::advance(RunVolume& workpiece, double budget, RemovedUnits& 
     return std::max(budget, 0.0);
 }
 
-/// False: out of memory, the step is not among the others.
+/// Returns false if out of memory; the step was not added then.
 bool WindowCutter::add(RunVolume& workpiece, const Step& step, RemovedUnits& removed) noexcept {
     while (stepCount_ == mostSteps) {
         static_cast<void>(advance(workpiece, std::numeric_limits<double>::infinity(), removed));
@@ -139,8 +141,8 @@ bool WindowCutter::add(RunVolume& workpiece, const Step& step, RemovedUnits& rem
     return true;
 }
 
-/// The interval of a move on which the piece may reach the grid, as shares of it: a jump over miles must not cost more
-/// than one over the stock.
+/// Returns the interval of a move in which the piece may reach the grid, as fractions of the move: a jump over miles
+/// must not cost more than one over the stock.
 glm::dvec2 WindowCutter::stretchNearGrid(const glm::dvec3& from, const glm::dvec3& to) const noexcept {
     const double reach = spans_.reach() + 1.0;
     const glm::dvec3 size(grid_.lineCountU(), grid_.lineCountV(), grid_.voxelsPerLine());
@@ -157,7 +159,7 @@ glm::dvec2 WindowCutter::stretchNearGrid(const glm::dvec3& from, const glm::dvec
     return {first, last};
 }
 
-/// Adds the straight move between two tips, axis standing, in parts that are short enough.
+/// Adds the straight move between two tips with a fixed axis, in parts that are short enough.
 std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                                  RemovedUnits& removed) noexcept {
     const double ways = glm::length(to - from.tip) / spans_.longestWay(from.axis);
@@ -187,15 +189,16 @@ std::size_t WindowCutter::addParts(RunVolume& workpiece, const LinePose& from, c
     return added;
 }
 
-/// Adds the way of a piece whose axis turns, in steps with a fixed axis. What a step's axis covers at the step's
-/// start is asked for: the gaps hold what another axis covered there.
+/// Adds the move of a piece whose axis rotates, in steps with a fixed axis. Each step also takes what its axis covers
+/// at the step's start, as the gaps hold only what another axis covered there.
 std::size_t WindowCutter::addTurn(RunVolume& workpiece, const LinePose& from, const LinePose& to, bool withStart,
                                   RemovedUnits& removed) noexcept {
     const double angle = std::atan2(glm::length(glm::cross(from.axis, to.axis)), glm::dot(from.axis, to.axis));
     std::size_t added = 0;
     if (angle * spans_.reach() <= turnTolerance) {
-        // The last axis stands for all of them. The first one's start is within the tolerance of its own, and where a
-        // rim could make more of that, the spans of leaning pieces look at the start anyway.
+        // The last axis is used for the whole move. The start with the first axis is within the tolerance of that with
+        // the last one, and where a rim could increase the difference, the spans of leaning pieces include the start
+        // anyway.
         if (withStart) added += addWay(workpiece, from, from.tip, true, removed);
         const bool asksForStart = from.tip == to.tip || spans_.isUpright(to.axis);
         return added + addWay(workpiece, {from.tip, to.axis}, to.tip, asksForStart, removed);
@@ -219,7 +222,7 @@ bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPos
     window_.collect(removed);
     if (!window_.writeDue(workpiece)) removed.outOfMemory = true;
     if (removed.outOfMemory) {
-        stepCount_ -= std::min(stepCount_, added); // older ones are still to be taken
+        stepCount_ -= std::min(stepCount_, added); // older steps are still to be taken
         return stepCount_ > 0;
     }
     hasArrived_ = true;
@@ -229,8 +232,8 @@ bool WindowCutter::cut(RunVolume& workpiece, const ToolPose& from, const ToolPos
 
 void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept {
     lookAround(workpiece, pose);
-    // A tick like any other: the pending writes of the cuts before it must not wait for the next one. Out of memory,
-    // they stay pending.
+    // This is a tick like any other: the pending writes of earlier cuts must not wait for the next cut. If out of
+    // memory, they stay pending.
     static_cast<void>(window_.writeDue(workpiece));
 }
 

@@ -11,39 +11,39 @@
 
 namespace burin {
 
-/// Takes what one convex piece sweeps out of a workpiece through a GapWindow, within the bounds of a tick: what a tick
-/// has no time for (a large tool's first contact) is put off and taken by the next ones, oldest first. The bounds hold
-/// as long as no more than 64 ways wait (`SpanRows::longestWay`); a tick that adds more, as a leaning bull nose with
-/// a corner of a tenth of a voxel does at 6 voxels a tick, takes the oldest at once.
-/// Thread: the workpiece's writer.
+/// Removes the volume that one convex piece sweeps from a workpiece through a GapWindow, within the bounds of a tick:
+/// work that exceeds a tick (a large tool's first contact) is put off to the next ones and done oldest first. The
+/// bounds hold as long as no more than 64 moves are put off (`SpanRows::longestWay`); a tick that adds more, as a
+/// leaning bull nose with a corner of a tenth of a voxel does at 6 voxels a tick, executes the oldest at once.
+/// Only on the workpiece's writer thread.
 class WindowCutter {
 public:
-    /// Voxels that a point of a piece may be off its place while the axis turns.
+    /// Largest deviation of a point of a piece from its position while the axis rotates, voxels.
     static constexpr double turnTolerance = 0.1;
-    /// @param piece mm; one that `serves`. Allocates.
+    /// @param piece mm; one for which `serves` is true. Allocates.
     WindowCutter(const RevolvedPiece& piece, const Grid& grid);
     static bool serves(const RevolvedPiece& piece) noexcept { return SpanRows::serves(piece); }
 
-    /// Takes a way. When reserved memory runs out, what is left of this way is not taken.
+    /// Cuts along a move. If reserved memory runs out, the remainder of this move is not removed.
     /// @return true: part of it is put off
     bool cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to, RemovedUnits& removed) noexcept;
     void approach(RunVolume& workpiece, const ToolPose& pose) noexcept;
-    /// Takes what was put off, and writes all.
+    /// Removes what was put off, and writes everything.
     void settle(RunVolume& workpiece, RemovedUnits& removed) noexcept;
     bool settled() const noexcept { return stepCount_ == 0 && window_.owesNothing(); }
-    /// Forgets the workpiece and all that is pending.
+    /// Forgets the workpiece and everything that is pending.
     void reset() noexcept;
     const GapWindow& window() const noexcept { return window_; }
 
 private:
-    /// A way with a fixed axis.
+    /// A move with a fixed axis.
     struct Step {
         LinePose from;
         glm::dvec3 to{0.0};
         bool withStart = true;
-        std::int32_t nextRow = 0; ///< rows before are done
+        std::int32_t nextRow = 0; ///< the rows before it are done
     };
-    static constexpr std::size_t mostSteps = 64; ///< that are put off at once
+    static constexpr std::size_t mostSteps = 64; ///< largest number that is put off at once
 
     LinePose inLines(const ToolPose& pose) const noexcept;
     glm::dvec2 stretchNearGrid(const glm::dvec3& from, const glm::dvec3& to) const noexcept;
@@ -70,9 +70,10 @@ private:
     std::vector<BrickOfSpans> brickSpans_; ///< of the rows that are taken at once
     std::array<RowSpans, SpanRows::rowsAtOnce> rowSpans_;
 
-    std::array<Step, mostSteps> steps_; ///< a ring
+    std::array<Step, mostSteps> steps_; ///< a ring buffer
     std::size_t firstStep_ = 0, stepCount_ = 0;
-    bool hasArrived_ = false; ///< where the last way ended, the piece has been (or will, once all steps are done)
+    bool hasArrived_ = false; ///< the piece has already been at the end of the last move (or will have, once all steps
+                              ///< are done)
     LinePose arrived_;
 };
 

@@ -16,55 +16,57 @@
 
 namespace burin {
 
-/// A way to use a device that can be used in several.
+/// A mode of operation, for devices that have several.
 struct DeviceMode {
     std::string id;
     TextId name;
 };
 
-/// A device that is there now. `id` names the same device after it was plugged in again.
+/// A device that is connected now. `id` identifies the same device after it was plugged in again.
 struct FoundDevice {
     std::string id;
     std::string name;
-    std::vector<DeviceMode> modes; ///< the first one is the usual; empty: there is nothing to choose
+    std::vector<DeviceMode> modes; ///< the first one is the default; empty: nothing to choose
 };
 
-/// Either kind of stylus.
+/// A stylus of either kind.
 using AnyStylus = std::variant<std::unique_ptr<Stylus>, std::unique_ptr<SelfPacedStylus>>;
 
-/// What Burin lends a driver; outlives it and what it makes.
+/// What Burin provides to a driver. Outlives the driver and every object that the driver makes.
 struct DeviceHost {
-    /// Held by whoever looks for devices, opens or closes one: libraries for a bus (hidapi) keep process-wide state
-    /// that several drivers share and that is not thread-safe. Never held while a device is read or written.
+    /// Locked while devices are searched, opened or closed: libraries for a bus (hidapi) keep process-wide state that
+    /// several drivers share and that is not thread-safe. Never held while a device is read or written.
     std::mutex& bus;
 };
 
-/// Finds and makes the styluses of one kind of hardware. All functions on any thread, one at a time; each may take some
-/// milliseconds. Lives until the process ends.
+/// Finds and makes the styluses of one kind of hardware. All functions may be called on any thread, but only one at a
+/// time; each may take some milliseconds. Lives until the process ends.
 class DeviceDriver {
 public:
     static constexpr int interfaceVersion = 5; ///< +1 with any change to this header or to stylus.h
     virtual ~DeviceDriver() = default;
-    /// What keeps it from any device at all: a library of their maker that is not installed, or is too old; success
-    /// where nothing does. Errors: deviceLibraryMissing, deviceLibraryUnfit.
+    /// Whether the driver can be used; the error says why it can't use any device: a library of the manufacturer that
+    /// is not installed or is too old. Errors: deviceLibraryMissing, deviceLibraryUnfit.
     virtual Result<void> ready() { return {}; }
-    /// Those that are plugged in now, also those that may not be opened.
+    /// The devices that are plugged in now, including those that the user has no permission to open.
     virtual std::vector<FoundDevice> find() = 0;
-    /// A stylus for a device, connected (its description is its own) but not open yet. One for a device at a time.
-    /// @param mode id of one of its modes; empty: the usual one.
+    /// Makes a stylus for a device: connected, so that its description is that of the actual device, but not open yet.
+    /// At most one stylus per device at a time.
+    /// @param mode id of one of its modes; empty: the default mode.
     /// Errors: deviceNotFound, deviceNotAllowed, deviceIncompatible, deviceFault, nameUnknown (the mode).
     virtual Result<AnyStylus> make(const std::string& id, const std::string& mode) = 0;
 };
 
 /// A device plugin is a folder in plugins/devices with plugin.json ({"id", "kind": "device", "name", "version",
 /// "interface_version", "library"}) and the library it names, which exports the two functions of BURIN_DEVICE_PLUGIN.
-/// Metadata is read, and the interface version compared, before any code of the plugin runs; then the layout of what
-/// passes between plugin and Burin, as a plugin may be built with other headers than it says.
+/// The metadata is read and the interface version compared before any code of the plugin runs. Then the memory layout
+/// of the types exchanged between plugin and Burin is compared, as a plugin may have been built with other headers than
+/// its interface version says.
 inline constexpr const char* deviceEntryPoint = "burinCreateDeviceDriver";
 using CreateDeviceDriver = DeviceDriver* (*)(DeviceHost& host); ///< the caller owns the object and deletes it
 inline constexpr const char* deviceLayoutPoint = "burinDeviceLayout";
 
-/// Bytes of a type that passes between plugin and Burin, as a compiler laid it out.
+/// Size and alignment, in bytes, of a type exchanged between plugin and Burin, as a compiler laid it out.
 struct TypeLayout {
     const char* type;
     std::uint32_t size, alignment;
@@ -85,11 +87,11 @@ inline constexpr std::array deviceLayout{layoutOf<std::string>("std::string"),
                                          layoutOf<AnyStylus>("AnyStylus"),
                                          layoutOf<Result<AnyStylus>>("Result<AnyStylus>"),
                                          layoutOf<Result<void>>("Result<void>")};
-/// The entries of deviceLayout, and how many. @param[out] count
+/// Returns the entries of deviceLayout. @param[out] count number of entries
 using DeviceLayout = const TypeLayout* (*)(std::uint32_t* count);
 
-/// Exports what makes a library a device plugin. @param makeDriver function of a DeviceHost& that gives a
-/// std::unique_ptr<DeviceDriver>
+/// Exports the functions that make a library a device plugin. @param makeDriver function that takes a DeviceHost& and
+/// returns a std::unique_ptr<DeviceDriver>
 #define BURIN_DEVICE_PLUGIN(makeDriver)                                                                                \
     extern "C" [[gnu::visibility("default")]] burin::DeviceDriver* burinCreateDeviceDriver(burin::DeviceHost& host) {  \
         return (makeDriver)(host).release();                                                                           \

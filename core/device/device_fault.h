@@ -14,23 +14,23 @@
 
 namespace burin {
 
-/// What may befall a device in the middle of its work.
+/// Faults of a device during operation.
 enum class DeviceFault : std::uint8_t {
     unplugged,     ///< gone from the bus
-    silent,        ///< there, but without a reading for longer than its rate allows
-    damaged,       ///< its readings fail their check
-    deaf,          ///< does not take what is sent to it
-    watchdog,      ///< it heard nothing for too long and cut its motors
-    notCalibrated, ///< its pose means nothing yet
+    silent,        ///< connected, but no reading for longer than its rate allows
+    damaged,       ///< its readings fail their integrity check
+    deaf,          ///< does not accept the data sent to it
+    watchdog,      ///< the device received nothing for too long and switched its motors off
+    notCalibrated, ///< its pose is not meaningful yet
     overheated,
-    overloaded, ///< current or force beyond what it bears
+    overloaded, ///< current or force above its limit
     tooFast,
-    stopped,  ///< its stop button
+    stopped,  ///< its stop button is pressed
     mechanism ///< a sensor or a drive failed
 };
 inline constexpr std::size_t deviceFaultCount = 11;
 
-/// Words of a reason, in the order of DeviceFault.
+/// The text of each fault, in the order of DeviceFault.
 inline constexpr std::array<TextId, deviceFaultCount> deviceReasons{
     BURIN_TEXT("DeviceReason", "it is not plugged in"),
     BURIN_TEXT("DeviceReason", "it sends nothing"),
@@ -45,7 +45,7 @@ inline constexpr std::array<TextId, deviceFaultCount> deviceReasons{
     BURIN_TEXT("DeviceReason", "a sensor or a drive failed"),
 };
 
-/// The message of a fault; ui/messages words it. Owner's thread: allocates.
+/// The error for a fault; ui/messages words it. Owner's thread: allocates.
 inline Error errorOf(DeviceFault fault, std::string device) {
     if (fault == DeviceFault::unplugged) return {ErrorCode::deviceUnplugged, std::move(device), {}, {}};
     const bool lasting = fault == DeviceFault::mechanism;
@@ -55,14 +55,14 @@ inline Error errorOf(DeviceFault fault, std::string device) {
             deviceReasons[static_cast<std::size_t>(fault)].text};
 }
 
-/// Carries faults from the thread that meets them to the owner's: each kind once until it is taken. No lock, no
-/// allocation. @tparam Kind an enumeration of at most 32
+/// Passes faults from the threads that detect them to the owner's thread. Each kind is reported once until it is taken.
+/// No lock, no allocation. @tparam Kind an enumeration of at most 32 values
 template <class Kind>
 class BoxOf {
 public:
     /// Any thread.
     void raise(Kind fault) noexcept { raised_.fetch_or(1U << static_cast<unsigned>(fault), std::memory_order_release); }
-    /// Any thread: one of those raised since, in the order of Kind.
+    /// Any thread. Removes and returns the first fault, in the order of Kind, of those raised since the last call.
     std::optional<Kind> take() noexcept {
         std::uint32_t raised = raised_.load(std::memory_order_acquire);
         while (raised != 0)

@@ -30,7 +30,7 @@ private:
     static constexpr glm::dvec3 origin{0.0};
 };
 
-/// A fault of foreign code must not pass our border.
+/// Exceptions of a plugin's code must not reach Burin.
 template <class Answer, class Call>
 Result<Answer> guarded(const std::string& origin, const Call& call) {
     try {
@@ -42,7 +42,7 @@ Result<Answer> guarded(const std::string& origin, const Call& call) {
     }
 }
 
-/// A plugin that was built with other headers than ours would be read wrongly.
+/// Data of a plugin that was built with other headers than Burin's would be read wrongly.
 Result<void> checkLayout(const PluginDescription& plugin) {
     const Result<void*> symbol = loadPlugin(devicePlugin, plugin, deviceLayoutPoint);
     if (!symbol) return symbol.error();
@@ -63,7 +63,7 @@ Result<std::unique_ptr<DeviceDriver>> createDriver(const PluginDescription& plug
     if (!fits) return fits.error();
     const Result<void*> symbol = loadPlugin(devicePlugin, plugin, deviceEntryPoint);
     if (!symbol) return symbol.error();
-    const auto function = reinterpret_cast<CreateDeviceDriver>(*symbol); // POSIX: dlsym gives functions as void*
+    const auto function = reinterpret_cast<CreateDeviceDriver>(*symbol); // POSIX: dlsym returns functions as void*
     auto driver = guarded<std::unique_ptr<DeviceDriver>>(
         plugin.library.string(), [&]() { return std::unique_ptr<DeviceDriver>(function(host)); });
     if (driver && *driver == nullptr) return invalid(plugin.library.string(), "its entry point gave nothing");
@@ -90,7 +90,8 @@ void DeviceRegistry::load(const std::filesystem::path& folder) {
         return;
     }
     for (const PluginDescription& plugin : *plugins) {
-        if (std::ranges::find(entries_, plugin.id, &Entry::id) != entries_.end()) continue; // the user's own
+        // the user's plugin takes precedence
+        if (std::ranges::find(entries_, plugin.id, &Entry::id) != entries_.end()) continue;
         auto driver = createDriver(plugin, host_);
         if (driver)
             entries_.push_back({plugin.id, plugin.name, plugin.library.string(), std::move(*driver)});

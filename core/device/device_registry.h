@@ -13,51 +13,54 @@
 
 namespace burin {
 
-/// Id of the stylus that is always there (SimulatedStylus).
+/// Id of the stylus that is always available (SimulatedStylus).
 inline constexpr const char* simulatedDevice = "simulated";
 
-/// A driver, and what keeps it from its devices.
+/// A driver and, if it can't be used, the reason.
 struct DriverState {
     std::string id, name;
     std::optional<Error> missing; ///< DeviceDriver::ready
 };
 
-/// All drivers: the simulated stylus, the user's plugins, and those below plugins/devices that have other ids. A plugin
-/// that can't be used costs a message, not the others. Ids of devices begin with that of their driver:
-/// "spacemouse:256f:c62e". Any thread; calls take turns, and each may take some milliseconds.
+/// All drivers: the simulated stylus, the user's plugins, and those plugins below plugins/devices whose ids the user's
+/// do not have. A plugin that can't be used leads to a message; the others are still loaded. Ids of devices begin with
+/// the id of their driver: "spacemouse:256f:c62e". Thread-safe: calls are serialised, and each may take some
+/// milliseconds.
 class DeviceRegistry {
 public:
-    /// Reads what the plugins below `folder` say of themselves; loads those whose interface version is ours.
+    /// Reads the metadata of the plugins below `folder` and loads those whose interface version is Burin's.
     /// @param folder default: the user's folder, then devices in pluginDirectory(); need not exist.
     explicit DeviceRegistry(const std::filesystem::path& folder = {});
     DeviceRegistry(const DeviceRegistry&) = delete;
     DeviceRegistry& operator=(const DeviceRegistry&) = delete;
 
-    /// One more driver, for this process. @param id not taken yet
+    /// Adds a driver, for this process. @param id not used by another driver
     void add(std::string id, std::unique_ptr<DeviceDriver> driver);
-    /// What is there now, the simulated stylus first, then in the order of the drivers' ids.
+    /// The devices that are connected now: the simulated stylus first, then the others in the order of their drivers'
+    /// ids.
     std::vector<FoundDevice> scan();
-    /// The device with an id, or with a name that only one has. Errors: nameUnknown (detail: the ids that are there;
-    /// not the simulated stylus, which nobody needs to look for).
+    /// The device with this id, or the only one with this name. Errors: nameUnknown (detail: the ids of the connected
+    /// devices, without the simulated stylus, which is always available).
     Result<FoundDevice> find(const std::string& idOrName);
-    /// A stylus for a device, connected but not open; it must not outlive the registry. Errors: deviceNotFound, those
-    /// of DeviceDriver::make, pluginInvalid (what it says of itself breaks a rule of checkDescription, or it threw).
+    /// Makes a stylus for a device: connected but not open. It must not outlive the registry. Errors: deviceNotFound,
+    /// those of DeviceDriver::make, pluginInvalid (its description breaks a rule of checkDescription, or it threw an
+    /// exception).
     Result<AnyStylus> make(const std::string& id, const std::string& mode = {});
-    /// The drivers that are loaded, the simulated stylus' first.
+    /// The drivers that are loaded, that of the simulated stylus first.
     std::vector<DriverState> drivers();
-    /// Plugins that could not be used, each told once.
+    /// The errors of plugins that could not be used. Each is reported once.
     std::vector<Error> takeFaults();
 
 private:
     struct Entry {
         std::string id, name;
-        std::string origin; ///< file, for messages
+        std::string origin; ///< file name, for messages
         std::unique_ptr<DeviceDriver> driver;
     };
     void load(const std::filesystem::path& folder);
     std::vector<FoundDevice> findWith(Entry& entry);
 
-    std::mutex turn_; ///< one call at a time
+    std::mutex turn_; ///< serialises the public functions
     std::mutex bus_;  ///< DeviceHost
     DeviceHost host_{bus_};
     std::vector<Entry> entries_;

@@ -7,16 +7,16 @@
 
 namespace burin {
 
-// What the threads of drivers have in common.
+// Functions that the threads of drivers share.
 
-/// Blocks all signals in the calling thread: they belong to the other threads, and would only interrupt its waiting.
+/// Blocks all signals in the calling thread: other threads handle them, and here they would only interrupt its waits.
 inline void blockSignals() noexcept {
     sigset_t all;
     sigfillset(&all);
     pthread_sigmask(SIG_BLOCK, &all, nullptr);
 }
 
-/// s, of a clock that never goes back; its zero means nothing.
+/// Seconds of a monotonic clock; its zero is arbitrary.
 inline double steadySeconds() noexcept {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

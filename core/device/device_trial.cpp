@@ -17,20 +17,20 @@
 namespace burin {
 namespace {
 
-constexpr double forceShare = 0.2;  // of what the motors do
-constexpr double forceStep = 0.01;  // N: limits are reported so
-constexpr double rounding = 1e-6;   // of steps
+constexpr double forceShare = 0.2;  // of the maximum force of the motors
+constexpr double forceStep = 0.01;  // N: limits are reported in these steps
+constexpr double rounding = 1e-6;   // share of a step
 constexpr double fadeSeconds = 1.0; // of the force, while the button is held
 constexpr double longest = 3600.0;  // s
-constexpr double period = 0.001;    // s, of a stylus without a clock of its own
+constexpr double period = 0.001;    // s, for a stylus without a clock of its own
 constexpr std::chrono::milliseconds reportEvery{100};
 constexpr std::size_t bins = 2000; // of intervals, 10 µs each
 constexpr double binSeconds = 1e-5;
 
-/// Measurements so far, as the reading thread hands them over.
+/// Measurements so far, as published by the reading thread.
 struct Gathered {
     std::uint64_t readings = 0, invalid = 0;
-    double firstAt = 0.0, lastAt = 0.0; ///< s, of the clock
+    double firstAt = 0.0, lastAt = 0.0; ///< s, of the steady clock
     double maximumInterval = 0.0, smallestStep = 0.0, maximumRotation = 0.0, maximumForce = 0.0;
     glm::dvec3 lowest{0.0}, highest{0.0}, position{0.0};
     glm::dquat first{1.0, 0.0, 0.0, 0.0};
@@ -66,12 +66,12 @@ TrialFigures figuresOf(const Gathered& gathered) {
     return figures;
 }
 
-/// Measures the readings of a stylus and answers them, on the thread that reads; hands over what it measured.
+/// Measures the readings of a stylus and answers them, on the thread that reads; publishes the measurements.
 class Gathering {
 public:
     Gathering(double force, bool hasButtons) : force_(force), hasButtons_(hasButtons) {}
 
-    /// The thread that reads. @return what to render
+    /// Called on the thread that reads. @return the wrench to render
     Wrench take(const StylusState& state) noexcept {
         const double at = steadySeconds();
         noteTime(at);
@@ -86,7 +86,7 @@ public:
         return wrench;
     }
 
-    /// The owner's thread.
+    /// Called on the owner's thread.
     TrialFigures figures() {
         news_.take(seen_);
         return figuresOf(seen_);
@@ -129,8 +129,8 @@ private:
     const double force_;
     const bool hasButtons_;
     Mailbox<Gathered> news_;
-    Gathered seen_; ///< the owner's
-    Gathered now_;  ///< from here on the reading thread's
+    Gathered seen_; ///< used by the owner's thread only
+    Gathered now_;  ///< this member and the following belong to the reading thread
     std::optional<double> heldAt_;
 };
 
@@ -143,7 +143,7 @@ private:
     Gathering& gathering_;
 };
 
-/// Reads a stylus that has no clock, on a thread of its own, until it is gone.
+/// Reads a stylus without a clock on a thread of its own, until this object is destroyed.
 class Reader {
 public:
     Reader(Stylus& stylus, Gathering& gathering)
@@ -167,7 +167,7 @@ private:
 Result<void> checkSettings(const StylusDescription& stylus, const TrialSettings& settings) {
     if (!(settings.seconds > 0.0 && settings.seconds <= longest))
         return Error{ErrorCode::argumentInvalid, "seconds", formatShortest(settings.seconds), "0 … 3600 s"};
-    const double limit = stylus.buttons > 0 ? trialForceLimit(stylus) : 0.0; // one to hold
+    const double limit = stylus.buttons > 0 ? trialForceLimit(stylus) : 0.0; // a button to hold is required
     if (!(settings.force >= 0.0 && settings.force <= limit))
         return Error{ErrorCode::argumentInvalid, "test force", formatShortest(settings.force),
                      limit > 0.0 ? "0 … " + formatFixed(limit, 2) + " N" : "0 N"};

@@ -15,16 +15,16 @@ namespace burin {
 /// Measurements of a trial.
 struct TrialFigures {
     double seconds = 0.0;
-    std::uint64_t readings = 0; ///< that were valid
+    std::uint64_t readings = 0; ///< valid readings
     std::uint64_t invalid = 0;
     double rate = 0.0;                    ///< Hz, of all readings
     double medianInterval = 0.0;          ///< s, between two readings
-    double maximumInterval = 0.0;         ///< s
+    double maximumInterval = 0.0;         ///< s, between two readings
     double maximumRotation = 0.0;         ///< rad, from the first pose
-    double smallestStep = 0.0;            ///< mm, from one reading to the next; 0: it did not move
+    double smallestStep = 0.0;            ///< mm, between two consecutive readings; 0: the stylus did not move
     glm::dvec3 lowest{0.0}, highest{0.0}; ///< mm, of each coordinate; device frame
     glm::dvec3 position{0.0};             ///< mm, the newest
-    std::uint32_t buttons = 0;            ///< that were pressed at some time, as bits
+    std::uint32_t buttons = 0;            ///< bit mask of all buttons that were pressed during the trial
     double maximumForce = 0.0;            ///< N, commanded
     DeviceHealth health;
     std::vector<Error> faults;
@@ -44,9 +44,9 @@ struct TrialSettings {
 /// the device has no motors.
 double trialForceLimit(const StylusDescription& stylus) noexcept;
 
-/// Opens a device, reads it for the time requested, and closes it; needs no project. Thread: the owner's, which blocks.
-/// A stylus without a clock of its own is read 1000 times a second, on a thread of this function's. Errors:
-/// argumentInvalid (seconds, force), cancelled, those of StylusDevice::open and SelfPacedStylus::start.
+/// Opens a device, reads it for the time requested, and closes it; needs no project. Called on the owner's thread,
+/// which it blocks. A stylus without a clock of its own is read 1000 times a second, on a thread that this function
+/// starts. Errors: argumentInvalid (seconds, force), cancelled, those of StylusDevice::open and SelfPacedStylus::start.
 Result<TrialFigures> tryDevice(const StylusHandle& stylus, const TrialSettings& settings, Progress& progress);
 
 } // namespace burin

@@ -39,7 +39,8 @@ void DeviceWatch::run(const std::stop_token& stop) {
         std::erase_if(now, [](const FoundDevice& device) { return device.id == simulatedDevice; });
         for (const DeviceChange& change : changesBetween(known, now)) heard_(change);
         known = std::move(now);
-        woken_.wait_for(lock, stop, interval_, [] { return false; }); // until the time is over, or a stop
+        // until the interval has passed, or a stop is requested
+        woken_.wait_for(lock, stop, interval_, [] { return false; });
     }
 }
 

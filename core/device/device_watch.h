@@ -13,20 +13,20 @@
 namespace burin {
 
 struct DeviceChange {
-    bool arrived = false; ///< false: it left
+    bool arrived = false; ///< false: it was unplugged
     FoundDevice device;
 };
 
-/// Watches what is plugged in and out, on a thread of its own.
+/// Watches devices being plugged in and unplugged, on a thread of its own.
 class DeviceWatch {
 public:
     static constexpr std::chrono::milliseconds usualInterval{500};
 
-    /// @param heard on the watch's thread: the devices that are there at first, then each change. Not the simulated
-    /// stylus, which is always there. @param registry outlives the watch.
+    /// @param heard called on the watch's thread: first for each device that is already connected, then for each
+    /// change. Never called for the simulated stylus, which is always available. @param registry outlives the watch.
     DeviceWatch(DeviceRegistry& registry, std::function<void(const DeviceChange&)> heard,
                 std::chrono::milliseconds interval = usualInterval);
-    /// `heard` is not called any more afterwards. Waits for a scan under way.
+    /// Waits for a scan in progress; `heard` is not called any more afterwards.
     ~DeviceWatch();
     DeviceWatch(const DeviceWatch&) = delete;
     DeviceWatch& operator=(const DeviceWatch&) = delete;
@@ -42,7 +42,7 @@ private:
     std::jthread thread_;
 };
 
-/// What changed from one scan to the next, those that left first.
+/// The changes from one scan to the next, the devices that were unplugged first.
 std::vector<DeviceChange> changesBetween(const std::vector<FoundDevice>& before, const std::vector<FoundDevice>& after);
 
 } // namespace burin

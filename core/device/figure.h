@@ -18,12 +18,12 @@ struct UnitName {
     constexpr std::string_view view() const { return {text, size - 1}; }
 };
 
-/// A number that somebody states of a device, with its unit and with who states it.
+/// A value stated for a device, with its unit and its source.
 template <UnitName name>
 struct Figure {
     static constexpr std::string_view unit = name.view();
     double value = 0.0;
-    std::string source; ///< English; a data sheet, a table, a measurement. Empty only where the value is not known: 0
+    std::string source; ///< English; a data sheet, a table, a measurement. Empty only if the value is not known (0)
 };
 
 } // namespace burin

@@ -14,21 +14,23 @@ namespace {
 constexpr double shortest = 1e-4; // mm between two goals
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-// A grain is the diagonal of a pixel; goals of a straight line lie within a band as wide as one.
-constexpr double unexplained = 1.06;    // grains that what is a corner stands out
-constexpr double widestMean = 2.1;      // grains to each side
-constexpr double lookahead = 3.0;       // of the mean's reach: how far the line has to be known beyond it
-constexpr double smallestScale = 1.75;  // grains, an arm of the smallest compass; each is twice as wide as the last
-constexpr std::size_t sharpScales = 2;  // corners that show on these are kept; those of wider ones are as pixels bend
-constexpr double widestArm = 3.2;       // mm: half of what a mean at the greatest speed spans
-constexpr std::size_t mostShaped = 64;  // points for one goal
-constexpr double turning = 2800.0;      // mm/s² across the line; the follower spends the rest along it
-constexpr double ofExact = 0.75 * 0.05; // mm; what remains of the tolerance is for gaining speed behind the corner
-constexpr double ofSharp = 0.6 * 0.05, ofMean = 0.3 * 0.05; // mm, twice what the mean over places takes of it
+// A grain is the diagonal of a pixel; the goals of a straight line lie within a band of that width.
+constexpr double unexplained = 1.06; // grains by which a corner has to stand out
+constexpr double widestMean = 2.1;   // grains to each side: the largest half width of the moving mean
+constexpr double lookahead = 3.0; // multiple of the mean's half width: how far the line has to be known beyond a point
+constexpr double smallestScale = 1.75; // grains, an arm of the smallest compass; each further compass is twice as wide
+// corners found at these scales are kept sharp; those at wider scales look as if caused by pixels
+constexpr std::size_t sharpScales = 2;
+constexpr double widestArm = 3.2;       // mm: half of the length that a mean at the greatest speed covers
+constexpr std::size_t mostShaped = 64;  // points reshaped per goal
+constexpr double turning = 2800.0;      // mm/s² across the line; the follower uses the remaining acceleration along it
+constexpr double ofExact = 0.75 * 0.05; // mm; the remaining tolerance is for accelerating behind the corner
+// mm, twice the share that the mean over positions uses of it
+constexpr double ofSharp = 0.6 * 0.05, ofMean = 0.3 * 0.05;
 
 static_assert(PointerTrail::tolerance == 0.05);
 
-/// The sine of half of the turn between two directions.
+/// The sine of half of the angle between two directions.
 double halfTurn(const glm::dvec3& in, const glm::dvec3& out) noexcept {
     const double lengths = glm::length(in) * glm::length(out);
     return lengths > 0.0 ? std::sqrt(std::max(0.0, 0.5 * (1.0 - glm::dot(in, out) / lengths))) : 0.0;
@@ -38,8 +40,9 @@ double radiusOf(const glm::dvec3& in, const glm::dvec3& out, double half) noexce
     return 0.25 * (glm::length(in) + glm::length(out)) / half;
 }
 
-/// Fastest past a corner for the mean over a time to stay within a tolerance of it: of a sharp one it is off by
-/// v T sin(turn / 2) / 4, of one of many on an arc of radius r by (v T)² / (24 r).
+/// The highest speed past a corner for which the mean over a time deviates from it by at most a tolerance. The
+/// deviation is v T sin(turn / 2) / 4 at a sharp corner, and (v T)² / (24 r) at one of many corners on an arc of radius
+/// r.
 double cornerSpeed(const glm::dvec3& in, const glm::dvec3& out, double tolerance) noexcept {
     constexpr double time = PointerTrail::meanTime;
     const double half = halfTurn(in, out);
@@ -91,7 +94,8 @@ void PointerTrail::passAll() noexcept {
     beyond_ = 0.0;
 }
 
-/// What lies so far along the goals from one of them, backwards where it is negative; the nearest that is known.
+/// The value at a distance along the goals from one of them, backwards if it is negative; the nearest known value
+/// beyond the ends.
 template <class Value>
 Value PointerTrail::along(std::size_t number, double distance,
                           Value (*between)(const Goal&, const Goal&, double)) const noexcept {
@@ -120,7 +124,7 @@ glm::dvec3 PointerTrail::momentBeside(std::size_t number, double distance) const
     });
 }
 
-/// Each compass stands on every goal once, as soon as the line is known as far as it opens.
+/// Each compass is placed on every goal once, as soon as the line is known as far as the compass is wide.
 void PointerTrail::findCorners() noexcept {
     for (std::size_t scale = 0; scale < scales; ++scale) {
         std::size_t& number = judged_[scale];
@@ -144,9 +148,9 @@ void PointerTrail::judge(std::size_t number, std::size_t scale, double width) no
         speed = cornerSpeed(in, out, ofSharp);
         corner.reach = std::min(corner.reach, ofMean / half);
     } else {
-        // The next smaller compass saw no corner here: a mean over as much is off by less than a pixel.
+        // The next smaller compass found no corner here: a mean over its width deviates by less than a pixel.
         const double rest =
-            std::max(tolerance, 0.7 * corner.grain) - 0.3 * corner.grain; // the mean over places has taken
+            std::max(tolerance, 0.7 * corner.grain) - 0.3 * corner.grain; // used by the mean over positions
         speed = std::max(cornerSpeed(in, out, 0.75 * rest), 0.7 * width / meanTime);
         speed = std::min(speed, std::sqrt(turning * radiusOf(in, out, half)));
     }
@@ -154,7 +158,7 @@ void PointerTrail::judge(std::size_t number, std::size_t scale, double width) no
     limitSpeed(number);
 }
 
-/// The point that is passed next stays where it is, so that nothing that follows the line is ever led back.
+/// The next point to be passed keeps its position, so that a follower is never led back.
 std::size_t PointerTrail::firstToShape() const noexcept {
     const double since = goal(newest_).arc - lookahead * widestMean * goal(newest_).grain;
     std::size_t first = newest_;
@@ -168,8 +172,8 @@ double PointerTrail::widestWindow(std::size_t number) const noexcept {
     return std::min({widestMean * at.grain, known, at.arc, at.reach});
 }
 
-/// From one point to the next the mean's window changes by no more than the way between them: so it never goes back
-/// where the goals don't.
+/// From one point to the next, the mean's window changes by no more than the distance between them, so that the line
+/// never goes back where the goals don't.
 void PointerTrail::shape() noexcept {
     const std::size_t first = firstToShape();
     double widest = 0.0;
@@ -197,7 +201,7 @@ void PointerTrail::place(std::size_t number) noexcept {
     at.point.length = length;
 }
 
-/// Of a point that has one behind it.
+/// For a point that has a successor.
 void PointerTrail::limitSpeed(std::size_t number) noexcept {
     Goal& at = goal(number);
     const glm::dvec3 in = at.point.place - goal(number - 1).point.place;

@@ -9,49 +9,50 @@
 
 namespace burin {
 
-/// The line through a pointer's goals. It grows at its end while what is followed is passed at its beginning.
+/// The line through a pointer's goals. It grows at its end while a follower passes its points from the beginning.
 ///
-/// A goal with a grain comes from a pointer that tells nothing finer than that, as pixels do: a slanted sweep arrives
-/// as a staircase. There the line is the mean of what lies within three pixels to both sides, less near corners, the
-/// start and the end, and only what stands out from its surroundings by more than pixels explain is slowed down for.
-/// The line ends at the newest goal. Thread: one; no lock, no allocation.
+/// A goal with a grain comes from a pointer of that resolution, such as the pixels of a screen: a slanted stroke
+/// arrives as a staircase. There the line is the moving mean of the goals within three pixels to both sides (fewer near
+/// corners, the start and the end), and only deviations from it that are larger than the pixel size explains are
+/// treated as corners, at which the speed is reduced. The line ends at the newest goal. Thread: one; no lock, no
+/// allocation.
 class PointerTrail {
 public:
-    static constexpr std::size_t capacity = 1024; ///< points that are not passed
-    static constexpr double meanTime = 0.016;     ///< s: whoever follows the line takes the mean of it over this time
-    static constexpr double tolerance = 0.05;     ///< mm that this mean may be off the line at a corner
+    static constexpr std::size_t capacity = 1024; ///< points that are not passed yet
+    static constexpr double meanTime = 0.016;     ///< s: a follower takes the mean of its position over this time
+    static constexpr double tolerance = 0.05;     ///< mm by which this mean may deviate from the line at a corner
 
     struct Point {
         glm::dvec3 place{0.0};
-        double length = 0.0; ///< mm, from the point before
+        double length = 0.0; ///< mm, from the previous point
         double speed = 0.0;  ///< mm/s at which it may be passed; 0 at the line's end
     };
 
     void begin(const glm::dvec3& start) noexcept; ///< mm
-    /// @param goal mm; @param grain mm: goals nearer to each other can't be told apart; 0: the goal is exact
-    /// @return false, and nothing changed, where there is no room
+    /// @param goal mm; @param grain mm: goals closer together than this can't be distinguished; 0: the goal is exact
+    /// @return false if there is no room; nothing is changed then
     bool append(const glm::dvec3& goal, double grain) noexcept;
 
-    std::size_t ahead() const noexcept { return newest_ + 1 - next_; } ///< points that are not passed
-    /// @param index 0 the next one to be passed
+    std::size_t ahead() const noexcept { return newest_ + 1 - next_; } ///< points that are not passed yet
+    /// @param index 0: the next point to be passed
     const Point& point(std::size_t index) const noexcept { return goal(next_ + index).point; }
     double lengthBeyond() const noexcept { return beyond_; } ///< mm, from the next point to the line's end
     const glm::dvec3& end() const noexcept { return goal(newest_).place; }
-    void pass() noexcept; ///< the next point; it stays as it was passed
+    void pass() noexcept; ///< Passes the next point; its position does not change any more
     void passAll() noexcept;
 
 private:
     static constexpr std::size_t kept = 2 * capacity; // goals, half of them passed
-    static constexpr std::size_t scales = 8;          // of the compasses that look for corners
+    static constexpr std::size_t scales = 8;          // of the compasses that detect corners
 
     struct Goal {
         glm::dvec3 place{0.0};
         double grain = 0.0;
         double arc = 0.0;       // mm along the goals, from the start
-        glm::dvec3 moment{0.0}; // mm²: the goals' line, integrated over the arc
-        double turnSpeed = 0.0; // mm/s that the corners found allow
-        double reach = 0.0;     // mm to each side that corners allow the mean to take
-        double window = 0.0;    // mm to each side that it takes
+        glm::dvec3 moment{0.0}; // mm²: the line through the goals, integrated over the arc length
+        double turnSpeed = 0.0; // mm/s: the limit set by the corners found
+        double reach = 0.0;     // mm: the largest half width of the moving mean that corners allow
+        double window = 0.0;    // mm: the half width of the moving mean
         Point point;
     };
     Goal& goal(std::size_t number) noexcept { return goals_[number % kept]; }
@@ -69,10 +70,10 @@ private:
     void place(std::size_t number) noexcept;
     void limitSpeed(std::size_t number) noexcept;
 
-    std::array<Goal, kept> goals_; // by their number, from 0, the start
+    std::array<Goal, kept> goals_; // indexed by the goal's number modulo `kept`; number 0 is the start
     std::size_t next_ = 1, newest_ = 0;
     double beyond_ = 0.0;
-    std::array<std::size_t, scales> judged_{}; // of each scale, the next one to be judged
+    std::array<std::size_t, scales> judged_{}; // for each scale, the next goal to be checked
 };
 
 } // namespace burin

@@ -12,15 +12,15 @@
 namespace burin {
 namespace {
 
-constexpr double brakingShare = 0.8;    // of the acceleration: the rest keeps a moving goal from being overrun
+constexpr double brakingShare = 0.8;    // of the acceleration: the remaining share prevents overshooting a moving goal
 constexpr double longestStep = 0.001;   // s
 constexpr double longestGap = 0.010;    // s
 constexpr double restDistance = 0.0005; // mm
 constexpr double restSpeed = 0.1;       // mm/s
-constexpr double near = 0.02;           // mm: counts as there, on the way to a stroke's start
+constexpr double near = 0.02;           // mm: counts as arrived, on the way to a stroke's start
 
-/// Fastest speed at a distance from the goal from which braking still ends there: proportional to the distance near
-/// it, along the parabola of constant braking farther off.
+/// Highest speed at a distance from the goal from which braking still ends there: proportional to the distance near the
+/// goal, along the parabola of constant braking farther away.
 double approachSpeed(double distance) {
     constexpr double braking = brakingShare * SimulatedStylus::acceleration;
     constexpr double linear = braking * SimulatedStylus::lag * SimulatedStylus::lag;
@@ -95,15 +95,16 @@ Result<void> SimulatedStylus::open() {
 
 void SimulatedStylus::takeWishes() noexcept {
     const std::uint32_t givenUp = givenUp_.load(std::memory_order_relaxed);
-    if (std::exchange(givenUpSeen_, givenUp) != givenUp) waiting_.reset(); // it was made before
+    // it was requested before the stroke was given up
+    if (std::exchange(givenUpSeen_, givenUp) != givenUp) waiting_.reset();
     for (int taken = 0; taken < mostTaken; ++taken) {
         if (!waiting_) {
             Wish next;
             if (wishes_.pop({&next, 1}) == 0) return;
             if (next.target.cutting) ++taken_;
-            // As a difference: the count may have gone round, and newer ones may come in between.
+            // Compared by difference: the counter may have wrapped, and newer requests may arrive in the meantime.
             if (static_cast<std::int32_t>(next.givenUp - givenUp) < 0) {
-                --taken; // costs nothing
+                --taken; // a dropped target does not count towards the limit
                 continue;
             }
             next.target.maximumSpeed = std::clamp(next.target.maximumSpeed, 0.0, maximumSpeed);
@@ -114,7 +115,7 @@ void SimulatedStylus::takeWishes() noexcept {
     }
 }
 
-/// @return false: not yet
+/// @return false if the target can't be followed yet
 bool SimulatedStylus::apply(const StylusTarget& target) noexcept {
     if (!target.cutting) {
         if (phase_ != Phase::hover && target.finishStroke)
@@ -123,7 +124,7 @@ bool SimulatedStylus::apply(const StylusTarget& target) noexcept {
             hoverOver(target);
         return true;
     }
-    if (after_) return false; // the next stroke
+    if (after_) return false; // belongs to the next stroke
     if (phase_ != Phase::hover) {
         if (!trail_.append(target.tip, target.grain)) return false;
     } else {
@@ -143,7 +144,7 @@ void SimulatedStylus::hoverOver(const StylusTarget& target) noexcept {
     phase_ = Phase::hover;
 }
 
-/// Over a place at a height that is clear, or on the way up to that height.
+/// Above a position at a height that is clear, or on the way up to that height.
 glm::dvec3 SimulatedStylus::above(const glm::dvec3& place) const noexcept {
     const double height = std::max(place.z, hoverHeight_);
     if (tip_.z < height - clearance) return {tip_.x, tip_.y, height};

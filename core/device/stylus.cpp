@@ -21,7 +21,7 @@ bool stated(const Figure<name>& figure) {
     return std::isfinite(figure.value) && figure.value >= 0.0 && (figure.value == 0.0 || !figure.source.empty());
 }
 
-/// The first figure that breaks a rule; null when none does.
+/// The name of the first value that breaks a rule; null if there is none.
 const char* faultyFigure(const StylusDescription& of) {
     const struct {
         const char* name;

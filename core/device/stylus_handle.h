@@ -8,12 +8,12 @@
 
 namespace burin {
 
-/// Somebody else's stylus of either kind, for those who run it. Never empty; a copy means the same stylus.
+/// A non-owning reference to a stylus of either kind. Never empty; a copy refers to the same stylus.
 class StylusHandle {
 public:
     StylusHandle(Stylus& stylus) noexcept : held_(&stylus) {}          // NOLINT: implicit on purpose
     StylusHandle(SelfPacedStylus& stylus) noexcept : held_(&stylus) {} // NOLINT: implicit on purpose
-    /// @param stylus that holds one
+    /// @param stylus not null
     StylusHandle(const AnyStylus& stylus) // NOLINT: implicit on purpose
         : held_(std::visit([](const auto& owned) -> Held { return owned.get(); }, stylus)) {}
 
@@ -21,7 +21,7 @@ public:
         if (Stylus* stylus = called()) return *stylus;
         return *selfPaced();
     }
-    /// Null when it is of the other kind.
+    /// Null if the stylus is of the other kind.
     Stylus* called() const noexcept {
         Stylus* const* stylus = std::get_if<Stylus*>(&held_);
         return stylus != nullptr ? *stylus : nullptr;

@@ -9,10 +9,11 @@
 namespace burin {
 namespace {
 
-constexpr double period = 0.001;      // s
-constexpr double lag = 0.02;          // s: critically damped behind the line's end, so that jumps become a motion
-constexpr double restDistance = 5e-4; // mm, that may go at once
-constexpr double braking = 0.8 * TrailFollower::acceleration; // the rest keeps the law above from being cut off
+constexpr double period = 0.001; // s
+constexpr double lag = 0.02; // s: critically damped approach to the line's end, so that jumps become a smooth motion
+constexpr double restDistance = 5e-4; // mm; a remaining distance up to this is covered at once
+// the remaining share keeps the control law above from being cut off
+constexpr double braking = 0.8 * TrailFollower::acceleration;
 
 static_assert(PointerTrail::meanTime == 16 * period);
 
@@ -35,7 +36,7 @@ bool TrailFollower::append(const glm::dvec3& goal, double grain) noexcept {
     return true;
 }
 
-/// To the line's end, mm.
+/// Distance to the line's end, mm.
 double TrailFollower::aheadLength() const noexcept {
     return trail_.ahead() == 0 ? 0.0 : glm::distance(carrier_, trail_.point(0).place) + trail_.lengthBeyond();
 }
@@ -75,7 +76,7 @@ void TrailFollower::tick(double maximumSpeed) noexcept {
         speed = std::max(std::min({speed, maximumSpeed, speedLimit()}), speed_ - change);
         speed_ = std::clamp(speed, 0.0, ahead / period);
         advance(speed_ * period);
-        if (aheadLength() <= restDistance) { // there
+        if (aheadLength() <= restDistance) { // arrived
             carrier_ = trail_.end();
             trail_.passAll();
         }
@@ -93,7 +94,7 @@ void TrailFollower::tick(double maximumSpeed) noexcept {
 
 glm::dvec3 TrailFollower::step(double seconds, double maximumSpeed) noexcept {
     for (time_ += seconds; time_ >= period; time_ -= period) tick(maximumSpeed);
-    return glm::mix(before_, mean_, time_ / period); // a tick late, and even at any rate
+    return glm::mix(before_, mean_, time_ / period); // one tick late, and evenly for any rate of calls
 }
 
 bool TrailFollower::finished() const noexcept {

@@ -9,11 +9,11 @@
 
 namespace burin {
 
-/// Follows the line through a pointer's goals (pointer_trail.h) while it grows, along the line and not across its
-/// corners. The position is the mean, over 16 ms, of a point that goes along the line: it never goes back, its speed
-/// and acceleration are bounded, and it leaves the goals by at most `tolerance` at a corner, which is slowed down for.
-/// What no pixel tells from a straight or smoothly bent line is none: there it is within a grain of the goals. Thread:
-/// one; no lock, no allocation.
+/// Follows the line through a pointer's goals (pointer_trail.h) while it grows, without cutting across its corners. The
+/// position is the mean, over 16 ms, of a point that moves along the line: it never moves back, its speed and
+/// acceleration are bounded, and at corners the speed is reduced so that it deviates from the goals by at most
+/// `tolerance`. A deviation from a straight or smoothly bent line that the pixel size explains is not a corner: there
+/// the position stays within a grain of the goals. One thread; no lock, no allocation.
 class TrailFollower {
 public:
     static constexpr double tolerance = PointerTrail::tolerance; ///< mm from the line, at its corners
@@ -22,15 +22,15 @@ public:
     void begin(const glm::dvec3& start) noexcept;               ///< mm; at rest there
     bool append(const glm::dvec3& goal, double grain) noexcept; ///< as PointerTrail::append
 
-    /// Goes on by a time. @param seconds at least 0 @param maximumSpeed mm/s along the line
-    /// @return where it is, mm
+    /// Advances by a time. @param seconds at least 0 @param maximumSpeed mm/s along the line
+    /// @return the position, mm
     glm::dvec3 step(double seconds, double maximumSpeed) noexcept;
     const glm::dvec3& velocity() const noexcept { return velocity_; } ///< mm/s
-    std::size_t ahead() const noexcept { return trail_.ahead(); }     ///< points that are not passed
-    bool finished() const noexcept;                                   ///< it rests at the line's end
+    std::size_t ahead() const noexcept { return trail_.ahead(); }     ///< points that are not passed yet
+    bool finished() const noexcept;                                   ///< whether it rests at the line's end
 
 private:
-    static constexpr std::size_t window = 16; // ticks that the position is the mean of
+    static constexpr std::size_t window = 16; // ticks over which the position is averaged
 
     double aheadLength() const noexcept;
     double speedLimit() const noexcept;
@@ -38,7 +38,7 @@ private:
     void tick(double maximumSpeed) noexcept;
 
     PointerTrail trail_;
-    glm::dvec3 carrier_{0.0}; // what goes along the line, mm
+    glm::dvec3 carrier_{0.0}; // the point that moves along the line, mm
     double speed_ = 0.0;      // mm/s
     std::array<glm::dvec3, window> recent_{};
     std::size_t oldest_ = 0;

@@ -13,10 +13,11 @@ namespace {
 constexpr std::uint64_t signBit = std::uint64_t{1} << 63;
 constexpr std::size_t columnWordBytes = 8;
 
-// The first byte of a packed column. A value n >= columnBefore refers to the column n - columnBefore + 1 places before.
+// The first byte of a packed column. A value n >= columnBefore refers to the column n - columnBefore + 1 positions
+// before.
 enum Prediction : unsigned char { rowBefore = 0, straightOn = 1, columnBefore = 2 };
 
-/// Small for small differences of either sign.
+/// Maps differences of either sign to unsigned words; small differences give small words.
 std::uint64_t folded(std::uint64_t difference) noexcept {
     return (difference << 1) ^ (0 - (difference >> 63));
 }
@@ -24,7 +25,7 @@ std::uint64_t unfolded(std::uint64_t word) noexcept {
     return (word >> 1) ^ (0 - (word & 1));
 }
 
-/// What `prediction` expects in `row`, from words that the reader has by then.
+/// Returns the prediction for `row`, computed only from words that the reader has already decoded.
 std::uint64_t predicted(unsigned char prediction, const Column& column, const Column* reference, std::size_t row) {
     if (prediction >= columnBefore) return (*reference)[row];
     if (row == 0) return 0;

@@ -11,22 +11,23 @@
 
 namespace burin {
 
-/// A table by columns, each of 64-bit words: what recordings and meshes are packed as. All columns are equally long.
+/// A table as columns of 64-bit words, the form in which recordings and meshes are packed. All columns have the same
+/// length.
 using Column = std::vector<std::uint64_t>;
 
-/// Packs columns without loss. Each column is predicted from the row before, from the two rows before or from the
-/// column in front of it by `reference` places, whichever leaves the least; what is left is laid out byte plane by byte
-/// plane and compressed.
-/// @param reference columns to look back for the third prediction; 0: never. README.md gives the form.
+/// Packs columns without loss. Each column is predicted from the previous row, from the two previous rows or from the
+/// column `reference` positions before it, whichever leaves the smallest residuals; these are laid out byte plane by
+/// byte plane and compressed.
+/// @param reference number of columns to look back for the third prediction; 0: never. README.md describes the format.
 std::string encodeColumns(const std::vector<Column>& columns, std::size_t reference = 0);
 
-/// Nothing when the bytes are damaged or don't hold exactly `columns` columns of `rows` words.
+/// Empty if the bytes are damaged or don't hold exactly `columns` columns of `rows` words.
 std::optional<std::vector<Column>> decodeColumns(std::string_view bytes, std::size_t columns, std::size_t rows);
 
-/// Words in the order of the numbers that they stand for, so that neighbouring doubles differ little as words. Every
-/// bit pattern has its own word, not-a-numbers and negative zero included.
+/// Returns a word whose order is that of the numbers, so that neighbouring doubles differ little as words. Every bit
+/// pattern has its own word, including NaNs and negative zero.
 std::uint64_t wordOf(double value) noexcept;
-/// Back, to the bit.
+/// The exact inverse of wordOf.
 double doubleOf(std::uint64_t word) noexcept;
 
 } // namespace burin

@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t companionRoom = 24; // ".", ".working.new-journal" and some to spare
+constexpr std::size_t companionRoom = 24; // ".", ".working.new-journal" and some margin
 
 Companions companionsNamed(const fs::path& folder, const std::string& name) {
     return {folder / ("." + name + ".working"), folder / ("." + name + ".lock")};
 }
 
-/// One name for one file, whichever way it was called, whether it is there or not.
+/// Returns the same name for the same file, however it was specified, whether or not it exists.
 fs::path plainNameOf(const fs::path& file) {
     std::error_code failed;
     const fs::path absolute = fs::absolute(behindLinks(file), failed);
@@ -39,7 +39,7 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
     return plainNameOf(a) == plainNameOf(b);
 }
 
-/// What stands beside `project`, or may any moment.
+/// Returns the files that exist next to `project`, or may exist at any moment.
 std::vector<fs::path> companionFiles(const fs::path& project) {
     std::vector<fs::path> files;
     const fs::path plain = plainNameOf(project);
@@ -56,7 +56,7 @@ std::vector<fs::path> companionFiles(const fs::path& project) {
 } // namespace
 
 fs::path labelledBeside(const fs::path& file, const std::string& label) {
-    constexpr std::size_t room = 20; // ".", the label, ".", "-wal" and some to spare
+    constexpr std::size_t room = 20; // ".", the label, ".", "-wal" and some margin
     const std::string ending = file.extension().string();
     const std::string stem = nameWithRoom(file.stem().string(), ending.size() + room);
     return file.parent_path() / (stem + "." + label + ending);

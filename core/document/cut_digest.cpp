@@ -75,7 +75,7 @@ std::int64_t CutDigest::at(const TakeMoment& moment) const noexcept {
                 digest.add(stretch.first);
                 digest.add(std::min(stretch.end, until));
             }
-            digest.add(~std::uint64_t{0}); // no sample: the lists stay apart
+            digest.add(~std::uint64_t{0}); // not a valid sample: separates the lists
         }
     }
     return digest.value();

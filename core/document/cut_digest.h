@@ -11,9 +11,9 @@
 
 namespace burin {
 
-/// Says by a number what a setup's workpiece is made of at any moment: part, stock and materials, and what recordings
-/// before it cut, with their tools. Recordings grow and are never changed: how long they are says what is in them.
-/// Read once, for all moments.
+/// Computes a number that identifies the content of a setup's workpiece at any moment: part, stock and materials, and
+/// what earlier recordings cut, with their tools. Recordings only grow and are never changed, so their length
+/// identifies their content. Reads the database once, for all moments.
 class CutDigest {
 public:
     /// Errors: those of Database.
@@ -28,13 +28,13 @@ private:
     };
     struct Take {
         std::int64_t id = 0;
-        std::int64_t tool = 0; ///< digest of its id and of what it is
+        std::int64_t tool = 0; ///< digest of its id and its data
         std::uint64_t samples = 0;
         std::vector<Stretch> undone, off;
     };
     static Result<std::vector<Stretch>> stretchesOf(Database& database, const char* table, std::int64_t take);
 
-    std::int64_t stock_ = 0; ///< before anything is cut
+    std::int64_t stock_ = 0; ///< before any cut
     std::vector<Take> takes_;
     TakeMoment end_; ///< of the last take
 };

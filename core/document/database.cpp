@@ -15,10 +15,10 @@ namespace burin {
 
 namespace {
 
-constexpr int spanInstructions = 100'000; // between two looks at the budget: about a millisecond
-// Measured: a check of a whole file of the smallest rows takes a third of an instruction a byte.
+constexpr int spanInstructions = 100'000; // between two checks of the budget: about a millisecond
+// Measured: a check of a complete file with the smallest rows takes a third of an instruction per byte.
 constexpr std::uint64_t leastBudget = 50'000'000, budgetPerByte = 16;
-constexpr int busyMilliseconds = 5000; // the recorder and the document write to one working copy in turn
+constexpr int busyMilliseconds = 5000; // the recorder and the document write to the same working copy alternately
 
 bool isDiskFull(int systemError) {
     return systemError == ENOSPC || systemError == EDQUOT || systemError == EFBIG;
@@ -49,7 +49,7 @@ ErrorCode codeOf(int sqliteCode, int systemError) {
     case SQLITE_NOMEM:
     case SQLITE_TOOBIG:
         return ErrorCode::outOfMemory;
-    // Our statements are constant: where a table or a column is missing, the file is not what it says it is.
+    // Our statements are constant: if a table or a column is missing, the file is not a valid project.
     case SQLITE_ERROR:
     case SQLITE_CORRUPT:
     case SQLITE_FORMAT:
@@ -62,8 +62,8 @@ ErrorCode codeOf(int sqliteCode, int systemError) {
     }
 }
 
-/// Where SQLite can't make a file beside the database it tries to open it without making it, and keeps the fault of
-/// that: there is none. Making another one fails for the reason that counts, or it has passed (0).
+/// If SQLite can't create a file next to the database, it tries to open it without creating it, and keeps the error of
+/// that attempt: no such file. Creating another file fails for the real reason, unless that has passed (0).
 int reasonBehind(sqlite3* handle) {
     const char* const file = handle != nullptr ? sqlite3_db_filename(handle, "main") : nullptr;
     if (file == nullptr || ::access(file, F_OK) != 0) return ENOENT;
@@ -75,8 +75,8 @@ int reasonBehind(sqlite3* handle) {
     return 0;
 }
 
-/// SQLite keeps the system's reason only where a call fails at once, not where a statement does in its last step; errno
-/// then still has it, having been cleared before the call.
+/// SQLite keeps the system's reason only if a call fails at once, not if the last step of a statement fails; errno then
+/// still holds it, as it was cleared before the call.
 int systemErrorOf(sqlite3* handle, int code, int lastError) {
     const int primary = code & 0xff;
     if (primary != SQLITE_IOERR && primary != SQLITE_CANTOPEN) return 0;
@@ -94,7 +94,7 @@ void distrustSchema(sqlite3* handle) {
     sqlite3_exec(handle, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
 }
 
-/// https://www.sqlite.org/uri.html, "immutable": no lock is taken and no journal looked for.
+/// https://www.sqlite.org/uri.html, "immutable": takes no lock and looks for no journal.
 std::string unchangingUri(const std::filesystem::path& file) {
     std::string uri = "file:";
     for (const char character : file.native()) {
@@ -137,7 +137,7 @@ std::uint64_t sizeOf(sqlite3* handle) {
 int Database::Connection::lookAtBudget(void* connection) noexcept {
     auto& self = *static_cast<Connection*>(connection);
     const std::uint64_t done = ++self.spans * spanInstructions;
-    // The file grows while one works with it, so that it is measured where it counts.
+    // The file grows during the work, so its size is determined only when it is needed.
     return done > leastBudget && done > leastBudget + budgetPerByte * sizeOf(self.handle) ? 1 : 0;
 }
 
@@ -186,7 +186,7 @@ Result<Database> Database::open(const std::filesystem::path& file, std::string s
         openNamed(file.c_str(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOFOLLOW, std::move(subject));
     if (!database) return database;
     sqlite3_db_config(database->connection_->handle, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
-    // In this mode the index of the journal is kept in memory instead of in a file beside it.
+    // In this mode the index of the journal is kept in memory instead of in a separate file.
     for (const char* setting : {"PRAGMA locking_mode = EXCLUSIVE", "PRAGMA query_only = ON"})
         if (Result<void> done = database->execute(setting); !done) return std::move(done).error();
     return database;
@@ -226,11 +226,11 @@ Result<void> Database::quickCheck() {
 Result<void> copyDatabase(Database& from, Database& to) {
     sqlite3_backup* backup = sqlite3_backup_init(to.connection_->handle, "main", from.connection_->handle, "main");
     if (backup == nullptr) return to.error(sqlite3_errcode(to.connection_->handle));
-    // One step for all pages: it holds one read snapshot, so a writer of the source never makes it start again.
+    // One step for all pages: it holds one read snapshot, so that writes to the source never make it start again.
     const int stepped = sqlite3_backup_step(backup, -1);
     const int finished = sqlite3_backup_finish(backup);
     if (finished != SQLITE_OK) return to.error(finished);
-    if (stepped != SQLITE_DONE) return to.error(stepped); // busy, which finish doesn't count as a fault
+    if (stepped != SQLITE_DONE) return to.error(stepped); // busy, which finish does not report as an error
     return {};
 }
 
@@ -255,7 +255,7 @@ Result<void> Statement::outcome(int code) const {
 void Statement::reset() {
     connection_->spans = 0;
     sqlite3_reset(statement_.get());
-} // repeats the fault of the last step, told already
+} // repeats the error of the last step, which was already reported
 
 Result<bool> Statement::step() {
     errno = 0;
@@ -331,7 +331,7 @@ Result<Transaction> Transaction::begin(Database& database, Kind kind) {
 }
 
 Transaction::~Transaction() {
-    // After a full disk SQLite may have rolled back by itself; a second ROLLBACK then fails harmlessly.
+    // After a full disk SQLite may have rolled back by itself; the second ROLLBACK then fails harmlessly.
     if (database_ != nullptr) static_cast<void>(database_->execute("ROLLBACK"));
 }
 

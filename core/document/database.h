@@ -17,33 +17,34 @@ struct sqlite3_stmt;
 
 namespace burin {
 
-/// One connection to an SQLite file. Every fault comes back as an Error that names `subject`, the file that the user
-/// knows, even where the connection is to a working copy of it. Thread: one at a time. Statements must end before it.
+/// One connection to an SQLite file. Every fault is returned as an Error that names `subject`, the file known to the
+/// user, even if the connection is to a working copy of it. Not thread-safe: one thread at a time. Statements must be
+/// destroyed before it.
 class Database {
 public:
     enum class Access : std::uint8_t {
         read,
         write,
         create,
-        readJournal,   ///< a WAL database that nobody else has open; nothing is written, nor made beside it
-        readUnchanging ///< a database that nobody can change meanwhile; its journal is not looked for
+        readJournal,   ///< a WAL database that nobody else has open; writes nothing, and creates no files in its folder
+        readUnchanging ///< a database that nobody can change meanwhile; does not look for its journal
     };
-    /// Foreign triggers, views and functions of the schema are never run: a project may come from anybody. A statement
-    /// that works far longer than the file's size explains ends with fileDamaged.
+    /// Foreign triggers, views and functions of the schema are never run, as a project may come from an untrusted
+    /// source. A statement that runs far longer than the file's size explains ends with fileDamaged.
     /// Errors: as `error` maps SQLite's codes.
     static Result<Database> open(const std::filesystem::path& file, std::string subject, Access access);
-    /// An empty one that nobody else sees.
+    /// Opens an empty database that is private to this connection.
     static Result<Database> inMemory(std::string subject);
 
-    /// Runs statements that give no rows, or whose rows don't matter.
+    /// Runs statements that return no rows, or whose rows are not needed.
     Result<void> execute(const char* sql);
-    /// First column of the first row. Errors: fileDamaged when there is no row.
+    /// Returns the first column of the first row. Errors: fileDamaged if there is no row.
     Result<std::int64_t> integer(const char* sql);
-    /// Fails with fileDamaged and SQLite's finding as detail.
+    /// Runs SQLite's quick check. Errors: fileDamaged, with SQLite's finding as detail.
     Result<void> quickCheck();
 
-    /// What SQLite's result `code` means: diskFull, fileNotWritable, fileNotReadable, projectInUse, projectNotBurin,
-    /// fileDamaged, outOfMemory; internalFault for what our own statements must never cause.
+    /// Converts SQLite's result `code` into an error: diskFull, fileNotWritable, fileNotReadable, projectInUse,
+    /// projectNotBurin, fileDamaged, outOfMemory; internalFault for codes that our own statements must never cause.
     Error error(int code) const;
     const std::string& subject() const noexcept { return connection_->subject; }
 
@@ -53,7 +54,7 @@ private:
     struct Connection {
         sqlite3* handle = nullptr;
         std::string subject;
-        std::uint64_t spans = 0; ///< of SQLite's instructions that the present statement has run
+        std::uint64_t spans = 0; ///< number of spans of SQLite's instructions that the present statement has run
         Connection(sqlite3* opened, std::string name) : handle(opened), subject(std::move(name)) {}
         ~Connection();
         static int lookAtBudget(void* connection) noexcept;
@@ -67,8 +68,8 @@ private:
     std::unique_ptr<Connection> connection_;
 };
 
-/// All pages of `from`, as they are at this moment, to `to`, through SQLite's backup interface. Other connections to
-/// `from` may write meanwhile.
+/// Copies all pages of `from`, as they are at this moment, to `to`, through SQLite's backup interface. Other
+/// connections may write to `from` meanwhile.
 Result<void> copyDatabase(Database& from, Database& to);
 
 /// Bytes to bind as a blob.
@@ -76,13 +77,13 @@ struct BlobView {
     std::string_view bytes;
 };
 
-/// A prepared statement. Texts and blobs that were bound must live until the row or the end was reached.
+/// A prepared statement. Bound texts and blobs must remain valid until the row or the end was reached.
 class Statement {
 public:
-    /// Errors: as Database::error maps SQLite's codes, here and below. The database outlives the statement.
+    /// Errors: as Database::error maps SQLite's codes, here and below. The database must outlive the statement.
     static Result<Statement> prepare(Database& database, std::string_view sql);
 
-    /// Forgets what an earlier use left behind and binds the parameters, first to last.
+    /// Resets the statement and binds the parameters, first to last.
     template <class... Values>
     Result<void> bind(const Values&... values) {
         reset();
@@ -91,14 +92,14 @@ public:
         ((code = code != 0 ? code : bindOne(++index, values)), ...);
         return outcome(code);
     }
-    /// True: a row is there to be read. False: the statement has ended.
+    /// Returns true if a row can be read, false if the statement has ended.
     Result<bool> step();
-    /// Steps to the end.
+    /// Executes the statement to its end.
     Result<void> run();
 
-    // Columns of the row, counted from 0. Views end with the next step.
+    // Columns of the row, counted from 0. Returned views are valid until the next step.
     std::int64_t integer(int column) const;
-    double real(int column) const; ///< NaN where NULL stands: SQLite keeps no NaN
+    double real(int column) const; ///< NaN for NULL: SQLite stores no NaN
     std::string_view text(int column) const;
     std::string_view blob(int column) const;
     bool isNull(int column) const;
@@ -133,7 +134,7 @@ private:
     std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
-/// Prepares, binds and runs a statement that gives no rows.
+/// Prepares, binds and runs a statement that returns no rows.
 template <class... Values>
 Result<void> run(Database& database, std::string_view sql, const Values&... values) {
     Result<Statement> statement = Statement::prepare(database, sql);
@@ -142,16 +143,16 @@ Result<void> run(Database& database, std::string_view sql, const Values&... valu
     return statement->run();
 }
 
-/// All or nothing: rolls back unless it was committed.
+/// A transaction that rolls back in its destructor unless it was committed.
 class Transaction {
 public:
     enum class Kind : std::uint8_t { read, write };
-    /// A write waits for other writers of the same file here, not half-way.
+    /// A write transaction waits for other writers of the same file here, not half-way.
     static Result<Transaction> begin(Database& database, Kind kind);
     ~Transaction();
     Transaction(Transaction&& other) noexcept : database_(std::exchange(other.database_, nullptr)) {}
     Transaction& operator=(Transaction&&) = delete;
-    /// What was written is on the disk when this returns, in a database that flushes its commits. Once. Errors: as
+    /// When this returns, the changes are on the disk, in a database that flushes its commits. Call once. Errors: as
     /// Database::error; nothing is written then.
     Result<void> commit();
 

@@ -13,7 +13,8 @@
 
 namespace burin {
 
-/// Takes words one after the other. Each step is a bijection of the word, so one word that differs is never lost.
+/// Accumulates words one after the other. Each step is a bijection of the word, so a single differing word always
+/// changes the value.
 class Digest {
 public:
     void add(std::uint64_t word) noexcept {
@@ -36,12 +37,12 @@ private:
     std::uint64_t value_ = 0;
 };
 
-/// Adds all rows that a question answers with.
+/// Adds all result rows of a query.
 Result<void> addRows(Database& database, const std::string& question, Digest& digest);
 
 using Questions = std::vector<std::pair<const char*, std::string>>;
 
-/// Of the answers to all of them, each with its name.
+/// Returns the digest of the results of all queries, each with its name.
 Result<std::int64_t> digestOf(Database& database, const Questions& questions);
 
 } // namespace burin

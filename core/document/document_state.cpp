@@ -92,14 +92,14 @@ Result<std::int64_t> jobDigest(Database& database, SetupId setup) {
     const std::string takes = "(SELECT id FROM take WHERE removed = 0 AND setup = " + id + ")";
     const std::string paths = "(SELECT id FROM path WHERE setup = " + id + ")";
     const std::string generated = "(SELECT id FROM generated WHERE setup = " + id + ")";
-    // Recordings grow, generated moves are as they were made: how long they are says what is in them.
+    // Recordings only grow and generated moves are never changed, so their length identifies their content.
     const Questions questions{
         std::pair{"model", std::string("SELECT * FROM model")},
         std::pair{"body", std::string("SELECT * FROM body ORDER BY rowid")},
         std::pair{"setup", "SELECT id, json FROM setup WHERE id = " + id},
         std::pair{"material", std::string("SELECT * FROM material ORDER BY rowid")},
         std::pair{"obstacle", "SELECT * FROM obstacle WHERE setup = " + id + " ORDER BY rowid"},
-        // Where nothing is switched off the answer is that of a version that couldn't.
+        // If nothing is switched off, the result is the same as that of versions without switching off.
         std::pair{"undone_stretch", "SELECT * FROM (SELECT * FROM undone_stretch WHERE take IN " + takes +
                                         " ORDER BY rowid) UNION ALL SELECT * FROM (SELECT 0, take, first, count FROM "
                                         "switched_off_stretch WHERE take IN " +

@@ -31,10 +31,10 @@ bool isNamedProject(const fs::path& file) {
     return suffix == ".burin";
 }
 
-/// What one line of a text says for or against its being NC code.
+/// Whether a line of a text indicates that it is NC code.
 enum class LineKind : std::uint8_t { nothing, block, command, other };
 
-/// Words of a letter and a number each, as RS274 blocks have; a comment ends what is looked at.
+/// Pairs of a letter and a number, as in RS274 blocks; the check ends at a comment.
 LineKind lineKind(std::string_view line) {
     constexpr std::string_view values = "+-.0123456789#[";
     line = trimmed(line, spaces);
@@ -53,11 +53,12 @@ LineKind lineKind(std::string_view line) {
     return kind;
 }
 
-/// Nine in ten of the lines are blocks, and some command something. @param cut  the text goes on behind its end
+/// Whether nine in ten of the lines are blocks, and some of them contain commands. @param cut  `text` is only the
+/// beginning of the file
 bool isProgram(std::string_view text, bool cut) {
     if (text.find('\0') != std::string_view::npos) return false;
     if (text.find("BEGIN PGM") != std::string_view::npos) return true; // Heidenhain's plain language
-    if (cut) text = text.substr(0, text.find_last_of("\r\n") + 1);     // without half a line
+    if (cut) text = text.substr(0, text.find_last_of("\r\n") + 1);     // without the incomplete last line
     std::size_t blocks = 0, commands = 0, others = 0;
     LineWalker lines(text);
     while (const std::optional<std::string_view> line = lines.next()) {

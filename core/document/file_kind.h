@@ -9,17 +9,17 @@
 
 namespace burin {
 
-/// What a user's file is to Burin.
+/// The kinds of files that a user may open with Burin.
 enum class FileKind : std::uint8_t {
     project,   ///< an SQLite database, or named .burin
     program,   ///< NC code
     locations, ///< cutter locations (APT/CL), which become a path
-    model      ///< anything else: importModel says whether it is one
+    model      ///< anything else: importModel finds out whether it is one
 };
 
-/// What a file is by its content; its name decides only where the content is missing or unknown, as that of unsaved
-/// work is, which has no file yet. Reads the beginning of the file; a pipe, which could make the caller wait, is not
-/// opened. Thread: any. Errors: fileNotFound, fileNotReadable (a folder, a pipe, a device, too), fileEmpty,
+/// Returns the kind of a file by its content; its name decides only if the content is missing or unknown, as with
+/// unsaved work, which has no file yet. Reads the beginning of the file; a pipe, which could block the caller, is not
+/// opened. Thread-safe. Errors: fileNotFound, fileNotReadable (also a folder, a pipe or a device), fileEmpty,
 /// projectNotBurin.
 Result<FileKind> fileKind(const std::filesystem::path& file);
 

@@ -10,9 +10,9 @@ namespace burin {
 
 namespace {
 
-constexpr char plainForm = 1, statedForm = 2; // without and with what a program states of feeds
+constexpr char plainForm = 1, statedForm = 2; // without and with the feeds and speeds that a program states
 
-// Columns of both forms, in this order; the last two are form 2's alone.
+// Columns of both forms, in this order; the last two exist only in form 2.
 constexpr std::size_t tipColumn = 0, axisColumn = 3, momentColumn = 6, markColumn = 7, plainColumns = 8;
 constexpr std::size_t feedColumn = 8, speedColumn = 9, statedColumns = 10;
 constexpr std::uint64_t removesMark = 1, boundaryMark = 2;

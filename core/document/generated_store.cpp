@@ -16,7 +16,7 @@ constexpr const char* selectGenerated =
     "SELECT id, setup, name, tool_id, allowance, "
     "(SELECT COALESCE(SUM(count), 0) FROM generated_chunk WHERE generated = generated.id), request FROM generated";
 
-/// A table counts from 1 on; a project's ids of generated moves are below 0.
+/// A table counts rows from 1; the ids of generated moves of a project are negative.
 std::int64_t rowOf(std::int64_t id) noexcept {
     return -id;
 }
@@ -51,7 +51,7 @@ Result<void> storeStroke(Database& database, std::int64_t row, std::int64_t stro
     return {};
 }
 
-/// The stroke that a chunk goes on with, or a new one; null: the chunk has no place there.
+/// Returns the stroke that a chunk continues, or a new one; null: the chunk does not fit there.
 std::vector<GeneratedPoint>* placeFor(GeneratedMoves& moves, std::int64_t stroke, std::int64_t first) {
     const auto begun = static_cast<std::int64_t>(moves.strokes.size());
     if (first == 0 && stroke == begun) return &moves.strokes.emplace_back();

@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// Every bit comes back.
+/// Stores every bit of the values.
 inline nlohmann::json jsonOf(const CylinderShape& cylinder) {
     return {{"base_mm", jsonOf(cylinder.base)},
             {"axis", jsonOf(cylinder.axis)},
@@ -15,7 +15,7 @@ inline nlohmann::json jsonOf(const CylinderShape& cylinder) {
             {"height_mm", cylinder.height}};
 }
 
-/// Throws nlohmann's exceptions where it is none.
+/// Throws nlohmann's exceptions if `record` is not a cylinder.
 inline CylinderShape cylinderOf(const nlohmann::json& record) {
     return {vectorOf(record.at("base_mm")), vectorOf(record.at("axis")), record.at("radius_mm").get<double>(),
             record.at("height_mm").get<double>()};

@@ -7,13 +7,13 @@
 
 namespace burin {
 
-/// {"turn": its three columns, "shift_mm"}; every bit comes back.
+/// {"turn": its three columns, "shift_mm"}; stores every bit of the values.
 inline nlohmann::json jsonOf(const Placement& placement) {
     return {{"turn", {jsonOf(placement.turn[0]), jsonOf(placement.turn[1]), jsonOf(placement.turn[2])}},
             {"shift_mm", jsonOf(placement.shift)}};
 }
 
-/// Throws nlohmann's exceptions where it is none, or would not keep lengths.
+/// Throws nlohmann's exceptions if `record` is not a placement, or does not preserve lengths.
 inline Placement placementOf(const nlohmann::json& record) {
     const nlohmann::json& turn = record.at("turn");
     const Placement placement{glm::dmat3(vectorOf(turn.at(0)), vectorOf(turn.at(1)), vectorOf(turn.at(2))),

@@ -8,12 +8,12 @@
 
 namespace burin {
 
-/// [x, y, z]; every bit comes back.
+/// [x, y, z]; stores every bit of the values.
 inline nlohmann::json jsonOf(const glm::dvec3& vector) {
     return nlohmann::json::array({vector.x, vector.y, vector.z});
 }
 
-/// Throws nlohmann's exceptions where it is none.
+/// Throws nlohmann's exceptions if `value` is not a vector.
 inline glm::dvec3 vectorOf(const nlohmann::json& value) {
     return {value.at(0).get<double>(), value.at(1).get<double>(), value.at(2).get<double>()};
 }

@@ -38,9 +38,9 @@ Error damagedKept(const Database& database, const TakeMoment& at) {
                    "kept_workpiece of take " + std::to_string(at.take) + ", sample " + std::to_string(at.samples));
 }
 
-constexpr std::size_t mostKept = 64; ///< of a setup
+constexpr std::size_t mostKept = 64; ///< for each setup
 
-/// All that are kept, in order, and whether each still holds.
+/// Returns all stored workpieces, in order, and whether each is still valid.
 Result<std::vector<std::pair<TakeMoment, bool>>> allKept(Database& database, SetupId setup, const CutDigest& digest) {
     Result<Statement> rows = Statement::prepare(
         database, "SELECT take, samples, made_of FROM kept_workpiece WHERE setup = ? ORDER BY take, samples");
@@ -56,7 +56,7 @@ Result<std::vector<std::pair<TakeMoment, bool>>> allKept(Database& database, Set
     return all;
 }
 
-/// Where there are many, those that hold no more go; where all hold, every other one but the newest.
+/// If there are too many, deletes those that are no longer valid; if all are valid, every other one except the newest.
 Result<void> makeRoom(Database& database, SetupId setup, const CutDigest& digest) {
     const auto all = allKept(database, setup, digest);
     if (!all) return all.error();

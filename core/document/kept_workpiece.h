@@ -11,14 +11,15 @@
 
 namespace burin {
 
-/// A workpiece at a moment of its setup's recordings, so that it needs not be cut again.
+/// A workpiece at a moment of its setup's recordings, stored so that it need not be cut again.
 struct KeptWorkpiece {
     TakeMoment at;
-    std::map<std::int64_t, std::size_t> strokes; ///< that stand, of each take that is over by then
-    std::string volume;                          ///< in the form of a volume file
+    std::map<std::int64_t, std::size_t> strokes; ///< number of strokes not undone, for each take that has ended by then
+    std::string volume;                          ///< in the format of a volume file
 };
 
-/// All that a setup's workpiece is made of at one time: stock, recordings, what of them counts. To be compared alone.
+/// Identifies everything that a setup's workpiece is made of at one time: stock, recordings, and which parts of them
+/// count. Only for comparison.
 struct RecordedState {
     TakeMoment end; ///< of the last take
     std::int64_t digest = 0;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view start = ".", ending = ".working";
 
-/// The user's file that a working copy belongs to; empty for another file.
+/// Returns the user's file that a working copy belongs to; empty if it is not a working copy.
 fs::path fileOf(const fs::path& copy) {
     const std::string name = copy.filename().string();
     if (!name.starts_with(start) || !name.ends_with(ending) || name.size() <= start.size() + ending.size()) return {};

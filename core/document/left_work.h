@@ -7,21 +7,21 @@
 
 namespace burin {
 
-/// Unsaved work that a program which is gone left in a folder: `Project::open` of `file` takes it up again.
+/// Unsaved work that an ended program left in a folder: `Project::open` of `file` recovers it.
 struct LeftWork {
     std::filesystem::path file;
-    std::filesystem::file_time_type changed; ///< when it was written last
+    std::filesystem::file_time_type changed; ///< time of its last write
 };
 
 struct FoundWork {
-    std::vector<LeftWork> left; ///< the newest first, without what can't be read
-    /// A program has some open, which is not listed: it runs, or it was killed and is still ending (a disk that is busy
-    /// holds it up), and its work is left soon.
+    std::vector<LeftWork> left; ///< the newest first, without unreadable ones
+    /// Another program has work open, which is not listed: it is running, or it was killed and is still terminating
+    /// (delayed by a busy disk), in which case its work can be recovered soon.
     bool inUse = false;
 };
 
-/// Looks into each working copy of a folder, and holds its lock meanwhile. A folder that can't be read has none. Not
-/// for the window's thread: it waits for the disk.
+/// Checks each working copy of a folder, holding its lock meanwhile. Nothing is found in a folder that can't be read.
+/// Not for the GUI thread, as it waits for the disk.
 FoundWork leftWork(const std::filesystem::path& folder);
 
 } // namespace burin

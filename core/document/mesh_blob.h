@@ -11,24 +11,25 @@
 
 namespace burin {
 
-/// A mesh in few bytes; every bit of every coordinate comes back.
+/// Encodes a mesh compactly, without loss of any bit of its coordinates.
 std::string encodeMesh(const TriangleMesh& mesh);
 
-/// Nothing when the blob is damaged or a triangle names a vertex that isn't there.
+/// Empty if the blob is damaged or a triangle names a vertex that does not exist.
 std::optional<TriangleMesh> decodeMesh(std::string_view blob);
 
-/// What the meshes of one file take in memory. Each alone is held to its packed size by `decodeMesh`; many small blobs
-/// could still come to gigabytes.
+/// Limits the total memory of the meshes of one file. `decodeMesh` limits each mesh by its packed size; many small
+/// blobs could still expand to gigabytes.
 class MeshesTogether {
 public:
-    /// False: they take more than their blobs can come to. @param packed bytes of the blob that `mesh` was read from
+    /// Returns false if the meshes take more memory than their blobs can justify. @param packed bytes of the blob of
+    /// `mesh`
     bool add(const TriangleMesh& mesh, std::size_t packed) noexcept;
 
 private:
     std::size_t taken_ = 0, packed_ = 0;
 };
 
-/// Six doubles of a box, bit for bit (an empty box is infinite, which JSON can't write).
+/// The six doubles of a box, bit for bit (an empty box is infinite, which JSON can't represent).
 std::string encodeBox(const Box& box);
 std::optional<Box> decodeBox(std::string_view blob);
 

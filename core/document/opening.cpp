@@ -32,7 +32,7 @@ bool isEmptyFile(const fs::path& file) {
     return fs::is_regular_file(file, failed) && fs::file_size(file, failed) == 0 && !failed;
 }
 
-/// The user's file, opened for reading and found whole.
+/// The user's file, opened for reading and found complete.
 struct SavedFile {
     Database database;
     DocumentState state;
@@ -47,18 +47,18 @@ Result<void> checkContent(Database& database, const DocumentState& state) {
     return {};
 }
 
-/// Before anything else is asked of a file that may come from anybody.
+/// Must be the first check of a file that may come from an untrusted source.
 Result<void> checkForm(Database& database) {
     if (Result<void> ours = checkIdentity(database); !ours) return ours;
     return checkSchema(database);
 }
 
-/// Bytes 18 and 19 of a database: the form that writing and reading it take, 1 (journal) or 2 (WAL).
+/// Bytes 18 and 19 of a database: the format versions required for writing and reading it, 1 (journal) or 2 (WAL).
 Result<void> checkHeader(const fs::path& file) {
     Result<std::ifstream> stream = openFileStream(file);
     if (!stream) return std::move(stream).error();
     std::array<char, 20> head{};
-    if (!stream->read(head.data(), head.size())) return {}; // too short: SQLite says what it is
+    if (!stream->read(head.data(), head.size())) return {}; // too short: SQLite will identify it
     const auto form = [&](std::size_t place) { return static_cast<unsigned char>(head[place]); };
     if (form(18) > 2 || form(19) > 2) return Error{ErrorCode::fileDamaged, file.string(), "header", {}};
     return {};
@@ -84,15 +84,15 @@ Result<SavedFile> openSaved(const fs::path& file) {
     return SavedFile{std::move(*database), std::move(*state)};
 }
 
-/// What to do with a working copy that an earlier run left behind.
+/// How to handle a working copy that an earlier run left behind.
 enum class Leftover : std::uint8_t { none, holdsNothingNew, belongsToFile, belongsToAnother, unreadable };
 
-/// Whether an error says that a file's content can't be used, and no fault of the moment.
+/// Whether an error means that a file's content can't be used, and not a temporary fault.
 bool isDamage(const Error& error) {
     return error.code == ErrorCode::fileDamaged || error.code == ErrorCode::projectNotBurin;
 }
 
-/// Errors: faults that may pass, by which no copy is judged.
+/// Errors: temporary faults, in which case the copy is not judged.
 Result<Leftover> judge(const WorkingCopy& copy, const DocumentState& saved) {
     if (!copy.exists()) return Leftover::none;
     if (copy.hasNoContent()) return Leftover::holdsNothingNew;
@@ -105,7 +105,7 @@ Result<Leftover> judge(const WorkingCopy& copy, const DocumentState& saved) {
     return left->unsaved() ? Leftover::belongsToAnother : Leftover::holdsNothingNew;
 }
 
-/// Makes the copy say that it stands on `saved`, and that no save is under way. Null: no file holds what is in it.
+/// Sets the copy's state to be based on `saved`, with no save in progress. Null: its content is in no file.
 Result<void> standOn(Database& copy, const DocumentState* saved) {
     Result<DocumentState> state = documentState(copy);
     if (!state) return std::move(state).error();
@@ -144,7 +144,7 @@ Result<OpenedCopy> takeUp(std::shared_ptr<WorkingCopy> copy, const DocumentState
     return OpenedCopy{std::move(copy), std::move(*database), true, {}};
 }
 
-/// A copy that was just made of what the file holds goes again where it can't be used.
+/// Connects to a copy that was just made from the file, and removes it again if it can't be used.
 Result<Database> connectFresh(WorkingCopy& copy) {
     Result<Database> database = copy.connect();
     if (database)
@@ -160,8 +160,8 @@ Result<OpenedCopy> startFrom(std::shared_ptr<WorkingCopy> copy, SavedFile& saved
     return OpenedCopy{std::move(copy), std::move(*database), false, {}};
 }
 
-/// What was opened, for reading alone: as a copy in memory where it is not to be kept open, and where it is of an older
-/// version, which is brought up to date.
+/// Returns the opened database for reading only: as a copy in memory if it is not to be kept open, or if it is of an
+/// older version, which is then upgraded.
 Result<OpenedCopy> forReading(Database database, bool recovered, bool inMemory) {
     const Result<std::int64_t> version = database.integer("PRAGMA user_version");
     if (!version) return version.error();
@@ -182,7 +182,7 @@ Result<OpenedCopy> savedForReading(const fs::path& file) {
     return forReading(std::move(saved->database), false, false);
 }
 
-/// Unsaved work as it was left, which stays as it is. Nobody has to wait until its reader is done.
+/// Reads leftover unsaved work without changing it, into memory, so that nobody has to wait for its reader.
 Result<OpenedCopy> leftForReading(const WorkingCopy& copy) {
     Result<Database> database = copy.connectForReading();
     if (!database) return std::move(database).error();
@@ -191,7 +191,7 @@ Result<OpenedCopy> leftForReading(const WorkingCopy& copy) {
     return forReading(std::move(*database), true, true);
 }
 
-/// Waits while others only read what was left, which takes them moments. Errors: as WorkingCopy::lock.
+/// Waits while other processes only read leftover work, which takes them moments. Errors: as WorkingCopy::lock.
 Result<std::shared_ptr<WorkingCopy>> lockForReading(const fs::path& file) {
     constexpr int attempts = 100;
     for (int attempt = 1;; ++attempt) {
@@ -203,7 +203,7 @@ Result<std::shared_ptr<WorkingCopy>> lockForReading(const fs::path& file) {
     }
 }
 
-/// Another version's copy must never be judged, let alone moved, by this one.
+/// A copy of another version must never be judged, let alone moved, by this version.
 Result<void> checkLeftoverVersion(const WorkingCopy& copy) {
     if (!copy.exists()) return {};
     Result<Database> database = copy.connectForReading();
@@ -213,7 +213,7 @@ Result<void> checkLeftoverVersion(const WorkingCopy& copy) {
     return {};
 }
 
-/// Name of the save that stands at `file` now; empty: none that could be told.
+/// Returns the save id of the current `file`; empty if none can be determined.
 Result<std::string> standingSave(const fs::path& file) {
     if (!stands(file) || isEmptyFile(file)) return std::string();
     std::error_code ignored;
@@ -235,7 +235,7 @@ Result<OpenedCopy> openBeside(std::shared_ptr<WorkingCopy> copy, SavedFile& save
     const Leftover leftover = *judged;
     if (leftover == Leftover::belongsToFile) {
         Result<OpenedCopy> taken = takeUp(copy, &saved.state);
-        // A copy that can't be read through goes aside below; the saved file is still whole.
+        // A copy that can't be read completely is moved aside below; the saved file is still complete.
         if (taken || taken.error().code != ErrorCode::fileDamaged) return taken;
     }
     fs::path keptAside;
@@ -249,7 +249,8 @@ Result<OpenedCopy> openBeside(std::shared_ptr<WorkingCopy> copy, SavedFile& save
     return opened;
 }
 
-/// For a new working copy: what stands in its place goes, or aside where nobody saved it. The name that it got then.
+/// Makes room for a new working copy: an existing one is removed, or moved aside if it was not saved. Returns its new
+/// name.
 Result<fs::path> makeRoom(WorkingCopy& copy) {
     copy.removeAbandonedParts();
     if (!copy.exists() || copy.hasNoContent()) return fs::path();
@@ -267,7 +268,8 @@ Result<void> checkReached(const fs::path& file) {
     return {};
 }
 
-/// Whether it is for lack of rights that nothing can be made beside the file, which lasts, and no fault of the moment.
+/// Whether files can't be created next to the file for lack of permissions, which is permanent, and not for a temporary
+/// fault.
 bool isProtected(const fs::path& file) {
     return ::faccessat(AT_FDCWD, file.parent_path().c_str(), W_OK, AT_EACCESS) != 0 &&
            (errno == EACCES || errno == EROFS || errno == EPERM);
@@ -285,7 +287,8 @@ Result<OpenedCopy> createWorkingCopy(const fs::path& file) {
     const Result<void> placed = (*copy)->place([&](Database& empty) -> Result<void> {
         if (Result<void> made = createSchema(empty); !made) return made;
         DocumentState state;
-        state.saveId = *standing; // so that a killed session finds that it was to replace this very file
+        state.saveId = *standing; // so that after a crash of this session it is known that this very file was to be
+                                  // replaced
         return setDocumentState(empty, state);
     });
     if (!placed) return placed.error();
@@ -327,7 +330,7 @@ Result<OpenedCopy> openWorkingCopy(const fs::path& file) {
     if (!stands(file)) return takeUp(std::move(copy), nullptr);
     Result<SavedFile> saved = openSaved(file);
     if (saved) return openBeside(std::move(copy), *saved);
-    // A file that was damaged since doesn't matter to the copy that was made of it when it was whole.
+    // If the file was damaged later, this does not affect the copy, which was made while it was complete.
     const bool salvage = saved.error().code == ErrorCode::fileDamaged && copy->exists() && copy->state();
     if (!salvage) return std::move(saved).error();
     return takeUp(std::move(copy), nullptr);
@@ -335,11 +338,12 @@ Result<OpenedCopy> openWorkingCopy(const fs::path& file) {
 
 Result<OpenedCopy> openForReading(const fs::path& file) {
     if (const Result<void> reached = checkReached(file); !reached) return reached.error();
-    // A save puts a whole file in the place of another: only work that was left needs a lock.
+    // A save replaces the complete file by another one, so only leftover work needs a lock.
     const bool left = stands(WorkingCopy::pathBeside(file)) || stands(Companions::unshortened(file).working);
     if (stands(file) && !left) return savedForReading(file);
     Result<std::shared_ptr<WorkingCopy>> locked = lockForReading(file);
-    // Who works on the project shows what is saved; who reads what was left would show something else.
+    // While another process works on the project, its last save is shown; if that process only reads leftover work, the
+    // saved file would be the wrong content.
     const bool inUse = !locked && locked.error().code == ErrorCode::projectInUse;
     if (inUse && stands(file) && !WorkingCopy::isReading(locked.error())) return savedForReading(file);
     if (!locked && !inUse && stands(file) && isProtected(file)) return savedForReading(file);

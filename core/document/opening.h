@@ -9,13 +9,13 @@
 
 namespace burin {
 
-/// A connection to a project's working copy, and how it came about.
+/// A connection to a project's working copy, and how it was opened.
 struct OpenedCopy {
-    std::shared_ptr<WorkingCopy> copy; ///< null: open for reading alone
+    std::shared_ptr<WorkingCopy> copy; ///< null: opened for reading only
     Database database;
     bool recovered = false;
     std::filesystem::path keptAside;
-    std::shared_ptr<WorkingCopy> lock = nullptr; ///< of a project that is open for reading alone, where it could be had
+    std::shared_ptr<WorkingCopy> lock = nullptr; ///< of a project opened for reading only, if it could be locked
 };
 
 /// @param file absolute, here and below. Errors: as Project::create.
@@ -24,7 +24,7 @@ Result<OpenedCopy> createWorkingCopy(const std::filesystem::path& file);
 Result<OpenedCopy> openWorkingCopy(const std::filesystem::path& file);
 /// As Project::openForReading.
 Result<OpenedCopy> openForReading(const std::filesystem::path& file);
-/// Saves what `from` holds as `file` and opens that. Errors: as Project::saveAs.
+/// Saves the content of `from` as `file` and opens that. Errors: as Project::saveAs.
 Result<OpenedCopy> saveUnderAnotherName(Database& from, const std::filesystem::path& file);
 
 } // namespace burin

@@ -12,12 +12,12 @@ namespace burin {
 
 namespace {
 
-/// The two columns of a source: one is the number of a row, the other NULL.
+/// A source has two columns, of which one holds the number of a row and the other is NULL.
 const char* columnOf(PathSource source) noexcept {
     return source.isTake() ? "take" : "generated";
 }
 
-/// Whether a row can have the number: SQLite counts from 1 on.
+/// Whether the number can be that of a row: SQLite counts from 1.
 bool namesARow(PathSource source) noexcept {
     return source.id != 0 && source.id != std::numeric_limits<std::int64_t>::min();
 }
@@ -30,7 +30,7 @@ Error unknownSource(PathSource source) {
     return {ErrorCode::nameUnknown, kindOf(source), std::to_string(source.id), {}};
 }
 
-/// The setup that a source was made for.
+/// Returns the setup that a source was made for.
 Result<SetupId> setupOf(Database& database, PathSource source) {
     Result<Statement> row =
         Statement::prepare(database, std::string("SELECT setup FROM ") + columnOf(source) + " WHERE id = ?");
@@ -42,7 +42,7 @@ Result<SetupId> setupOf(Database& database, PathSource source) {
     return SetupId{row->integer(0)};
 }
 
-/// That a path's setup is there, and its sources, which are of that setup.
+/// Checks that a path's setup exists, and that its sources exist and belong to that setup.
 Result<void> requireSources(Database& database, const StoredPath& path) {
     if (Result<void> known = requireSetup(database, path.setup); !known) return known;
     for (const PathSource source : path.sources) {
@@ -102,7 +102,7 @@ Result<void> eraseParts(Database& database, std::int64_t id) {
     return {};
 }
 
-/// What was just changed was no path: there is none of that id.
+/// Checks that the last statement changed a path; otherwise there is none of that id.
 Result<void> requireChange(Database& database, std::int64_t id) {
     const Result<std::int64_t> found = database.integer("SELECT changes()");
     if (!found) return found.error();

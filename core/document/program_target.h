@@ -9,13 +9,13 @@
 
 namespace burin {
 
-/// The machine that a project's programs are for until something else is said.
+/// The machine of a project's programs until another one is chosen.
 inline constexpr const char* firstMachine = "linuxcnc-mill";
 
-/// What the programs of a project are for.
+/// The machine, dialect and units of a project's programs.
 struct ProgramTarget {
     std::string machine = firstMachine; ///< id
-    std::string dialect;                ///< id; empty: the one that the machine's control reads
+    std::string dialect;                ///< id; empty: that of the machine's control
     NcUnits units = NcUnits::millimetre;
 
     const std::string& dialectFor(const MachineProfile& profile) const noexcept {

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One name for one file, whichever way it was called: the working copy and its lock stand beside it.
+/// Returns the same name for the same file, however it was specified: the working copy and its lock are next to it.
 fs::path plainName(const fs::path& file) {
     std::error_code failed;
     const fs::path whole = fs::absolute(file, failed);
@@ -95,7 +95,7 @@ Result<void> Project::save(std::span<StagedFile> outputs) {
 Result<void> Project::saveAs(const fs::path& file) {
     fs::path plain = plainName(file);
     if (plain == impl_->file && !readOnly()) return save();
-    if (impl_->copy.use_count() > 1) // a TakeWriter has it too, and would go on beside the old file
+    if (impl_->copy.use_count() > 1) // a TakeWriter also uses it, and would continue with the old file
         return Error{ErrorCode::argumentInvalid, "take", {}, "no take under way"};
     if (readOnly())
         if (Result<void> writable = impl_->database.execute("PRAGMA query_only = OFF"); !writable) return writable;
@@ -104,8 +104,9 @@ Result<void> Project::saveAs(const fs::path& file) {
         if (readOnly()) static_cast<void>(impl_->database.execute("PRAGMA query_only = ON"));
         return std::move(opened).error();
     }
-    if (!readOnly()) impl_->copy->abandon();       // all of it is in the new file
-    impl_->database = std::move(opened->database); // the old connection closes before its working copy goes
+    if (!readOnly()) impl_->copy->abandon();       // everything in it is in the new file
+    impl_->database = std::move(opened->database); // the old connection must be closed before its working copy is
+                                                   // removed
     impl_->copy = std::move(opened->copy);
     impl_->lock.reset();
     impl_->file = std::move(plain);

@@ -21,7 +21,8 @@ Result<ProjectChange> ProjectChange::create(const std::filesystem::path& file) {
 }
 
 ProjectChange::~ProjectChange() {
-    // All of a successful change is in the file, nothing of another is to stay: neither needs the working copy.
+    // A successful change is completely in the file, and nothing of an unsuccessful one is to stay: neither needs the
+    // working copy.
     if (project_) project_->abandonChanges();
 }
 

@@ -10,12 +10,11 @@
 
 namespace burin {
 
-/// A project that a command changes and saves, all or nothing: unless `save` succeeded, this object's end takes back
-/// what was changed, and the file stays as it was. Work that an earlier run left unsaved is not part of the change: it
-/// is saved first.
+/// A project that a command changes and saves, all or nothing: unless `save` succeeded, the destructor reverts the
+/// changes, and the file stays as it was. Unsaved work of an earlier run is not part of the change: it is saved first.
 class ProjectChange {
 public:
-    /// Errors: as Project::open, Project::save, fileNotWritable (open for reading alone).
+    /// Errors: as Project::open, Project::save, fileNotWritable (opened for reading only).
     static Result<ProjectChange> open(const std::filesystem::path& file);
     /// A new project. Errors: as Project::create.
     static Result<ProjectChange> create(const std::filesystem::path& file);
@@ -26,7 +25,7 @@ public:
     Project& operator*() noexcept { return *project_; }
     Project* operator->() noexcept { return project_.get(); }
 
-    /// Saves, and puts `outputs` in their places with it: all or none. Errors: as Project::save.
+    /// Saves, and moves `outputs` to their final names with it: all or none. Errors: as Project::save.
     Result<void> save(std::span<StagedFile> outputs = {});
 
 private:

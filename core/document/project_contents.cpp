@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// Those of a list that belong to a setup.
+/// Returns the records of a list that belong to a setup.
 template <class Record>
 Result<std::vector<Record>> ofSetup(Result<std::vector<Record>> records, SetupId setup) {
     if (records) std::erase_if(*records, [setup](const Record& record) { return record.setup != setup; });

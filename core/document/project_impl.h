@@ -14,7 +14,7 @@
 
 namespace burin {
 
-/// What a project holds open. The connection ends before the working copy does.
+/// The data of an open project. The connection is closed before the working copy is destroyed.
 class Project::Impl {
 public:
     Impl(std::filesystem::path userFile, OpenedCopy opened)
@@ -24,7 +24,8 @@ public:
         , database(std::move(opened.database))
         , recovered(opened.recovered)
         , keptAside(std::move(opened.keptAside)) {}
-    /// A save whose note in the working copy failed, as on a disk that was full by then, is in the file all the same.
+    /// If the note of a save in the working copy failed, for example because the disk was full by then, the file is
+    /// saved all the same, so the copy is abandoned.
     ~Impl() {
         if (!copy || copy.use_count() > 1 || !savedChanges) return;
         if (const Result<DocumentState> state = documentState(database); state && state->changes == *savedChanges)
@@ -44,7 +45,7 @@ public:
         if (Result<void> committed = whole->commit(); !committed) return std::move(committed).error();
         return result;
     }
-    /// Runs `work` as one transaction that is no change: nobody is asked to save it.
+    /// Runs `work` as one transaction that does not count as a change to be saved.
     template <class Work>
     auto note(Work work) -> decltype(work(std::declval<Database&>())) {
         Result<Transaction> whole = Transaction::begin(database, Transaction::Kind::write);
@@ -54,7 +55,7 @@ public:
         if (Result<void> committed = whole->commit(); !committed) return std::move(committed).error();
         return result;
     }
-    /// Runs `work` on one state of the project, whatever a recorder writes meanwhile.
+    /// Runs `work` on one consistent state of the project, even while a recorder writes.
     template <class Work>
     auto read(Work work) -> decltype(work(std::declval<Database&>())) {
         Result<Transaction> whole = Transaction::begin(database, Transaction::Kind::read);
@@ -62,18 +63,18 @@ public:
         return work(database);
     }
 
-    /// The setup that is meant.
+    /// Returns the setup that `id` denotes.
     SetupId meant(SetupId id) const noexcept { return id == setupInUse ? used : id; }
 
     std::filesystem::path file;
     SetupId used = firstSetup;
-    std::shared_ptr<WorkingCopy> copy; ///< null: open for reading alone
-    std::shared_ptr<WorkingCopy> lock; ///< of a project that is open for reading alone, where it could be had
+    std::shared_ptr<WorkingCopy> copy; ///< null: open for reading only
+    std::shared_ptr<WorkingCopy> lock; ///< of a project that is open for reading only, if it could be locked
     Database database;
     bool recovered = false;
-    std::optional<std::int64_t> savedChanges; ///< that the file has since the last save of this object
+    std::optional<std::int64_t> savedChanges; ///< `changes` of the file after the last save by this object
     std::filesystem::path keptAside;
-    std::filesystem::path keptEarlier; ///< by the last save
+    std::filesystem::path keptEarlier; ///< set by the last save
 };
 
 } // namespace burin

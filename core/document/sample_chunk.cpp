@@ -12,8 +12,8 @@ namespace {
 
 constexpr char chunkFormVersion = 1;
 
-// Columns of form 1, in this order. The proxy's tip follows the stylus's three columns later, so that free motion,
-// where both are the same, costs nothing twice.
+// Columns of form 1, in this order. The proxy's tip comes three columns after the stylus's, so that free motion, in
+// which both are equal, is not stored twice.
 constexpr std::size_t tickColumn = 0, timeColumn = 1, deviceColumn = 2, stylusTipColumn = 9, proxyColumn = 12,
                       forceColumn = 18, cuttingForceColumn = 21, reportedColumn = 24, removedColumn = 25,
                       propertiesColumn = 33, buttonsColumn = 34, flagsColumn = 35, columnCount = 36;

@@ -12,14 +12,14 @@
 
 namespace burin {
 
-/// Most samples that one chunk holds, so that a damaged count can't ask for more memory than a chunk needs.
+/// The largest number of samples in one chunk, so that a damaged count can't request more memory than a chunk needs.
 inline constexpr std::size_t samplesPerChunk = 16384;
 
-/// A stretch of a recording in as few bytes as its noise allows; every bit of every value comes back.
+/// Encodes a part of a recording as compactly as its noise allows, without loss of any bit.
 /// @param samples at most `samplesPerChunk`
 std::string encodeSamples(std::span<const Sample> samples);
 
-/// Nothing when the chunk is damaged, of a form that this version doesn't know, or not of exactly `count` samples.
+/// Empty if the chunk is damaged, of a form that this version doesn't know, or not of exactly `count` samples.
 std::optional<std::vector<Sample>> decodeSamples(std::string_view chunk, std::size_t count);
 
 } // namespace burin

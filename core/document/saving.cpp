@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A removed recording leaves free pages behind; a file that is mostly those is worth writing anew.
+/// A removed recording leaves free pages behind; a file that consists mostly of these is written anew.
 Result<void> dropFreePages(Database& snapshot) {
     const Result<std::int64_t> free = snapshot.integer("PRAGMA freelist_count");
     if (!free) return free.error();
@@ -29,14 +29,14 @@ Result<void> dropFreePages(Database& snapshot) {
     return snapshot.execute("VACUUM");
 }
 
-/// Writes the snapshot; its state as a saved file comes back.
+/// Writes the snapshot; returns its state as a saved file.
 Result<DocumentState> writeSnapshot(Database& workingCopy, const fs::path& beside, const std::string& saveId) {
     const int made = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (made < 0) return writeError(workingCopy.subject(), errno);
     ::close(made);
     Result<Database> snapshot = Database::open(beside, workingCopy.subject(), Database::Access::create);
     if (!snapshot) return std::move(snapshot).error();
-    // No journal and no flush: what doesn't get to its end is thrown away, and the end is flushed before the rename.
+    // No journal and no flush: an incomplete snapshot is discarded, and a complete one is flushed before the rename.
     for (const char* setting : {"PRAGMA journal_mode = MEMORY", "PRAGMA synchronous = OFF"})
         if (Result<void> done = snapshot->execute(setting); !done) return std::move(done).error();
     if (Result<void> done = copyDatabase(workingCopy, *snapshot); !done) return std::move(done).error();
@@ -57,13 +57,13 @@ Result<DocumentState> writeSnapshot(Database& workingCopy, const fs::path& besid
     return state;
 }
 
-/// Nothing that protects a file from being written is overcome by the rename.
+/// Checks that the rename would not bypass a write protection of the file.
 Result<void> mayBeReplaced(const fs::path& file) {
     if (const int refused = refusalToWrite(file); refused != 0) return writeError(file, refused);
     return {};
 }
 
-/// Puts `outputs` in their places and then the project: all or none.
+/// Moves `outputs` to their final names and then the project: all or none.
 Result<void> placeTogether(StagedFile& project, std::span<StagedFile> outputs) {
     const PlacingTogether alone;
     if (!outputs.empty())
@@ -77,7 +77,7 @@ Result<void> placeTogether(StagedFile& project, std::span<StagedFile> outputs) {
     return placed;
 }
 
-/// The format of what stands at `file`; 0 where that is no project that can be read.
+/// Returns the format of `file`; 0 if it is not a readable project.
 int formatOf(const fs::path& file) {
     Result<Database> database = Database::open(file, file.string(), Database::Access::read);
     if (!database || !checkIdentity(*database)) return 0;
@@ -85,8 +85,8 @@ int formatOf(const fs::path& file) {
     return version ? static_cast<int>(*version) : 0;
 }
 
-/// Gives `file` a second name, or, where the file system has no links, makes a copy of that name, complete or not at
-/// all. Nothing stands there. Errors: those of writing.
+/// Gives `file` a second name, or, if the file system has no links, makes a copy of that name, completely or not at
+/// all. The name must not exist yet. Errors: those of writing.
 Result<void> giveName(const fs::path& file, const fs::path& name) {
     std::error_code failed;
     fs::create_hard_link(file, name, failed);
@@ -100,9 +100,9 @@ Result<void> giveName(const fs::path& file, const fs::path& name) {
     return writeError(name, failed.value());
 }
 
-/// Another name for a file of an earlier format, which a save is about to replace: older versions of Burin can't read
-/// the new one. The first free name, or the one that a save got which did not end; nothing where the file is of this
-/// format. Errors: those of writing.
+/// Gives another name to a file of an earlier format before a save replaces it, as older versions of Burin can't read
+/// the new one. Uses the first free name, or that of a previous incomplete save; empty if the file already has the
+/// present format. Errors: those of writing.
 Result<fs::path> keepEarlierFormat(const fs::path& file) {
     const int format = formatOf(file);
     if (format < 1 || format >= projectVersion) return fs::path();
@@ -117,7 +117,7 @@ Result<fs::path> keepEarlierFormat(const fs::path& file) {
     return name;
 }
 
-/// A snapshot beside `file`, complete and flushed, and its state as a saved file.
+/// A snapshot next to `file`, complete and flushed, and its state as a saved file.
 struct StagedSnapshot {
     StagedFile file;
     DocumentState state;
@@ -151,7 +151,7 @@ Result<SavedSnapshot> saveSnapshot(Database& workingCopy, const fs::path& file, 
         if (!kept->empty()) fs::remove(*kept, ignored);
         return std::move(placed).error();
     }
-    // Should this fail, the file is saved all the same, and `next_save_id` lets the next open see it.
+    // If this fails, the file is saved all the same, and `next_save_id` lets the next open detect that.
     static_cast<void>(run(workingCopy,
                           "UPDATE document SET save_id = ?, next_save_id = x'', revision = ?, saved_changes = ?",
                           BlobView{saveId}, saved->state.revision, saved->state.changes));

@@ -11,21 +11,22 @@
 
 namespace burin {
 
-/// A save that succeeded.
+/// The result of a successful save.
 struct SavedSnapshot {
-    std::int64_t changes = 0;          ///< DocumentState::changes of the file; counts even where the copy's note failed
-    std::filesystem::path keptEarlier; ///< the name that a file of an earlier format got; empty: there was none
+    std::int64_t changes = 0;          ///< DocumentState::changes of the file; valid even if the note in the copy
+                                       ///< failed
+    std::filesystem::path keptEarlier; ///< new name of a replaced file of an earlier format; empty: there was none
 };
 
-/// Makes `file` hold what the working copy holds now: a snapshot beside it, checked, flushed and renamed over it, and
-/// notes in the copy that it was saved. A file of an earlier format keeps standing beside it.
-/// @param outputs flushed; they are put in their places with it, all or none. Errors: diskFull, fileNotWritable,
-/// fileDamaged; `file` and what stood at the outputs' names are then as they were.
+/// Saves the current content of the working copy to `file`: a snapshot next to it is checked, flushed and renamed over
+/// it, and the copy gets a note that it was saved. A file of an earlier format is kept under another name.
+/// @param outputs flushed; they are moved to their final names with it, all or none. Errors: diskFull, fileNotWritable,
+/// fileDamaged; `file` and the files of the outputs' names are then unchanged.
 Result<SavedSnapshot> saveSnapshot(Database& workingCopy, const std::filesystem::path& file,
                                    std::span<StagedFile> outputs = {});
 
-/// Makes `file` a project of its own with what the working copy holds now. Nothing is written to the copy, so that its
-/// disk may be full. @return the file in its place, which can still be taken back. Errors: as above.
+/// Saves the current content of the working copy as a separate project `file`. Nothing is written to the copy, so its
+/// disk may be full. @return the file in its place, which can still be reverted. Errors: as above.
 Result<StagedFile> saveCopy(Database& workingCopy, const std::filesystem::path& file);
 
 } // namespace burin

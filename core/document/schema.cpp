@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-// README.md says what each column holds.
+// README.md describes the columns.
 constexpr const char* tables = R"sql(
 CREATE TABLE document(
     id INTEGER PRIMARY KEY CHECK(id = 1),
@@ -115,8 +115,8 @@ CREATE TABLE milling_setting(
     json TEXT NOT NULL);
 )sql";
 
-// Tables of version 4 in the form that a new project and a migrated one have in common: take, path and program got a
-// column, and SQLite keeps that as it was added.
+// The tables of version 4, in the form that new and migrated projects share: take, path and program got a column, which
+// SQLite stores in the statement as it was added.
 constexpr const char* setups = R"sql(
 CREATE TABLE setup(
     id INTEGER PRIMARY KEY AUTOINCREMENT,
@@ -198,7 +198,7 @@ CREATE TABLE stock_volume(
     volume BLOB NOT NULL);
 )sql";
 
-/// A mirrored part is no part of its B-rep's file; and what was the job's program is its only setup's.
+/// A mirrored part differs from the part in its B-rep's file; and the job's program becomes that of its only setup.
 constexpr const char* placements = R"sql(
 ALTER TABLE model ADD COLUMN brep_placement TEXT NOT NULL DEFAULT '';
 INSERT INTO setup_setting SELECT 1, name, json FROM milling_setting WHERE name IN ('program_draft', 'kept_program');
@@ -237,7 +237,7 @@ std::string withoutSpaces(std::string_view sql) {
     return text;
 }
 
-/// The tables that `sql` makes, by name, as the database keeps their statements, without spaces.
+/// Returns the tables that `sql` creates, by name, with their statements as stored by the database, without spaces.
 std::map<std::string, std::string> statementsOf(std::string_view sql) {
     constexpr std::string_view make = "CREATE TABLE ";
     std::map<std::string, std::string> statements;
@@ -249,7 +249,7 @@ std::map<std::string, std::string> statementsOf(std::string_view sql) {
     return statements;
 }
 
-/// A column that was added behind the others: SQLite puts it into the statement as it was written.
+/// Appends a column to a statement as SQLite does: it stores the column as it was written.
 void addColumn(std::string& statement, std::string_view column) {
     statement.replace(statement.size() - 1, 1, column);
 }
@@ -274,7 +274,7 @@ Result<void> createSchema(Database& file) {
     if (Result<void> done = file.execute(identity.c_str()); !done) return done;
     if (Result<void> done = setVersion(file, projectVersion); !done) return done;
     if (Result<void> done = file.execute(tables); !done) return done;
-    for (const Migration& step : projectMigrations) // one form, whichever way a project came to it
+    for (const Migration& step : projectMigrations) // the same form, however a project came to it
         if (Result<void> done = step.apply(file); !done) return done;
     return whole->commit();
 }
@@ -293,7 +293,7 @@ Result<void> addSetups(Database& file) {
     return {};
 }
 
-/// The tables are the same; what a setup's JSON may say grew, and an older Burin would mill an insert as a part.
+/// The tables stay the same; the setup's JSON was extended, and an older Burin would mill an insert as a part.
 Result<void> addRoles(Database&) {
     return {};
 }
@@ -306,7 +306,7 @@ Result<void> addPlacements(Database& file) {
     return file.execute(placements);
 }
 
-/// The tables are the same; an older Burin would post for the work offset G54 whatever a setup's JSON says.
+/// The tables stay the same; an older Burin would always post for the work offset G54, regardless of the setup's JSON.
 Result<void> addProgramZero(Database&) {
     return {};
 }
@@ -320,7 +320,7 @@ Result<void> addTime(Database& file) {
     return file.execute("ALTER TABLE take ADD COLUMN removed INTEGER NOT NULL DEFAULT 0");
 }
 
-/// Chunks of generated moves may be of a further form, which this version alone writes.
+/// Chunks of generated moves may have a further form, which is written only from this version on.
 Result<void> addStatedFeeds(Database&) {
     return {};
 }
@@ -360,7 +360,7 @@ Result<void> checkSchema(Database& file) {
         if (!*row) break;
         const std::string name(rows->text(0));
         const auto known = expected.find(name);
-        const bool own = name.starts_with("sqlite_"); // SQLite's: its names can't be taken
+        const bool own = name.starts_with("sqlite_"); // SQLite's own tables, whose names can't be used by others
         if (!own && (known == expected.end() || known->second != withoutSpaces(rows->text(1))))
             return Error{ErrorCode::fileDamaged, file.subject(), name, "not in the schema"};
         if (known != expected.end()) expected.erase(known);

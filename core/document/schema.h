@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// "Brin" in the SQLite header's application id: what `file` and we know a project by.
+/// "Brin" in the application id of the SQLite header, by which the `file` command and Burin recognise a project.
 inline constexpr std::int32_t projectApplicationId = 0x4272696E;
 
 /// One step of the format, from `user_version` `from` to the next. It works on the stored form: tables, not classes.
@@ -20,7 +20,7 @@ struct Migration {
     Result<void> (*apply)(Database& file) = nullptr;
 };
 
-/// In order; the first starts from version 1. Every released version has its witness in tests/fixtures/projects.
+/// In order; the first starts from version 1. Every released version has a test project in tests/fixtures/projects.
 Result<void> addUndoneStretches(Database& file); // schema.cpp
 Result<void> addSurroundings(Database& file);
 Result<void> addSetups(Database& file);
@@ -47,20 +47,20 @@ inline constexpr std::array projectMigrations{
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 
-/// Makes the tables of the current version in an empty database.
+/// Creates the tables of the current version in an empty database.
 Result<void> createSchema(Database& file);
 
-/// That a database is a project which this version can read. Errors: projectNotBurin, fileFromNewerBurin,
+/// Checks that a database is a project which this version can read. Errors: projectNotBurin, fileFromNewerBurin,
 /// fileDamaged.
 Result<void> checkIdentity(Database& file, int newest = projectVersion);
 
-/// That a project's tables are those of its version, and that it has no other: no index over an expression and no
-/// column that is worked out, which could make any question to it endless. To be asked before any other. Views and
-/// triggers are switched off (Database::open) and may stay.
+/// Checks that a project has exactly the tables of its version, without indices over expressions or computed columns,
+/// which could make any query endless. Call it before any other query. Views and triggers are switched off
+/// (Database::open) and are allowed.
 /// Errors: fileDamaged.
 Result<void> checkSchema(Database& file);
 
-/// Takes the steps that are missing; all of them or none. Errors: as `checkIdentity`, and those of the steps.
+/// Applies the missing steps; all of them or none. Errors: as `checkIdentity`, and those of the steps.
 Result<void> upgrade(Database& file, std::span<const Migration> migrations = projectMigrations);
 
 } // namespace burin

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Key of the first number that JSON can't write; empty when there is none.
+/// Returns the key of the first number that JSON can't represent; empty if there is none.
 const char* notFinite(const Setup& setup) {
     if (!std::isfinite(setup.voxel)) return "voxel_mm";
     if (!isFinite(setup.marginLow)) return "margin_low_mm";
@@ -53,7 +53,7 @@ int axisOf(const std::string& name, const char* key, const json& record) {
     return static_cast<int>(axis);
 }
 
-/// JSON has no infinity: a side without a plane is null.
+/// JSON has no infinity, so a side without a plane is null.
 json planeOf(double place) {
     return std::isfinite(place) ? json(place) : json();
 }
@@ -96,7 +96,7 @@ MaterialRegion regionOf(const json& record) {
     return region;
 }
 
-/// What the versions before 5 left out: every body was a part in a box of one material.
+/// Data that versions before 5 did not write: every body was a part in a box of one material.
 void readStock(const json& record, Setup& setup) {
     if (!record.contains("roles")) return;
     for (const json& id : record.at("roles")) {
@@ -113,7 +113,7 @@ void readStock(const json& record, Setup& setup) {
     for (const json& region : record.at("regions")) setup.regions.push_back(regionOf(region));
 }
 
-/// Since version 7.
+/// Stored since version 7.
 void readPlacement(const json& record, Setup& setup) {
     if (!record.contains("placement")) return;
     if (const json& placement = record.at("placement"); !placement.is_null()) setup.placement = placementOf(placement);
@@ -130,7 +130,7 @@ json recordOf(const ProgramZero& zero) {
             {"point_mm", jsonOf(zero.point)}};
 }
 
-/// Since version 8; before, it was always the default.
+/// Stored since version 8; before, it was always the default.
 void readZero(const json& record, Setup& setup) {
     if (!record.contains("zero")) return;
     const json& zero = record.at("zero");
@@ -157,7 +157,7 @@ Setup read(const json& record) {
     if (const json& stock = record.at("stock_mm"); !stock.is_null())
         setup.stock = {vectorOf(stock.at(0)), vectorOf(stock.at(1))};
     setup.workOffset = vectorOf(record.at("work_offset_mm"));
-    // Left out by the versions that knew no other.
+    // Not written by the versions that supported no other axis.
     setup.runs = static_cast<RunAxis>(axisOf(record.value("run_axis", "z"), "run_axis", record));
     readStock(record, setup);
     readPlacement(record, setup);

@@ -11,14 +11,14 @@
 
 namespace burin {
 
-/// A setup as JSON text, its keys with their units; every number reads back bit for bit. Of a stock from a file it says
-/// the checksum alone.
+/// Returns a setup as JSON text, its keys with their units; every number is restored bit for bit. A stock from a file
+/// is represented only by its checksum.
 /// Errors: argumentInvalid with the key of a number that is not finite (an empty stock box is allowed).
 Result<std::string> toJson(const Setup& setup);
 
-/// Nothing when `text` is not what `toJson` writes. A stock from a file is left out.
+/// Empty if `text` was not written by `toJson`. A stock from a file is left out.
 std::optional<Setup> setupFromJson(std::string_view text);
-/// StockVolume::checksum of the stock that `text` was written with; nothing where that was from no file.
+/// StockVolume::checksum of the stock that `text` was written with; empty if that was not from a file.
 std::optional<std::uint64_t> stockChecksumOf(std::string_view text);
 
 } // namespace burin

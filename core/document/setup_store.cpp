@@ -15,7 +15,7 @@ Error noSetup(const Database& database) {
     return {ErrorCode::projectIncomplete, "embedded stock", "burin embed", database.subject()};
 }
 
-/// The volume may be large: one that stands is not written again.
+/// The volume may be large, so one that is already stored is not written again.
 Result<void> storeStockVolume(Database& database, SetupId id, const Setup& setup) {
     if (!setup.volume) return run(database, "DELETE FROM stock_volume WHERE setup = ?", numberOf(id));
     Result<Statement> row = Statement::prepare(database, "SELECT json FROM setup WHERE id = ?");
@@ -42,7 +42,7 @@ Result<StockVolume::Shared> loadStockVolume(Database& database, SetupId id) {
     return volume;
 }
 
-/// Its JSON; nothing where nothing is embedded yet.
+/// Returns its JSON; empty if nothing is embedded yet.
 Result<std::optional<std::string>> recordOf(Database& database, SetupId id) {
     if (Result<void> known = requireSetup(database, id); !known) return std::move(known).error();
     Result<Statement> row = Statement::prepare(database, "SELECT json FROM setup WHERE id = ?");
@@ -54,7 +54,7 @@ Result<std::optional<std::string>> recordOf(Database& database, SetupId id) {
     return std::optional(std::string(row->text(0)));
 }
 
-/// What is stored of other setups than one, but for the volumes of their stocks.
+/// Returns the stored setups other than `id`, without the volumes of their stocks.
 Result<std::vector<Setup>> otherSetups(Database& database, SetupId id) {
     const Result<std::vector<SetupName>> setups = loadSetups(database);
     if (!setups) return setups.error();
@@ -71,7 +71,7 @@ Result<std::vector<Setup>> otherSetups(Database& database, SetupId id) {
     return others;
 }
 
-/// The stored materials that other setups name, and that are not among these.
+/// Returns the stored materials that other setups use, and that are not among `materials`.
 Result<std::vector<Property>> namedByOthers(Database& database, SetupId id, const std::vector<Property>& materials) {
     const Result<std::vector<Setup>> others = otherSetups(database, id);
     if (!others) return others.error();
@@ -89,10 +89,10 @@ Result<std::vector<Property>> namedByOthers(Database& database, SetupId id, cons
     return stored;
 }
 
-/// That nothing would go with it that a user made.
+/// Checks that removing it would delete nothing that a user made.
 Result<void> requireEmpty(Database& database, SetupId id) {
     const std::string number = std::to_string(numberOf(id));
-    // Takes that were deleted go with their setup.
+    // Deleted takes are removed with their setup.
     for (const char* table : {"take WHERE removed = 0 AND", "generated WHERE", "path WHERE", "program WHERE"}) {
         const Result<std::int64_t> count =
             database.integer(("SELECT COUNT(*) FROM " + std::string(table) + " setup = " + number).c_str());

@@ -10,8 +10,9 @@
 #include <string_view>
 #include <vector>
 
-/// Each part of a project between its tables and its class. A store runs within the transaction of its caller and
-/// counts no change. Errors of reading: fileDamaged with the part as place, projectIncomplete; of writing: Database's.
+/// The functions that store and load the parts of a project as tables. A store runs within the transaction of its
+/// caller and counts no change. Errors of reading: fileDamaged with the part as place, projectIncomplete; of writing:
+/// those of Database.
 namespace burin {
 
 // model_store.cpp
@@ -19,16 +20,16 @@ Result<void> storeModel(Database& database, const Model& model);
 Result<Model> loadModel(Database& database);
 
 // setup_store.cpp
-/// Errors of all that takes a setup's id: nameUnknown.
+/// Errors of all functions that take a setup's id: nameUnknown.
 Result<SetupId> storeNewSetup(Database& database, const std::string& name);
 Result<std::vector<SetupName>> loadSetups(Database& database);
 Result<void> requireSetup(Database& database, SetupId id);
 Result<void> storeSetup(Database& database, SetupId id, const Setup& setup); ///< argumentInvalid: not finite
 Result<Setup> loadSetup(Database& database, SetupId id);
-Result<Placement> loadPlacement(Database& database, SetupId id); ///< none where nothing is embedded yet
+Result<Placement> loadPlacement(Database& database, SetupId id); ///< identity if nothing is embedded yet
 Result<void> renameSetup(Database& database, SetupId id, const std::string& name);
 Result<void> eraseSetup(Database& database, SetupId id); ///< argumentInvalid: something depends on it
-/// @param id whose materials they are; those that others name stay
+/// @param id the setup of the materials; those used by other setups stay
 Result<void> storeMaterials(Database& database, SetupId id, const std::vector<Property>& materials);
 Result<std::vector<Property>> loadMaterials(Database& database);
 Result<void> storeTool(Database& database, const Tool& tool);
@@ -66,36 +67,37 @@ Result<Sample> loadSample(Database& database, std::int64_t take, std::uint64_t i
 Result<void> eraseTake(Database& database, std::int64_t id);
 Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch);
 Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch);
-/// Those within so many samples.
+/// Returns the intervals within the first `samples` samples.
 Result<std::vector<SampleRange>> loadSwitchedOff(Database& database, std::int64_t take, std::uint64_t samples);
 Result<void> storeSwitchedOff(Database& database, std::int64_t take, std::span<const SampleRange> off);
 Result<void> hideTake(Database& database, std::int64_t id);
 Result<void> showTake(Database& database, std::int64_t id);
-Result<void> eraseHiddenTakes(Database& database, std::optional<SetupId> setup = std::nullopt); ///< nothing: of all
+Result<void> eraseHiddenTakes(Database& database, std::optional<SetupId> setup = std::nullopt); ///< empty: of all
+                                                                                                ///< setups
 Result<void> storeMarkers(Database& database, SetupId setup, std::span<const TimeMarker> markers);
 Result<std::vector<TimeMarker>> loadMarkers(Database& database, SetupId setup);
 Result<void> renameTake(Database& database, std::int64_t take, const std::string& name);
 
 // kept_store.cpp
 Result<RecordedState> loadRecordedState(Database& database, SetupId setup);
-/// Nothing is stored where the setup's state is another than `madeIn`.
+/// Nothing is stored if the setup's state differs from `madeIn`.
 Result<void> storeKept(Database& database, SetupId setup, const KeptWorkpiece& kept, const RecordedState& madeIn);
-/// Those that still hold, in order.
+/// Those that are still valid, in order.
 Result<std::vector<TakeMoment>> loadKeptMoments(Database& database, SetupId setup);
 Result<KeptWorkpiece> loadKept(Database& database, SetupId setup, const TakeMoment& at);
-Result<void> eraseKeptFrom(Database& database, std::int64_t take); ///< of this take and all that follow
+Result<void> eraseKeptFrom(Database& database, std::int64_t take); ///< of this take and all later ones
 
 // generated_store.cpp
-/// As new ones of a setup; their id. Errors: those of checkGenerated, nameUnknown (the setup).
+/// Stores new generated moves of a setup; returns their id. Errors: those of checkGenerated, nameUnknown (the setup).
 Result<std::int64_t> storeGenerated(Database& database, const GeneratedMoves& moves, SetupId setup);
 Result<std::vector<GeneratedInfo>> loadGenerated(Database& database);
 Result<GeneratedMoves> loadGeneratedMoves(Database& database, std::int64_t id);
 Result<void> eraseGenerated(Database& database, std::int64_t id);
 
 // path_store.cpp
-/// Errors: argumentInvalid (a path is made of it).
+/// Errors: argumentInvalid (a path uses it).
 Result<void> requireUnused(Database& database, PathSource source);
-Result<std::int64_t> storePath(Database& database, const StoredPath& path); ///< as a new one; its id
+Result<std::int64_t> storePath(Database& database, const StoredPath& path); ///< as a new one; returns its id
 Result<void> replacePath(Database& database, const StoredPath& path);
 Result<void> erasePath(Database& database, std::int64_t id);
 Result<void> restorePath(Database& database, const StoredPath& path); ///< with its id, as before it was erased
@@ -103,7 +105,7 @@ Result<std::vector<StoredPath>> loadPaths(Database& database);
 Result<void> storeProgram(Database& database, const StoredProgram& program);
 Result<std::vector<StoredProgram>> loadPrograms(Database& database);
 
-/// A fault of the content: `part` can't be read back.
+/// A fault of the content: `part` can't be read.
 Error damaged(const Database& database, std::string part);
 /// Calls `read` for each row. Stops at the first error, of the statement or of `read`.
 template <class Read>

@@ -28,7 +28,7 @@ std::string idOf(Kind kind, const std::array<std::string_view, count>& ids) {
     return std::string(ids[static_cast<std::size_t>(kind)]);
 }
 
-/// Throws nlohmann's exceptions where the name is none.
+/// Throws nlohmann's exceptions if `name` is none of the ids.
 template <class Kind, std::size_t count>
 Kind kindOf(const json& name, const std::array<std::string_view, count>& ids) {
     const auto found = std::ranges::find(ids, name.get<std::string>());
@@ -40,7 +40,7 @@ std::string textOf(const json& record) {
     return record.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-// A shape in the record; a mesh goes to the blob.
+// A shape in the record; a mesh is written to the blob.
 
 void add(json& record, const Box& box) {
     record["box_mm"] = json::array({jsonOf(box.low), jsonOf(box.high)});
@@ -71,7 +71,7 @@ std::optional<Obstacle> readObstacle(const json& record, std::string_view blob) 
     return obstacle;
 }
 
-// A curve as six columns: places, then tangents.
+// A curve as six columns: points, then tangents.
 
 constexpr std::size_t curveColumns = 6;
 
@@ -210,7 +210,7 @@ std::string toJson(const ProgramTarget& target) {
 std::optional<ProgramTarget> programTargetFromJson(std::string_view text) try {
     const json record = json::parse(text);
     ProgramTarget target{record.at("machine").get<std::string>(), record.at("dialect").get<std::string>(), {}};
-    // Projects from before there was a choice have none.
+    // Projects from before units could be chosen have none.
     const auto units = ncUnitsFromId(record.value("units", std::string(idOf(NcUnits::millimetre))));
     if (!units) return std::nullopt;
     target.units = *units;

@@ -14,23 +14,22 @@
 
 namespace burin {
 
-// What a project keeps of what bounds and leads its tool, as JSON text: keys with their units, every number bit for
-// bit. Numbers are finite. Reading gives nothing for what these functions never write, or for values that can't be
-// used.
+// The fixtures, limits and guides of a project as JSON text: keys with their units, every number bit for bit. Numbers
+// are finite. Reading returns nothing for text that these functions never write, or for values that can't be used.
 
-/// What is large stands beside it, packed: a mesh, a curve. Empty where there is none.
+/// Large data, a mesh or a curve, is packed in the blob, which is empty if there is none.
 struct RecordWithBlob {
     std::string json;
     std::string blob;
 };
 
-/// A box or cylinder stands in the JSON, a mesh in the blob.
+/// A box or cylinder is stored in the JSON, a mesh in the blob.
 RecordWithBlob recordOf(const Obstacle& obstacle);
 std::optional<Obstacle> obstacleFrom(std::string_view json, std::string_view blob);
 
-/// A guide without its curve, which is in the blob.
+/// A guide without its curve, which is stored in the blob.
 RecordWithBlob recordOf(const Guide& guide);
-/// A guide's curve is null; `curve` gets it where the guide has one.
+/// The guide's curve is null; `curve` receives it if the guide has one.
 std::optional<Guide> guideFrom(std::string_view json, std::string_view blob, std::optional<GuideCurve>& curve);
 
 std::string toJson(const AxisMode& axis);

@@ -15,7 +15,7 @@ namespace {
 /// Rows of `setup_setting`.
 constexpr std::string_view axisMode = "axis_mode", travelPlacement = "travel", programTarget = "target",
                            programDraft = "program_draft", keptProgram = "kept_program";
-/// Rows of `milling_setting`: of the whole job.
+/// Rows of `milling_setting`, for the whole job.
 constexpr std::string_view guideButton = "guide_step_button", left = "left_at";
 
 std::optional<BlobView> unlessEmpty(const std::string& blob) {
@@ -36,7 +36,7 @@ Result<void> storeSetting(Database& database, SetupId setup, std::string_view na
                numberOf(setup), name, text);
 }
 
-/// What the row says that a statement with its parameters gives; nothing where it was never stored.
+/// Returns the text in the row of a bound statement; empty if it was never stored.
 Result<std::optional<std::string>> textOf(Statement& row) {
     const Result<bool> found = row.step();
     if (!found) return found.error();
@@ -59,14 +59,14 @@ Result<std::optional<std::string>> loadSetting(Database& database, SetupId setup
     return textOf(*row);
 }
 
-/// Empty where it was never stored.
+/// Returns an empty text if it was never stored.
 Result<std::string> loadText(Database& database, std::string_view name) {
     Result<std::optional<std::string>> text = loadSetting(database, name);
     if (!text) return std::move(text).error();
     return std::move(*text).value_or(std::string());
 }
 
-/// @param text as loadSetting gave it. @param read what the JSON says; nothing: damaged
+/// @param text as returned by loadSetting. @param read parses the JSON; returns nothing if it is damaged
 template <class Value, class Read>
 Result<Value> settingAs(Database& database, std::string_view name, const Result<std::optional<std::string>>& text,
                         Read read) {
@@ -85,7 +85,7 @@ Result<Value> loadSettingAs(Database& database, SetupId setup, std::string_view 
     return settingAs<Value>(database, name, loadSetting(database, setup, name), read);
 }
 
-/// Those too that its kind has no use for.
+/// Includes numbers that are not used for its kind.
 bool allFinite(const Guide& guide) {
     return isFinite(guide.point) && isFinite(guide.direction) && std::isfinite(guide.distance) &&
            std::isfinite(guide.lead) && std::isfinite(guide.tilt);

@@ -17,9 +17,9 @@ namespace {
 constexpr const char* selectTakes =
     "SELECT id, name, tool_id, allowance, tick_period, started_unix_time, stylus, complete, "
     "setup, (SELECT COALESCE(SUM(count), 0) FROM sample_chunk WHERE take = take.id) FROM take";
-constexpr std::int64_t mostSamples = std::int64_t{1} << 62; ///< so that the end of an interval is a number
+constexpr std::int64_t mostSamples = std::int64_t{1} << 62; ///< so that the end of an interval does not overflow
 
-// What a recording can have. Earlier versions kept any number, so that others are brought to the nearest.
+// The valid values of a recording. Earlier versions stored any number, so others are clamped to the nearest valid one.
 constexpr double shortestTick = 1e-5, longestTick = 1.0; // s
 constexpr double latestTime = 1e11;                      // s
 
@@ -55,7 +55,7 @@ Result<void> loadMaterialIds(Database& database, TakeInfo& info) {
     });
 }
 
-/// The last chunk alone: a take may be an hour long.
+/// Reads only the last chunk, as a take may be an hour long.
 Result<void> loadSeconds(Database& database, TakeInfo& info) {
     Result<Statement> rows = Statement::prepare(
         database, "SELECT count, samples FROM sample_chunk WHERE take = ? ORDER BY first DESC LIMIT 1");
@@ -81,7 +81,7 @@ Error unknownTake(Database& database, std::int64_t id) {
     return {ErrorCode::nameUnknown, "take", std::to_string(id), known};
 }
 
-/// An interval may run beyond the samples: those behind its end were lost with their recorder.
+/// An interval may extend beyond the samples: the rest was lost with its recorder.
 Result<void> loadRanges(Database& database, const char* question, const char* what, std::int64_t id,
                         std::uint64_t samples, std::vector<SampleRange>& undone) {
     Result<Statement> rows = Statement::prepare(database, question);
@@ -105,7 +105,7 @@ Result<void> loadTakenBack(Database& database, std::int64_t id, std::uint64_t sa
                       "undone samples", id, samples, undone);
 }
 
-/// What counts no more, whether it was taken back or switched off.
+/// Loads the samples that do not count, because they were undone or switched off.
 Result<void> loadUndone(Database& database, TakeInfo& info, std::vector<SampleRange>& undone) {
     if (Result<void> read = loadTakenBack(database, info.id, info.sampleCount, undone); !read) return read;
     Result<std::vector<SampleRange>> off = loadSwitchedOff(database, info.id, info.sampleCount);
@@ -199,7 +199,7 @@ Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisit
         return visit(*samples);
     });
     if (!done || visited > 0) return done;
-    Result<TakeOutline> empty = loadTakeOutline(database, id); // if it is there at all
+    Result<TakeOutline> empty = loadTakeOutline(database, id); // checks whether it exists at all
     return empty ? Result<void>() : std::move(empty).error();
 }
 
@@ -317,7 +317,7 @@ Result<void> storeUndone(Database& database, std::int64_t take, const SampleRang
     if (!takes) return takes.error();
     if (std::ranges::none_of(*takes, [&](const TakeInfo& info) { return info.id == take; }))
         return unknownTake(database, take);
-    // Unclipped, for the take may still grow.
+    // Not clipped, as the take may still grow.
     std::vector<SampleRange> undone;
     if (Result<void> read = loadTakenBack(database, take, ~std::uint64_t{0}, undone); !read) return read;
     for (const SampleRange& other : undone)

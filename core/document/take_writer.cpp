@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// The statement ends before its connection, the connection before the working copy.
+/// The statement is destroyed before its connection, and the connection before the working copy.
 class Project::TakeWriter::Impl {
 public:
     std::shared_ptr<WorkingCopy> copy;

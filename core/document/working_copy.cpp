@@ -42,7 +42,7 @@ constexpr std::string_view reading = ", reading";
 void writeOwner(int descriptor, WorkingCopy::Purpose purpose) {
     std::string owner = "process " + std::to_string(::getpid());
     if (purpose == WorkingCopy::Purpose::reading) owner += reading;
-    // Only for the message that another process shows; the lock holds without it.
+    // Only for the message of another process; the lock is valid without it.
     if (::ftruncate(descriptor, 0) != 0 || ::pwrite(descriptor, owner.data(), owner.size(), 0) < 0) return;
 }
 
@@ -54,19 +54,19 @@ fs::path freeName(const fs::path& file) {
     }
 }
 
-/// Opens a lock's file, which is made where there is none. Negative: errno says why not.
+/// Opens a lock file, creating it if there is none. Negative: errno holds the reason.
 int openLock(const fs::path& path) {
     for (;;) {
         int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (descriptor >= 0 || (errno != EEXIST && errno != EINTR)) return descriptor;
         descriptor = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-        if (descriptor < 0 && (errno == ENOENT || errno == EINTR)) continue; // its owner has just gone
+        if (descriptor < 0 && (errno == ENOENT || errno == EINTR)) continue; // its owner has just removed it
         return descriptor;
     }
 }
 
-/// Whether the open file is one that Burin made for itself: regular, and under no other name, which would be somebody's
-/// file that is truncated.
+/// Whether the open file is one that Burin created: regular, and without another name, under which it could be another
+/// file of the user that would be truncated.
 bool isOurs(int descriptor) {
     struct stat opened {};
     return ::fstat(descriptor, &opened) == 0 && S_ISREG(opened.st_mode) && opened.st_nlink <= 1;
@@ -81,7 +81,8 @@ Error notOurs(const fs::path& file, const fs::path& companion) {
     return {ErrorCode::fileNotWritable, file.string(), {}, companion.filename().string() + " is in the way"};
 }
 
-/// A new file of SQLite's, so that its name is nobody else's and the reason is known where there is no room for it.
+/// Creates a new file for SQLite, so that no existing file is used, and the reason is known if there is no space for
+/// it.
 int makeFile(const fs::path& path) {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0) return errno == EEXIST ? 0 : errno;
@@ -89,7 +90,7 @@ int makeFile(const fs::path& path) {
     return 0;
 }
 
-/// The lock of a file name, held. Errors: as WorkingCopy::lock.
+/// Locks the lock file of a file name. Errors: as WorkingCopy::lock.
 Result<int> lockedDescriptor(const fs::path& file, const fs::path& path) {
     for (;;) {
         const int descriptor = openLock(path);
@@ -105,19 +106,20 @@ Result<int> lockedDescriptor(const fs::path& file, const fs::path& path) {
             ::close(descriptor);
             return error;
         }
-        // Its last owner may have removed the name between our open and our lock: then it locks nothing.
+        // Its last owner may have removed the file between our open and our lock: then the lock has no effect.
         if (sameFile(descriptor, path)) return descriptor;
         ::close(descriptor);
     }
 }
 
-/// Gives `file` the name `other` as well, or instead where the file system has no links. 0, or the errno value.
+/// Gives `file` the additional name `other`, or renames it if the file system has no links. Returns 0, or the errno
+/// value.
 int linkOrRename(const fs::path& file, const fs::path& other) {
     if (::link(file.c_str(), other.c_str()) == 0) return 0;
     return ::rename(file.c_str(), other.c_str()) == 0 ? 0 : errno;
 }
 
-/// Turns a copy into a saved project, so that it opens as any other.
+/// Turns a copy into a saved project, so that it can be opened like any other.
 Result<void> finishAsProject(Database& database) {
     Result<DocumentState> state = documentState(database);
     if (!state) return std::move(state).error();
@@ -156,7 +158,7 @@ std::shared_ptr<WorkingCopy> WorkingCopy::withoutLock(const fs::path& file) {
     return std::shared_ptr<WorkingCopy>(new WorkingCopy(file, -1));
 }
 
-/// What an older Burin keeps under a longer name is respected while it runs, and taken over when it is gone.
+/// A copy of an older Burin under a longer name is respected while that is running, and taken over when it has ended.
 Result<void> WorkingCopy::takeOldNames() {
     const Companions names = Companions::of(file_), old = Companions::unshortened(file_);
     if (old.lock == names.lock) return {};
@@ -166,7 +168,7 @@ Result<void> WorkingCopy::takeOldNames() {
         oldLock_ = *descriptor;
     }
     if (!isRegular(old.working) || exists()) return {};
-    for (const char* ending : {"-wal", ""}) // the journal first: without its database it is none
+    for (const char* ending : {"-wal", ""}) // the journal first: it is useless without its database
         if (isRegular(withEnding(old.working, ending)))
             if (const int reason = linkOrRename(withEnding(old.working, ending), withEnding(names.working, ending));
                 reason != 0)
@@ -184,7 +186,7 @@ WorkingCopy::~WorkingCopy() {
         }();
         if (abandoned_ || saved) discard();
     }
-    ::unlink(Companions::of(file_).lock.c_str()); // while it is still ours
+    ::unlink(Companions::of(file_).lock.c_str()); // while we still hold it
     ::close(lock_);
     if (oldLock_ < 0) return;
     ::unlink(Companions::unshortened(file_).lock.c_str());
@@ -257,11 +259,11 @@ Result<fs::path> WorkingCopy::setAside() {
     const fs::path aside = freeName(file_);
     {
         Result<Database> database = Database::open(path(), file_.string(), Database::Access::write);
-        // Where this fails the copy goes aside as it is, with its journal: nothing of it is lost.
+        // If this fails, the copy is moved aside unchanged, with its journal: nothing is lost.
         if (database && checkIdentity(*database) && checkSchema(*database))
             static_cast<void>(finishAsProject(*database));
     }
-    // Both have both names before one goes: a kill in between loses nothing.
+    // Both files get both names before the old ones are removed, so that a kill in between loses nothing.
     const fs::path journal = withEnding(path(), "-wal"), journalAside = withEnding(aside, "-wal");
     const bool journalled = isRegular(journal);
     if (journalled)

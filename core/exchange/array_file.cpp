@@ -30,22 +30,22 @@ namespace fs = std::filesystem;
 
 enum class Encoding { raw, gzip };
 
-/// What a header says of the data.
+/// The description of the data in a header.
 struct Layout {
     glm::ivec3 count{0};
     double edge = 1.0;
-    glm::dvec3 first{0.0}; ///< mm, middle of the first voxel, or its low corner
+    glm::dvec3 first{0.0}; ///< mm, centre of the first voxel, or its low corner
     bool cornerGiven = false, unitKnown = true;
-    std::size_t type = 0; ///< place in VoxelArray::Values
+    std::size_t type = 0; ///< index in VoxelArray::Values
     Encoding encoding = Encoding::raw;
     bool bigEndian = false;
-    std::string dataFile;      ///< empty: the data follow the header
-    std::size_t dataBegin = 0; ///< of what follows it
+    std::string dataFile;      ///< empty if the data follow the header
+    std::size_t dataBegin = 0; ///< offset in the content behind the header
 };
 
 constexpr std::array<std::size_t, 10> typeSizes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
 
-/// Names of types by their place in VoxelArray::Values.
+/// Names of types and their index in VoxelArray::Values.
 const std::map<std::string, std::size_t, std::less<>> typeNames{
     {"signed char", 0},
     {"int8", 0},
@@ -84,7 +84,7 @@ const std::map<std::string, std::size_t, std::less<>> typeNames{
     {"double", 9},
 };
 
-/// mm, of a unit of length.
+/// mm per unit of length.
 const std::map<std::string, double, std::less<>> lengthUnits{
     {"mm", 1.0},  {"millimeter", 1.0}, {"millimeters", 1.0}, {"cm", 10.0}, {"m", 1000.0},  {"meter", 1000.0},
     {"um", 1e-3}, {"micron", 1e-3},    {"\xC2\xB5m", 1e-3},  {"in", 25.4}, {"inch", 25.4}, {"inches", 25.4}};
@@ -142,12 +142,12 @@ private:
             at = std::min(end + 1, content.size());
             ++line;
             if (line == 1 || text.starts_with('#')) continue;
-            if (text.empty()) { // what follows are the data
+            if (text.empty()) { // the data follow
                 end_ = at;
                 return;
             }
             const std::size_t colon = text.find(':');
-            if (colon == std::string::npos || text.substr(colon).starts_with(":=")) continue; // a remark of its writer
+            if (colon == std::string::npos || text.substr(colon).starts_with(":=")) continue; // a key-value pair
             std::string key = text.substr(0, colon);
             std::ranges::transform(key, key.begin(),
                                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -216,7 +216,7 @@ private:
         return {};
     }
 
-    /// Stated once an axis; all alike.
+    /// Stated once per axis; all have to be equal.
     Result<void> readUnit(Layout& layout) {
         const Field* units = field("space units");
         if (units == nullptr) units = field("units");
@@ -268,7 +268,7 @@ private:
         return {};
     }
 
-    /// Of the first voxel's middle, as NRRD has it for values that stand for cells.
+    /// The centre of the first voxel, as NRRD defines it for cell-centred values.
     Result<void> readOrigin(Layout& layout) const {
         const Field* origin = field("space origin");
         if (origin == nullptr) {
@@ -298,7 +298,7 @@ private:
     double unit_ = 1.0; ///< mm
 };
 
-/// Raw data with a header of our own.
+/// Raw data with Burin's own header.
 Result<Layout> readJsonHeader(const std::string& content, const std::string& file) {
     Result<JsonObject> header = JsonObject::parse(content, file);
     if (!header) return std::move(header).error();
@@ -326,7 +326,7 @@ Result<Layout> readJsonHeader(const std::string& content, const std::string& fil
     return layout;
 }
 
-/// Unpacks what has to be so long. Nothing: it is damaged, or of another length.
+/// Decompresses data of known size. Empty if they are damaged, or of another size.
 std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
     std::string data(size, '\0');
     z_stream stream{};
@@ -334,7 +334,7 @@ std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
     if (inflateInit2(&stream, gzipWindow) != Z_OK) return std::nullopt;
     std::size_t read = 0, written = 0;
     int state = Z_OK;
-    constexpr std::size_t most = 1U << 30U; // of one call: zlib counts in unsigned int
+    constexpr std::size_t most = 1U << 30U; // per call: zlib counts in unsigned int
     while (state == Z_OK) {
         stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data() + read)); // NOLINT: zlib reads it
         stream.avail_in = static_cast<uInt>(std::min(most, packed.size() - read));
@@ -344,7 +344,7 @@ std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
         state = inflate(&stream, Z_NO_FLUSH);
         read += in - stream.avail_in;
         written += out - stream.avail_out;
-        if (in == stream.avail_in && out == stream.avail_out) break; // no way on
+        if (in == stream.avail_in && out == stream.avail_out) break; // no progress
     }
     inflateEnd(&stream);
     if (state != Z_STREAM_END || written != size) return std::nullopt;
@@ -390,7 +390,7 @@ VoxelArray::Values valuesOf(std::size_t type, std::string_view data, bool swappe
     }
 }
 
-/// Only a name beside the header: what a file from anybody names elsewhere is not opened.
+/// Accepts only a file name in the folder of the header: files from untrusted sources must not name others.
 Result<std::string> dataOf(const Layout& layout, const fs::path& file, std::string& content) {
     if (layout.dataFile.empty()) return content.substr(std::min(layout.dataBegin, content.size()));
     const fs::path name(layout.dataFile);

@@ -32,7 +32,7 @@ Result<RunVolume> volumeOf(const VoxelArray& array, const ArrayTable& table) try
     if (!grid) return grid.error();
     const std::size_t voxels = std::visit([](const auto& numbers) { return numbers.size(); }, array.values);
     std::vector<PropertyIndex> properties(voxels);
-    double last = 0.0; // neighbours are alike: most voxels need no search
+    double last = 0.0; // neighbours are often equal: most voxels need no search
     std::optional<PropertyIndex> known = table.of(last);
     for (std::size_t i = 0; i < voxels; ++i) {
         if (const double value = array.at(i); value != last) {

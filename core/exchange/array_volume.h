@@ -9,14 +9,14 @@
 namespace burin {
 
 /// The voxels of an array as runs (Chen & Yang 2004, section 2): lossless, a run ends where the material changes.
-/// Errors: argumentInvalid (subject: the file; place: a value that the table does not know; detail: the first voxel of
+/// Errors: argumentInvalid (subject: the file; place: a value that is not in the table; detail: the first voxel with
 /// it), outOfMemory, volumeOutOfMemory.
 Result<RunVolume> volumeOf(const VoxelArray& array, const ArrayTable& table);
 
-/// A volume as an array: each voxel the property that its centre lies in.
+/// A volume as an array: each voxel has the property at its centre.
 struct WholeVoxels {
-    std::vector<std::uint8_t> properties; ///< x counts fastest, then y, then z
-    std::uint64_t roundedEnds = 0;        ///< run ends that lay within a voxel: what was lost
+    std::vector<std::uint8_t> properties; ///< x varies fastest, then y, then z
+    std::uint64_t roundedEnds = 0;        ///< number of run ends within a voxel, which were rounded
 };
 WholeVoxels wholeVoxels(const VolumeSnapshot& volume);
 

@@ -10,10 +10,10 @@
 namespace burin {
 namespace {
 
-constexpr int mostChords = 20000; // of one figure
+constexpr int mostChords = 20000; // per shape
 
 int chordsFor(double measure) {
-    if (!std::isfinite(measure)) return 1; // its places are refused
+    if (!std::isfinite(measure)) return 1; // its points will be refused
     return static_cast<int>(std::clamp(std::ceil(std::sqrt(measure / drawingChord)), 1.0, double(mostChords)));
 }
 
@@ -46,7 +46,8 @@ void CurveWriter::lineTo(const glm::dvec2& place) {
     add(transform.of(place));
 }
 
-/// A parabola leaves its chord by a quarter of its second difference, over the square of the number of chords.
+/// The distance of a parabola from its chord is a quarter of its second difference, over the square of the number of
+/// chords.
 void CurveWriter::quadraticTo(const glm::dvec2& control, const glm::dvec2& end) {
     const glm::dvec2 start = at_;
     const int chords = chordsFor(0.25 * glm::length(transform.ofVector(start - 2.0 * control + end)));
@@ -57,8 +58,8 @@ void CurveWriter::quadraticTo(const glm::dvec2& control, const glm::dvec2& end) 
     at_ = end;
 }
 
-/// A cubic's second derivative is six times its greatest second difference at most, and chords leave it by an eighth
-/// of that over the square of their number.
+/// The second derivative of a cubic is at most six times its greatest second difference, and the distance of the chords
+/// is an eighth of that over the square of their number.
 void CurveWriter::cubicTo(const glm::dvec2& first, const glm::dvec2& second, const glm::dvec2& end) {
     const glm::dvec2 start = at_;
     const double bend = std::max(glm::length(transform.ofVector(start - 2.0 * first + second)),
@@ -71,7 +72,7 @@ void CurveWriter::cubicTo(const glm::dvec2& first, const glm::dvec2& second, con
     at_ = end;
 }
 
-/// A chord of the angle a leaves a circle by r (1 - cos(a / 2)), which is less than r a² / 8.
+/// The distance of a chord of the angle a from a circle is r (1 - cos(a / 2)), which is less than r a² / 8.
 void CurveWriter::ellipse(const glm::dvec2& centre, const glm::dvec2& u, const glm::dvec2& v, double from,
                           double sweep) {
     const glm::dvec2 moved = transform.ofVector(u), other = transform.ofVector(v);

@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// mm: how far chords of a drawing's curves may be from them.
+/// mm, largest distance between a drawing's curves and their chords.
 inline constexpr double drawingChord = 0.002;
 
-/// From the coordinates of a figure to mm of the drawing: x' = x.x * x + y.x * y + shift.x, …
+/// Maps the coordinates of a shape to mm of the drawing: x' = x.x * x + y.x * y + shift.x, …
 struct PlanTransform {
     glm::dvec2 x{1.0, 0.0}, y{0.0, 1.0}, shift{0.0};
 
@@ -23,7 +23,7 @@ struct PlanTransform {
 /// First `inner`, then `outer`.
 PlanTransform combined(const PlanTransform& outer, const PlanTransform& inner) noexcept;
 
-/// Makes the curves of a drawing out of figures as files have them. Coordinates are the figure's, before `transform`.
+/// Converts the shapes of a file to the curves of a drawing. Coordinates are those of the shape, before `transform`.
 class CurveWriter {
 public:
     explicit CurveWriter(PlanDrawing& drawing) : drawing_(drawing) {}
@@ -35,18 +35,18 @@ public:
     void lineTo(const glm::dvec2& place);
     void quadraticTo(const glm::dvec2& control, const glm::dvec2& end);
     void cubicTo(const glm::dvec2& first, const glm::dvec2& second, const glm::dvec2& end);
-    /// centre + u cos t + v sin t, t from `from` by `sweep`, rad; joined to what is there by a straight line.
+    /// centre + u cos t + v sin t, t from `from` by `sweep`, rad; connected to the current curve by a straight line.
     void ellipse(const glm::dvec2& centre, const glm::dvec2& u, const glm::dvec2& v, double from, double sweep);
-    /// A circle's arc to a place; `bulge` is the tangent of a quarter of its angle, > 0 anticlockwise (DXF).
+    /// A circular arc to a point; `bulge` is the tangent of a quarter of its angle, > 0 anticlockwise (DXF).
     void bulgeTo(const glm::dvec2& end, double bulge);
     void close();
-    /// What was drawn so far is a curve; one place alone is none.
+    /// Ends the current curve; a single point is not a curve.
     void finish();
     void point(const glm::dvec2& place);
-    /// Says once that something is left out.
+    /// Notes that something is left out, each text once.
     void note(const std::string& text);
 
-    /// What is wrong with a place that is not finite, or too far, or with too many of them; nothing: all is well.
+    /// The fault: a point that is not finite or too far away, or too many points; empty if there is none.
     const std::optional<std::string>& fault() const noexcept { return fault_; }
     const glm::dvec2& at() const noexcept { return at_; }
 
@@ -56,15 +56,15 @@ private:
 
     PlanDrawing& drawing_;
     DrawnCurve curve_;
-    glm::dvec2 at_{0.0}, first_{0.0}; ///< the figure's coordinates
+    glm::dvec2 at_{0.0}, first_{0.0}; ///< in the shape's coordinates
     std::size_t places_ = 0;
     std::optional<std::string> fault_;
 };
 
-/// What a reader of one form gives. Errors: resourceInvalid.
+/// The readers of each format. Errors: resourceInvalid.
 Result<PlanDrawing> dxfDrawing(std::string_view text, const std::string& origin, double unit);
 Result<PlanDrawing> svgDrawing(std::string_view text, const std::string& origin, double unit);
-/// Draws the data of an SVG path (its attribute d). @return what is wrong with it; empty: nothing
+/// Draws the data of an SVG path (its attribute d). @return the fault; empty if there is none
 std::string drawSvgPath(std::string_view data, CurveWriter& writer);
 
 } // namespace burin

@@ -18,13 +18,13 @@ namespace {
 
 constexpr int deepestInsert = 16;
 
-/// A group of a DXF: a number that says what the value is, and the value.
+/// A group of a DXF file: a code for the kind of value, and the value.
 struct Group {
     int code = 0;
     std::string_view value;
 };
 
-/// One figure with its groups.
+/// One entity with its groups.
 struct Entity {
     std::string_view type;
     std::vector<Group> groups;
@@ -61,7 +61,7 @@ struct DxfFile {
     std::map<std::string, Block, std::less<>> blocks;
 };
 
-/// mm, by $INSUNITS; 0: the file has none, or one that nobody mills in.
+/// mm per unit by $INSUNITS; 0 if the file states none, or one that is not used for milling.
 double millimetresOf(int units) {
     switch (units) {
     case 1:
@@ -89,12 +89,12 @@ double millimetresOf(int units) {
     }
 }
 
-/// Takes a DXF apart into its figures.
+/// Splits a DXF file into its entities.
 class DxfReader {
 public:
     explicit DxfReader(std::string_view text) : text_(text) {}
 
-    /// What is wrong; empty: nothing.
+    /// The fault; empty if there is none.
     std::string read(DxfFile& file) {
         std::string_view section, variable;
         std::string block;
@@ -173,7 +173,7 @@ private:
     std::string fault_;
 };
 
-/// Draws the figures of a DXF.
+/// Draws the entities of a DXF file.
 class DxfPainter {
 public:
     DxfPainter(const DxfFile& file, CurveWriter& writer) : file_(file), writer_(writer) {}
@@ -181,7 +181,7 @@ public:
     void paint(const std::vector<Entity>& entities, int depth) {
         for (std::size_t i = 0; i < entities.size() && !writer_.fault(); ++i) {
             const Entity& entity = entities[i];
-            if (entity.whole(67) == 1) continue; // of a sheet of paper
+            if (entity.whole(67) == 1) continue; // in paper space
             if (depth == 0 || entity.text(8) != "0") writer_.layer = cleanLine(std::string(entity.text(8)));
             const PlanTransform before = writer_.transform;
             if (entity.type == "POLYLINE") {
@@ -198,7 +198,7 @@ public:
     }
 
 private:
-    /// Some figures have coordinates of their own, by a direction of extrusion. From below they are mirrored.
+    /// Some entities have coordinates of their own, given by an extrusion direction. From below they are mirrored.
     bool turnToPlan(const Entity& entity) {
         if (entity.type == "LINE" || entity.type == "POINT" || entity.type == "ELLIPSE" || entity.type == "SPLINE")
             return true;
@@ -263,7 +263,7 @@ private:
         if (whole) writer_.close();
     }
 
-    /// Corners with the bulge of the side that begins there.
+    /// A corner with the bulge of the side that begins there.
     struct Corner {
         glm::dvec2 place{0.0};
         double bulge = 0.0;

@@ -17,22 +17,22 @@
 namespace burin {
 namespace {
 
-constexpr double joined = 0.01; // mm between the ends of curves that belong together
+constexpr double joined = 0.01; // mm, largest gap between the ends of curves that are joined
 
-/// Past blanks, and the mark that some editors begin a text with.
+/// Skips blanks, and the byte order mark that some editors write.
 std::string_view beginning(std::string_view text) {
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     const auto first = text.find_first_not_of(" \t\r\n");
     return first == std::string_view::npos ? std::string_view() : text.substr(first);
 }
 
-/// A DXF begins with a group code, and has sections.
+/// A DXF file begins with a group code, and has sections.
 bool looksLikeDxf(std::string_view text) {
     return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) != 0 &&
            text.find("SECTION") != std::string_view::npos;
 }
 
-/// Ends of open curves by the square of a grid that they lie in, so that what fits is found at once.
+/// Ends of open curves, by squares of a grid, for fast search.
 class CurveEnds {
 public:
     explicit CurveEnds(const std::vector<DrawnCurve>& curves) : curves_(curves), taken_(curves.size(), 0) {
@@ -41,7 +41,7 @@ public:
                 squares_.emplace(squareOf(end), i);
     }
     bool take(std::size_t curve) { return std::exchange(taken_[curve], 1) == 0; }
-    /// A curve that begins or ends there and was not taken yet: it is now.
+    /// Takes a curve that begins or ends at a point and was not taken yet.
     std::optional<std::size_t> takeAt(const glm::dvec2& place) {
         for (std::int64_t dx = -1; dx <= 1; ++dx)
             for (std::int64_t dy = -1; dy <= 1; ++dy) {
@@ -63,11 +63,11 @@ private:
     }
 
     const std::vector<DrawnCurve>& curves_;
-    std::vector<char> taken_; ///< 1: yes
+    std::vector<char> taken_; ///< 1: taken
     std::multimap<std::pair<std::int64_t, std::int64_t>, std::size_t> squares_;
 };
 
-/// Joins open curves at their ends, as long as any of them fit; those that come to their own beginning are closed.
+/// Joins open curves at their ends, as long as any match; those that return to their own start are closed.
 std::vector<PlanRing> chained(const std::vector<DrawnCurve>& open) {
     std::vector<PlanRing> closed;
     CurveEnds ends(open);

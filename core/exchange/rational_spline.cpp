@@ -50,7 +50,7 @@ glm::dvec2 pointOn(const RationalSpline& spline, double at) {
     const auto degree = static_cast<std::size_t>(spline.degree);
     const auto begin = spline.knots.begin() + spline.degree;
     const auto end = spline.knots.end() - spline.degree - 1;
-    // The span of knots that is not empty and holds the value.
+    // The non-empty span of knots that contains the value.
     auto span = static_cast<std::size_t>(std::upper_bound(begin, end, at) - spline.knots.begin()) - 1;
     while (span > degree && !(spline.knots[span] < spline.knots[span + 1])) --span;
     std::array<glm::dvec3, highestDegree + 1> row; // x w, y w, w
@@ -74,7 +74,7 @@ std::vector<glm::dvec2> flattened(const RationalSpline& spline, double chord) {
     for (std::size_t i = degree; i < spline.controls.size(); ++i) {
         const double first = spline.knots[i], last = spline.knots[i + 1];
         if (!(first < last)) continue;
-        constexpr int pieces = 4; // of a span, so that no loop of it is passed
+        constexpr int pieces = 4; // per span, so that no loop within it is missed
         for (int piece = 0; piece < pieces; ++piece) {
             const double from = first + (last - first) * piece / pieces,
                          to = first + (last - first) * (piece + 1) / pieces;

@@ -8,19 +8,19 @@
 
 namespace burin {
 
-/// A B-spline in plan, rational where it has weights.
+/// A B-spline in plan, rational if it has weights.
 struct RationalSpline {
     int degree = 3;
-    std::vector<double> knots;        ///< as many as controls + degree + 1, never falling
+    std::vector<double> knots;        ///< size: controls + degree + 1, non-decreasing
     std::vector<glm::dvec2> controls; ///< mm
-    std::vector<double> weights;      ///< > 0, one a control, or none
+    std::vector<double> weights;      ///< > 0, one per control point, or empty
 };
 
-/// Whether numbers and order of knots, controls and weights make a curve.
+/// Whether the sizes and the order of knots, control points and weights define a curve.
 bool isValid(const RationalSpline& spline) noexcept;
-/// At a value between the knots of the degree's number from either end (de Boor). @param spline valid
+/// The point at a parameter between the knots with index `degree` from either end (de Boor). @param spline valid
 glm::dvec2 pointOn(const RationalSpline& spline, double at);
-/// Chords that were found within `chord` mm of it at their quarters and middles. @param spline valid
+/// Chords within `chord` mm of the curve, checked at their quarters and middles. @param spline valid
 std::vector<glm::dvec2> flattened(const RationalSpline& spline, double chord);
 
 } // namespace burin

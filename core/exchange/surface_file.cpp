@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 struct SurfaceFormat {
     std::string_view suffix;
-    const char* id;     ///< assimp's
-    bool severalMeshes; ///< keeps materials apart
+    const char* id;     ///< of assimp
+    bool severalMeshes; ///< keeps materials separate
 };
 constexpr std::array surfaceFormats{SurfaceFormat{".stl", "stlb", false}, SurfaceFormat{".ply", "plyb", false},
                                     SurfaceFormat{".3mf", "3mf", true}};
@@ -39,7 +39,7 @@ const SurfaceFormat* formatOf(const fs::path& file) {
     return found == surfaceFormats.end() ? nullptr : found;
 }
 
-/// One mesh of the triangles that are named.
+/// One mesh of the given triangles.
 aiMesh* meshOf(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles, unsigned material) {
     auto made = std::make_unique<aiMesh>();
     std::map<std::uint32_t, unsigned> place;
@@ -87,7 +87,7 @@ std::unique_ptr<aiScene> sceneOf(const VolumeSurface& surface, const PropertyLis
     scene->mMeshes = new aiMesh* [count] {}; // NOLINT: the scene deletes all of it
     scene->mMaterials = new aiMaterial* [count] {};
     scene->mRootNode = new aiNode("workpiece");
-    auto* node = new aiNode("surface"); // the 3MF writer leaves out meshes of the root itself
+    auto* node = new aiNode("surface"); // the 3MF writer ignores meshes of the root itself
     scene->mRootNode->addChildren(1, &node);
     node->mMeshes = new unsigned[count];
     for (const auto& [property, triangles] : parts) {
@@ -100,7 +100,7 @@ std::unique_ptr<aiScene> sceneOf(const VolumeSurface& surface, const PropertyLis
     return scene;
 }
 
-/// The 3MF writer packs a file by itself and does not tell when the disk is full: what it wrote is read back.
+/// The 3MF writer compresses a file by itself and does not report a full disk: its output is read back.
 bool holds(const fs::path& file, std::size_t triangles) {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(file.string(), 0);
@@ -112,7 +112,7 @@ bool holds(const fs::path& file, std::size_t triangles) {
 
 Result<void> writePacked(const aiScene& scene, const char* format, std::size_t triangles, const fs::path& file) {
     fs::path beside = temporaryBeside(file);
-    beside += ".3mf"; // the reader goes by it
+    beside += ".3mf"; // the reader depends on the suffix
     Assimp::Exporter exporter;
     const bool written = exporter.Export(&scene, format, beside.string()) == aiReturn_SUCCESS;
     if (written && holds(beside, triangles)) return replaceFile(beside, file);

@@ -8,11 +8,12 @@
 
 namespace burin {
 
-/// Whether a file's suffix is one that surfaces are written in: .stl, .ply, .3mf.
+/// Whether a file has the suffix of a supported surface format: .stl, .ply, .3mf.
 bool isSurfaceFile(const std::filesystem::path& file);
 
-/// Writes a surface by the suffix: STL and PLY binary, mm; 3MF with a body for each material, in its colour. Beside the
-/// file, then renamed. Errors: notSupported (another suffix), fileNotWritable, diskFull, outOfMemory.
+/// Writes a surface in the format of the suffix: STL and PLY binary, mm; 3MF with a body for each material, in its
+/// colour. Written to a temporary file, then renamed. Errors: notSupported (another suffix), fileNotWritable, diskFull,
+/// outOfMemory.
 Result<void> writeSurfaceFile(const std::filesystem::path& file, const VolumeSurface& surface,
                               const PropertyList& materials);
 

@@ -15,13 +15,13 @@ namespace burin {
 namespace {
 
 constexpr int deepestElement = 100;
-constexpr double pixel = 25.4 / 96.0; // mm, of CSS
+constexpr double pixel = 25.4 / 96.0; // mm, CSS pixel
 
 /// A length with its unit.
 struct SvgLength {
-    double millimetres = 0.0; ///< a pixel where it has no unit
+    double millimetres = 0.0; ///< in pixels if it has no unit
     double value = 0.0;
-    bool physical = false; ///< it has a unit that can be measured
+    bool physical = false; ///< it has a physical unit
 };
 std::optional<SvgLength> lengthOf(std::string_view text) {
     struct Unit {
@@ -46,7 +46,7 @@ std::optional<SvgLength> lengthOf(std::string_view text) {
     return SvgLength{value * unit->millimetres, value, unit->physical};
 }
 
-/// What the attribute `transform` says; nothing where it is wrong.
+/// The value of the attribute `transform`; empty if it is invalid.
 std::optional<PlanTransform> transformOf(std::string_view text) {
     PlanTransform whole;
     while (true) {
@@ -91,7 +91,7 @@ class SvgPainter {
 public:
     SvgPainter(const pugi::xml_node& root, CurveWriter& writer) : root_(root), writer_(writer) {}
 
-    /// What is wrong; empty: nothing.
+    /// The fault; empty if there is none.
     const std::string& fault() const noexcept { return fault_; }
 
     void paint(const pugi::xml_node& element, int depth) {
@@ -140,7 +140,7 @@ private:
                 "byte " + std::to_string(element.offset_debug()) + ": <" + cleanLine(element.name()) + "> has " + what;
     }
 
-    /// A length in user units; percentages are none.
+    /// A length in user units; percentages are not supported.
     double number(const pugi::xml_node& element, const char* key) {
         const std::string_view text = element.attribute(key).value();
         if (text.empty()) return 0.0;
@@ -228,7 +228,7 @@ private:
             root_.find_node([&](const pugi::xml_node& node) { return id == node.attribute("id").value(); });
         if (!used) return writer_.note("<use> of something that is not there is left out");
         writer_.transform = combined(writer_.transform, {{1.0, 0.0}, {0.0, 1.0}, shift});
-        constexpr int price = 10; // of a use, so that such as use themselves end soon
+        constexpr int price = 10; // added to the depth per use, so that recursive uses end soon
         paint(used, depth + price);
     }
 
@@ -239,8 +239,8 @@ private:
     std::size_t uses_ = 0;
 };
 
-/// From user units to mm, upwards: width and height of the page, over its view box.
-/// @return what is wrong; empty: nothing
+/// Maps user units to mm, y upwards: width and height of the page, over its view box.
+/// @return the fault; empty if there is none
 std::string pageOf(const pugi::xml_node& svg, double unit, PlanTransform& transform, PlanDrawing& drawing) {
     const auto size = [&](const char* key) -> std::optional<SvgLength> {
         const std::string_view text = svg.attribute(key).value();
@@ -263,7 +263,7 @@ std::string pageOf(const pugi::xml_node& svg, double unit, PlanTransform& transf
     glm::dvec2 shift(0.0);
     if (!stretched) {
         const double even = std::min(scale.x, scale.y);
-        shift = 0.5 * (scale - even) * extent; // in the middle of the page
+        shift = 0.5 * (scale - even) * extent; // centred on the page
         scale = glm::dvec2(even);
     }
     drawing.unitStated = unit > 0.0 || (width && width->physical) || (height && height->physical);

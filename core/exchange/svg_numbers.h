@@ -8,13 +8,13 @@
 
 namespace burin {
 
-/// Takes numbers out of an attribute of SVG, where blanks and commas between them may be left out.
+/// Reads numbers from an attribute of SVG, in which blanks and commas between them are optional.
 class SvgNumbers {
 public:
     explicit SvgNumbers(std::string_view text) : rest_(text) { skip(); }
 
     bool ended() const noexcept { return rest_.empty(); }
-    /// The next character where it is a letter; 0: it is none.
+    /// The next character if it is a letter, otherwise 0.
     char letter() noexcept {
         const char next = ended() ? '\0' : rest_.front();
         if (!((next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z'))) return 0;
@@ -39,7 +39,7 @@ public:
         skip();
         return true;
     }
-    /// What is left of the text.
+    /// The remaining text.
     std::string_view rest() const noexcept { return rest_; }
 
 private:

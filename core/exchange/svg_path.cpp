@@ -23,7 +23,7 @@ public:
             else if (command == 0)
                 return "a path that does not begin with M";
             else if (command == 'M')
-                command = 'L'; // further places are lines
+                command = 'L'; // further points are lines
             else if (command == 'm')
                 command = 'l';
             else if (command == 'Z' || command == 'z')
@@ -95,7 +95,7 @@ private:
         }
     }
 
-    /// What is drawn behind Z begins where the closed figure began.
+    /// A path that continues after Z begins at the start of the closed subpath.
     void reopen() {
         if (std::exchange(reopens_, false) && before_ != 'M') writer_.moveTo(writer_.at());
     }
@@ -110,7 +110,8 @@ private:
         control_ = control;
     }
 
-    /// From the two ends to centre and angles, https://www.w3.org/TR/SVG2/implnote.html#ArcConversionEndpointToCenter.
+    /// Converts end points to centre and angles,
+    /// https://www.w3.org/TR/SVG2/implnote.html#ArcConversionEndpointToCenter.
     bool arc(bool relative) {
         glm::dvec2 radii, end;
         double turn = 0.0;
@@ -131,7 +132,7 @@ private:
         const glm::dvec2 half = 0.5 * (start - end);
         const glm::dvec2 seen(glm::dot(half, along) / radii.x, glm::dot(half, across) / radii.y); // of a unit circle
         const double square = glm::dot(seen, seen);
-        if (square > 1.0) radii *= std::sqrt(square); // too small to reach: as large as they have to be
+        if (square > 1.0) radii *= std::sqrt(square); // radii that are too small are scaled up
         const double reach = std::max(0.0, 1.0 / square - 1.0) * (square > 1.0 ? 0.0 : 1.0);
         const double side = (large == anticlockwise ? -1.0 : 1.0) * std::sqrt(reach);
         const glm::dvec2 unit = square > 1.0 ? seen / std::sqrt(square) : seen;

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The array and its table: both or none.
+/// Writes the array and its table: both or neither.
 Result<WrittenVolume> writeArray(const fs::path& file, const VolumeSnapshot& volume) {
     const Grid& grid = volume.grid();
     const WholeVoxels whole = wholeVoxels(volume);

@@ -11,15 +11,14 @@
 namespace burin {
 
 struct WrittenVolume {
-    std::string file, table;       ///< absolute; the table of an array's materials, or empty
-    std::size_t triangles = 0;     ///< of a surface
-    std::uint64_t roundedEnds = 0; ///< as WholeVoxels
+    std::string file, table;       ///< absolute; the table with the materials of an array, or empty
+    std::size_t triangles = 0;     ///< for a surface
+    std::uint64_t roundedEnds = 0; ///< see WholeVoxels
 };
 
-/// Writes a volume by the suffix: .srle (volume file), .nrrd (voxel array, its table beside it), .stl, .ply, .3mf
-/// (surface). What stood there stands there until the new file is whole. Any thread.
-/// Errors: notSupported (another suffix), fileNotWritable, diskFull, outOfMemory, modelHasNoSolid (a surface of air),
-/// cancelled.
+/// Writes a volume in the format of the suffix: .srle (volume file), .nrrd (voxel array, its table next to it), .stl,
+/// .ply, .3mf (surface). An existing file is kept until the new one is complete. Thread-safe. Errors: notSupported
+/// (another suffix), fileNotWritable, diskFull, outOfMemory, modelHasNoSolid (a surface of air), cancelled.
 Result<WrittenVolume> writeAnyVolume(const std::filesystem::path& file, const VolumeSnapshot& volume,
                                      Progress& progress);
 

@@ -12,7 +12,7 @@ namespace burin {
 
 namespace {
 
-/// Tiles share the points of their borders bit for bit: each becomes one vertex.
+/// Tiles share the points of their borders bit by bit: each becomes one vertex.
 class Welder {
 public:
     explicit Welder(VolumeSurface& surface) : surface_(surface) {}

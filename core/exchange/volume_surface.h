@@ -11,12 +11,12 @@
 
 namespace burin {
 
-/// The closed surface of all that is not air, with the material under each triangle.
+/// The closed surface of everything that is not air, with the material under each triangle.
 struct VolumeSurface {
-    TriangleMesh mesh;                    ///< mm, setup frame; outwards
-    std::vector<PropertyIndex> materials; ///< by triangle
+    TriangleMesh mesh;                    ///< mm, setup frame; oriented outwards
+    std::vector<PropertyIndex> materials; ///< per triangle
 };
-/// At full detail, as it is drawn. Errors: cancelled, outOfMemory.
+/// At full resolution, as it is displayed. Errors: cancelled, outOfMemory.
 Result<VolumeSurface> surfaceOf(const VolumeSnapshot& volume, Progress& progress);
 
 } // namespace burin

@@ -13,9 +13,10 @@ namespace burin {
 namespace {
 
 constexpr std::size_t along = BrickField::samplesAlong, count = along * along * along;
-using Numbers = std::array<std::int32_t, count>; // a brick's
+using Numbers = std::array<std::int32_t, count>; // one for each sample of a brick
 
-/// All bits where a sample is so far along an axis, by `holds`; step: between samples along it.
+/// Mask with all bits set for samples whose index along an axis satisfies `holds`; step: between samples along the
+/// axis.
 template <class Holds>
 constexpr Numbers maskOf(std::size_t step, const Holds& holds) noexcept {
     Numbers mask{};
@@ -27,12 +28,13 @@ constexpr Numbers inside = maskOf(step, [](std::size_t i) { return i > 0 && i + 
 template <std::size_t step>
 constexpr Numbers outermost = maskOf(step, [](std::size_t i) { return i == 1 || i + 2 == along; });
 
-/// Of all lines along an axis. A kink by `turn` at a share u of its cell lifts the chord by u (1 - u) turn, and shows
-/// in the second differences at the cell's ends: (1 - u) turn in one, u turn in the other. In the outermost cells only
-/// one of these is known; there no turn is greater than from one fastest slope to the other.
+/// The largest excess of all lines along an axis. A kink by `turn` at a share u of its cell lifts the chord by u (1 -
+/// u) turn, and shows in the second differences at the cell's ends: (1 - u) turn in one, u turn in the other. In the
+/// outermost cells only one of these is known; there the turn is limited to that between the two steepest possible
+/// slopes.
 template <std::size_t step>
 float excessAlong(const Numbers& samples, float cell, std::int32_t floor) noexcept {
-    Numbers turns{}; // towards greater slopes only: others make the chord too low
+    Numbers turns{}; // only towards greater slopes: others make the chord too low
     std::int32_t outer = 0, inner = 0;
     for (std::size_t i = step; i < count - step; ++i) {
         const std::int32_t before = samples[i - step], after = samples[i + step];
@@ -53,7 +55,7 @@ float kinkExcess(const std::int16_t* samples, float cell, float floor) noexcept 
     const auto least = static_cast<std::int32_t>(floor);
     const float sum = excessAlong<1>(numbers, cell, least) + excessAlong<along>(numbers, cell, least) +
                       excessAlong<along * along>(numbers, cell, least);
-    return std::min(sum, halfDiagonalAbove * cell); // no place is farther from a sample
+    return std::min(sum, halfDiagonalAbove * cell); // no position is farther from a sample
 }
 
 } // namespace burin

@@ -47,7 +47,7 @@ FieldSample BrickField::sample(const glm::dvec3& tip) const noexcept {
     bool inside = true;
     for (int axis = 0; axis < 3; ++axis) {
         const double wanted = tip[axis], low = tips.low[axis], high = tips.high[axis];
-        const double kept = wanted > low ? (wanted < high ? wanted : high) : low; // what is not a number: low
+        const double kept = wanted > low ? (wanted < high ? wanted : high) : low; // NaN becomes low
         inside = inside && kept == wanted;
         const double along = (kept - low) / spacing;
         cell[axis] = std::min(static_cast<int>(along), bricks[axis] * cells - 1);
@@ -68,10 +68,11 @@ FieldSample BrickField::sample(const glm::dvec3& tip) const noexcept {
     return {between.value - static_cast<double>(coarseBound[number]), between.gradient / brickEdge(), false};
 }
 
-/// Coarse values are never too high; outside the box the true one falls by no more than the way there.
+/// Coarse values are never too high; outside the box the true clearance decreases by no more than the distance to the
+/// box.
 double BrickField::bound(const glm::dvec3& tip) const noexcept {
     glm::dvec3 kept;
-    for (int axis = 0; axis < 3; ++axis) // what is not a number: low
+    for (int axis = 0; axis < 3; ++axis) // NaN becomes low
         kept[axis] = tip[axis] > tips.low[axis] ? std::min(tip[axis], tips.high[axis]) : tips.low[axis];
     const glm::ivec3 brick = glm::min(glm::ivec3((kept - tips.low) / brickEdge()), bricks - 1);
     const std::int32_t fine = place[brickAt(brick)];

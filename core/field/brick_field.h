@@ -12,7 +12,7 @@
 namespace burin {
 
 /// Samples of a tool's clearance over a box of tips: everywhere at the corners of bricks, and in fine bricks at the
-/// corners of their cells. A fine brick keeps all the samples that its cells need, so that a look-up touches no other.
+/// corners of their cells. A fine brick stores all samples of its cells, so that a look-up reads no other brick.
 struct BrickField {
     static constexpr int cells = 8; ///< of a brick, along each axis
     static constexpr int samplesAlong = cells + 1;
@@ -24,11 +24,11 @@ struct BrickField {
     double interpolationBound = 0.0; ///< mm, subtracted from every fine sample
     double quantum = 1.0;            ///< mm, one unit of a fine sample
     glm::ivec3 bricks{1};            ///< along x, y, z
-    std::vector<std::int32_t> place; ///< per brick: where its fine samples are, or `coarse`
+    std::vector<std::int32_t> place; ///< per brick: index of its fine samples, or `coarse`
     std::vector<float> corners;      ///< (bricks + 1) along each axis: clearance, mm
-    std::vector<float> coarseBound;  ///< per brick: how far interpolation between its corners may be too high, mm
+    std::vector<float> coarseBound;  ///< per brick: how much too high interpolation between its corners may be, mm
     std::vector<std::int16_t> samples;
-    std::vector<float> fineBound; ///< per fine brick: how far its values may be too high, mm
+    std::vector<float> fineBound; ///< per fine brick: how much too high its values may be, mm
 
     double brickEdge() const noexcept { return spacing * cells; }
     std::size_t brickCount() const noexcept { return count(bricks); }
@@ -48,13 +48,13 @@ struct BrickField {
     }
 
     /// Trilinear clearance and its gradient. A tip outside the box of tips gets those of the box's nearest point, and
-    /// is not fine; a coordinate that is no number counts as the lowest. Any thread; no allocation.
+    /// the sample is not fine; a coordinate that is not a number counts as the lowest. Any thread; no allocation.
     FieldSample sample(const glm::dvec3& tip) const noexcept;
-    /// The same for a tip that lies in the box but for rounding.
+    /// The same for a tip that lies in the box except for rounding.
     FieldSample sampleInside(const glm::dvec3& tip) const noexcept {
         return sample(glm::clamp(tip, tips.low, tips.high));
     }
-    /// How far the clearance may be above the true one, mm.
+    /// How much the clearance may be above the true one, mm.
     double bound(const glm::dvec3& tip) const noexcept;
 
 private:

@@ -12,13 +12,13 @@ namespace burin {
 
 namespace {
 
-// In voxels; what these allow is explained in README.md.
+// In voxels; README.md explains what these permit.
 constexpr float mostBendOfCorners = 0.06F, mostBendOfFours = 0.1F, mostResidual = 0.03F;
 constexpr float mostDifference = 0.01F, mostDifferenceInDepth = 0.25F; // between a brick's middle and lines through it
 constexpr double mostBend = 0.1, mostResidualOfTwos = 0.06, mostSpread = 0.03;
 constexpr double tolerance = 0.004, toleranceInDepth = 0.1; // of samples
 
-/// Calls `visit` for each place of a grid, to and fro: a step each.
+/// Calls `visit` for each index of a grid, back and forth, so that consecutive ones are neighbours.
 template <class Visit>
 void toAndFro(int along, const Visit& visit) {
     for (int k = 0; k < along; ++k)
@@ -28,7 +28,7 @@ void toAndFro(int along, const Visit& visit) {
                                  k % 2 == 0 ? row : along - 1 - row, k));
 }
 
-/// What lines along three axes are off by, mm, where each has a kink, or two opposite ones.
+/// Error of lines along three axes, mm, if each has a kink, or two opposite ones.
 double errorOf(const LineCheck& check) noexcept {
     return static_cast<double>(check.bends + 1.5F * check.residual);
 }
@@ -67,7 +67,7 @@ void BrickSampler::fill(Progress& progress, double from, double to) {
                 if (left[order] != 0) work(order, ask, grids);
         });
     };
-    // What a tool's clearance has of features is as wide as the tool: samples farther apart could miss one.
+    // Features of a tool's clearance are as wide as the tool: samples farther apart could miss one.
     const double width = 2.0 * request_.tool.front().bottomRadius;
     if (width >= field_.brickEdge())
         bricks(0.0, 0.1, [&](std::size_t order, TipAsker& ask, Grids& grids) {
@@ -87,8 +87,8 @@ void BrickSampler::fill(Progress& progress, double from, double to) {
     bricks(0.7, 1.0, [&](std::size_t order, TipAsker& ask, Grids& grids) { fillFromTwos(order, ask, grids); });
 }
 
-/// The bound that is subtracted from samples covers the tolerance; in depth only those count that no line outside
-/// meets.
+/// The bound that is subtracted from samples covers the tolerance; the tolerance in depth applies only to samples that
+/// no line from outside meets.
 TipAsker BrickSampler::asker() const {
     const double deepBelow = deep_ - BrickField::cells / 2 * field_.spacing;
     return {part_, request_, {tolerance * request_.voxel, deepBelow, toleranceInDepth * request_.voxel}};
@@ -137,7 +137,7 @@ bool BrickSampler::fillFromCorners(std::size_t order, TipAsker& ask, Grids& grid
     return true;
 }
 
-/// Those of the corners and of a coarser level are known.
+/// Samples of the corners and of a coarser level are known already.
 void BrickSampler::own(std::size_t order, Level& level, const Level* coarser, TipAsker& ask) const {
     TipSample* const first = level.samples.data() + static_cast<std::size_t>(level.place[order]) * level.owned();
     const int along = level.along();
@@ -153,7 +153,7 @@ void BrickSampler::own(std::size_t order, Level& level, const Level* coarser, Ti
     });
 }
 
-/// Its own, the next bricks', and where these have none, asked for.
+/// Collects the brick's own samples and those of the next bricks, and evaluates the part where these have none.
 void BrickSampler::gather(std::size_t order, const Level& level, TipAsker& ask, Grid& all) const {
     const glm::ivec3 brick = field_.brickOf(fine_[order]);
     const int along = level.along();
@@ -197,7 +197,7 @@ void BrickSampler::fillFromTwos(std::size_t order, TipAsker& ask, Grids& grids) 
     bound(order, error);
 }
 
-/// A sample with odd places lies in the middle of one, two or four lines between even ones.
+/// A sample with odd indices lies in the middle of one, two or four lines between even ones.
 std::optional<BrickSampler::Between> BrickSampler::between(const Grid& all, const glm::ivec3& sample) const noexcept {
     const SampleGrid& twos = all.samples;
     const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
@@ -220,7 +220,7 @@ std::optional<BrickSampler::Between> BrickSampler::between(const Grid& all, cons
                 leastGain = std::min(leastGain, gain);
                 mostGain = std::max(mostGain, gain);
             }
-        // In depth nothing but the way out is asked for: straight lines will do.
+        // In depth the field only has to lead outwards: straight lines suffice.
         deep = deep || estimate < deep_;
         if (!deep) {
             const double bend = glm::dot(glm::dvec3(from.gradient - to.gradient), way) / 8.0;
@@ -263,15 +263,15 @@ void BrickSampler::pack(std::size_t order, const Grid& gains, const SampleGrid& 
     bound(order, lineError);
 }
 
-/// What straightened values, none deeper than one, are off by once they are bent back, mm: with gains between the least
-/// and the most. Clearances of less than a voxel inside have no bound.
+/// Error, mm, of straightened values, none deeper than the given one, after conversion back to clearances: with gains
+/// between the least and the most. It is bounded only for clearances of less than a voxel inside.
 double BrickSampler::gainError(double straightened, float least, float most) const noexcept {
     const double bounded = (request_.voxel + field_.spacing) / static_cast<double>(least);
     return std::clamp(-straightened, 0.0, bounded) * static_cast<double>(most - least);
 }
 
-/// Values between samples are off by what the samples' differences say, and by the samples' own error; what is
-/// subtracted from every sample comes off that.
+/// The error of values between samples follows from the samples' differences and the samples' own error, less what is
+/// subtracted from every sample.
 void BrickSampler::bound(std::size_t order, double sampleError) noexcept {
     const double perUnit = field_.quantum, subtracted = resolution_.interpolationBound;
     const float between =

@@ -12,32 +12,32 @@
 
 namespace burin {
 
-/// Fills the fine bricks of a tool's field. Where the corners of a brick say that the clearance is smooth, and its
-/// middle agrees, its samples follow from them by cubics (Hermite). Elsewhere samples 4 apart are asked of the part,
-/// with their gradients, and where lines between these are not smooth either, every second sample; what lies between
-/// those follows from its own lines, or is asked.
+/// Fills the fine bricks of a tool's field. If the clearance is smooth according to the corners of a brick, and its
+/// middle agrees, its samples are computed from the corners by cubics (Hermite). Otherwise samples 4 apart are
+/// evaluated with the part, with their gradients, and where lines between these are not smooth either, every second
+/// sample; the samples between those follow from their own lines, or are evaluated as well.
 class BrickSampler {
 public:
-    /// @param fine numbers of the fine bricks, in the order of their samples
+    /// @param fine     numbers of the fine bricks, in the order of their samples
     /// @param corners  of the bricks, mm, with their gradients
     BrickSampler(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
                  BrickField& field, const std::vector<std::uint32_t>& fine, const std::vector<TipSample>& corners);
 
-    /// What it and the field take for a fine brick, where none of them is smooth.
+    /// Memory of the sampler and the field for a fine brick, if none of them is smooth.
     static constexpr std::size_t bytesPerBrick() noexcept {
         return BrickField::samplesPerBrick * sizeof(std::int16_t) + sizeof(float) + (8 + 64) * sizeof(TipSample);
     }
 
-    /// Parallel, reported between the fractions.
+    /// Parallel; reports progress between the two fractions.
     void fill(Progress& progress, double from, double to);
 
 private:
-    /// Samples of a level that a brick owns: all but those on its upper faces.
+    /// Samples of a level that belong to a brick: all but those on its upper faces.
     struct Level {
         int step;                        ///< cells between them
-        std::vector<std::int32_t> place; ///< per fine brick, where its samples are, or none
+        std::vector<std::int32_t> place; ///< per fine brick, index of its samples, or none
         std::vector<TipSample> samples;
-        int along() const noexcept { return BrickField::cells / step; } ///< owned, along an axis
+        int along() const noexcept { return BrickField::cells / step; } ///< own samples along an axis
         std::size_t owned() const noexcept { return static_cast<std::size_t>(along() * along() * along()); }
         void lay(const std::vector<std::uint8_t>& wanted);
     };
@@ -53,10 +53,10 @@ private:
             samples.set(place, sample.straightened());
             gains[place] = sample.gain;
         }
-        /// Between its own. @param share  of the brick, along each axis
+        /// Interpolated between the grid's gains. @param share  position in the brick, along each axis
         float gainAt(const glm::vec3& share) const noexcept;
     };
-    /// Room to work in. One thread each.
+    /// Working storage. One per thread.
     struct Grids {
         Grid two{2}, three{3}, five{5};
         SampleGrid middle{3}, fine{5}, nine{9};
@@ -70,7 +70,7 @@ private:
     void fillFromTwos(std::size_t order, TipAsker& ask, Grids& grids);
     void gather(std::size_t order, const Level& level, TipAsker& ask, Grid& all) const;
     bool isSmooth(const LineCheck& check, float mostBend) const noexcept;
-    /// What is known without asking, and how far it may be off, mm.
+    /// Value that is known without evaluating the part, and its possible error, mm.
     struct Between {
         double value, error;
     };
@@ -86,7 +86,7 @@ private:
     BrickField& field_;
     const std::vector<std::uint32_t>& fine_;
     const std::vector<TipSample>& corners_;
-    const double deep_; ///< mm: clearances below only have to lead out
+    const double deep_; ///< mm: clearances below this only have to lead outwards
     Level fours_{4, {}, {}}, twos_{2, {}, {}};
 };
 

@@ -8,9 +8,9 @@
 
 namespace burin {
 
-/// Of a cube of edge 1: no place in it is farther from its middle, nor from the nearest of its corners.
+/// Largest distance of a point in a cube of edge 1 from its middle, and from the nearest of its corners.
 inline constexpr double halfDiagonal = 0.5 * std::numbers::sqrt3;
-/// The same where it bounds something in single precision: the next float above.
+/// The same as an upper bound in single precision: the next float above.
 inline constexpr float halfDiagonalAbove = 0.8660255F;
 static_assert(static_cast<double>(halfDiagonalAbove) > halfDiagonal);
 

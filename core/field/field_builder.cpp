@@ -22,7 +22,7 @@ public:
     Builder(const MeshDistance& part, const ToolFieldRequest& request, Progress& progress)
         : part_(part), request_(request), progress_(progress), resolution_(fieldResolution(request)) {}
 
-    /// @param spacing of fine samples, an eighth of a brick, mm
+    /// @param spacing  of fine samples, an eighth of a brick, mm
     Builder(const MeshDistance& part, const ToolFieldRequest& request, double spacing, Progress& progress)
         : Builder(part, request, progress) {
         resolution_.spacing = spacing;
@@ -85,7 +85,7 @@ private:
         return band;
     }
 
-    /// The bricks that are fine.
+    /// Determines the fine bricks.
     Result<void> choose(const TipCorners& corners) {
         const std::vector<std::uint8_t> wanted = bricksInBand(corners, 0.15, 0.2);
         for (std::size_t number = 0; number < wanted.size(); ++number)
@@ -106,7 +106,7 @@ private:
     Progress& progress_;
     FieldResolution resolution_;
     BrickField field_;
-    std::vector<std::uint32_t> fine_; ///< bricks that are fine, in the order of their samples
+    std::vector<std::uint32_t> fine_; ///< fine bricks, in the order of their samples
 };
 
 } // namespace
@@ -120,7 +120,7 @@ FieldResolution fieldResolution(const ToolFieldRequest& request) noexcept {
     resolution.low = -3.0 * voxel;
     resolution.high = std::max(request.maximumAllowance, 0.0) + 4.0 * voxel;
     resolution.clear = std::max(request.maximumAllowance, 0.0) + 0.05 * voxel;
-    // A fine brick has a corner as near as TipCorners::mayHoldBand says, or one as deep.
+    // A fine brick has a corner as near as TipCorners::mayHoldBand requires, or as deep.
     const double edge = BrickField::cells * resolution.spacing, diagonal = std::numbers::sqrt3 * edge;
     const double reach = TipCorners::nearEnough(resolution, edge) - resolution.low + 1.5 * diagonal;
     resolution.quantum = (reach + resolution.interpolationBound) / 32000.0;

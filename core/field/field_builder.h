@@ -6,12 +6,12 @@
 
 namespace burin {
 
-/// What the resolution of a field follows from; README.md derives it.
+/// The resolution of a field, computed from a request; README.md derives it.
 struct FieldResolution {
     double spacing = 0.0;            ///< mm
-    double interpolationBound = 0.0; ///< mm, how far interpolation may be too high over smooth faces
+    double interpolationBound = 0.0; ///< mm, how much too high interpolation may be over smooth faces
     double low = 0.0, high = 0.0;    ///< mm, the fine band of clearances
-    double clear = 0.0;              ///< mm, no less is answered beyond the band: a tool goes free there
+    double clear = 0.0;              ///< mm, lowest value returned beyond the band: the tool moves freely there
     double quantum = 0.0;            ///< mm, one unit of a fine sample
 
     /// As ClearanceField::errorBound.
@@ -21,19 +21,19 @@ struct FieldResolution {
 /// @param request valid, see checkFieldRequest
 FieldResolution fieldResolution(const ToolFieldRequest& request) noexcept;
 
-/// The bricks' corners alone, each brick a coarse one, however near the part it lies.
+/// Only the corners of the bricks; every brick is coarse, however near the part it is.
 struct CoarseBricks {
     BrickField field;
-    std::vector<std::uint8_t> band; ///< per brick: some tip in it may be in the fine band; 1 or 0
+    std::vector<std::uint8_t> band; ///< per brick: 1 if some tip in it may be in the fine band, otherwise 0
 };
-/// @param edge of a brick, mm. Errors and what is thrown: those of buildBrickField.
+/// @param edge  of a brick, mm. Errors and exceptions: those of buildBrickField.
 Result<CoarseBricks> buildCoarseBricks(const MeshDistance& part, const ToolFieldRequest& request, double edge,
                                        Progress& progress);
 
-/// What makes no field. Errors: argumentInvalid, as ToolField::build has it.
+/// Checks whether a field can be built for the request. Errors: argumentInvalid, as ToolField::build.
 Result<void> checkFieldRequest(const ToolFieldRequest& request);
 
-/// Samples a tool's clearance; the request is valid. Errors: cancelled, outOfMemory. Throws std::bad_alloc.
+/// Samples a tool's clearance; the request must be valid. Errors: cancelled, outOfMemory. Throws std::bad_alloc.
 Result<BrickField> buildBrickField(const MeshDistance& part, const ToolFieldRequest& request, Progress& progress);
 
 } // namespace burin

@@ -16,14 +16,14 @@ namespace {
 
 constexpr const char* subject = "boundary field of a tool";
 constexpr double mostTiles = 1U << 24U;
-constexpr int fewestBricks = 8;              ///< along a tile: as many again beside its upper faces are asked twice
-constexpr double mostSmallestTiles = 4000.0; ///< more of them cost more than the first is there sooner
-/// Corners of the outline that are worth their time before the first cut.
+constexpr int fewestBricks = 8;              ///< along a tile: samples on its upper faces are evaluated twice
+constexpr double mostSmallestTiles = 4000.0; ///< more of them cost more than having the first one sooner gains
+/// Maximum number of corners of the outline that is worth computing before the first cut.
 constexpr double mostCorners = 24000.0;
-/// Tiles that a tool has to be nearer to one that is missing than to the one that makes room.
+/// How much nearer, in tiles, the tool has to be to a missing tile than to the tile that is dropped for it.
 constexpr double tilesNearer = 2.0;
-constexpr std::chrono::milliseconds glance{5};  // between two looks at what a loop answers
-constexpr std::chrono::milliseconds rest{1000}; // where nobody answers
+constexpr std::chrono::milliseconds glance{5};  // interval between polls of a loop's answers
+constexpr std::chrono::milliseconds rest{1000}; // interval if nobody answers
 
 double tilesIn(const Box& box, double edge) noexcept {
     double count = 1.0;
@@ -31,7 +31,7 @@ double tilesIn(const Box& box, double edge) noexcept {
     return count;
 }
 
-/// Along a tile's edge.
+/// Number of bricks along a tile's edge.
 int bricksPerTile(const Box& tips, double brick) noexcept {
     int bricks = fewestBricks;
     double most = mostSmallestTiles;
@@ -42,7 +42,7 @@ int bricksPerTile(const Box& tips, double brick) noexcept {
     return bricks;
 }
 
-/// The outline's cells along a tile's edge: as many as the corners allow.
+/// Number of the outline's cells along a tile's edge: as many as the number of corners permits.
 int cellsPerTile(const TileLayout& layout) noexcept {
     int cells = 1;
     while (cells < fewestBricks && 8.0 * cells * cells * cells * static_cast<double>(layout.count()) <= mostCorners)
@@ -59,7 +59,7 @@ GrowingField::GrowingField(std::shared_ptr<const MeshDistance> part, const ToolF
 GrowingField::~GrowingField() {
     background_.cancel();
     {
-        const std::scoped_lock lock(mutex_); // none is between its look at the stop and its wait
+        const std::scoped_lock lock(mutex_); // no worker is between checking for the stop and waiting
         for (std::jthread& worker : workers_) worker.request_stop();
     }
     changed_.notify_all();
@@ -105,7 +105,8 @@ Result<void> GrowingField::layOutline(Progress& progress) {
 
 FieldSample GrowingField::outline(const glm::dvec3& tip) const noexcept {
     FieldSample sample = outline_.sample(tip);
-    // Where there is no tile to come it says that the tool goes free, or is deep inside: less would hold it for good.
+    // Where no tile will come, the outline means that the tool is clear, or deep inside: less would hold it
+    // permanently.
     if (isNeeded_[layout_.tileOf(tip)] != 0) sample.clearance -= spacing_;
     return sample;
 }
@@ -160,14 +161,14 @@ void GrowingField::grow(const glm::dvec3& tip) {
 
 void GrowingField::start() {
     quiet_ = false;
-    helpInBackground(); // whoever mills meanwhile goes first
+    helpInBackground(); // milling has precedence meanwhile
     while (workers_.size() < threads_) workers_.emplace_back([this](const std::stop_token& stop) { work(stop); });
     changed_.notify_all();
 }
 
 std::shared_ptr<TileFeed> GrowingField::feed() {
     const std::scoped_lock lock(mutex_);
-    listen(); // what was asked of a loop that is gone
+    listen(); // requests to a loop that is gone
     auto feed = std::make_shared<TileFeed>(tiles_.size());
     std::vector<std::pair<double, std::uint32_t>> there;
     for (std::uint32_t number = 0; number < tiles_.size(); ++number)
@@ -179,7 +180,8 @@ std::shared_ptr<TileFeed> GrowingField::feed() {
     return feed;
 }
 
-/// What the loop answered, where its tool is; what waits for a loop that is gone goes.
+/// Processes the loop's answers and the position of its tool; drops tiles that wait for the answer of a loop that is
+/// gone.
 void GrowingField::listen() {
     const std::shared_ptr<TileFeed> feed = reader();
     if (!feed) {
@@ -205,7 +207,7 @@ void GrowingField::drop(Tile& tile) {
     --there_;
 }
 
-/// The next tile to make, nearest to the tool; none while there is no room, or nothing left to do.
+/// The next tile to make, nearest to the tool; none if there is no room or nothing left to do.
 std::optional<std::uint32_t> GrowingField::claim() {
     std::optional<std::uint32_t> nearest;
     double least = 0.0;
@@ -224,12 +226,12 @@ std::optional<std::uint32_t> GrowingField::claim() {
     return std::nullopt;
 }
 
-/// What the tool is about to stand in is made whatever the limit, unless memory ran out.
+/// The tile that the tool is about to enter is made whatever the limit, unless memory ran out.
 bool GrowingField::isUrgent(double distance) const noexcept {
     return distance < 0.5 * layout_.edge && !failure_;
 }
 
-/// The tile farthest from the tool goes, where it is farther than one that is missing. False: there is no room yet.
+/// Drops the tile farthest from the tool, if it is farther than the missing one. False: there is no room yet.
 bool GrowingField::makeRoom(double forDistance) {
     Tile* farthest = nullptr;
     std::uint32_t number = 0;
@@ -260,7 +262,7 @@ void GrowingField::publish(std::uint32_t number, Result<Bricks> made) {
         tile.state = Tile::State::absent;
         if (made.error().code != ErrorCode::cancelled) {
             failure_ = made.error();
-            limit_ = std::min(limit_, bytes_); // no more than there is room for
+            limit_ = std::min(limit_, bytes_); // no more than fits into memory
         }
         return;
     }
@@ -272,7 +274,7 @@ void GrowingField::publish(std::uint32_t number, Result<Bricks> made) {
     if (const std::shared_ptr<TileFeed> feed = reader()) feed->news_.push({number, tile.bricks.get()});
 }
 
-/// @param lock of the mutex; open while the tile is made
+/// @param lock  of the mutex; unlocked while the tile is made
 void GrowingField::makeClaimed(std::uint32_t number, std::unique_lock<std::mutex>& lock) {
     lock.unlock();
     Result<Bricks> made = make(number, background_);
@@ -292,7 +294,7 @@ void GrowingField::work(const std::stop_token& stop) {
                                    return tile.state == Tile::State::leaving;
                                });
             if (std::exchange(quiet_, quiet) != quiet) changed_.notify_all();
-            const bool answers = reader() && there_ < needed_; // whoever else has something to do wakes us
+            const bool answers = reader() && there_ < needed_; // all other events wake this thread
             changed_.wait_for(lock, answers ? glance : rest);
         }
     }
@@ -309,7 +311,7 @@ Result<void> GrowingField::finish(Progress& progress) {
         if (const std::optional<std::uint32_t> number = claim()) {
             makeClaimed(*number, lock);
         } else {
-            changed_.wait_for(lock, glance); // others make the rest
+            changed_.wait_for(lock, glance); // others are making the remaining tiles
         }
     }
     if (there_ == needed_) {
@@ -341,7 +343,7 @@ Result<GrowingField::Bricks> GrowingField::tile(std::uint32_t number, Progress& 
         if (isNeeded_[number] == 0 || tile.bricks) return tile.bricks;
         if (progress.cancelled()) return Error{ErrorCode::cancelled, subject, "", ""};
         if (tile.state == Tile::State::absent) break;
-        changed_.wait_for(lock, glance); // a worker is at it
+        changed_.wait_for(lock, glance); // a worker is making it
     }
     tiles_[number].state = Tile::State::making;
     ++making_;

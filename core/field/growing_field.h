@@ -19,57 +19,58 @@
 
 namespace burin {
 
-/// What a growing field may take.
+/// Limits of the resources of a growing field.
 struct GrowthLimits {
-    std::size_t bytes = std::size_t{256} << 20U; ///< of tiles, but for those around the tool; others make room
-    unsigned threads = 1;                        ///< in the background, a tile each; all processors help them
+    std::size_t bytes = std::size_t{256} << 20U; ///< for tiles except those around the tool; others make room
+    unsigned threads = 1;                        ///< background threads, one tile each; all processors help them
 };
 
-/// A ToolField that is there in a moment whatever its size: coarse everywhere, and fine where the tool is, first. Its
-/// box of tips is cut into tiles of 8 bricks a side, or 16 or more where they would be too many. Each that the fine
-/// band passes through is made as a field of its own, in the background; what a tile says depends on nothing but its
-/// number and the request. Where its tile is not there, the outline answers: what is certain of the clearance from
-/// corners far apart, less a cell, so that no tool which it lets be is inside the boundary once the tile has come. It
-/// never exceeds the clearance.
+/// A ToolField that is available almost at once whatever its size: coarse everywhere, and fine first where the tool is.
+/// Its box of tips is cut into tiles of 8 bricks per side, or 16 or more if there would be too many tiles. Each tile
+/// that the fine band passes through is built as a field of its own, in the background; its content depends only on its
+/// number and the request. Where the tile is missing, the outline is used: a lower bound of the clearance from corners
+/// far apart, less a cell, so that no tool that it admits is inside the boundary once the tile is available. It never
+/// exceeds the clearance.
 ///
-/// A loop that must not wait reads tiles as its TileFeed hands them over (GrowingBoundary, core/haptics). As a
-/// ClearanceField it is for everybody else: `at` then waits while a tile is being put in its place.
-/// Thread-safe.
+/// A loop that must not wait reads tiles as its TileFeed hands them over (GrowingBoundary, core/haptics). All other
+/// callers use it as a ClearanceField: `at` then waits while a tile is being inserted. Thread-safe.
 class GrowingField final : public ClearanceField {
 public:
-    /// Lays the outline; no tile is made yet. Cost: some tenths of a second; parallel. Errors: those of
+    /// Builds the outline; no tile is made yet. Cost: some tenths of a second; parallel. Errors: those of
     /// ToolField::build.
     /// @param part never null
     static Result<std::shared_ptr<GrowingField>> lay(std::shared_ptr<const MeshDistance> part,
                                                      const ToolFieldRequest& request, const GrowthLimits& limits,
                                                      Progress& progress);
-    ~GrowingField() override; ///< stops what is made in the background
+    ~GrowingField() override; ///< stops the background work
     GrowingField(const GrowingField&) = delete;
     GrowingField& operator=(const GrowingField&) = delete;
 
-    /// Begins to make tiles in the background, those nearest to a tip first; the tool's as soon as there is a feed.
+    /// Starts making tiles in the background, those nearest to the tip first; nearest to the tool as soon as there is a
+    /// feed.
     void grow(const glm::dvec3& tip);
-    /// For one loop, one at a time; tiles that are there come at once, the nearest first. Grows.
+    /// For one loop at a time; existing tiles are handed over at once, the nearest first. Starts growing.
     std::shared_ptr<TileFeed> feed();
-    /// Makes all tiles, with all processors, and keeps them whatever they take. Errors: cancelled, outOfMemory.
+    /// Makes all tiles, with all processors, and keeps them regardless of the memory limit. Errors: cancelled,
+    /// outOfMemory.
     Result<void> finish(Progress& progress);
-    /// Waits until nothing is left to do for the tool where it is. False: cancelled, or `seconds` are over.
-    /// @param progress gets the share of the tiles that are there
+    /// Waits until no work is left for the current position of the tool. False: cancelled, or `seconds` have passed.
+    /// @param progress  receives the share of the tiles that are available
     bool waitUntilQuiet(Progress& progress, double seconds) const;
-    /// A tile, made by the caller's thread where it is not there; null where none is needed. Errors: cancelled,
-    /// outOfMemory, argumentInvalid (a number that there is not).
+    /// Returns a tile, made on the calling thread if it is missing; null if no tile is needed. Errors: cancelled,
+    /// outOfMemory, argumentInvalid (a number out of range).
     Result<std::shared_ptr<const BrickField>> tile(std::uint32_t number, Progress& progress);
-    /// All tiles are there, and stay: `finish` has succeeded.
+    /// Whether all tiles are available and will stay: `finish` has succeeded.
     bool whole() const noexcept { return whole_.load(std::memory_order_acquire); }
-    /// All tiles are there now.
+    /// Whether all tiles are available now.
     bool complete() const;
-    /// What kept tiles from being made: outOfMemory.
+    /// The error that kept tiles from being made: outOfMemory.
     std::optional<Error> failure() const;
 
     const TileLayout& layout() const noexcept { return layout_; }
-    /// Where no tile is there. @param tip in the box. Any thread; no allocation, never waits.
+    /// Value used where there is no tile. @param tip  in the box. Any thread; no allocation, never waits.
     FieldSample outline(const glm::dvec3& tip) const noexcept;
-    /// Of the outline and of the tiles that are there now. Any thread; waits for whoever holds the lock.
+    /// Memory of the outline and of the tiles that are available now. Any thread; waits for the holder of the lock.
     std::size_t memoryBytes() const;
 
     FieldSample at(const glm::dvec3& tip) const noexcept override;
@@ -81,7 +82,7 @@ private:
     using Bricks = std::shared_ptr<const BrickField>;
     struct Tile {
         enum class State : std::uint8_t { unneeded, absent, making, there, leaving } state = State::unneeded;
-        Bricks bricks; ///< written under both locks
+        Bricks bricks; ///< written while both locks are held
     };
     GrowingField(std::shared_ptr<const MeshDistance> part, const ToolFieldRequest& request, const GrowthLimits& limits);
 
@@ -102,15 +103,15 @@ private:
     const ToolFieldRequest request_;
     TileLayout layout_;
     BrickField outline_;
-    std::vector<std::uint8_t> isNeeded_;      ///< by tile: the fine band passes through it; 1 or 0
+    std::vector<std::uint8_t> isNeeded_;      ///< by tile: 1 if the fine band passes through it, otherwise 0
     double spacing_ = 0.0, errorBound_ = 0.0; ///< mm
     const unsigned threads_;
     std::atomic<bool> whole_{false};
-    Progress background_; ///< cancelled at the end
+    Progress background_; ///< cancelled in the destructor
 
-    mutable std::mutex mutex_; ///< of what follows
+    mutable std::mutex mutex_; ///< guards the members below
     mutable std::condition_variable changed_;
-    mutable std::shared_mutex table_; ///< taken after the mutex: of the tiles' bricks, for `at`
+    mutable std::shared_mutex table_; ///< locked after the mutex: guards the tiles' bricks, for `at`
     std::vector<Tile> tiles_;
     std::size_t bytes_ = 0, limit_;
     std::uint32_t needed_ = 0, there_ = 0, making_ = 0;

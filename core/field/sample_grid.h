@@ -10,14 +10,14 @@
 
 namespace burin {
 
-/// A distance and its gradient at a grid point. Both in one unit of length (mm of a tool's clearance, voxels of a
-/// part's distance): the gradient has no unit.
+/// A distance and its gradient at a grid point. Both in the same unit of length (mm for a tool's clearance, voxels for
+/// a part's distance), so that the gradient has no unit.
 struct DistanceSample {
     float distance = 0.0F;
     glm::vec3 gradient{0.0F};
 };
 
-/// All samples of a brick of cells, component by component.
+/// All samples of a brick of cells, stored by component.
 struct SampleGrid {
     explicit SampleGrid(int along) : side(along) {
         for (std::vector<float>& component : values) component.resize(static_cast<std::size_t>(along * along * along));
@@ -34,16 +34,16 @@ struct SampleGrid {
     }
 };
 
-/// How far lines between samples are from being smooth, voxels.
+/// Deviation from smoothness of the lines between samples, voxels.
 struct LineCheck {
-    float bend = 0.0F;                                     ///< how far the middle lies from the chord
-    float bends = 0.0F;                                    ///< the largest bend of each axis, added
-    float residual = 0.0F;                                 ///< by how much the mean slope misses the other end
-    float floor = -std::numeric_limits<float>::infinity(); ///< lines that lie below it altogether do not count
+    float bend = 0.0F;                                     ///< largest deviation of a middle from its chord
+    float bends = 0.0F;                                    ///< sum over the axes of the largest bend of each
+    float residual = 0.0F;                                 ///< error when the mean slope predicts the other end
+    float floor = -std::numeric_limits<float>::infinity(); ///< lines that lie completely below it do not count
 };
 
-/// The grid with samples in between: 2 n - 1 along each axis, by cubics (Hermite) along x, y and z in turn.
-/// @param spacing  of `coarse`, voxels  @param check  takes the largest of all lines
+/// The grid with additional samples in between: 2 n - 1 along each axis, by cubics (Hermite) along x, y and z in turn.
+/// @param spacing  of `coarse`, voxels  @param check  receives the largest values of all lines
 void refine(const SampleGrid& coarse, SampleGrid& fine, float spacing, LineCheck& check);
 
 } // namespace burin

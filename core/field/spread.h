@@ -10,9 +10,9 @@
 
 namespace burin {
 
-/// Spreads `count` pieces of work over the processors, reported from `from` to `to`; what is left is skipped when the
-/// work is cancelled. @param work  takes the first and the end of a stretch of numbers  @param length  of a stretch, at
-/// most
+/// Distributes `count` pieces of work over the processors and reports progress between `from` and `to`; the remaining
+/// pieces are skipped after cancellation. @param work  called with the first number and the end of an interval of
+/// numbers  @param length  maximum length of an interval
 template <class Work>
 void spreadStretches(std::size_t count, double from, double to, Progress& progress, const Work& work,
                      std::size_t length = 16) {
@@ -25,7 +25,7 @@ void spreadStretches(std::size_t count, double from, double to, Progress& progre
     });
 }
 
-/// The same, one number at a time.
+/// The same, with one number at a time.
 template <class Work>
 void spread(std::size_t count, double from, double to, Progress& progress, const Work& work) {
     spreadStretches(count, from, to, progress, [&](std::size_t first, std::size_t end) {

@@ -9,8 +9,8 @@
 
 namespace burin {
 
-/// A box of tips cut into cubes, the tiles of a GrowingField, from its low corner on; those at its high faces are cut
-/// off there. Tiles have numbers, x running fastest. mm.
+/// A box of tips divided into cubes, the tiles of a GrowingField, starting at its low corner; those at its high faces
+/// are cut off there. Tiles are numbered, x running fastest. mm.
 struct TileLayout {
     Box tips;
     double edge = 1.0;    ///< of a tile
@@ -38,7 +38,7 @@ struct TileLayout {
         const glm::ivec3 place = placeOf(tile);
         return {tips.low + edge * glm::dvec3(place), glm::min(tips.low + edge * glm::dvec3(place + 1), tips.high)};
     }
-    /// The nearest point of the box; what is not a number becomes its low end.
+    /// The nearest point of the box; a coordinate that is not a number becomes the low end.
     glm::dvec3 kept(const glm::dvec3& tip) const noexcept {
         glm::dvec3 nearest;
         for (int axis = 0; axis < 3; ++axis) {
@@ -47,7 +47,7 @@ struct TileLayout {
         }
         return nearest;
     }
-    /// From a tip to the nearest point of a tile.
+    /// Distance from a tip to the nearest point of a tile.
     double distance(std::uint32_t tile, const glm::dvec3& tip) const noexcept {
         const Box box = boxOf(tile);
         return glm::length(tip - glm::clamp(tip, box.low, box.high));

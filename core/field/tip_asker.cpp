@@ -11,7 +11,8 @@ namespace burin {
 
 namespace {
 
-constexpr float leastGain = 0.5F; // any will do, as long as depths of a voxel do not look like what only leads out
+constexpr float leastGain = 0.5F; // any value, as long as depths of a voxel stay out of the range that only leads
+                                  // outwards
 
 } // namespace
 

@@ -7,33 +7,35 @@
 
 namespace burin {
 
-inline constexpr double farthestClearance = 1e6; ///< mm: what an empty part answers
+inline constexpr double farthestClearance = 1e6; ///< mm: clearance from an empty part
 
-/// Clearance with the tip at a place.
+/// The clearance for one position of the tip.
 struct TipSample {
     DistanceSample clearance; ///< mm, and its gradient
-    /// How much of the tip's way out is gained in clearance when the tool is inside: less than 1 where it touches with
-    /// a rim, whose faces are nearer than the rim is.
+    /// Gain of clearance per distance that the tip moves out while the tool is inside: less than 1 if it touches with a
+    /// rim, whose faces are nearer than the rim itself.
     float gain = 1.0F;
 
-    /// The clearance without the kink that it has at 0 for a rim: stretched inside, so that lines across go on
+    /// The clearance without the kink that it has at 0 for a rim: scaled inside, so that lines across continue
     /// straight.
     DistanceSample straightened() const noexcept {
         if (clearance.distance >= 0.0F) return clearance;
         return {clearance.distance / gain, clearance.gradient / gain};
     }
 };
-/// What is between such samples, as a clearance again. @param gain  between theirs
+/// Converts a value interpolated between straightened samples back to a clearance. @param gain  interpolated between
+/// theirs
 inline float bentBack(float straightened, float gain) noexcept {
     return straightened < 0.0F ? straightened * gain : straightened;
 }
 
-/// Asks a part for the clearance of a tool, one tip after the other, each best near the last. One thread each.
+/// Evaluates the clearance of a tool from a part, one tip after the other, preferably each near the one before. One
+/// object per thread.
 class TipAsker {
 public:
     TipAsker(const MeshDistance& part, const ToolFieldRequest& request, const ClearanceTolerance& tolerance);
 
-    /// The gradient is, on a ridge of the tool, the one that the part's surface tells.
+    /// On a ridge of the tool, the gradient is the one that follows from the part's surface.
     TipSample ask(const glm::dvec3& tip);
 
 private:

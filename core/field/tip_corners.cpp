@@ -11,8 +11,8 @@ namespace burin {
 
 namespace {
 
-const glm::vec3 notAsked(std::numeric_limits<float>::infinity()); // for a gradient
-constexpr int farApart = 4;                                       // bricks, between corners that are asked everywhere
+const glm::vec3 notAsked(std::numeric_limits<float>::infinity()); // marks a gradient that was not evaluated
+constexpr int farApart = 4;                                       // bricks, between corners that are always evaluated
 constexpr double tolerance = 1e-4;                                // voxels
 
 float roundedDown(double value) noexcept {
@@ -21,8 +21,8 @@ float roundedDown(double value) noexcept {
                                                 : nearest;
 }
 
-/// By how much a value between a cube's corners may exceed the clearance: this changes no faster than the tip moves,
-/// nor bends more than a ball's.
+/// By how much a value between a cube's corners may exceed the clearance, which changes no faster than the tip moves
+/// and has no greater curvature than the distance from a ball.
 double interpolationExcess(double least, double edge) noexcept {
     const double reach = halfDiagonal * edge, away = least - reach;
     return away > 0.0 ? std::min(reach, 0.375 * edge * edge / away) : reach;
@@ -50,18 +50,18 @@ void TipCorners::sample(Progress& progress, double from, double to) {
     boundCoarseBricks();
 }
 
-/// The last corners count at every step: each lies on a cube.
+/// The last corners belong to every step, so that each corner lies on a cube.
 bool TipCorners::isAt(const glm::ivec3& corner, int step) const noexcept {
     for (int axis = 0; axis < 3; ++axis)
         if (corner[axis] % step != 0 && corner[axis] != field_.bricks[axis]) return false;
     return true;
 }
 
-/// Corners so many bricks apart; those that lie `above` apart are known, all when that is 0.
+/// Evaluates corners `step` bricks apart; those that are `above` bricks apart are known, none if that is 0.
 void TipCorners::sampleAt(int step, int above, Progress& progress, double from, double to) {
     const int rows = field_.bricks.y + 1;
     const auto count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(field_.bricks.z + 1);
-    const double deep = -1.5 * field_.brickEdge(); // below any band: a voxel too little says enough there
+    const double deep = -1.5 * field_.brickEdge(); // below any band: an error of a voxel is acceptable there
     spreadStretches(count, from, to, progress, [&](std::size_t first, std::size_t end) {
         TipAsker asker(part_, request_, {tolerance * request_.voxel, deep, request_.voxel});
         for (std::size_t row = first; row < end && !progress.cancelled(); ++row)
@@ -80,7 +80,7 @@ void TipCorners::sampleAt(int step, int above, Progress& progress, double from, 
     });
 }
 
-/// What a corner between those so many bricks apart has for certain, when no cube that it lies on may hold the band.
+/// A lower bound for a corner between those `step` bricks apart, if no cube that it lies on may contain the band.
 std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, int step) const noexcept {
     double value = farthestClearance;
     for (int side = 0; side < 8; ++side) {
@@ -100,10 +100,10 @@ std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, int step) 
     return value;
 }
 
-/// None when the cube may hold the band, or the value is too little for coarse bricks to say that the tool goes free
-/// there. A tip with the band's clearance lies so near to a place where the tool
-/// touches, and that place no nearer to a corner than half a face's diagonal tells; no tip is less deep than a corner
-/// is, less the way to it. Where a corner was not asked, the larger cube around told so.
+/// Empty if the cube may contain the band, or the value is too low for coarse bricks to show that the tool is clear
+/// there. A tip with the band's clearance is that near to a position where the tool touches, and half a face's diagonal
+/// limits how far that position is from the nearest corner (`nearEnough`); no tip is less deep than a corner is, minus
+/// the distance to it. If a corner was not evaluated, the larger cube around it decided this.
 std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, const Cube& cube) const noexcept {
     const glm::ivec3 size = cube.high - cube.low;
     const double edge = field_.brickEdge() * std::max({size.x, size.y, size.z});
@@ -120,7 +120,7 @@ std::optional<double> TipCorners::safeValue(const glm::ivec3& corner, const Cube
         sum += (1.0 - share.x) * (1.0 - share.y) * (1.0 - share.z) * distance;
     }
     const bool deep = most + request_.voxel + halfDiagonal * edge < resolution_.low;
-    const double brick = nearEnough(resolution_, field_.brickEdge()); // what corners of coarse bricks have at least
+    const double brick = nearEnough(resolution_, field_.brickEdge()); // least value of the corners of coarse bricks
     if (asked && !deep && least <= std::max(nearEnough(resolution_, edge), brick + halfDiagonal * edge))
         return std::nullopt;
     const double value = sum - interpolationExcess(least, edge);
@@ -144,7 +144,7 @@ bool TipCorners::mayHoldBand(const glm::ivec3& brick, TipAsker& asker) const {
     double least = farthestClearance, most = -farthestClearance;
     for (int i = 0; i < 8; ++i) {
         const DistanceSample& corner = samples_[field_.cornerAt(brick + cornerOf(i))].clearance;
-        if (std::isinf(corner.gradient.x)) return false; // far, or deep
+        if (std::isinf(corner.gradient.x)) return false; // far away, or deep
         least = std::min(least, static_cast<double>(corner.distance));
         most = std::max(most, static_cast<double>(corner.distance));
     }

@@ -11,23 +11,24 @@
 
 namespace burin {
 
-/// Clearances at the corners of all bricks of a tool's field: asked of the part where the fine band may be near, and at
-/// corners farther apart elsewhere, between which the others get a value that they have for certain.
+/// Clearances at the corners of all bricks of a tool's field: evaluated with the part where the fine band may be near,
+/// and elsewhere at corners farther apart, between which the other corners get a lower bound.
 class TipCorners {
 public:
     TipCorners(const MeshDistance& part, const ToolFieldRequest& request, const FieldResolution& resolution,
                BrickField& field);
 
-    /// Fills the field's corners and the bounds of its coarse bricks, too. Parallel, reported between the fractions.
+    /// Also fills the field's corners and the bounds of its coarse bricks. Parallel; reports progress between the
+    /// fractions.
     void sample(Progress& progress, double from, double to);
 
     /// By corner, mm, with their gradients.
     const std::vector<TipSample>& samples() const noexcept { return samples_; }
-    /// Whether some tip in a brick may be in the band. @param asker  for the middle of a doubtful one
+    /// Whether some tip in a brick may be in the band. @param asker  evaluates the middle of a doubtful brick
     bool mayHoldBand(const glm::ivec3& brick, TipAsker& asker) const;
 
-    /// Largest clearance of a corner with which a brick of this edge may have the band in it, or say less than
-    /// `FieldResolution::clear` when it is coarse, mm.
+    /// Largest clearance at a corner, mm, for which a brick of this edge may contain the band, or return less than
+    /// `FieldResolution::clear` when it is coarse.
     static double nearEnough(const FieldResolution& resolution, double edge) noexcept;
 
 private:

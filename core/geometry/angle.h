@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// rad, 0 … pi, between two vectors of any length; exact for small angles, too. 0 where one of them is zero.
+/// The angle between two vectors of any length, rad, 0 … pi; accurate for small angles, too. 0 if one of them is zero.
 inline double angleBetween(const glm::dvec3& a, const glm::dvec3& b) noexcept {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }

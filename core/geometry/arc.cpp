@@ -10,7 +10,7 @@
 namespace burin {
 namespace {
 
-/// The two axes of the arc's plane, in the order in which an anticlockwise turn goes.
+/// The two axes of the arc's plane, in the order of an anticlockwise rotation.
 struct Plane {
     int first, second;
 };
@@ -28,7 +28,7 @@ ArcTurn turnOf(const Arc& arc) noexcept {
     turn.endRadius = std::hypot(end[u], end[v]);
     turn.startAngle = std::atan2(start[v], start[u]);
     double sweep = std::atan2(end[v], end[u]) - turn.startAngle;
-    // Ends that are equal but for rounding are a full turn, as controls read them.
+    // Ends that are equal except for rounding mean a full turn, as controls interpret them.
     constexpr double sameAngle = 1e-12;
     if (arc.clockwise) {
         while (sweep >= -sameAngle) sweep -= 2.0 * pi;
@@ -52,7 +52,7 @@ glm::dvec3 placeOn(const Arc& arc, const ArcTurn& turn, double share) noexcept {
 }
 
 double lengthOf(const Arc& arc, const ArcTurn& turn) noexcept {
-    constexpr double coincident = 1e-9; // mm: radii of a circle that differ by no more are one
+    constexpr double coincident = 1e-9; // mm: radii that differ by no more than this are those of a circle
     const double rise = arc.to[arc.axis] - arc.from[arc.axis];
     if (std::abs(turn.endRadius - turn.startRadius) <= coincident)
         return std::hypot(turn.startRadius * turn.sweep, rise);

@@ -16,23 +16,25 @@ struct Arc {
     bool clockwise = false; ///< seen against the axis (G2)
 };
 
-/// An arc in polar coordinates of its plane. The radius goes evenly from the one at the start to the one at the end.
+/// An arc in polar coordinates of its plane. The radius changes linearly from the one at the start to the one at the
+/// end.
 struct ArcTurn {
     double startRadius = 0.0, endRadius = 0.0; ///< mm
     double startAngle = 0.0;                   ///< rad, from the plane's first axis to its second
     double sweep = 0.0;                        ///< rad, anticlockwise positive; equal ends are a full turn
 };
-/// The plane's axes are the two that follow the arc's own, in the order X Y Z X.
+/// The plane's axes are the two that follow the arc's own, in cyclic order (X Y Z X).
 ArcTurn turnOf(const Arc& arc) noexcept;
 
-/// Place at a share of the sweep, 0 … 1; exactly the ends at both.
+/// The point at a share of the sweep, 0 … 1; exactly the end points at 0 and 1.
 glm::dvec3 placeOn(const Arc& arc, const ArcTurn& turn, double share) noexcept;
 
-/// mm, rises included. Exact on a circle; where the radii differ by more than 1e-9 mm, 512 chords a turn stand for it.
+/// Length in mm, including the rise. Exact on a circle; if the radii differ by more than 1e-9 mm, approximated by 512
+/// chords per turn.
 double lengthOf(const Arc& arc, const ArcTurn& turn) noexcept;
 
-/// Places along the arc behind `from`, ending exactly in `to`, with chords that leave it by no more than
-/// `chordTolerance` mm, more than 0. Equal end points in the arc's plane mean a full turn.
+/// Points along the arc after `from`, ending exactly in `to`, with chords that deviate from it by no more than
+/// `chordTolerance` mm, which must be > 0. Equal end points in the arc's plane mean a full turn.
 /// @param places is overwritten
 void flatten(const Arc& arc, double chordTolerance, std::vector<glm::dvec3>& places);
 

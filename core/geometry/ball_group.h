@@ -13,7 +13,7 @@
 namespace burin {
 
 /// Lower bounds, over the boxes and plates of four children at once, of the signed distance to any ball of a group:
-/// equal balls whose centres lie in a box, and between two planes no farther than a radius from its middle. By the
+/// equal balls whose centres lie in a box, and between two planes within a radius of its middle. Computed from the
 /// tangent of the middle ball's distance at the middle of each box, as EntrySearch does for other pieces one by one.
 class BallGroup {
 public:
@@ -21,9 +21,9 @@ public:
         glm::dvec3 half{0.0}, normal{0.0, 0.0, 1.0};
         double below = 0.0, above = 0.0, radius = 0.0;
     };
-    /// @param middle  of the balls' centres  @param axis  of the tools; what lies above a centre is no matter of its
-    /// ball
-    /// @param lowest  mm, the least height of a centre over the middle, <= 0
+    /// @param middle  of the balls' centres  @param axis  of the tools; what lies above a centre does not concern its
+    ///        ball
+    /// @param lowest  mm, the lowest height of a centre relative to the middle, <= 0
     BallGroup(const TriangleTree& tree, const glm::dvec3& middle, double ball, const Spread& spread,
               const glm::dvec3& axis, double lowest) noexcept {
         const glm::dvec3 at = middle - tree.origin();
@@ -38,13 +38,13 @@ public:
         below_ = FourFloats{} + static_cast<float>(spread.below);
         above_ = FourFloats{} + static_cast<float>(spread.above);
         radius_ = FourFloats{} + static_cast<float>(spread.radius);
-        // Single precision keeps places to a few units of the seventh place of the greatest of them.
+        // Single precision represents coordinates to a few units of the seventh digit of the greatest of them.
         const glm::dvec3 far = glm::abs(at);
         slack_ = 1e-6F * static_cast<float>(std::max({far.x, far.y, far.z}) + ball + spread.radius);
         lowest_ = FourFloats{} + (static_cast<float>(lowest) - slack_);
     }
 
-    /// mm; minus infinity for what reaches above the lowest centre.
+    /// mm; minus infinity for children that reach above the lowest centre.
     FourFloats of(const TreeNode& node) const noexcept {
         const FourFloats zero{}, one = zero + 1.0F;
         std::array<FourFloats, 3> way, half;
@@ -61,7 +61,7 @@ public:
         std::array<FourFloats, 3> normal;
         FourFloats overBox{}, alongPlate{}, riseInBox{}, alongSpread{};
         for (std::size_t i = 0; i < 3; ++i) {
-            way[i] *= inverse; // the slope now
+            way[i] *= inverse; // the slope from here on
             normal[i] = fourAt(node.normal[i].data());
             overBox += absolute(way[i]) * half[i];
             riseInBox += absolute(way[i]) * half_[i];
@@ -75,7 +75,7 @@ public:
             partAcross(way, normal_, alongSpread) * radius_ + alongSpread * (alongSpread > 0.0F ? above_ : below_);
         const FourFloats fall = overBox < overPlate ? overBox : overPlate;
         const FourFloats rise = riseInBox < riseInPlate ? riseInBox : riseInPlate;
-        // The slope is known to slack / distance.
+        // The slope is accurate to slack / distance.
         const FourFloats bound = distance - ball_ - fall - rise - slack_ * (one + (radius + radius_) * inverse) -
                                  1e-6F * (radius + distance);
         return highest < lowest_ ? bound : zero - std::numeric_limits<float>::infinity();

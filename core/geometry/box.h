@@ -14,7 +14,7 @@ struct Box {
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
 
     bool empty() const noexcept { return low.x > high.x || low.y > high.y || low.z > high.z; }
-    /// mm; without meaning for an empty box, as its centre is.
+    /// mm; meaningless for an empty box, like its centre.
     glm::dvec3 size() const noexcept { return high - low; }
     glm::dvec3 centre() const noexcept { return 0.5 * (low + high); }
     void include(const glm::dvec3& point) noexcept {
@@ -29,9 +29,9 @@ struct Box {
     glm::dvec3 corner(unsigned i) const noexcept {
         return {(i & 1U) != 0 ? high.x : low.x, (i & 2U) != 0 ? high.y : low.y, (i & 4U) != 0 ? high.z : low.z};
     }
-    /// @param margin mm to each side; below 0 it shrinks, and may be empty
+    /// @param margin  mm to each side; a negative one shrinks the box, which may become empty
     Box grown(double margin) const noexcept { return {low - glm::dvec3(margin), high + glm::dvec3(margin)}; }
-    /// Its faces belong to it.
+    /// Whether the point is in the box, faces included.
     bool contains(const glm::dvec3& p) const noexcept {
         return p.x >= low.x && p.y >= low.y && p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
     }

@@ -18,8 +18,8 @@ ClearanceGradient clearanceGradient(std::span<const RevolvedPiece> tool, const T
     const double length = glm::length(found.outward);
     if (!(length > 0.0)) return answer;
     const glm::dvec3 normal = found.outward / length;
-    // On the tool, or where the mesh is deepest in it. It is nearly the deepest point only, so a ridge may pass beside
-    // it.
+    // On the tool, or where the mesh is deepest in it. The point is only approximately the deepest, so a ridge may pass
+    // near it.
     const bool inside = found.clearance <= 0.0;
     const glm::dvec3 place = inside ? found.meshPoint : found.meshPoint + found.clearance * found.away;
     const glm::dvec3 slope = supportingPlane(PlacedPiece(tool[found.piece], pose), place, normal, ridge).slope;

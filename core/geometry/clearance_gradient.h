@@ -6,17 +6,17 @@
 
 namespace burin {
 
-/// How a clearance changes with the tip.
+/// How a clearance changes with the position of the tip.
 struct ClearanceGradient {
     glm::dvec3 gradient{0.0};
-    /// How much of the tip's way out is gained in clearance: less than 1 where a rim is inside, whose faces are nearer
-    /// than the rim is.
+    /// Gain of clearance per distance that the tip moves out: less than 1 if a rim is inside, whose faces are nearer
+    /// than the rim itself.
     double gain = 1.0;
 };
 
-/// Of a clearance that was answered for a tool at a pose: on a ridge of the tool's distance the one that the mesh's
-/// surface tells, where the answer itself knows the slope of one face only.
-/// @param ridge  mm: how far from the answer's point a ridge may pass
+/// The gradient of a clearance that was computed for a tool at a pose. On a ridge of the tool's distance it follows
+/// from the mesh's surface, because the result itself has the slope of only one of the faces.
+/// @param ridge  mm: distance from the result's point within which a ridge is considered
 ClearanceGradient clearanceGradient(std::span<const RevolvedPiece> tool, const ToolPose& pose,
                                     const ToolClearance& found, double ridge) noexcept;
 

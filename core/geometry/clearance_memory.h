@@ -15,16 +15,16 @@
 
 namespace burin {
 
-/// A point of a tool's axis, and what was asked of the mesh for it last.
+/// A point of a tool's axis, and the last result of the mesh for it.
 struct AxisPoint {
     double height = 0.0; ///< mm above the tip
     std::size_t piece = 0;
-    glm::dvec3 place{0.0}; ///< where it was
+    glm::dvec3 place{0.0}; ///< where it was then
     ClosestPoint nearest;  ///< of the mesh
-    bool any = false;      ///< it was asked
+    bool any = false;      ///< whether there is a result
 
-    /// Whether it is certainly no deeper in the solid than so much: its depth changes no faster than it moves, nor is
-    /// it deeper than any point of the mesh is away.
+    /// Whether the point is certainly no deeper in the solid than `depth`: its depth changes no faster than it moves,
+    /// and it is no deeper than the distance to any point of the mesh.
     bool isShallower(const glm::dvec3& point, double depth) const noexcept {
         if (!any) return false;
         return nearest.signedDistance - glm::length(point - place) >= -depth ||
@@ -32,13 +32,15 @@ struct AxisPoint {
     }
 };
 
-/// No point of the mesh was nearer to a piece, and none is by more than the piece's farthest point has moved since.
+/// No point of the mesh was nearer to the piece; since then the bound decreases by at most the motion of the piece's
+/// farthest point.
 struct PieceBound {
     double atLeast = -std::numeric_limits<double>::infinity(); ///< mm, may be negative
     ToolPose pose;
 
-    /// mm: no point of the piece moves by more. Of the turns that take one axis to the other, the least one moves a
-    /// point of the axis with it, and one beside it by no more than its distance times the axis' chord on top.
+    /// Upper bound of the motion of any point of the piece, mm. Of the rotations that take one axis to the other, the
+    /// smallest moves a point of the axis with the axis, and a point off the axis by no more than its distance from it
+    /// times the chord between the axes in addition.
     double movedBy(const RevolvedPiece& piece, const ToolPose& to) const noexcept {
         const glm::dvec3 moved = to.tip - pose.tip;
         if (to.axis == pose.axis) return glm::length(moved);
@@ -49,19 +51,19 @@ struct PieceBound {
     }
 };
 
-/// A piece's spheres, and what was asked of the mesh for the lower one's centre last.
+/// The end spheres of a piece, and the last result of the mesh for the centre of the lower one.
 struct PieceInside {
     EndSpheres spheres;
     AxisPoint centre;
 };
 
-/// What a ClearanceAsker keeps of its last answers.
+/// What a ClearanceAsker keeps of its previous results.
 struct ClearanceMemory {
-    std::array<Found, 4> met{}; ///< the last, of as many pieces
+    std::array<Found, 4> met{}; ///< the last ones, for as many pieces
     std::vector<AxisPoint> axis;
     std::vector<PieceBound> pieces;
     std::vector<PieceInside> insides; ///< by piece
-    bool axisFirst = false;           ///< the last answer was the depth of a point of the axis
+    bool axisFirst = false;           ///< the last result was the depth of a point of the axis
     std::uint64_t work = 0;           ///< ClearanceAsker::work
 };
 

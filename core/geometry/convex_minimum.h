@@ -16,10 +16,10 @@ struct LineMinimum {
     double value = 0.0;
 };
 
-/// Least value of a convex function between two places, exact to `tolerance`. Two tangents bound the function from
-/// below where they meet, which tells both when to stop and, against `cutoff`, that going on is of no use: the answer
-/// is then some value that is not below it. Tries the zero of the slopes' secant (fast where the function is smooth)
-/// and the tangents' meeting point (finite on kinks) in turn.
+/// The minimum of a convex function between two positions, exact to `tolerance`. Two tangents give a lower bound where
+/// they meet, which decides both when to stop and, compared with `cutoff`, when continuing is pointless: the result is
+/// then some value that is not below `cutoff`. Alternates between the zero of the slopes' secant (fast where the
+/// function is smooth) and the meeting point of the tangents (finite on kinks).
 template <class Function>
 LineMinimum minimumOnLine(const Function& function, double low, double high, double cutoff, double tolerance) {
     LineValue atLow = function(low);

@@ -12,10 +12,10 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t smallGroup = 2; // tips that are looked at one by one
-constexpr double wideNode = 2.0;      // radii of a group: nodes that are wider are looked into
+constexpr std::size_t smallGroup = 2; // tips that are checked one by one
+constexpr double wideNode = 2.0;      // in radii of a group: wider nodes are descended into
 
-/// Tips by cells of space, each cell's together: one search each.
+/// Tips sorted by cells of space, with one search for each cell.
 class TipCells {
 public:
     explicit TipCells(std::span<const glm::dvec3> tips) {
@@ -70,7 +70,7 @@ void EntrySearch::run(std::span<AskedTip> tips, std::span<std::uint8_t> entered)
     judge(tips, {0.0, 0.0, 1.0}, 0, 1);
 }
 
-/// The plate is laid through three tips that lie far apart: tips of a smooth surface are thin across it.
+/// The plate is laid through three tips that are far apart: the tips of a smooth surface are thin across it.
 EntrySearch::Group EntrySearch::groupOf(std::span<const AskedTip> tips, const glm::dvec3& normal) const noexcept {
     Group group;
     group.normal = normal;
@@ -109,7 +109,7 @@ EntrySearch::Group EntrySearch::groupOf(std::span<const AskedTip> tips, const gl
     return group;
 }
 
-/// Across the normal, where the tools of a group end.
+/// Perpendicular to the normal, where the tools of a group end.
 void EntrySearch::layPlanes(Group& group) const noexcept {
     const double axial = glm::dot(group.normal, axis_), radial = std::sqrt(std::max(0.0, 1.0 - axial * axial));
     const auto reach = [&](double sign) {
@@ -120,8 +120,8 @@ void EntrySearch::layPlanes(Group& group) const noexcept {
     group.beneath = group.below - reach(-1.0);
 }
 
-/// @param normal  of the plane in which a greater group's tips lie best
-/// @param first @param end  of the parts of the mesh that may concern these tips
+/// @param normal  of the plane that the tips of the enclosing group fit best
+/// @param first @param end  range of the parts of the mesh that may concern these tips
 void EntrySearch::judge(std::span<AskedTip> tips, const glm::dvec3& normal, std::size_t first, std::size_t end) {
     if (tips.size() <= smallGroup) {
         for (const AskedTip& asked : tips)
@@ -137,7 +137,7 @@ void EntrySearch::judge(std::span<AskedTip> tips, const glm::dvec3& normal, std:
     parts_.resize(end);
 }
 
-/// Halves a group across its longest side, and each half as often as is left.
+/// Halves a group across its longest side, and each half again, `times` times in all.
 void EntrySearch::divide(std::span<AskedTip> tips, int times, const glm::dvec3& normal, std::size_t first,
                          std::size_t end) {
     if (times == 0 || tips.size() <= smallGroup) {
@@ -165,7 +165,7 @@ bool EntrySearch::enters(const glm::dvec3& tip, const glm::dvec3& normal, std::s
         if (met) lastMet_ = slot;
         return met;
     };
-    if (lastMet_ != none_ && isMet(lastMet_)) return true; // what stops a neighbour is likely to stop this one
+    if (lastMet_ != none_ && isMet(lastMet_)) return true; // what stopped a neighbour is likely to stop this one
     Group one;
     one.centre = tip;
     one.normal = normal;
@@ -176,8 +176,8 @@ bool EntrySearch::enters(const glm::dvec3& tip, const glm::dvec3& normal, std::s
     return met;
 }
 
-/// Puts what may concern a group behind the parts: nodes no wider than the group, and triangles.
-/// @param first @param end  of the parts that are looked at
+/// Appends what may concern a group to the parts: nodes no wider than the group, and triangles.
+/// @param first @param end  range of the parts that are examined
 EntrySearch::Verdict EntrySearch::consider(const PlacedPiece& placed, const Group& group, std::size_t first,
                                            std::size_t end) {
     Bounds bounds{{AbovePlane(tree_, {group.centre, -group.over, group.normal}),
@@ -219,7 +219,7 @@ void EntrySearch::considerNode(const PlacedPiece& placed, const Group& group, co
     }
 }
 
-/// One that was left over for a greater group.
+/// Examines a leaf that was left over for the enclosing group.
 void EntrySearch::considerLeaf(const PlacedPiece& placed, const Group& group, const Bounds& bounds,
                                std::uint32_t number, std::uint32_t child) {
     const float unknown = -std::numeric_limits<float>::infinity();
@@ -260,7 +260,8 @@ EntrySearch::Verdict EntrySearch::considerTriangle(const PlacedPiece& placed, co
     if (std::min({along.x, along.y, along.z}) - group.over >= -depth_ ||
         group.beneath - std::max({along.x, along.y, along.z}) >= -depth_)
         return Verdict::open;
-    // The centroid is told quickest; where the piece is nearest, a plane lies better under a long triangle.
+    // The centroid is fastest to evaluate; at the point where the piece is nearest, a plane lies better below a long
+    // triangle.
     const glm::dvec3 centroid = (triangle[0] + triangle[1] + triangle[2]) / 3.0;
     Concern concern = concernAt(centroid, placed, triangle, group);
     if (concern == Concern::possible && group.radius > 0.0) {
@@ -274,11 +275,11 @@ EntrySearch::Verdict EntrySearch::considerTriangle(const PlacedPiece& placed, co
     return Verdict::allEnter;
 }
 
-/// What a triangle means to a group, as told from one of its points.
+/// The relevance of a triangle to a group, judged from one of its points.
 EntrySearch::Concern EntrySearch::concernAt(const glm::dvec3& point, const PlacedPiece& placed,
                                             const Triangle& triangle, const Group& group) const noexcept {
     const PlacedPiece::Value value = placed.at(point);
-    // No tip is farther from the centre, and the signed distance changes no faster than the tip moves.
+    // No tip is farther from the centre than the radius, and the signed distance changes no faster than the tip moves.
     if (value.distance + group.radius < -depth_) return Concern::certain;
     const double fall =
         std::min({glm::dot(value.gradient, triangle[0] - point), glm::dot(value.gradient, triangle[1] - point),

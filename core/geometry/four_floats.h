@@ -12,7 +12,7 @@
 
 namespace burin {
 
-/// Four floats that are computed with at once: SSE2, which every x86-64 has.
+/// Four floats in one SIMD register: SSE2, which every x86-64 has.
 using FourFloats = float __attribute__((vector_size(16)));
 using FourInts = int __attribute__((vector_size(16)));
 
@@ -31,14 +31,14 @@ inline FourFloats absolute(const FourFloats& a) noexcept {
     return greater(a, -a);
 }
 inline FourFloats rootsOf(const FourFloats& a) noexcept {
-#ifdef __SSE2__ // as every x86-64 has; the compiler does not find it by itself
+#ifdef __SSE2__ // available on every x86-64; the compiler does not find it by itself
     return _mm_sqrt_ps(a);
 #else
     return FourFloats{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 #endif
 }
-/// Length of what is left of four vectors beside their parts along unit vectors; by parts, as one less a square would
-/// lose half of the digits.
+/// Length of the parts of four vectors perpendicular to unit vectors; computed by components, because one minus a
+/// square would lose half of the digits.
 inline FourFloats partAcross(const std::array<FourFloats, 3>& of, const std::array<FourFloats, 3>& unit,
                              const FourFloats& along) noexcept {
     FourFloats square{};

@@ -8,9 +8,9 @@
 
 namespace burin {
 
-/// All that is no farther than `by` mm from a piece, as three pieces that cover it together: the rounding about its
-/// bottom edge, its side moved out, the rounding about its top edge. Exact.
-/// @param piece straight, its bottom edge sharp (shanks and holders are)  @param by > 0
+/// All points no farther than `by` mm from a piece, as three pieces that cover them together: the rounding about its
+/// bottom edge, its side moved outwards, the rounding about its top edge. Exact.
+/// @param piece  straight, with a sharp bottom edge (as shanks and holders have)  @param by  > 0
 std::array<RevolvedPiece, 3> grownPieces(const RevolvedPiece& piece, double by) noexcept;
 
 } // namespace burin

@@ -10,15 +10,16 @@ namespace burin {
 /// Precision with which lowestClear finds a height, mm.
 inline constexpr double touchPrecision = 1e-5;
 
-/// Leads something straight down until it touches: the lowest height above which all is clear, within `touchPrecision`
-/// above it. Nothing where it reaches the floor without touching. It can go down by as much as it has to spare, as a
-/// clearance changes by no more than the way; beside a wall that leads to ever shorter steps, hence a shortest one of
-/// 0.02 mm: what is thinner than that, and no nearer than that before, may be passed.
-/// @param spareAt mm that it is farther than it has to be at a height, mm @param high from where on it is clear
+/// Moves something straight down until it touches: returns the lowest height above which all is clear, within
+/// `touchPrecision` above it. Empty if it reaches the floor without touching. Each step goes down by the spare
+/// clearance, because the clearance changes by no more than the height; beside a wall the steps would become ever
+/// shorter, hence the shortest step of 0.02 mm: an obstacle that is thinner than that, and was no nearer than that
+/// before, may be passed.
+/// @param spareAt  spare clearance at a height, mm  @param high  height from which on it is clear, mm
 template <class Spare>
 std::optional<double> lowestClear(Spare&& spareAt, double high, double floor) {
     constexpr double shortestStep = 0.02;          // mm
-    constexpr double inner = 0.4 * touchPrecision; // mm beyond the place looked for, so that both ends come near to it
+    constexpr double inner = 0.4 * touchPrecision; // mm beyond the wanted height, so that both ends approach it
     double spare = spareAt(high), low = high, lacking = spare;
     while (lacking > 0.0) {
         if (high <= floor) return {};
@@ -29,7 +30,8 @@ std::optional<double> lowestClear(Spare&& spareAt, double high, double floor) {
             spare = lacking;
         }
     }
-    // Where the line between both would have none to spare; in the middle every other time, so that it can't creep.
+    // Where the line between both ends has no spare clearance; every other time in the middle, so that the search can't
+    // creep.
     for (bool halve = false; high - low > touchPrecision; halve = !halve) {
         const double share = halve || !(spare > lacking) ? 0.5 : spare / (spare - lacking);
         const double middle =

@@ -26,8 +26,8 @@ std::vector<std::uint32_t> finiteTriangles(const TriangleMesh& mesh) {
     return places;
 }
 
-/// mm: what storing corners as floats moves them by, some units of the last place; far from the origin no more than
-/// parts are made to, as other files keep their corners exactly there.
+/// mm: displacement of corners by storing them as floats, some units in the last place; far from the origin limited to
+/// the precision that parts are made to, because other files keep their corners exact there.
 double roundingOf(const Box& box) noexcept {
     constexpr double ofReach = 4e-7, most = 1e-3;
     double reach = 0.0;
@@ -39,13 +39,13 @@ double roundingOf(const Box& box) noexcept {
 
 namespace {
 
-/// Heights of the points of the axis whose depth counts: the pieces' ends and the centres of their roundings.
+/// Heights of the points of the axis whose depth is evaluated: the pieces' ends and the centres of their roundings.
 template <class Visit>
 void visitAxis(std::span<const RevolvedPiece> tool, const Visit& visit) {
     double last = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < tool.size(); ++i)
         for (const double height : {tool[i].bottom, tool[i].bottom + tool[i].cornerRadius, tool[i].top}) {
-            if (height <= last) continue; // the last piece's
+            if (height <= last) continue; // the same as the previous piece's
             visit(height, i);
             last = height;
         }
@@ -68,7 +68,7 @@ public:
     std::optional<TriangleHit> hit(const Ray& ray) const noexcept { return nearestHit(ray, tree_); }
     std::size_t triangleOf(std::size_t slot) const noexcept { return tree_.order()[slot]; }
 
-    /// @param passed  takes a distance: but for what was found nothing is nearer
+    /// @param passed  receives a distance: except for the point found, nothing is nearer
     Found nearest(const glm::dvec3& point, double within, double* passed = nullptr) const noexcept {
         Found found;
         double leastSquared = within < 1e150 ? within * within : 1e300;
@@ -106,7 +106,7 @@ public:
         near.limit(within * within);
         std::size_t met = 0;
         walk(tree_, near, [&](std::size_t) noexcept { ++met; });
-        numbers.reserve(met); // what follows does not throw
+        numbers.reserve(met); // so that what follows does not throw
         walk(tree_, near, [&](std::size_t slot) noexcept {
             const glm::dvec3 way = closestOnTriangle(tree_.triangles()[slot], point).point - point;
             if (glm::dot(way, way) <= within * within) numbers.push_back(static_cast<std::uint32_t>(slot));
@@ -128,8 +128,8 @@ public:
         return signedAnswer(found, point);
     }
 
-    /// @param tie  a mesh has many points that are equally near to a flat: one of them will do, mm
-    /// @param memory  none, or of a tip nearby
+    /// @param tie  mm: a mesh has many points that are equally near to a flat; any one of them is sufficient
+    /// @param memory  null, or that of a nearby tip
     ToolClearance clearance(std::span<const RevolvedPiece> tool, ToolPose pose, double within,
                             const ClearanceTolerance& tie, ClearanceMemory* memory) const noexcept {
         const ToolClearance free{within, pose.tip, pose.axis, 0, glm::dvec3(0.0)};
@@ -148,7 +148,7 @@ public:
             const glm::dvec3 gradient = unitOr(there.gradient, anyAcross(pose.axis));
             answer = {found.distance, found.point, -gradient, found.piece, normalAt(found)};
             if (memory != nullptr) memory->met[found.piece % memory->met.size()] = found;
-            // Apart, the whole tool is on one side.
+            // If they are apart, the whole tool is on one side.
             if (found.distance > 0.0 && glm::dot(gradient, answer.outward) <= 0.0) return answer;
         } else if (!inside && reachesOutside(tool, pose)) {
             return free;
@@ -188,7 +188,7 @@ public:
     }
 
 private:
-    /// What can be made of a mesh at the same time.
+    /// Parts of the construction that can run at the same time.
     struct Beginning {
         std::optional<TriangleTree> tree;
         std::vector<std::uint32_t> merged;
@@ -222,8 +222,8 @@ private:
         return gatheredNormal(found.point);
     }
 
-    /// Where the mesh is no ordinary surface: of all the triangles that touch the point, but for thin ones as long as
-    /// others do: between those a mesh may be folded by as much as its corners were rounded.
+    /// Where the mesh is not an ordinary surface: the normal of all triangles that touch the point, except for thin
+    /// ones if there are others: between those a mesh may be folded by as much as its corners were rounded.
     glm::dvec3 gatheredNormal(const glm::dvec3& point) const noexcept {
         const glm::dvec3 trusted = gatheredNormal(point, 2.0 * rounding_, rounding_);
         if (trusted != glm::dvec3(0.0)) return trusted;
@@ -262,7 +262,7 @@ private:
             return found;
         }
         startFrom(*memory, tool, pose, tie, found);
-        const std::size_t first = found.any ? found.piece : 0; // the one that is likely to be nearest
+        const std::size_t first = found.any ? found.piece : 0; // likely to be the nearest
         for (std::size_t n = 0; n < tool.size(); ++n) {
             const std::size_t i = (first + n) % tool.size();
             PieceBound& bound = memory->pieces[i];
@@ -272,7 +272,7 @@ private:
         return found;
     }
 
-    /// @return mm: but for what was found nothing is nearer to the piece than so
+    /// @return mm: except for the point found, nothing is nearer to the piece than this
     double meet(const PlacedPiece& piece, std::size_t number, const ClearanceTolerance& tie,
                 Found& found) const noexcept {
         const double deepest =
@@ -287,7 +287,7 @@ private:
         return found.piece == number ? std::min(passed, found.distance) : passed;
     }
 
-    /// What was nearest to a tip nearby, and what is near that and nearer to this one.
+    /// Starts from what was nearest to a nearby tip, and from points near that which are nearer to this one.
     void startFrom(const ClearanceMemory& memory, std::span<const RevolvedPiece> tool, const ToolPose& pose,
                    const ClearanceTolerance& tie, Found& found) const noexcept {
         for (const Found& met : memory.met) {
@@ -302,8 +302,9 @@ private:
         PieceSearch(tree_, normals_, piece, found.piece, piece.piece().bottom, tie, found).descend();
     }
 
-    /// What lies below a ball's centre is as near to the ball as it is to the centre, which is quicker to ask. What
-    /// lies above is not nearer to the ball than to the piece: it is left to the piece.
+    /// What lies below a ball's centre has the same distance to the ball as to its centre less the radius, which is
+    /// faster to evaluate. What lies above is not nearer to the ball than to the piece: it is left to the search of the
+    /// piece.
     double meetBall(const PlacedPiece& piece, std::size_t number, const ClearanceTolerance& tie,
                     Found& found) const noexcept {
         const double radius = piece.piece().cornerRadius;
@@ -334,7 +335,7 @@ private:
             for (AxisPoint& point : memory->axis) {
                 const double before = answer.clearance;
                 answer = deeper(answer, pose, tie, point, memory->work);
-                if (answer.clearance < before) std::swap(point, memory->axis.front()); // it is likely to be so again
+                if (answer.clearance < before) std::swap(point, memory->axis.front()); // likely to be the deepest again
             }
         else
             visitAxis(tool, [&](double height, std::size_t piece) {

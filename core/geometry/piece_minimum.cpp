@@ -13,7 +13,7 @@ namespace {
 
 constexpr double tolerance = 2e-9; // mm
 
-/// The plane of a triangle, and the point of it where the piece's signed distance is least.
+/// The point of a triangle's plane where the piece's signed distance is least.
 struct PlaneMinimum {
     glm::dvec3 point{0.0};
     double distance = 0.0;
@@ -28,7 +28,7 @@ PlaneMinimum minimumOverPlane(const PlacedPiece& placed, const glm::dvec3& norma
     const glm::dvec3 across = normal - normalAxial * axis;
     const double normalRadial = glm::length(across);
     const double offset = glm::dot(normal, onPlane - tip);
-    if (normalRadial < 1e-9) { // level: the axis meets it at the least place
+    if (normalRadial < 1e-9) { // perpendicular to the axis, which meets the plane at the minimum
         const double height = offset / normalAxial;
         return {tip + height * axis, signedDistance(piece, 0.0, height)};
     }
@@ -65,7 +65,7 @@ std::optional<PieceMinimum> minimumOverEdge(const PlacedPiece& placed, const Tri
     return PieceMinimum{least.value, from + least.place * way, feature};
 }
 
-/// Where the ball itself is nearest, the point nearest to its centre is the answer.
+/// If the ball itself is nearest, the result is the point nearest to its centre.
 std::optional<PieceMinimum> minimumToBall(const PlacedPiece& placed, const Triangle& triangle) noexcept {
     const double radius = placed.piece().cornerRadius;
     const glm::dvec3 centre = placed.pose().tip + (placed.piece().bottom + radius) * placed.pose().axis;
@@ -104,7 +104,7 @@ std::optional<PieceMinimum> minimumOverTriangle(const PlacedPiece& piece, const 
     const double longest = std::max({glm::dot(triangle[1] - triangle[0], triangle[1] - triangle[0]),
                                      glm::dot(triangle[2] - triangle[1], triangle[2] - triangle[1]),
                                      glm::dot(triangle[0] - triangle[2], triangle[0] - triangle[2])});
-    if (area > 1e-10 * longest) { // a sliver has no plane to speak of; its edges are all there is
+    if (area > 1e-10 * longest) { // a sliver has no well-defined plane; only its edges are evaluated
         const PlaneMinimum plane = minimumOverPlane(piece, normal / area, triangle[0], cutoff);
         if (plane.distance >= cutoff) return std::nullopt;
         for (std::size_t edge = 0; edge < 3; ++edge) {

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// A piece of a tool at a pose, asked by points of the frame that the pose is given in.
+/// A piece of a tool at a pose, evaluated at points of the frame that the pose is given in.
 class PlacedPiece {
 public:
     PlacedPiece(const RevolvedPiece& piece, const ToolPose& pose) noexcept : piece_(piece), pose_(pose) {}
@@ -24,7 +24,7 @@ public:
 
     const RevolvedPiece& piece() const noexcept { return piece_; }
     const ToolPose& pose() const noexcept { return pose_; }
-    /// It is a cylinder with a hemisphere for its end.
+    /// Whether it is a cylinder with a hemispherical end.
     bool ballEnd() const noexcept {
         return piece_.cornerRadius > 0.0 && piece_.cornerRadius == piece_.bottomRadius &&
                piece_.bottomRadius == piece_.topRadius;
@@ -37,12 +37,12 @@ private:
 
 struct PieceMinimum {
     double distance = 0.0; ///< mm, the least signed distance
-    glm::dvec3 point{0.0}; ///< of the triangle, where it is taken
+    glm::dvec3 point{0.0}; ///< of the triangle, where the minimum is attained
     TriangleFeature feature = TriangleFeature::face;
 };
 
-/// What one look at a triangle's middle tells of its least signed distance, mm: not above `above`, which is taken at
-/// `centroid`, and not below `below`.
+/// Bounds of the least signed distance over a triangle from one evaluation at its middle, mm: at most `above`, the
+/// value at `centroid`, and at least `below`.
 struct TriangleBounds {
     glm::dvec3 centroid{0.0};
     double above = 0.0;
@@ -50,9 +50,9 @@ struct TriangleBounds {
 };
 TriangleBounds boundsOverTriangle(const PlacedPiece& piece, const Triangle& triangle) noexcept;
 
-/// Least signed distance from the points of a triangle to a piece, exact to 1e-8 mm. None when it is not below
-/// `cutoff`, mm. The signed distance of a convex body is convex: its minimum over the triangle's plane is the one over
-/// the triangle when it lies in it, and otherwise the least on the edges that this point is beyond.
+/// Least signed distance from the points of a triangle to a piece, exact to 1e-8 mm. Empty if it is not below `cutoff`,
+/// mm. The signed distance of a convex body is convex: its minimum over the triangle's plane is the minimum over the
+/// triangle if it lies in it, and otherwise the minimum is on one of the edges that this point is beyond.
 std::optional<PieceMinimum> minimumOverTriangle(const PlacedPiece& piece, const Triangle& triangle,
                                                 double cutoff) noexcept;
 
@@ -61,7 +61,7 @@ inline PlacedPiece::Value PlacedPiece::at(const glm::dvec3& point) const noexcep
     const double height = glm::dot(q, pose_.axis);
     glm::dvec3 across = q - height * pose_.axis;
     double radius = glm::length(across);
-    if (radius < 1e-4) { // mm; much of so short a way may be rounding that lies along the axis
+    if (radius < 1e-4) { // mm; most of so short a vector may be a rounding error along the axis
         across -= glm::dot(across, pose_.axis) * pose_.axis;
         radius = glm::length(across);
     }

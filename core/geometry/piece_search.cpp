@@ -9,7 +9,7 @@ namespace burin {
 namespace {
 
 constexpr int longestDescent = 64; // triangles
-constexpr double onRidge = 1e-6;   // mm: minima over triangles are that exact
+constexpr double onRidge = 1e-6;   // mm: precision of minima over triangles
 
 } // namespace
 
@@ -45,7 +45,7 @@ void PieceSearch::descend() noexcept {
         if (best == slot) break;
         slot = best;
     }
-    // The least value over the surface is in that triangle, or beyond an edge on which its own is.
+    // The minimum over the surface is in that triangle, or beyond an edge on which the minimum over the triangle lies.
     const std::size_t start = slot;
     if (!solve(start, found_.distance)) return;
     for (int step = 0; step < 4; ++step) {
@@ -76,7 +76,7 @@ bool PieceSearch::solve(std::size_t slot, double below) noexcept {
     return true;
 }
 
-/// Where the surface bends away from the tool, nothing that is worthwhile lies above the plane through what was found.
+/// Where the surface bends away from the tool, no better point lies above the plane through the point found.
 void PieceSearch::layPlane() noexcept {
     hasPlane_ = found_.any && found_.piece == number_;
     if (!hasPlane_) return;
@@ -91,7 +91,7 @@ double PieceSearch::abovePlane(const Triangle& of) const noexcept {
                      glm::dot(plane_.slope, of[2] - plane_.at)});
 }
 
-/// One look at each triangle first: most drop out before a minimum over a triangle has to be found.
+/// Each triangle is first evaluated once: most are ruled out before a minimum over the triangle has to be computed.
 void PieceSearch::meet(std::size_t slot) noexcept {
     ++found_.work;
     const auto dropsOut = [this](double below) noexcept {
@@ -103,7 +103,7 @@ void PieceSearch::meet(std::size_t slot) noexcept {
     const TriangleBounds bounds = boundsOverTriangle(piece_, triangle(slot));
     if (dropsOut(bounds.below)) return;
     if (bounds.above < wanted()) take({slot, bounds.centroid, TriangleFeature::face, bounds.above, number_, true});
-    if (count_ == candidates_.size()) { // some will have dropped out by now
+    if (count_ == candidates_.size()) { // some will be ruled out by now
         const auto end = std::remove_if(candidates_.begin(), candidates_.end(),
                                         [&](const Candidate& c) { return dropsOut(c.below); });
         count_ = static_cast<std::size_t>(end - candidates_.begin());
@@ -123,7 +123,7 @@ double PieceSearch::run() noexcept {
         if (candidate->below >= wanted()) break;
         if (abovePlane(triangle(candidate->slot)) < wanted() && solve(candidate->slot, wanted())) layPlane();
     }
-    // A candidate that was solved or left has nothing below what is wanted now.
+    // A candidate that was solved or left over has nothing below the distance that is now required.
     const double passed = std::min(passed_, static_cast<double>(nodes));
     return count_ > 0 ? std::min(passed, wanted()) : passed;
 }

@@ -13,7 +13,7 @@
 
 namespace burin {
 
-/// A point of the mesh that a search has found.
+/// A point of the mesh found by a search.
 struct Found {
     std::size_t slot = 0;
     glm::dvec3 point{0.0};
@@ -21,34 +21,35 @@ struct Found {
     double distance = 0.0;
     std::size_t piece = 0;
     bool any = false;
-    std::uint64_t work = 0; ///< of the whole search so far, as ClearanceAsker::work counts
+    std::uint64_t work = 0; ///< of the whole search so far, in the unit of ClearanceAsker::work
 
-    /// Something better: the work goes on being counted.
+    /// Replaces the point by a better one; the work counter is kept.
     void improve(const Found& better) noexcept {
         const std::uint64_t spent = work;
         *this = better;
         work = spent;
     }
 };
-/// What a minimum over a triangle costs, in looks at one.
+/// Cost of a minimum over a triangle, in triangle evaluations.
 inline constexpr std::uint64_t workOfMinimum = 8;
 
-/// What a clearance has to be below to count, when one is found.
+/// The value that a clearance has to be below to count as an improvement.
 inline double worthwhile(double clearance, const ClearanceTolerance& tolerance) noexcept {
     return clearance - (clearance < tolerance.deepBelow ? tolerance.deep : tolerance.ordinary);
 }
 
-/// Looks for the point of a mesh where the signed distance to a piece is least. Improves what was found before, by this
-/// piece or another. No allocation.
+/// Searches for the point of a mesh where the signed distance to a piece is least. Improves on a point that was found
+/// before, for this piece or another. No allocation.
 class PieceSearch {
 public:
-    /// @param number  of the piece  @param floor  mm above the tip: what lies below is known
+    /// @param number  of the piece  @param floor  mm above the tip: the result for what lies below is known already
     PieceSearch(const TriangleTree& tree, const SurfaceNormals& normals, const PlacedPiece& piece, std::size_t number,
                 double floor, const ClearanceTolerance& tolerance, Found& found) noexcept;
 
-    /// From what this piece has found for a place nearby, from triangle to triangle as long as it gets less.
+    /// Starts from what this piece found for a nearby position and goes from triangle to triangle as long as the
+    /// distance decreases.
     void descend() noexcept;
-    /// The whole mesh, above the floor. @return mm: but for what was found nothing is nearer than so
+    /// Searches the whole mesh above the floor. @return mm: except for the point found, nothing is nearer than this
     double run() noexcept;
 
 private:
@@ -77,7 +78,7 @@ private:
     bool hasPlane_ = false;
     std::array<Candidate, 64> candidates_;
     std::size_t count_ = 0;
-    double passed_ = std::numeric_limits<double>::infinity(); ///< least bound of the triangles that dropped out
+    double passed_ = std::numeric_limits<double>::infinity(); ///< least bound of the triangles that were dropped
 };
 
 } // namespace burin

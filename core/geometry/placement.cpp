@@ -13,7 +13,7 @@ namespace burin {
 
 namespace {
 
-/// What the cosine of a quarter turn is off by in a double, many times over.
+/// Generous bound of the error of the cosine of a quarter turn in a double.
 constexpr double roundingOfTurns = 1e-12;
 constexpr double roundingOfStored = 1e-9;
 
@@ -28,7 +28,7 @@ bool isWhole(const glm::dmat3& turn, double rounding) noexcept {
     return true;
 }
 
-/// Quarter turns have entries of 0, 1 and -1, and are to have just these.
+/// Quarter turns have entries of 0, 1 and -1, and must have exactly these.
 glm::dmat3 exact(glm::dmat3 turn) noexcept {
     if (isWhole(turn, roundingOfTurns))
         for (int column = 0; column < 3; ++column) turn[column] = glm::round(turn[column]) + glm::dvec3(0.0);
@@ -52,7 +52,7 @@ bool mirrors(const Placement& placement) noexcept {
 bool isSound(const Placement& placement) noexcept {
     const glm::dmat3 product = glm::transpose(placement.turn) * placement.turn;
     for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row) // an entry that is no number is not within it either
+        for (int row = 0; row < 3; ++row) // an entry that is NaN fails the test as well
             if (!(std::abs(product[column][row] - (column == row ? 1.0 : 0.0)) <= roundingOfStored)) return false;
     return isFinite(placement.shift);
 }

@@ -10,11 +10,11 @@ namespace burin {
 
 namespace {
 
-/// Clipper works on whole numbers; these stay in the range in which it needs no 128-bit products.
+/// Clipper works on integers; these stay in the range in which it needs no 128-bit products.
 constexpr double unitsPerMillimetre = 1e4;
 constexpr double lineTolerance = 1e-3;  // mm, of the ends of lines
 constexpr double brushTolerance = 0.01; // mm, of a brush's round ends
-constexpr double mitreLimit = 2.0;      // no corner is mitred, Clipper asks for it all the same
+constexpr double mitreLimit = 2.0;      // no corner is mitred, but Clipper requires a value
 
 ClipperLib::IntPoint toUnits(const glm::dvec2& place) {
     const auto whole = [](double value) {
@@ -101,7 +101,7 @@ bool holds(const PlanRegion& region, const glm::dvec2& place) noexcept {
 }
 
 PlanRegion grown(const PlanRegion& region, double distance, double tolerance) {
-    // Rings that are nested oddly or cross themselves are put in order first: an offset goes by which way they turn.
+    // Rings that are nested irregularly or self-intersect are normalised first: an offset depends on their orientation.
     return offset(combined(toUnits(region), {}, ClipperLib::ctUnion), distance, tolerance, ClipperLib::etClosedPolygon);
 }
 
@@ -132,7 +132,7 @@ PlanRegion filledBy(const std::vector<PlanRing>& rings) {
 double areaInPlan(const PlanRegion& region) {
     double area = 0.0;
     for (const ClipperLib::Path& path : combined(toUnits(region), {}, ClipperLib::ctUnion))
-        area += ClipperLib::Area(path); // holes turn the other way
+        area += ClipperLib::Area(path); // holes have the opposite orientation
     return area / (unitsPerMillimetre * unitsPerMillimetre);
 }
 
@@ -148,7 +148,7 @@ std::vector<PlanPiece> piecesOf(const PlanRegion& region) {
     std::vector<PlanPiece> pieces;
     for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
         if (node->IsHole()) continue;
-        PlanPiece piece{toMillimetres(node->Contour), {}}; // Clipper turns both as they are stated
+        PlanPiece piece{toMillimetres(node->Contour), {}}; // Clipper gives both the documented orientation
         for (const ClipperLib::PolyNode* hole : node->Childs) piece.holes.push_back(toMillimetres(hole->Contour));
         pieces.push_back(std::move(piece));
     }

@@ -13,14 +13,14 @@ inline bool isFinite(const glm::dvec3& v) noexcept {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// `v`, shortened to `maximum` where it is longer; its direction is kept.
+/// `v`, shortened to `maximum` if it is longer, with the same direction.
 inline glm::dvec3 clampLength(const glm::dvec3& v, double maximum) noexcept {
     const double length = glm::length(v);
     return length > maximum ? v * (maximum / length) : v;
 }
 
-/// Pose of a tool: where its tip is and which way its axis points, from the tip towards the holder.
-/// A cutter of revolution needs no turn about that axis.
+/// Pose of a tool: the position of its tip and the direction of its axis, from the tip towards the holder. A cutter of
+/// revolution needs no rotation about that axis.
 struct ToolPose {
     glm::dvec3 tip{0.0};            ///< mm, setup frame
     glm::dvec3 axis{0.0, 0.0, 1.0}; ///< unit length, setup frame

@@ -72,7 +72,7 @@ PieceDistance frustum(const RevolvedPiece& piece, double radius, double height) 
     const double widening = piece.topRadius - piece.bottomRadius;
     const double length = piece.top - piece.bottom;
     const double flank = std::sqrt(widening * widening + length * length);
-    // Outward normal of the flank, and where the point's foot on it lies, counted from the bottom edge.
+    // Outward normal of the flank, and the position of the point's foot on it, from the bottom edge.
     const double normalRadial = length / flank, normalAxial = -widening / flank;
     const double radial = radius - piece.bottomRadius, axial = height - piece.bottom;
     const double beside = radial * normalRadial + axial * normalAxial;
@@ -97,7 +97,8 @@ PieceDistance bulge(const RevolvedPiece& piece, double radius, double height) no
     // Between the axis and the centre of a torus zone only the flat faces are near.
     if (flat.distance <= 0.0 && out <= 0.0) return flat;
     if (flat.distance <= 0.0 && side.distance <= 0.0) return side.distance > flat.distance ? side : flat;
-    // Outside: the arc is nearest where the point lies within its angle, seen from the centre, else one of its ends is.
+    // Outside: the arc is nearest if the point lies within its angle, seen from the centre; otherwise one of its ends
+    // is.
     const auto liesAbove = [&](double edgeRadius, double edgeHeight) {
         return (edgeRadius - piece.bulgeCentreRadius) * over - (edgeHeight - piece.bulgeCentreHeight) * out;
     };

@@ -10,7 +10,7 @@
 namespace burin {
 
 /// A convex solid of revolution about the tool axis: a frustum whose bottom edge may be rounded, or whose side may
-/// bulge in an arc. A tool is a stack of them (flutes, shank, holder), so that geometry below needs to know nothing of
+/// bulge in an arc. A tool is a stack of them (flutes, shank, holder), so that the geometry code needs no knowledge of
 /// tools. Ball end: bottomRadius = topRadius = cornerRadius. Flat end: cornerRadius = 0. Bull nose: between. Bulging
 /// side (zone of a sphere or torus): made by `bulgingPiece`.
 struct RevolvedPiece {
@@ -19,12 +19,12 @@ struct RevolvedPiece {
     double bottomRadius = 0.0; ///< mm, before rounding
     double topRadius = 0.0;    ///< mm
     double cornerRadius = 0.0; ///< mm, 0 … bottomRadius; only where bottomRadius == topRadius and the side is straight
-    double bulgeRadius = 0.0;  ///< mm, of the arc that the side is; 0: straight
+    double bulgeRadius = 0.0;  ///< mm, of the side's arc; 0: straight
     double bulgeCentreRadius = 0.0; ///< mm, of the arc's centre from the axis; 0: a sphere; negative: beyond the axis
     double bulgeCentreHeight = 0.0; ///< mm above the tip, of the arc's centre
 
     bool bulges() const noexcept { return bulgeRadius > 0.0; }
-    /// mm, the farthest from the axis that the piece reaches.
+    /// Greatest distance of the piece from the axis, mm.
     double widestRadius() const noexcept {
         const double ends = bottomRadius > topRadius ? bottomRadius : topRadius;
         const bool passesEquator = bulges() && bottom < bulgeCentreHeight && bulgeCentreHeight < top;
@@ -32,8 +32,8 @@ struct RevolvedPiece {
     }
 };
 
-/// The zone between two heights of the solid whose profile is an arc about (centreRadius, centreHeight), outside being
-/// away from the axis. `bottom` and `top` within centreHeight ± radius; no radius of the zone may be negative.
+/// The zone between two heights of the solid whose profile is an arc about (centreRadius, centreHeight), with the
+/// outside away from the axis. `bottom` and `top` within centreHeight ± radius; no radius of the zone may be negative.
 inline RevolvedPiece bulgingPiece(double bottom, double top, double centreRadius, double centreHeight,
                                   double radius) noexcept {
     const auto radiusAt = [&](double height) {
@@ -44,28 +44,28 @@ inline RevolvedPiece bulgingPiece(double bottom, double top, double centreRadius
     return {bottom, top, radiusAt(bottom), radiusAt(top), 0.0, radius, centreRadius, centreHeight};
 }
 
-/// Stretch of heights above the tip, mm.
+/// Interval of heights above the tip, mm.
 struct HeightRange {
     double low = 0.0, high = 0.0;
 };
-/// What the piece covers at a distance from its axis, mm; nothing beyond its widest radius. The stretch shrinks with
-/// the distance.
+/// The heights that the piece covers at a distance from its axis, mm; empty beyond its widest radius. The interval
+/// shrinks with the distance.
 std::optional<HeightRange> heightsAt(const RevolvedPiece& piece, double radius) noexcept;
 
 /// Radius of the piece at a height between its faces, mm.
 double radiusAt(const RevolvedPiece& piece, double height) noexcept;
 
-/// A ring of a solid of revolution.
+/// A circle of a solid of revolution.
 struct ProfilePoint {
     double radius = 0.0; ///< mm from the axis
     double height = 0.0; ///< mm above the tip
 };
-/// The piece's farthest ring in a direction, given by its parts away from the axis and along it (`radial` >= 0, not
-/// both 0): where radius · radial + height · axial is greatest.
+/// The piece's farthest circle in a direction, given by its components away from the axis and along it (`radial` >= 0,
+/// not both 0): where radius · radial + height · axial is greatest.
 ProfilePoint farthestIn(const RevolvedPiece& piece, double radial, double axial) noexcept;
 
-/// Signed distance with its slopes along the two cylinder coordinates: unit length together, except on the piece's
-/// inner ridges, where they are those of one of the faces that meet there (a subgradient).
+/// Signed distance with its slopes along the two cylinder coordinates, which together have unit length, except on the
+/// piece's inner ridges, where they are those of one of the adjacent faces (a subgradient).
 struct PieceDistance {
     double distance = 0.0; ///< mm, negative inside
     double alongRadius = 0.0;
@@ -79,17 +79,17 @@ inline double signedDistance(const RevolvedPiece& piece, double radius, double h
 /// The same with its slopes.
 inline PieceDistance signedDistanceAndSlope(const RevolvedPiece& piece, double radius, double height) noexcept;
 
-// Asked hundreds of times in one clearance: kept in sight of the compiler.
+// Called hundreds of times for one clearance: visible to the compiler for inlining.
 namespace profile {
 
-/// Distance to a point of the profile. On the point itself the slope is `face`'s, which meets it.
+/// Distance to a point of the profile. On the point itself the slope is that of `face`, which ends there.
 inline PieceDistance fromPoint(double radial, double axial, const PieceDistance& face) noexcept {
     const double distance = std::sqrt(radial * radial + axial * axial);
     if (distance > 0.0) return {distance, radial / distance, axial / distance};
     return {0.0, face.alongRadius, face.alongHeight};
 }
 
-/// The nearest of the flat faces, for a point inside or with one face in its way.
+/// The nearer of the flat faces, for a point inside, or one beyond one of them.
 inline PieceDistance bottomOrTop(const RevolvedPiece& piece, double height) noexcept {
     const double below = piece.bottom - height;
     const double above = height - piece.top;

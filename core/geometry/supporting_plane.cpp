@@ -13,7 +13,7 @@ SupportingPlane supportingPlane(const PlacedPiece& piece, const glm::dvec3& poin
     const glm::dvec3 away = point - tip - glm::dot(point - tip, axis) * axis;
     const double radius = glm::length(away);
     const glm::dvec3 outwards = radius > 0.0 ? away * (ridge / radius) : glm::dvec3(0.0), up = ridge * axis;
-    // Tangent planes beside the point, each with the way that it misses the normal by.
+    // Tangent planes near the point, each with the vector by which it deviates from the normal.
     struct Tangent {
         double value;
         glm::dvec3 slope, across;

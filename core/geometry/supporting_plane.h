@@ -13,11 +13,12 @@ struct SupportingPlane {
     glm::dvec3 slope{0.0};
 };
 
-/// Of a piece's signed distance, at a point of a surface where it is least or nearly so. On a ridge of the distance,
-/// where two of the piece's faces are equally near, every mean of their slopes supports; this is the one that is most
-/// nearly along the surface's normal, as it is at a least value over a smooth surface. No point of the surface that
-/// lies on the plane's far side has less.
-/// @param normal  of the surface, unit length  @param ridge  mm: how far from the point a ridge may pass
+/// A supporting plane of a piece's signed distance, at a point of a surface where it is least or nearly so. On a ridge
+/// of the distance, where two of the piece's faces are equally near, every mean of their slopes is a supporting one;
+/// this is the one closest to the direction of the surface's normal, as at a minimum over a smooth surface. No point of
+/// the surface on the plane's far side has a smaller distance.
+/// @param normal  of the surface, unit length  @param ridge  mm: distance from the point within which a ridge is
+///        considered
 SupportingPlane supportingPlane(const PlacedPiece& piece, const glm::dvec3& point, const glm::dvec3& normal,
                                 double ridge) noexcept;
 

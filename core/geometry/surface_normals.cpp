@@ -23,13 +23,14 @@ using Corners = std::vector<std::array<std::uint32_t, 3>>;
 
 constexpr std::size_t grain = 4096;
 
-/// The triangles around each vertex, one list after the other, each in the order of the slots. One that has a vertex
-/// twice is in its list twice.
+/// The triangles around each vertex, one list after the other, each in the order of the slots. A triangle that has a
+/// vertex twice is in its list twice.
 struct Fans {
     std::vector<std::uint32_t> begin; ///< per vertex, and one more
     std::vector<std::uint32_t> slots;
 
-    /// Each core goes through all triangles and counts some of the vertices: the order does not depend on how many do.
+    /// Each core goes through all triangles and counts part of the vertices: the order does not depend on the number of
+    /// cores.
     Fans(const Corners& corners, std::size_t vertexCount) : begin(vertexCount + 1) {
         constexpr std::size_t parts = 4;
         const auto shareOf = [&](std::size_t part, const auto& visit) {
@@ -55,7 +56,7 @@ struct Fans {
     }
 };
 
-/// A corner of a triangle at the vertex that is looked at: edges lead from there to `next` and from `last` to there.
+/// A corner of a triangle at the current vertex: edges lead from there to `next` and from `last` to there.
 struct FanCorner {
     std::uint32_t slot, next, last;
     std::size_t corner;
@@ -70,11 +71,11 @@ void cornersAround(const Corners& corners, std::span<const std::uint32_t> fan, s
                 found.push_back({slot, corners[slot][(i + 1) % 3], corners[slot][(i + 2) % 3], i});
 }
 
-/// The triangle beyond the edge from the vertex to another one, which it has the other way round; none unless exactly
-/// two triangles share the edge.
+/// The triangle beyond the edge from the vertex to another one, which it has in the opposite direction; none unless
+/// exactly two triangles share the edge.
 std::uint32_t beyond(const std::vector<FanCorner>& around, std::uint32_t to) noexcept {
     std::uint32_t found = none;
-    int sharing = 0; // whichever way round
+    int sharing = 0; // in either direction
     for (const FanCorner& other : around) {
         if (other.last == to) found = other.slot;
         sharing += (other.last == to ? 1 : 0) + (other.next == to ? 1 : 0);
@@ -118,7 +119,7 @@ SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::ui
     , corners_(order.size())
     , neighbours_(order.size(), {none, none, none})
     , vertexNormals_(mesh.vertices.size(), glm::dvec3(0.0)) {
-    std::vector<glm::dvec3> normals(order.size()); // zero: a triangle that is thin or without area
+    std::vector<glm::dvec3> normals(order.size()); // zero for a triangle that is thin or without area
     const auto triangleAt = [&](std::size_t slot) {
         const auto& [a, b, c] = corners_[slot];
         return Triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
@@ -132,7 +133,7 @@ SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::ui
         }
     });
     const Fans fans(corners_, mesh.vertices.size());
-    // A triangle's edges belong to the vertices that they begin at, so that no two write the same.
+    // A triangle's edges belong to the vertices at which they begin, so that no two threads write to the same element.
     parallelStretches(std::size_t{0}, mesh.vertices.size(), grain, [&](std::size_t first, std::size_t end) {
         std::vector<FanCorner> around;
         for (std::size_t vertex = first; vertex < end; ++vertex) {

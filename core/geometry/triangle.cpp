@@ -65,7 +65,7 @@ TrianglePoint closestOnTriangle(const Triangle& t, const glm::dvec3& p) noexcept
         return {t[1] + (t[2] - t[1]) * ((d4 - d3) / ((d4 - d3) + (d5 - d6))), TriangleFeature::edgeBC};
 
     const double sum = va + vb + vc;
-    // A sliver's regions are lost in rounding: its outline holds the answer then.
+    // The regions of a sliver are lost in rounding: its outline then contains the result.
     if (!(sum > 1e-14 * squared(ab) * squared(ac))) return closestOnOutline(t, p);
     return {t[0] + ab * (vb / sum) + ac * (vc / sum), TriangleFeature::face};
 }

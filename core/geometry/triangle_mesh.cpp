@@ -14,7 +14,7 @@ struct PointHash {
     std::size_t operator()(const glm::dvec3& p) const noexcept {
         std::uint64_t hash = 1469598103934665603ULL;
         for (int axis = 0; axis < 3; ++axis) {
-            hash ^= std::bit_cast<std::uint64_t>(p[axis] + 0.0); // -0.0 and 0.0 are one place
+            hash ^= std::bit_cast<std::uint64_t>(p[axis] + 0.0); // -0.0 and 0.0 are the same position
             hash *= 1099511628211ULL;
             hash ^= hash >> 29;
         }

@@ -20,7 +20,7 @@ struct TriangleMesh {
     bool empty() const noexcept { return triangles.empty(); }
 };
 
-/// Box of the vertices that triangles use; empty for an empty mesh.
+/// Bounding box of the vertices that triangles use; empty for an empty mesh.
 Box boundingBox(const TriangleMesh& mesh);
 
 /// Enclosed volume, mm³, by the divergence theorem; positive for outward normals. Meaningless for an open mesh.
@@ -29,10 +29,11 @@ double signedVolume(const TriangleMesh& mesh);
 /// Area, mm².
 double surfaceArea(const TriangleMesh& mesh);
 
-/// For each vertex the first vertex that is bit-identical to it (itself, when there is no earlier one).
+/// For each vertex the first vertex that is bit-identical to it (itself if there is no earlier one).
 std::vector<std::uint32_t> firstAtSamePlace(const TriangleMesh& mesh);
 
-/// Merges vertices that are bit-identical, drops triangles that collapse by it. Order of triangles is kept.
+/// Merges vertices that are bit-identical and drops triangles that collapse as a result. The order of triangles is
+/// kept.
 TriangleMesh weldIdenticalVertices(const TriangleMesh& mesh);
 
 /// Number of undirected edges that are not used by exactly two triangles with opposite directions. 0: closed, manifold

@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-/// Where a ray enters boxes, as a bound of where it meets what is in them.
+/// Where a ray enters boxes, as a lower bound of where it meets their content.
 class AlongRay {
 public:
     AlongRay(const TriangleTree& tree, const Ray& ray) noexcept
@@ -28,11 +28,11 @@ public:
                 const bool rises = !std::signbit(perLength_[i]);
                 const TreeNode::Floats &nearer = rises ? node.low[axis] : node.high[axis],
                                        &farther = rises ? node.high[axis] : node.low[axis];
-                // A ray that runs in a face gives no number there, which bounds nothing.
+                // A ray that runs in a face gives NaN there, which sets no bound.
                 in = std::max(in, (static_cast<double>(nearer[child]) - from_[i]) * perLength_[i]);
                 out = std::min(out, (static_cast<double>(farther[child]) - from_[i]) * perLength_[i]);
             }
-            // Rounded down: the bound has single precision alone.
+            // Rounded down, because the bound has only single precision.
             bounds[child] = in <= out ? static_cast<float>(in * (1.0 - 2e-7)) : std::numeric_limits<float>::infinity();
         }
         return bounds;

@@ -16,16 +16,17 @@ struct Ray {
 
 /// Where a ray meets a surface.
 struct TriangleHit {
-    double distance = 0.0; ///< in lengths of the ray's direction, >= 0
-    bool leaving = false;  ///< from the triangle's inner side to its outer one
+    double distance = 0.0; ///< in multiples of the length of the ray's direction, >= 0
+    bool leaving = false;  ///< from the triangle's inner side to its outer side
 };
 
-/// Where a ray meets a triangle, from either side. Nothing: it misses, or runs in its plane.
+/// Intersection of a ray with a triangle, from either side. Empty if it misses or runs in the triangle's plane.
 /// Source: T. Möller and B. Trumbore, Fast, minimum storage ray/triangle intersection, Journal of Graphics Tools 2
 /// (1997).
 std::optional<TriangleHit> hitOf(const Ray& ray, const Triangle& triangle) noexcept;
 
-/// The nearest triangle that a ray meets. Nothing: it misses them all. No allocation. Cost: some microseconds.
+/// The nearest intersection with a triangle. Empty if the ray misses all of them. No allocation. Cost: some
+/// microseconds.
 std::optional<TriangleHit> nearestHit(const Ray& ray, const TriangleTree& tree) noexcept;
 
 } // namespace burin

@@ -17,7 +17,7 @@ namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// x, y, z and a fourth number that has no meaning here.
+/// x, y, z and a fourth number that is meaningless here.
 struct FloatBox {
     FourFloats low = FourFloats{} + infinity;
     FourFloats high = FourFloats{} - infinity;
@@ -59,8 +59,8 @@ Triangle triangleAt(const TriangleMesh& mesh, std::uint32_t place) noexcept {
     return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
 }
 
-/// What building looks at of a triangle, moved about as one: its box, and its number in the fourth place, as an
-/// ordinary float's bits, since others are slow to add.
+/// Data of a triangle during construction, moved as one unit: its box, and its number in the fourth component, as the
+/// bits of a normalised float, because denormals are slow to add.
 struct Entry {
     static constexpr std::uint32_t ordinary = 0x40000000U;
     FloatBox box;
@@ -74,7 +74,7 @@ struct Entry {
     float centre(int axis) const noexcept { return 0.5F * (box.low[axis] + box.high[axis]); }
 };
 
-/// A run of entries, the box around them and that around their centres.
+/// A range of entries, their bounding box and that of their centres.
 struct Range {
     std::uint32_t begin = 0, end = 0;
     FloatBox box, centres;
@@ -88,7 +88,7 @@ public:
 
     Range whole() const { return boxed(0, static_cast<std::uint32_t>(entries_.size())); }
 
-    /// Appends the nodes of a range, its own first.
+    /// Appends the nodes of a range, the node of the range itself first.
     void build(const Range& range, int depth, std::vector<TreeNode>& nodes) {
         std::array<Range, TreeNode::width> parts;
         const std::size_t count = divide(range, depth, parts);
@@ -118,13 +118,13 @@ public:
 
 private:
     static constexpr std::size_t mostBins = 16, fewBins = 8;
-    static constexpr int deepest = 40; ///< beyond it ranges are halved, so that the stack of a walk stays bounded
-    static constexpr std::uint32_t shared = 8192;        ///< larger ranges are worth another core
-    static constexpr std::uint32_t branch = 0xFFFFFFFFU; ///< a child that is a node yet to come
+    static constexpr int deepest = 40; ///< deeper ranges are halved, so that the stack of a walk stays bounded
+    static constexpr std::uint32_t shared = 8192;        ///< larger ranges are worth using another core
+    static constexpr std::uint32_t branch = 0xFFFFFFFFU; ///< a child that is a node not yet built
     static constexpr std::uint32_t few =
         32; ///< a larger range is cut across its longest side, without a look at the others
-    static constexpr std::uint32_t fewest = 12; ///< smaller ranges than this have not the bins of others
-    static constexpr std::uint32_t bent = 512;  ///< the surface of larger ranges is no plate: their box will do
+    static constexpr std::uint32_t fewest = 12; ///< smaller ranges use fewer bins
+    static constexpr std::uint32_t bent = 512;  ///< larger ranges are not plate-like: their box is sufficient
 
     struct Bin {
         FloatBox box, centres;
@@ -149,7 +149,7 @@ private:
         Bin below, above;    ///< the halves
     };
 
-    /// Nodes that count from their own first are moved behind those that there are.
+    /// Appends nodes whose indices count from their own first one to the existing nodes.
     static void adopt(std::vector<TreeNode>& nodes, const std::vector<TreeNode>& below) {
         const auto offset = static_cast<std::uint32_t>(nodes.size());
         nodes.insert(nodes.end(), below.begin(), below.end());
@@ -194,7 +194,7 @@ private:
         for (int axis = 0; axis < 3; ++axis) node.normal[static_cast<std::size_t>(axis)][child] = normal[axis];
     }
 
-    /// Splits the range whose walk costs most until there are four or only leaves are left.
+    /// Splits the range with the most expensive walk until there are four or only leaves are left.
     std::size_t divide(const Range& range, int depth, std::array<Range, TreeNode::width>& parts) {
         if (range.count() > shared) return divideShared(range, depth, parts);
         parts[0] = range;
@@ -221,7 +221,7 @@ private:
         return depth < deepest ? splitByArea(range) : splitInHalves(range);
     }
 
-    /// A large range in halves, and those in halves at the same time.
+    /// Halves a large range, and then both halves at the same time.
     std::size_t divideShared(const Range& range, int depth, std::array<Range, TreeNode::width>& parts) {
         const std::array<Range, 2> halves = split(range, depth);
         std::array<std::array<Range, 2>, 2> quarters;

@@ -16,11 +16,11 @@
 namespace burin {
 
 /// Four boxes side by side, single precision, relative to the tree's origin and rounded outwards, so that what is
-/// outside a box here is outside the true one. Beside each box a plate: what lies in the box is also between two planes
-/// and no farther from the box's centre than `radius`. Surfaces are thin in their own direction, not in the axes'.
+/// outside a box here is outside the true one. Each box also has a plate: its content also lies between two planes and
+/// within `radius` of the box's centre. Surfaces are thin in the direction of their own normal, not of the axes.
 struct alignas(64) TreeNode {
     static constexpr std::size_t width = 4;
-    using Floats = std::array<float, width>; ///< one a child
+    using Floats = std::array<float, width>; ///< one per child
 
     std::array<Floats, 3> low; ///< [axis][child]
     std::array<Floats, 3> high;
@@ -36,11 +36,11 @@ struct alignas(64) TreeNode {
 class TriangleTree {
 public:
     static constexpr std::size_t trianglesPerLeaf = 4;
-    /// Entries that a depth-first walk can have open at once.
+    /// Maximum number of open entries of a depth-first walk.
     static constexpr std::size_t stackSize = 256;
 
-    /// @param places  of the triangles that count, in the mesh. They are kept in an order of the tree's own:
-    /// `order()[slot]` is the place of `triangles()[slot]` in the mesh.
+    /// @param places  indices of the triangles to use, in the mesh. They are stored in the tree's own order:
+    ///        `order()[slot]` is the index of `triangles()[slot]` in the mesh.
     TriangleTree(const TriangleMesh& mesh, std::span<const std::uint32_t> places);
 
     bool empty() const noexcept { return order_.empty(); }
@@ -52,7 +52,7 @@ public:
 
 private:
     std::vector<TreeNode> nodes_;
-    std::unique_ptr<Triangle[]> triangles_; ///< no vector, which would be cleared first, on one core
+    std::unique_ptr<Triangle[]> triangles_; ///< not a vector, which would first be cleared, on one core
     std::vector<std::uint32_t> order_;
     glm::dvec3 origin_{0.0};
     Box bounds_;

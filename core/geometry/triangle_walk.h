@@ -14,19 +14,19 @@
 
 namespace burin {
 
-/// Lower bound of a walk for each child of a node; infinity where the child needs no visit.
+/// Lower bound of a walk for each child of a node; infinity if the child needs no visit.
 using ChildBounds = std::array<float, TreeNode::width>;
 
-/// Has what a child refers to brought near while others are looked at: trees of large meshes are in no cache.
+/// Prefetches what a child refers to while others are processed: the trees of large meshes do not fit into the caches.
 inline void bringNear(const TriangleTree& tree, std::uint32_t first, std::uint32_t count) noexcept {
     const void* const there = count > 0 ? static_cast<const void*>(tree.triangles().data() + first)
                                         : static_cast<const void*>(tree.nodes().data() + first);
     for (int line = 0; line < 4; ++line) __builtin_prefetch(static_cast<const char*>(there) + 64 * line);
 }
 
-/// Depth-first, nearest child first. @param bounds  has `of(node)` and `stillBelow(bound)`, and may become stricter
-/// while triangles are met. @param meet  takes the slot of a triangle. No allocation. @return the least bound of what
-/// was not visited
+/// Depth-first traversal, nearest child first. @param bounds  has `of(node)` and `stillBelow(bound)`, and may become
+/// stricter while triangles are visited. @param meet  called with the slot of a triangle. No allocation. @return the
+/// least bound of what was not visited
 template <class Bounds, class Meet>
 float walk(const TriangleTree& tree, const Bounds& bounds, const Meet& meet) noexcept {
     struct Open {
@@ -74,7 +74,7 @@ inline glm::dvec3 boxCentre(const TreeNode& node, std::size_t child) noexcept {
     return centre;
 }
 
-/// How far a slope can fall between the middle of a child's box and a point of its plate.
+/// Largest decrease of a linear function with this slope between the middle of a child's box and a point of its plate.
 inline double fallOverPlate(const TreeNode& node, std::size_t child, const glm::dvec3& slope) noexcept {
     const glm::dvec3 normal(node.normal[0][child], node.normal[1][child], node.normal[2][child]);
     const double along = glm::dot(slope, normal);
@@ -83,17 +83,17 @@ inline double fallOverPlate(const TreeNode& node, std::size_t child, const glm::
     return across * node.radius[child] - along * thickness;
 }
 
-/// Squared distances from a point to boxes and plates: the plate is a disc of the child's radius between two planes.
+/// Squared distances from a point to boxes and plates; a plate is a disc of the child's radius between two planes.
 class NearPoint {
 public:
     NearPoint(const TriangleTree& tree, const glm::dvec3& point) noexcept {
         const glm::vec3 at(point - tree.origin());
         const glm::vec3 size = glm::abs(at);
-        const float slack = 2.4e-7F * std::max({size.x, size.y, size.z}); // what rounding the point may have hidden
+        const float slack = 2.4e-7F * std::max({size.x, size.y, size.z}); // what rounding the point may hide
         slack_ = FourFloats{} + slack;
         for (int axis = 0; axis < 3; ++axis) at_[static_cast<std::size_t>(axis)] = FourFloats{} + at[axis];
     }
-    /// Only what is nearer counts, mm².
+    /// Limits the walk to what is nearer than this, mm².
     void limit(double squared) noexcept {
         limit_ = squared < 1e38 ? static_cast<float>(squared * (1.0 + 4e-6)) + std::numeric_limits<float>::min()
                                 : std::numeric_limits<float>::max();
@@ -111,7 +111,7 @@ public:
             along += way * fourAt(node.normal[axis].data());
             spread += absolute(way);
         }
-        // Single precision keeps lengths to a few units of the seventh place.
+        // Single precision represents lengths to a few units of the seventh digit.
         const FourFloats slack = slack_ + 1e-6F * spread;
         const FourFloats beyond =
             greater(greater(along - fourAt(node.above.data()), fourAt(node.below.data()) - along) - slack, zero);
@@ -135,7 +135,7 @@ public:
     AbovePlane(const TriangleTree& tree, const SupportingPlane& plane) noexcept {
         const glm::vec3 at(plane.at - tree.origin()), slope(plane.slope), size = glm::abs(at);
         value_ = FourFloats{} + static_cast<float>(plane.value);
-        // What rounding may have hidden of the place, the slope and the value.
+        // What rounding of the point, the slope and the value may hide.
         slack_ = FourFloats{} + 2.4e-7F * std::max({size.x, size.y, size.z}) +
                  1.2e-7F * std::abs(static_cast<float>(plane.value));
         for (int axis = 0; axis < 3; ++axis) {
@@ -166,8 +166,8 @@ private:
     FourFloats value_, slack_, square_;
 };
 
-/// Lower bounds of the signed distance from a piece to the points of boxes, as far as they lie above `floor` (height
-/// above the tip, mm): from the piece's bottom up, or from a ball's centre when what is below is known already.
+/// Lower bounds of the signed distance from a piece to the points of boxes, for points above `floor` (height above the
+/// tip, mm): from the piece's bottom up, or from a ball's centre if the result for what is below is known already.
 class NearPiece {
 public:
     NearPiece(const TriangleTree& tree, const PlacedPiece& placed, double floor) noexcept
@@ -188,7 +188,7 @@ public:
             high_[static_cast<std::size_t>(i)] = FourFloats{} + static_cast<float>(high + slack);
         }
     }
-    /// Only what is nearer counts, mm; negative: deeper inside.
+    /// Limits the walk to what is nearer than this, mm; negative: deeper inside.
     void limit(double distance) noexcept {
         distance_ = distance;
         const double outside = std::max(distance, 0.0);
@@ -198,7 +198,7 @@ public:
     }
     bool stillBelow(float bound) const noexcept { return static_cast<double>(bound) < distance_; }
 
-    /// A plane that the signed distance stays above.
+    /// Adds a plane that the signed distance stays above.
     void stayAbove(const AbovePlane& plane) noexcept { plane_ = plane; }
 
     ChildBounds of(const TreeNode& node) const noexcept {

@@ -29,7 +29,7 @@ constexpr double least = 1e-9;                   // mm² of a triangle that has 
 struct WallFacet {
     Triangle triangle{};
     glm::dvec2 normal{0.0};                 ///< unit, out of the solid
-    std::array<std::uint32_t, 3> corners{}; ///< the same numbers where they are the same places
+    std::array<std::uint32_t, 3> corners{}; ///< equal numbers for equal positions
 };
 
 std::vector<WallFacet> wallFacets(std::span<const Triangle> triangles) {
@@ -51,7 +51,7 @@ std::vector<WallFacet> wallFacets(std::span<const Triangle> triangles) {
     return facets;
 }
 
-/// Sets of facets that go over into each other without a sharp bend.
+/// Sets of facets that are connected without a sharp bend.
 class Walls {
 public:
     explicit Walls(const std::vector<WallFacet>& facets) : parent_(facets.size()) {
@@ -85,7 +85,7 @@ private:
     std::vector<std::size_t> parent_;
 };
 
-/// The circle with the least sum of squared powers of the places (Kåsa), radius in z; nothing where they lie in line.
+/// The circle with the least sum of squared powers of the points (Kåsa), radius in z; empty if they are collinear.
 std::optional<glm::dvec3> circleThrough(const std::vector<glm::dvec2>& places) {
     glm::dvec2 middle(0.0);
     for (const glm::dvec2& place : places) middle += place / static_cast<double>(places.size());
@@ -102,7 +102,7 @@ std::optional<glm::dvec3> circleThrough(const std::vector<glm::dvec2>& places) {
     return glm::dvec3(middle + centre, std::sqrt(rr / static_cast<double>(places.size()) + glm::dot(centre, centre)));
 }
 
-/// The greatest angle about the centre that no place lies in, rad.
+/// The greatest angle about the centre without a point, rad.
 double largestGapOf(const std::vector<glm::dvec2>& places, const glm::dvec2& centre) {
     std::vector<double> angles;
     for (const glm::dvec2& place : places) angles.push_back(std::atan2(place.y - centre.y, place.x - centre.x));
@@ -150,7 +150,7 @@ std::vector<UprightHole> uprightHoles(std::span<const Triangle> triangles) {
         return a.centre.x != b.centre.x ? a.centre.x < b.centre.x : a.centre.y < b.centre.y;
     });
     for (const UprightHole& hole : found) {
-        // Those of one axis lie side by side, as they are sorted.
+        // Holes with one axis are adjacent, because they are sorted.
         auto same = holes.end();
         for (auto one = holes.end(); one != holes.begin() && hole.centre.x - std::prev(one)->centre.x < sameAxis; --one)
             if (isSame(*std::prev(one), hole)) same = std::prev(one);

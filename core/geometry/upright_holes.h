@@ -18,9 +18,9 @@ struct UprightHole {
     double bottom = 0.0;      ///< lowest point of its wall
 };
 
-/// Round holes with an upright axis: walls whose corners lie within 0.01 mm of one circle, all the way round it, with
-/// the solid outside. Walls of one axis and radius that something interrupts are one hole. Facets may bend by 40° at
-/// most, so that a hexagon is none. Sorted by x, then y. Any thread. Cost: all triangles.
+/// Finds round holes with an upright axis: walls whose corners lie within 0.01 mm of one circle, all the way around it,
+/// with the solid outside. Interrupted walls with the same axis and radius are one hole. Facets may bend by at most
+/// 40°, so that a hexagon does not count. Sorted by x, then y. Any thread. Cost: grows with all triangles.
 std::vector<UprightHole> uprightHoles(std::span<const Triangle> triangles);
 
 } // namespace burin

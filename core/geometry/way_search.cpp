@@ -14,10 +14,11 @@ namespace burin {
 
 namespace {
 
-/// Nearest place of a way and nearest point of a triangle, found in turn, come together slowly where both are level.
+/// The nearest position of a move and the nearest point of a triangle, found in turn, converge slowly where both are
+/// level.
 constexpr int mostTurns = 12;
 
-/// Lower bounds of the distance from a straight way to boxes and plates: by its tangent at the middle of each box.
+/// Lower bounds of the distance from a straight move to boxes and plates: by its tangent at the middle of each box.
 class NearWay {
 public:
     /// @param distance  only what is nearer counts, mm
@@ -33,12 +34,12 @@ public:
             low_[place] = FourFloats{} + static_cast<float>(std::min(start[axis], end[axis]) - distance);
             high_[place] = FourFloats{} + static_cast<float>(std::max(start[axis], end[axis]) + distance);
         }
-        // Single precision keeps places to a few units of the seventh place of the greatest of them.
+        // Single precision represents coordinates to a few units of the seventh digit of the greatest of them.
         const glm::dvec3 far = glm::max(glm::abs(start), glm::abs(end));
         slack_ = 1e-6F * static_cast<float>(std::max({far.x, far.y, far.z}) + length + distance);
     }
     bool stillBelow(float bound) const noexcept { return bound < distance_; }
-    /// Nothing counts any more.
+    /// Ends the search: nothing is near enough any more.
     void stop() noexcept { distance_ = -std::numeric_limits<float>::infinity(); }
 
     ChildBounds of(const TreeNode& node) const noexcept {
@@ -64,7 +65,7 @@ public:
         std::array<FourFloats, 3> normal;
         FourFloats overBox{}, along{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            way[axis] *= inverse; // the slope now
+            way[axis] *= inverse; // the slope from here on
             normal[axis] = fourAt(node.normal[axis].data());
             overBox += absolute(way[axis]) * half[axis];
             along += way[axis] * normal[axis];
@@ -72,7 +73,7 @@ public:
         const FourFloats radius = fourAt(node.radius.data());
         const FourFloats thickness = along > 0.0F ? fourAt(node.below.data()) : fourAt(node.above.data());
         const FourFloats overPlate = partAcross(way, normal, along) * radius - along * thickness;
-        // The nearest place of the way is known to `slack_`, and moves no farther than the point.
+        // The nearest position of the move is known to `slack_`, and moves no farther than the point.
         const FourFloats bound =
             distance - (overBox < overPlate ? overBox : overPlate) - slack_ * (one + radius * inverse) - 1e-6F * radius;
         const FourFloats infinite = zero + std::numeric_limits<float>::infinity();
@@ -87,7 +88,7 @@ private:
     float distance_, slack_ = 0.0F;
 };
 
-/// Whether a whole way keeps so far from a triangle's plane, on one side of it.
+/// Whether a whole move keeps this distance from a triangle's plane, on one side of it.
 bool keepsFromPlane(const Triangle& triangle, const glm::dvec3& from, const glm::dvec3& to, double distance) noexcept {
     const glm::dvec3 normal = areaNormal(triangle);
     const double start = glm::dot(normal, from - triangle[0]), end = glm::dot(normal, to - triangle[0]);
@@ -95,10 +96,10 @@ bool keepsFromPlane(const Triangle& triangle, const glm::dvec3& from, const glm:
     return nearer > 0.0 && nearer * nearer >= distance * distance * glm::dot(normal, normal);
 }
 
-/// The distance of a triangle from a straight way is convex along it: the least one, or some that is not below
-/// `cutoff`.
+/// The distance of a triangle from a point on a straight move is convex along the move: returns the least one, or some
+/// value that is not below `cutoff`.
 double distanceOfWay(const Triangle& triangle, const glm::dvec3& from, const glm::dvec3& to, double cutoff) noexcept {
-    if (keepsFromPlane(triangle, from, to, cutoff)) return cutoff; // most do, and it is quickly told
+    if (keepsFromPlane(triangle, from, to, cutoff)) return cutoff; // most do, and the test is fast
     const glm::dvec3 way = to - from;
     const auto at = [&](double share) noexcept -> LineValue {
         const glm::dvec3 place = from + share * way;
@@ -122,7 +123,7 @@ bool ballKeepsFromMesh(const TriangleTree& tree, const glm::dvec3& from, const g
     return keeps;
 }
 
-/// A piece on its way. Asked for what lies above a height over the tip only.
+/// A piece during its move. Evaluated only for what lies above a height over the tip.
 class MovingPiece {
 public:
     MovingPiece(const RevolvedPiece& piece, const glm::dvec3& axis, const glm::dvec3& from, const glm::dvec3& to,
@@ -138,7 +139,7 @@ public:
                                  : piece.bottom + piece.cornerRadius) {}
 
     PlacedPiece at(double share) const noexcept { return PlacedPiece(piece_, {from_ + share * way_, axis_}); }
-    /// Where the piece comes nearest to a point, to 1e-9 mm of distance.
+    /// The share of the move at which the piece comes nearest to a point, to 1e-9 mm of distance.
     double nearestShare(const glm::dvec3& point) const noexcept {
         const auto along = [&](double share) noexcept -> LineValue {
             const PlacedPiece::Value there = at(share).at(point);
@@ -146,15 +147,15 @@ public:
         };
         return minimumOnLine(along, 0.0, 1.0, std::numeric_limits<double>::infinity(), 1e-9).place;
     }
-    /// A plane that the signed distance at all places of the way stays above. Any share will do; it lies highest by the
-    /// one where the piece is nearest.
+    /// A plane that the signed distance at all positions of the move stays above. Any share is valid; the plane is
+    /// highest for the share at which the piece is nearest.
     PlacedPiece::Value tangentAt(const glm::dvec3& point, double share) const noexcept {
         PlacedPiece::Value value = at(share).at(point);
         const double slope = glm::dot(value.gradient, way_);
         value.distance -= std::max((1.0 - share) * slope, -share * slope);
         return value;
     }
-    /// By a share that is quickly found.
+    /// The same with a share that is fast to compute.
     PlacedPiece::Value tangentAt(const glm::dvec3& point) const noexcept { return tangentAt(point, shareNear(point)); }
 
     bool isBelowFloor(const glm::dvec3& point, double up) const noexcept {
@@ -162,7 +163,7 @@ public:
     }
     const glm::dvec3& axis() const noexcept { return axis_; }
 
-    /// Of all that the piece's part above the floor passes.
+    /// The box of everything that the piece's part above the floor passes through.
     Box bounds(double floor) const noexcept {
         Box box;
         const double radius = piece_.widestRadius();
@@ -177,7 +178,7 @@ public:
     }
 
 private:
-    /// As if the piece were the sphere about the point of its axis that is level with the asked one.
+    /// As if the piece were the sphere about the point of its axis that is level with the given point.
     double shareNear(const glm::dvec3& point) const noexcept {
         if (!(square_ > 0.0)) return 0.0;
         const double height =
@@ -237,7 +238,7 @@ private:
     std::array<FourFloats, 3> low_, high_;
 };
 
-/// By the tangent at the triangle's middle, else by those where piece and triangle are nearest to each other.
+/// By the tangent at the triangle's middle, otherwise by those where piece and triangle are nearest to each other.
 bool keepsFromTriangle(const MovingPiece& piece, const Triangle& triangle, double clearance) noexcept {
     const auto isShown = [&](const glm::dvec3& point, const PlacedPiece::Value& tangent) {
         const double fall =
@@ -265,7 +266,8 @@ bool keepsFromMesh(const TriangleTree& tree, const RevolvedPiece& piece, const g
                    const glm::dvec3& to, double clearance) noexcept {
     double floor = piece.bottom;
     if (PlacedPiece(piece, {from, axis}).ballEnd() && piece.top >= floor + 2.0 * piece.cornerRadius) {
-        floor += piece.cornerRadius; // what lies below is as near to the ball as to the piece, which is quicker to ask
+        floor += piece.cornerRadius; // what lies below is as near to the ball, which is faster to evaluate, as to the
+                                     // piece
         if (!ballKeepsFromMesh(tree, from + floor * axis, to + floor * axis, piece.cornerRadius + clearance))
             return false;
     }

@@ -6,17 +6,18 @@
 
 namespace burin {
 
-/// `from`, turned towards `to` by at most an angle, rad. All of unit length.
+/// Returns `from` rotated towards `to` by at most an angle, rad. All vectors of unit length.
 glm::dvec3 turnedTowards(const glm::dvec3& from, const glm::dvec3& to, double most) noexcept;
 
-/// A tool's axis that follows a wanted one exactly, but turns no faster than a hand where that one jumps. Tick code.
+/// A tool axis that follows a requested axis exactly, but rotates no faster than a hand would where the requested axis
+/// jumps. Called in the haptic tick.
 class AxisFollower {
 public:
-    static constexpr double speed = 2.0; ///< rad/s, beyond the hand's own turning
+    static constexpr double speed = 2.0; ///< rad/s, in addition to the hand's own rotation
 
     void forget() noexcept { known_ = false; }
     const glm::dvec3& axis() const noexcept { return axis_; }
-    /// @param wanted unit. @param own rad that the hand has turned in this tick. @param period s
+    /// @param wanted the requested axis, unit. @param own rad that the hand has rotated in this tick. @param period s
     const glm::dvec3& turn(const glm::dvec3& wanted, double own, double period) noexcept;
 
 private:

@@ -11,7 +11,7 @@ namespace burin {
 
 BrakeOnContact::BrakeOnContact(const Cutter& cutter, const Grid& grid)
     : tool_(pieces(cutter)), fluteCount_(flutePieces(cutter).size()), reach_(reachOf(tool_)), check_(grid) {
-    // Tools a stride apart overlap by more than half of the thinnest piece.
+    // Tool positions one stride apart overlap by more than half of the thinnest piece.
     double thinnest = tool_.front().widestRadius();
     for (const RevolvedPiece& piece : tool_) thinnest = std::min(thinnest, piece.widestRadius());
     stride_ = std::max(thinnest, 0.05);

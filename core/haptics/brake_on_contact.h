@@ -9,23 +9,24 @@
 
 namespace burin {
 
-/// Keeps shank and holder from moving into anything (paper, 4.2): says whether a way of the tool is barred. A tool that
-/// stands in contact already, since the workpiece changed around it, may move where the overlap shrinks.
+/// Keeps shank and holder from moving into anything (paper, 4.2): checks whether a motion of the tool is blocked. A
+/// tool that is in contact already, because the workpiece changed around it, may move where the overlap shrinks.
 class BrakeOnContact {
 public:
     BrakeOnContact(const Cutter& cutter, const Grid& grid);
 
-    /// @param owed what the workpiece shows though it is gone (MaterialRemoval::window), or null
-    /// @param from where the tool stands; @param to where it is wanted; the axis turns evenly. No allocation.
+    /// @param owed pending cuts that the workpiece does not show yet (MaterialRemoval::window), or null
+    /// @param from current pose of the tool; @param to requested pose; the axis rotates uniformly in between. No
+    /// allocation.
     ShankContact onTheWay(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
                           const ToolPose& to) noexcept;
-    /// The same with the flutes, for a tool that can't cut: it must not move into stock that would stay.
+    /// The same including the flutes, for a tool that can't cut: it must not move into stock that would stay.
     ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
                                     const ToolPose& to) noexcept;
-    /// What shank and holder touch where the tool stands.
+    /// What shank and holder touch at a pose of the tool.
     /// @param owed pending cuts that the workpiece does not show yet; nullptr: none
     ShankContact at(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& pose) noexcept;
-    /// The workpiece changed otherwise than by cutting.
+    /// Must be called after the workpiece was changed otherwise than by cutting.
     void workpieceChanged() noexcept { check_.forget(); }
 
 private:
@@ -34,9 +35,9 @@ private:
 
     std::vector<RevolvedPiece> tool_; ///< flutes, shank, holder
     std::size_t fluteCount_ = 1;
-    double reach_; ///< mm, of the tool's farthest point from the tip
+    double reach_; ///< mm, distance of the tool's farthest point from the tip
     ContactCheck check_;
-    double stride_ = 1.0; ///< mm; looked at so often on the way, nothing is stepped over
+    double stride_ = 1.0; ///< mm; with checks at this spacing nothing on the way is missed
 };
 
 } // namespace burin

@@ -11,13 +11,13 @@
 namespace burin {
 namespace {
 
-// A tool that cuts takes a row of scanlines at least so often. The reported removal looks a voxel ahead; without this
-// a tool on its way to the stock would feel it before it touches.
+// A tool that cuts removes a row of scanlines at least once within this distance. The reported removal looks a voxel
+// ahead; without this limit, a tool on its way to the stock would feel the stock before touching it.
 constexpr double idleVoxels = 2.0;
-// Of way, of either filter of the area that is felt: the ripple of a voxel's period shrinks to a 90th.
+// Length in voxels of either filter of the felt area: a ripple with the period of a voxel shrinks to a 90th.
 constexpr double areaVoxels = 1.5;
 
-// Of the area that is felt: a tick that meets so much of it tells what the flutes stand in.
+// Share of the felt area: a tick that engages at least this share determines the material around the flutes.
 constexpr double tellingShare = 0.5;
 
 /// mm: half a voxel, or two steps of the device's encoders.
@@ -25,13 +25,13 @@ double playOf(const Grid& grid, const HapticSettings& settings) noexcept {
     return std::max(0.5 * grid.edge(), 2.0 * settings.stylus.positionStep.value * settings.mapping.scale);
 }
 
-/// mm from the tip: a radius deep, or what the tool bears.
+/// Depth in mm from the tip: one radius, or the largest depth of cut of the tool.
 double referenceDepth(const Tool& tool) noexcept {
     const double radius = tool.cutter.radius();
     return tool.maximumDepthOfCut > 0.0 ? std::min(radius, tool.maximumDepthOfCut) : radius;
 }
 
-/// Adds what was lost of a material, in the order of the property list.
+/// Adds a removed volume of a material, in the order of the property list.
 void addInOrder(std::array<MaterialVolume, maximumMachinableProperties>& removed, const MaterialVolume& more) noexcept {
     auto* const place = std::find_if(removed.begin(), removed.end(), [&](const MaterialVolume& one) {
         return one.property >= more.property || one.property == airProperty;
@@ -97,8 +97,9 @@ CuttingForce CutTick::cut(ToolMotion& motion, double period, Sample& sample) noe
 
 CuttingForce CutTick::asFelt(const CuttingForce& force) noexcept {
     if (force.area > 0.0) {
-        // A tick that takes its share of the area tells the mix at once. One that only reports what the runs still
-        // lagged, perhaps of the material before, says nothing of what the flutes stand in.
+        // A tick that has its share of the area determines the mix at once. A tick that only reports volume that the
+        // runs were lagging behind, perhaps of the previous material, says nothing about the material around the
+        // flutes.
         const double share = std::clamp(force.area / (tellingShare * area_.value()), 0.0, 1.0), weight = share * share;
         felt_.energy += weight * (force.energy - felt_.energy);
         felt_.radialRatio += weight * (force.radialRatio - felt_.radialRatio);
@@ -113,8 +114,8 @@ CuttingForce CutTick::asFelt(const CuttingForce& force) noexcept {
     return result;
 }
 
-/// A sample holds all that was cut between it and the one before, so that replaying takes gives the same workpiece:
-/// what a cut would put off is taken at once. `approach` has made that rare.
+/// A sample contains everything that was cut since the previous one, so that replaying takes gives the same workpiece:
+/// the part of a cut that would be put off is carried out at once. `approach` has made that rare.
 CutResult CutTick::take(const ToolPose& from, const ToolPose& to) noexcept {
     CutResult cut = removal_.cut(*workpiece_, from, to);
     if (!cut.putOff || cut.outOfMemory) return cut;

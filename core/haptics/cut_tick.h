@@ -12,38 +12,38 @@
 
 namespace burin {
 
-/// The spindle and what it takes away in a tick. Tick code; the one writer of the workpiece.
+/// The spindle and the material that it removes in a tick. Called in the haptic tick; the only writer of the workpiece.
 class CutTick {
 public:
     /// @param workpiece outlives the object
     CutTick(RunVolume& workpiece, const Tool& tool, const HapticSettings& settings);
 
     bool spindleTurns() const noexcept { return released_ && (!onButton_ || buttonDown_); }
-    /// @param released false: the spindle stands, whatever the button says
+    /// @param released false: the spindle is stopped, whatever the state of the button
     void releaseSpindle(bool released) noexcept { released_ = released; }
     bool spindleReleased() const noexcept { return released_; }
     void button(bool down) noexcept { buttonDown_ = down; }
-    /// The tool is taken up where it stands: nothing is cut on the way there.
+    /// The tool is loaded at its current position: nothing is cut on the way there.
     void takeUp() noexcept;
-    /// As `takeUp`, though the tool has been moving: the next tick does not cut.
+    /// Like `takeUp`, but the tool has been moving: the next tick does not cut.
     void skipOne() noexcept { takesUp_ = true; }
 
-    /// Cuts what the flutes swept, and says what was removed: the paper's force of this very tick; area and mix of
-    /// materials as they are felt, the area smoothed (EngagedArea), the mix that of the last tick that removed
-    /// anything. A motion that ran out of memory is taken back, as part of its way is uncut.
+    /// Cuts the material that the flutes swept, and returns what was removed: the force of this very tick according to
+    /// the paper; area and mix of materials as they are felt, the area smoothed (EngagedArea), the mix that of the last
+    /// tick that removed anything. A motion that ran out of memory is undone, because part of it remained uncut.
     CuttingForce cut(ToolMotion& motion, double period, Sample& sample) noexcept;
 
-    /// Writes what was cut to the workpiece. Nothing is ever put off between two ticks, so that there is nothing to
-    /// count.
+    /// Writes pending cuts to the workpiece. No counting of removed material is ever put off between two ticks, so that
+    /// nothing remains to be counted here.
     void settle() noexcept;
     bool memoryFull() const noexcept { return memoryFull_; }
     void resume() noexcept { memoryFull_ = false; }
-    /// It changed otherwise than by `cut`, between two ticks.
+    /// Must be called after the workpiece was changed otherwise than by `cut`, between two ticks.
     void workpieceChanged() noexcept;
     const RunVolume& workpiece() const noexcept { return *workpiece_; }
-    /// What the flutes stand in after the last tick; its area fades where they meet nothing.
+    /// The material around the flutes after the last tick; its area fades out where they meet none.
     MetMaterial met() const noexcept { return {engagement_, area_.value(), felt_.energy}; }
-    /// What the workpiece is owed: gone, though it may show it still.
+    /// Pending cuts: material that is removed although the workpiece may still show it.
     const GapWindow* owed() const noexcept { return removal_.window(); }
 
 private:
@@ -55,8 +55,8 @@ private:
     MaterialRemoval removal_;
     SpinningTool tool_;
     EngagedArea area_;
-    CuttingForce felt_;             ///< area and mix as they are felt
-    Engagement engagement_;         ///< of the last tick that told it
+    CuttingForce felt_;             ///< area and mix of materials as they are felt
+    Engagement engagement_;         ///< of the last tick that had an engagement
     double travelSinceRemoval_ = 0; ///< mm
     bool onButton_;
     bool released_ = true, buttonDown_ = false;

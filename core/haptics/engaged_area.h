@@ -9,17 +9,18 @@
 
 namespace burin {
 
-/// The area that meets the material: removed volume over the way, both smoothed over the way and not over time. The
-/// rows of scanlines that make it ripple are passed by the millimetre, whatever the hand's speed; a tool that rests
-/// keeps what it last met. The way is the net one, so that the steps of an encoder, which make a staircase of a slanted
-/// line, count as the line; and it has some play, so that a hand that trembles by less forgets nothing. Two filters of
-/// first order in a row. Tick code.
+/// The area engaged with the material: removed volume divided by distance moved, both smoothed over distance and not
+/// over time. The rows of scanlines that cause its ripple are passed by the millimetre, whatever the hand's speed, and
+/// a tool at rest keeps its last value. The distance is the net one, so that the encoder steps that make a staircase of
+/// a slanted line count as the line; and it has some play, so that tremor smaller than that does not erase the value.
+/// Two first-order filters in series. Called in the haptic tick.
 class EngagedArea {
 public:
-    /// @param length mm of way, of either filter. @param play mm, that the tool may go to and fro by
+    /// @param length mm of motion, constant of either filter. @param play mm by which the tool may move back and forth
+    /// without effect
     EngagedArea(double length, double play) noexcept : length_(length), play_(play) {}
 
-    /// @param volume mm³, removed in a tick. @param motion mm, of that tick
+    /// @param volume mm³, removed in a tick. @param motion mm, of the same tick
     void add(double volume, const glm::dvec3& motion) noexcept {
         ahead_ += motion;
         waiting_ += volume;
@@ -30,7 +31,7 @@ public:
         ahead_ = play_ * direction;
         waiting_ = 0.0;
     }
-    /// Nothing can be met for so long. @param seconds since the last tick
+    /// Lets the area decay while nothing can be engaged. @param seconds since the last tick
     void fade(double seconds) noexcept { follow(0.0, net_, 1.0 - std::exp(-seconds / fading)); }
     void reset() noexcept {
         first_ = area_ = waiting_ = 0.0;
@@ -40,8 +41,9 @@ public:
 
 private:
     static constexpr double fading = 0.015;  ///< s
-    static constexpr double nothing = 1e-12; ///< mm²; a decay without end would be in denormal numbers, which are slow
-    /// Net way over way of the most crooked staircase, along a cube's diagonal. Less is a hand that goes to and fro.
+    static constexpr double nothing = 1e-12; ///< mm²; an endless decay would reach denormal numbers, which are slow
+    /// Net distance over distance of the most irregular staircase, along a cube's diagonal. A smaller ratio means that
+    /// the hand moves back and forth.
     static constexpr double straightest = 0.577;
 
     void follow(double area, const glm::dvec3& direction, double share) noexcept {
@@ -53,10 +55,10 @@ private:
         if (area_ < nothing) area_ = 0.0;
     }
     double length_, play_;                ///< mm
-    glm::dvec3 ahead_{0.0};               ///< mm, of the tool before what counts as its place
-    double waiting_ = 0.0;                ///< mm³, for a way that counts
-    double first_ = 0.0, area_ = 0.0;     ///< mm²: volume over all of the way
-    glm::dvec3 firstNet_{0.0}, net_{0.0}; ///< way, as a vector, over all of the way
+    glm::dvec3 ahead_{0.0};               ///< mm, from the position that counts so far to the tool
+    double waiting_ = 0.0;                ///< mm³, not yet assigned to a distance
+    double first_ = 0.0, area_ = 0.0;     ///< mm²: volume over total distance
+    glm::dvec3 firstNet_{0.0}, net_{0.0}; ///< net motion, as a vector, over total distance
 };
 
 } // namespace burin

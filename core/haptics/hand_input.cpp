@@ -9,14 +9,14 @@
 namespace burin {
 namespace {
 
-/// N·s/m that averaging may take from the handle's damping: less than the lightest grip has.
+/// Loss of the handle's damping that averaging may cause, N·s/m: less than the damping of the lightest grip.
 constexpr double averagingLoss = 0.8;
 
-/// Two readings averaged halve the step by which the coupling's force changes when a resting hand's encoders tick. They
-/// come later by this share of a tick, which a spring K makes a loss of K T.
+/// Averaging two readings halves the step of the coupling force when the encoders of a resting hand tick. It delays
+/// them by this share of a tick, which for a spring K means a loss of K T.
 double averagingShare(const HapticSettings& settings) noexcept {
     const double stiffness = couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod).stiffness;
-    const double loss = stiffness * settings.tickPeriod; // N·s/m, of a whole tick
+    const double loss = stiffness * settings.tickPeriod; // N·s/m, for a whole tick
     return loss > 0.0 ? std::min(0.5, averagingLoss / loss) : 0.0;
 }
 

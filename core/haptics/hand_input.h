@@ -9,31 +9,32 @@
 
 namespace burin {
 
-/// The hand, as one tick sees it.
+/// The hand in one tick.
 struct Hand {
     Reading reading = Reading::fault;
-    Pose device;                    ///< device frame; of the last reading that had one
+    Pose device;                    ///< device frame; of the last valid reading
     glm::dvec3 deviceVelocity{0.0}; ///< mm/s, device frame
-    ToolPose wanted;                ///< setup frame: where the hand wants the tool
-    glm::dvec3 velocity{0.0};       ///< mm/s, setup frame, of the tip that is wanted
-    bool rests = false;             ///< what moves is mostly the encoders
-    std::uint32_t buttons = 0;      ///< 0 with a fault
+    ToolPose wanted;                ///< setup frame: the pose that the hand requests for the tool
+    glm::dvec3 velocity{0.0};       ///< mm/s, setup frame, of the requested tip
+    bool rests = false;             ///< the motion consists mostly of encoder steps
+    std::uint32_t buttons = 0;      ///< 0 in case of a fault
     WorkspaceMapping mapping;       ///< in force in this tick: device to setup
-    bool clutched = false;          ///< the hand moves on its own: it feels nothing
+    bool clutched = false;          ///< the hand moves without the tool and feels no force
 };
 
-/// From what a stylus read to where the hand wants the tool: judges the reading, maps it, measures its speed.
-/// Tick code.
+/// Converts readings of the stylus to the tool pose requested by the hand: checks the reading, maps it, measures its
+/// speed.
+/// Called in the haptic tick.
 class HandInput {
 public:
     explicit HandInput(const HapticSettings& settings) noexcept;
 
-    /// @param period s since the tick before. @param tool where the tool is, mm, setup frame; nullptr: none has been
-    /// taken up. @param quiet the hand feels no force
+    /// @param period s since the last tick. @param tool position of the tool, mm, setup frame; nullptr: none is loaded.
+    /// @param quiet whether the hand feels no force
     Hand read(const StylusState& state, double period, const glm::dvec3* tool, bool quiet) noexcept;
-    /// The speed is measured anew: nobody knows where the hand has been meanwhile.
+    /// Restarts the measurement of the speed, when the motion of the hand was not known for some time.
     void forget() noexcept;
-    /// Between two ticks.
+    /// Called between two ticks.
     void setWorkspace(const WorkspaceSettings& settings) noexcept { workspace_.set(settings); }
     const Workspace& workspace() const noexcept { return workspace_; }
 
@@ -41,7 +42,7 @@ private:
     Workspace workspace_;
     ReadingGuard guard_;
     MotionEstimator motion_;
-    double averaging_; ///< share of the reading before, at rest
+    double averaging_; ///< share of the previous reading in the mean, at rest
 };
 
 } // namespace burin

@@ -62,7 +62,7 @@ Sample HapticStep::advance(const StylusState& state, double period) noexcept {
     return sample;
 }
 
-/// A trace's recorder has room for so many a tick while the disk makes it wait.
+/// A trace recorder has room for this many changes per tick while it waits for the disk.
 void HapticStep::takeTiles() noexcept {
     constexpr int most = 2;
     for (int i = 0; i < most; ++i) {

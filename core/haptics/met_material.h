@@ -6,13 +6,13 @@
 
 namespace burin {
 
-/// What the flutes stand in.
+/// The material around the flutes.
 struct MetMaterial {
-    Engagement engagement; ///< of the last tick that told it
-    double area = 0.0;     ///< mm², that meets the material, across the motion, as it is felt (EngagedArea)
-    double energy = 0.0;   ///< J/mm³, of the mix (CuttingCoefficients::Entry::tableEnergy)
+    Engagement engagement; ///< of the last tick that had an engagement
+    double area = 0.0;     ///< mm², engaged area across the motion, as it is felt (EngagedArea)
+    double energy = 0.0;   ///< J/mm³, of the mix of materials (CuttingCoefficients::Entry::tableEnergy)
 
-    double forcePerFeed() const noexcept { return energy * area; } ///< J/mm: what a millimetre of way takes
+    double forcePerFeed() const noexcept { return energy * area; } ///< J/mm: energy per millimetre of motion
 };
 
 } // namespace burin

@@ -8,7 +8,7 @@ namespace burin {
 namespace {
 
 bool plausible(const Pose& pose) noexcept {
-    constexpr double farthest = 10'000.0; // mm; no device reaches so far from its zero
+    constexpr double farthest = 10'000.0; // mm; no device reaches that far from its zero
     const glm::dquat& q = pose.rotation;
     return glm::length(pose.position) <= farthest && std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) &&
            std::isfinite(q.z);
@@ -26,7 +26,7 @@ Reading ReadingGuard::check(const StylusState& state, double period) noexcept {
     known_ = true;
     if (!std::isfinite(period) || period <= 0.0 || period > gaps_.stalled) return Reading::fault;
     const double distance = glm::length(moved);
-    // A tick that came early must not make a calm hand look fast.
+    // An early tick must not make a calm hand look fast.
     if (!(distance <= largestJump) || distance > maximumSpeed_ * std::max(period, nominalPeriod_))
         return Reading::fault;
     return period > gaps_.late ? Reading::late : Reading::good;

@@ -9,23 +9,24 @@ namespace burin {
 
 enum class Reading : std::uint8_t {
     good,
-    late,  ///< the tick came late: usable, but no force this time
-    fault, ///< not usable: no force, and forces fade in again
+    late,  ///< the tick was late: usable, but no force this time
+    fault, ///< not usable: no force, and forces fade in again afterwards
 };
 
-/// Judges what a stylus read before anything acts on it.
+/// Checks the readings of a stylus before they are used.
 class ReadingGuard {
 public:
-    static constexpr double largestJump = 20.0; ///< mm in one tick; no hand does that
+    static constexpr double largestJump = 20.0; ///< mm in one tick, more than any hand moves
 
     /// @param nominalPeriod s
     ReadingGuard(const StylusDescription& stylus, double nominalPeriod) noexcept
         : maximumSpeed_(stylus.maximumSpeed.value), nominalPeriod_(nominalPeriod), gaps_(gapLimits(nominalPeriod)) {}
 
-    /// After a fault the next finite reading is a new start: nobody knows where the hand has been meanwhile. A jump
-    /// is a fault once; what follows is measured from where it went.
+    /// Checks a reading. After a fault the next finite reading is a new start, because the motion of the hand in
+    /// between is not known. A jump is a fault only once; following readings are compared with the position that it led
+    /// to.
     Reading check(const StylusState& state, double period) noexcept;
-    /// Of the last reading that had one, for the record.
+    /// Pose of the last usable reading, for the record.
     const Pose& lastPose() const noexcept { return last_; }
 
 private:

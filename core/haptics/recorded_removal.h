@@ -7,8 +7,9 @@
 
 namespace burin {
 
-/// Records what one cut removed, by material: grades count as the material that they are a grade of, so that a sample
-/// has room for all that a property list may hold. Exact: run units are added. Tick code.
+/// Records the material removed by one cut, by material: grades count as the material that they are a grade of, so that
+/// a sample has room for all materials of a property list. Exact: integer units of runs are added. Called in the haptic
+/// tick.
 inline void recordRemoval(const CutResult& cut, const PropertyList& properties, Sample& sample) noexcept {
     static_assert(std::tuple_size_v<decltype(Sample::removed)> >= maximumMachinableMaterials);
     for (const MaterialVolume& material : cut.removed) {

@@ -16,7 +16,7 @@ struct AllowanceChange {
     double allowance = 0.0; ///< mm, >= 0
 };
 struct LevelStep {
-    int levels = 0; ///< as GuideSet::step
+    int levels = 0; ///< as for GuideSet::step
 };
 struct LayerSwitch {
     std::size_t layer = 0;
@@ -26,24 +26,26 @@ struct SpindleRelease {
     bool released = false;
 };
 struct TakeBegin {};       ///< the next tick does not cut
-struct ForceWithheld {};   ///< the force of the tick before came too late: the device got none
+struct ForceWithheld {};   ///< the force of the last tick came too late: the device got none
 struct CutResumption {};   ///< the owner has made room in the reserved memory
-struct WorkpieceChange {}; ///< the owner put another state of the workpiece in place
+struct WorkpieceChange {}; ///< the owner replaced the state of the workpiece
 
-/// What a step is told between two ticks: together with the readings it decides all that the step does. Plain data.
+/// A change made to a step between two ticks. Together with the readings, the changes determine everything that the
+/// step does. Plain data.
 using StepChange = std::variant<AllowanceChange, GuideSettings, LevelStep, WorkspaceSettings, LayerSwitch,
                                 SpindleRelease, TakeBegin, ForceWithheld, CutResumption, WorkpieceChange, TileChange>;
 static_assert(std::is_trivially_copyable_v<StepChange>);
 
-/// Hears what a step is told, on the thread that tells it, before the step follows. No allocation, lock or file.
+/// Is notified of the changes made to a step, on the thread that makes them, before the step applies them. No
+/// allocation, lock or file access.
 class StepChangeListener {
 public:
     virtual ~StepChangeListener() = default;
-    /// @param change about to take effect between two ticks
+    /// @param change will take effect between two ticks
     virtual void changed(const StepChange& change) noexcept = 0;
 };
 
-/// A change, and how many ticks came before it.
+/// A change, and the number of ticks before it.
 struct TimedChange {
     std::size_t tick = 0;
     StepChange change;

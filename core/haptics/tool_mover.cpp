@@ -11,11 +11,11 @@
 namespace burin {
 namespace {
 
-constexpr double voxelsPerTick = 6.0; // of travel, at least
-/// The same where the axis is free: each look at the boundary is dearer there, and a tool that was held and comes free
-/// has time to catch up.
+constexpr double voxelsPerTick = 6.0; // minimum travel
+/// The same for a free axis: each query of the boundary is more expensive there, and a tool that was held and comes
+/// free has time to catch up.
 constexpr double voxelsPerTickFree = 2.0;
-constexpr double voxelsOfRoom = 2.0; // that a tip makes in a tick for an axis
+constexpr double voxelsOfRoom = 2.0; // by which the tip may make room for the axis in a tick
 constexpr int parkingSamples = 256;
 
 bool rendersTorque(const StylusDescription& stylus) noexcept {
@@ -23,8 +23,8 @@ bool rendersTorque(const StylusDescription& stylus) noexcept {
            stylus.maximumStiffness.value > 0.0;
 }
 
-/// Weighs turns against moves as the coupling's springs do, so that the tool rests where they hold least energy: where
-/// a tool without weight would rest that hangs on the hand by them.
+/// Weights rotations relative to translations as the coupling's springs do, so that the tool rests where the energy of
+/// these springs is minimal: where a weightless tool would rest that hangs on the hand by them.
 /// @return mm, in a workspace of scale 1
 double turnLength(const HapticSettings& settings) noexcept {
     if (!rendersTorque(settings.stylus)) return 1.0;
@@ -50,7 +50,7 @@ ToolMover::ToolMover(BoundaryLayers& layers, const Tool& tool, const Grid& grid,
     setScale(settings.mapping.scale);
 }
 
-/// A tool as fast as the fastest hand that is believed follows it without a lag, hence without a force.
+/// A tool that may be as fast as the fastest plausible hand follows the hand without a lag, hence without a force.
 void ToolMover::setScale(double scale) noexcept {
     travelPerSecond_ = std::max(slowestTravel_, 1.1 * handSpeed_ * scale);
     turnLength_ = turnLengthAtScale1_ * scale;
@@ -110,7 +110,7 @@ ToolMotion ToolMover::move(const ToolPose& hand, double period, CutTick& cut) no
     return motion;
 }
 
-/// Held sideways, a tool can still be pulled out along its axis.
+/// A tool that is held sideways can still be pulled out along its axis.
 ProxyStep ToolMover::aroundContact(const ToolPose& standing, const ToolPose& goal, ProxyStride stride, CutTick& cut,
                                    ToolMotion& motion) noexcept {
     const double out = glm::dot(goal.tip - standing.tip, standing.axis);

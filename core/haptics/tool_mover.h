@@ -11,32 +11,34 @@
 
 namespace burin {
 
-/// Moves the tool towards the hand as far as the part and its other bounds, and shank and holder, allow. Tick code.
+/// Moves the tool towards the hand as far as the part, the other boundaries, and shank and holder allow. Called in the
+/// haptic tick.
 class ToolMover {
 public:
-    /// rad/s that the axis turns at most, faster than a wrist.
+    /// Largest angular speed of the axis, rad/s; faster than a wrist.
     static constexpr double turnSpeed = 25.0;
 
-    /// @param layers outlive the object. @param grid of the workpiece
+    /// @param layers outlive the object. @param grid grid of the workpiece
     ToolMover(BoundaryLayers& layers, const Tool& tool, const Grid& grid, const HapticSettings& settings);
 
-    /// Takes the tool up where the hand is, if nothing is in its way there.
+    /// Places the tool at the hand's pose if that is free. Returns false if it is not.
     bool start(const ToolPose& hand, const CutTick& cut) noexcept;
-    /// Where a tool that has not started is shown: away from the hand along its axis, clear of the part.
+    /// Pose at which a tool that has not started yet is displayed: moved away from the hand along its axis, clear of
+    /// the part.
     ToolPose parkedAbove(const ToolPose& hand) noexcept;
-    /// One tick. The tool is where it was until `arrive`. @param period s. @param cut what the workpiece is asked
-    /// through; it is settled where a contact may be with what is cut but not yet written.
+    /// One tick. The tool's pose changes only with `arrive`. @param period s. @param cut used to query the workpiece;
+    /// it is settled where a contact with material that is cut but not yet written is possible.
     ToolMotion move(const ToolPose& hand, double period, CutTick& cut) noexcept;
-    /// The tool has arrived where a motion leads, which may have been cut short since.
+    /// Sets the tool's pose to the end of a motion, which may have been shortened since.
     void arrive(const ToolMotion& motion) noexcept;
 
     const ToolPose& pose() const noexcept { return pose_; }
-    /// Takes effect over some ticks. @param allowance mm, >= 0
+    /// Takes effect gradually. @param allowance mm, >= 0
     void setAllowance(double allowance) noexcept { allowance_.want(allowance); }
     void workpieceChanged() noexcept { brake_.workpieceChanged(); }
-    /// @param scale mm of setup per mm of device: how far the tool may travel in a tick goes with it
+    /// @param scale mm of setup per mm of device; the largest motion of the tool in a tick is proportional to it
     void setScale(double scale) noexcept;
-    /// What shank or holder touched last.
+    /// The last contact of shank or holder.
     const ShankContact& shankContact() const noexcept { return shank_; }
 
 private:
@@ -52,9 +54,10 @@ private:
     double turnLengthAtScale1_, turnLength_ = 0.0; ///< mm
     double room_;                                  ///< mm
     double topOfWorkpiece_;                        ///< mm
-    double slowestTravel_, handSpeed_;             ///< mm/s: of the tool at any scale, and of the fastest hand
-    double travelPerSecond_ = 0.0;                 ///< mm/s
-    double longestPeriod_;                         ///< s that a tick's travel is allowed for
+    /// mm/s: slowest limit of the tool's speed at any scale, and speed of the fastest hand
+    double slowestTravel_, handSpeed_;
+    double travelPerSecond_ = 0.0; ///< mm/s
+    double longestPeriod_;         ///< s, longest period that counts for a tick's motion
     BrakeOnContact brake_;
     Proxy proxy_;
     AllowanceFollower allowance_;

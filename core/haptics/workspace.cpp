@@ -14,7 +14,7 @@ constexpr double smallestScale = 1e-3, largestScale = 1e3;
 constexpr double sameTurn = 1e-12;
 
 bool usable(const glm::dquat& rotation) noexcept {
-    return std::abs(glm::dot(rotation, rotation) - 1.0) < 1e-6; // also false where it is not a number
+    return std::abs(glm::dot(rotation, rotation) - 1.0) < 1e-6; // also false for NaN
 }
 
 } // namespace
@@ -30,11 +30,11 @@ void Workspace::set(const WorkspaceSettings& settings) noexcept {
     const std::optional<double>& scale = settings_.scale;
     if (scale && !(*scale >= smallestScale && *scale <= largestScale)) settings_.scale.reset();
     if (settings_.rotation && !usable(*settings_.rotation)) settings_.rotation.reset();
-    // With motors, a force would push the stylus out of its place, and the tool away for good.
+    // With motors, a force would push the stylus out of its position, and the tool would drift away.
     if (motors_) settings_.control = WorkspaceControl::position;
 }
 
-/// mm/s of the tip for a place of the stylus.
+/// Speed of the tip, mm/s, for a position of the stylus.
 glm::dvec3 Workspace::rate(const glm::dvec3& place) const noexcept {
     const double deflection = glm::length(place);
     if (!(deflection > 0.0) || !(radius_ > 0.0)) return glm::dvec3(0.0);
@@ -42,7 +42,7 @@ glm::dvec3 Workspace::rate(const glm::dvec3& place) const noexcept {
     return mapping_.directionToSetup(place) * (speed / deflection);
 }
 
-/// mm of the tip, beyond where the hand leads it.
+/// Additional motion of the tip, mm, beyond that of the hand.
 glm::dvec3 Workspace::drifted(const glm::dvec3& place) noexcept {
     const double off = glm::length(place);
     if (off <= recentred * radius_) recentring_ = false;
@@ -50,7 +50,7 @@ glm::dvec3 Workspace::drifted(const glm::dvec3& place) noexcept {
     return mapping_.directionToSetup(place) * (mapping_.scale * drift * glm::length(place - place_) / off);
 }
 
-/// Scale and turn, towards what is wanted.
+/// Changes scale and rotation towards the requested values.
 bool Workspace::change(bool quiet, double period) noexcept {
     const WorkspaceMapping before = mapping_;
     if (settings_.scale) {
@@ -69,9 +69,9 @@ Workspace::Place Workspace::map(const Pose& device, std::uint32_t buttons, const
     clutched_ = settings_.clutched || (buttons & settings_.clutchButton) != 0;
     answer.follows = !clutched_ && settings_.control == WorkspaceControl::position;
     glm::dvec3 tip = answer.follows || !begun_ ? mapping_.toSetup(place) : tip_;
-    bool moves = !answer.follows; // the mapping does, so that the tip does not
+    bool moves = !answer.follows; // whether the mapping changes, so that the tip keeps its position
     if (!begun_) {
-        moves = false; // the first place is where the mapping says
+        moves = false; // the first position is that of the mapping
     } else if (clutched_) {
         if (tool != nullptr) tip += clampLength(*tool - tip, clutchSpeed * mapping_.scale * period);
     } else if (!answer.follows) {

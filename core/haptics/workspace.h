@@ -10,57 +10,60 @@
 
 namespace burin {
 
-/// What the stylus' place means.
+/// The meaning of the stylus' position.
 enum class WorkspaceControl : std::uint8_t {
-    position, ///< where the tool shall be
-    rate,     ///< how fast the tool shall go, for styluses without motors that go back to their middle
+    position, ///< position of the tool
+    rate,     ///< velocity of the tool, for styluses without motors that spring back to their centre
 };
 
-/// How the hand's movements become the tool's. Plain data, handed to the loop at a tick's edge.
+/// How movements of the hand are mapped to the tool. Plain data, passed to the loop at a tick's edge.
 struct WorkspaceSettings {
-    std::optional<double> scale;        ///< mm of setup per mm of device, 0.001 … 1000; none: as it is
-    std::optional<glm::dquat> rotation; ///< device to setup, unit, as the camera looks; none: as it is
-    bool clutched = false;              ///< the hand moves, the tool stays
-    std::uint32_t clutchButton = 0;     ///< bits of the stylus' buttons that do the same while they are down
-    std::uint32_t recentrings = 0;      ///< counts; one more: recentre
+    std::optional<double> scale; ///< mm of setup per mm of device, 0.001 … 1000; empty: unchanged
+    /// device to setup, unit, according to the view direction of the camera; empty: unchanged
+    std::optional<glm::dquat> rotation;
+    bool clutched = false;          ///< the hand moves, the tool stays
+    std::uint32_t clutchButton = 0; ///< bit mask of the stylus' buttons that act as the clutch while they are pressed
+    std::uint32_t recentrings = 0;  ///< a counter; each increment starts a recentring
     WorkspaceControl control = WorkspaceControl::position;
-    Box region; ///< mm, setup frame, that rate control keeps the tip in; empty: no such limit
+    Box region; ///< mm, setup frame, to which rate control limits the tip; empty: no limit
 };
 
-/// From the device to the setup: scale, turn, clutch, recentring. Whatever changes, the wanted tip stays where it is,
-/// and moves on only as the hand moves:
-/// - a turn waits until the hand feels nothing, as it does while the clutch is in;
-/// - a scale changes at once where the hand feels nothing, and with a factor of e^(2 t) where it does;
-/// - recentring lets the tool run ahead of the hand where that leaves the middle and lag where it comes back, by a half
-///   (a drift that goes with the hand's speed: Conti & Khatib 2005, "Spanning large workspaces using small haptic
-///   devices"); it ends within a tenth of the workspace;
-/// - while the clutch is in, the wanted tip goes to the tool, at `clutchSpeed`: the hand carries no force about.
-/// The axis is the hand's own always; after the clutch or a turn it goes there no faster than a hand turns.
-/// Tick code.
+/// Maps the device to the setup: scale, rotation, clutch, recentring. Whatever changes, the commanded tip keeps its
+/// position, and moves only when the hand moves:
+/// - a rotation waits until the hand feels nothing, as is the case while the clutch is engaged;
+/// - the scale changes at once if the hand feels nothing, otherwise at most by a factor of e^(2 t) in t seconds;
+/// - recentring makes the tool move by half more than the hand when the hand leaves the centre, and by half less when
+///   it comes back (a drift proportional to the hand's speed: Conti & Khatib 2005, "Spanning large workspaces using
+///   small haptic devices"); it ends within a tenth of the workspace;
+/// - while the clutch is engaged, the commanded tip moves to the tool at `clutchSpeed`, so that the hand does not carry
+///   a force along.
+/// The axis is always that of the hand; after a use of the clutch or a rotation of the mapping it returns to it no
+/// faster than a hand rotates.
+/// Called in the haptic tick.
 class Workspace {
 public:
-    static constexpr double clutchSpeed = 50.0;   ///< mm/s, in the device
-    static constexpr double scaleRate = 2.0;      ///< 1/s, of the scale's logarithm, under force
-    static constexpr double drift = 0.5;          ///< of the hand's way
-    static constexpr double recentred = 0.1;      ///< of the workspace's radius
-    static constexpr double topSpeed = 100.0;     ///< mm/s in the device: rate control, at full deflection
-    static constexpr double fullDeflection = 0.5; ///< of the workspace's radius
+    static constexpr double clutchSpeed = 50.0;   ///< mm/s, device space
+    static constexpr double scaleRate = 2.0;      ///< 1/s, rate of the scale's logarithm while a force is felt
+    static constexpr double drift = 0.5;          ///< share of the hand's motion
+    static constexpr double recentred = 0.1;      ///< share of the workspace's radius
+    static constexpr double topSpeed = 100.0;     ///< mm/s, device space: speed of rate control at full deflection
+    static constexpr double fullDeflection = 0.5; ///< share of the workspace's radius
 
     explicit Workspace(const HapticSettings& settings) noexcept;
 
-    /// Between two ticks. What is out of bounds, not finite or not for this stylus is left as it was.
+    /// Called between two ticks. Values that are out of range, not finite or not applicable to this stylus are ignored.
     void set(const WorkspaceSettings& settings) noexcept;
 
     struct Place {
         ToolPose wanted;          ///< setup frame
         WorkspaceMapping mapping; ///< in force
-        glm::dvec3 drive{0.0};    ///< mm/s of the wanted tip that are not the hand's own; setup frame
-        bool follows = true;      ///< the wanted tip goes with the hand
+        glm::dvec3 drive{0.0};    ///< mm/s of the commanded tip that are not due to the hand's motion; setup frame
+        bool follows = true;      ///< whether the commanded tip follows the hand
     };
-    /// @param tool where the tool is, mm; nullptr: none has been taken up. @param quiet the hand feels no force. @param
-    /// period s
+    /// @param tool position of the tool, mm; nullptr: none is loaded. @param quiet whether the hand feels no force.
+    /// @param period s
     Place map(const Pose& device, std::uint32_t buttons, const glm::dvec3* tool, bool quiet, double period) noexcept;
-    /// Nobody knows where the hand has been meanwhile.
+    /// To be called when the motion of the hand is not known for some time.
     void forget() noexcept { known_ = false; }
     const WorkspaceMapping& mapping() const noexcept { return mapping_; }
     bool clutched() const noexcept { return clutched_; }
@@ -77,7 +80,7 @@ private:
     double radius_; ///< mm, of the stylus' workspace
     AxisFollower axis_;
     glm::dvec3 tip_{0.0};                   ///< mm, setup frame
-    glm::dvec3 place_{0.0}, handAxis_{0.0}; ///< of the hand in the tick before, device frame
+    glm::dvec3 place_{0.0}, handAxis_{0.0}; ///< of the hand in the previous tick, device frame
     bool known_ = false, begun_ = false, clutched_ = false, recentring_ = false;
 };
 

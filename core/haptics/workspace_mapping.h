@@ -6,9 +6,9 @@
 
 namespace burin {
 
-/// From the device frame to the setup frame: tip = origin + scale · (rotation · device position).
+/// Maps the device frame to the setup frame: tip = origin + scale · (rotation · device position).
 struct WorkspaceMapping {
-    glm::dvec3 origin{0.0}; ///< mm, setup frame: where the device's zero lies
+    glm::dvec3 origin{0.0}; ///< mm, setup frame: position of the device's zero
     glm::dquat rotation = glm::dquat(1.0, 0.0, 0.0, 0.0);
     double scale = 1.0; ///< mm of setup per mm of device, > 0
 
@@ -16,7 +16,7 @@ struct WorkspaceMapping {
     glm::dvec3 toDevice(const glm::dvec3& setup) const noexcept {
         return glm::conjugate(rotation) * (setup - origin) / scale;
     }
-    /// Directions and forces: turned, not scaled.
+    /// For directions and forces: rotated, not scaled.
     glm::dvec3 directionToSetup(const glm::dvec3& device) const noexcept { return rotation * device; }
     glm::dvec3 directionToDevice(const glm::dvec3& setup) const noexcept { return glm::conjugate(rotation) * setup; }
 };

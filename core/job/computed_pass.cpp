@@ -15,10 +15,10 @@ namespace burin {
 
 namespace {
 
-/// Room in the order of a path's sources for one that has no id yet: none of a project has this one.
+/// Placeholder in the order of a path's sources for a source without an id; no source of a project has this id.
 constexpr std::int64_t yetToCome = std::numeric_limits<std::int64_t>::min();
 
-/// Why a pass has nothing to do, in the words of a detail.
+/// Returns why a pass has nothing to do, worded as an error's detail.
 const char* whyEmpty(const PlannedPass& planned, const PassRequest& request) {
     if (planned.inTheWay > 0.0) return "fixtures or keep-out volumes are in the way: move them";
     if (planned.leftOut > 0.0) return "too much stock is in the way of the tool: rough it first, or use a longer tool";
@@ -61,7 +61,7 @@ Result<PassBasis> passBasis(const MillingContext& milling, std::vector<PathMatte
 Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling, const PassRequest& request,
                            double coarseness, Progress& progress) {
     const Tool tool = plannedTool(milling);
-    const double stated = milling.tool.maximumDepthOfCut; // what force bends and breaks is for feeds: a row is narrow
+    const double stated = milling.tool.maximumDepthOfCut; // bending and breaking limit feeds only: a row is narrow
     const std::vector<ObstacleSolid> obstacles = solidsOf(milling.surroundings());
     const PassGround ground{milling.part,
                             *basis.field,

@@ -22,48 +22,49 @@ struct ComputedPass {
     std::size_t unreachedHoles = 0;
 };
 
-/// What stands before a pass in the job. @param path that it becomes the last source of; without sources: a new one
-/// @param instead the pass of the path whose place it takes: what comes behind that does not count
+/// Returns the paths that are milled before a pass in the job. @param path whose last source the pass becomes; a path
+/// without sources is a new one
+/// @param instead the pass of the path that it replaces; sources behind that pass are ignored
 /// Errors: those of matterOf.
 Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, StoredPath path, const std::string& toolId,
                                                 const PassRequest& request,
                                                 std::optional<std::int64_t> instead = std::nullopt);
 
-/// What passes are planned on besides part and tool. Any number of threads may read one.
+/// The input for planning passes, in addition to part and tool. Any number of threads may read one.
 struct PassBasis {
-    StandingStock standing; ///< the stock as the paths before leave it
+    StandingStock standing; ///< the stock left by the preceding paths
     std::shared_ptr<const ClearanceField> field;
-    double allowance = 0.0; ///< mm, up to which the field is fine
+    double allowance = 0.0; ///< mm, up to which the field has full resolution
 };
-/// Any thread. @param milling with the pass's tool @param allowance mm, the most that a pass may leave on the part
+/// Thread-safe. @param milling with the pass's tool @param allowance mm, the largest that a pass may leave on the part
 /// Errors: those of clearanceField and lendStockBehind.
 Result<PassBasis> passBasis(const MillingContext& milling, std::vector<PathMatter> before, double allowance,
                             Progress& progress);
 
-/// Plans a pass. Any thread. @param milling with the pass's tool @param coarseness see PassGround
+/// Plans a pass. Thread-safe. @param milling with the pass's tool @param coarseness see PassGround
 /// Errors: those of planPass.
 Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling, const PassRequest& request,
                            double coarseness, Progress& progress);
 
-/// Computes a pass on the stock as the paths before it leave it. Any thread.
+/// Computes a pass on the stock left by the preceding paths. Thread-safe.
 /// @param milling with the pass's tool
-/// Errors: those of passBasis and planOn; pathEmpty (nothing is left to do, or all of it had to
-/// be left out).
+/// Errors: those of passBasis and planOn; pathEmpty (nothing is left to do, or all of it had to be left out).
 Result<ComputedPass> computePass(const MillingContext& milling, std::vector<PathMatter> before,
                                  const PassRequest& request, Progress& progress);
 
-/// A path with a pass as its last source, or as its first with the edits of computed paths.
+/// Returns the path with a pass added as its last source; a path without sources also gets the edits of computed paths.
 /// @param path with or without sources @param source id of the pass in the project
-/// @param instead the pass of the path whose place it takes
+/// @param instead the pass of the path that it replaces
 StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source,
                     std::optional<std::int64_t> instead = std::nullopt);
 
-/// The path's sources, takes and passes, with one of them at another position. Each is milled behind those before it; a
-/// pass keeps the moves that it was computed with until it is computed again.
-/// Errors: nameUnknown (no source of the path), argumentInvalid (place: the position, detail: those that there are).
+/// Returns the path's sources, takes and passes, with one of them moved to another position. Sources are milled in this
+/// order; a pass keeps its computed moves until it is computed again.
+/// Errors: nameUnknown (not a source of the path), argumentInvalid (place: the position, detail: the valid positions).
 Result<std::vector<PathSource>> movedSource(std::vector<PathSource> sources, PathSource moved, std::size_t position);
 
-/// The strokes of a take as lines that lead a pass: smoothed, so that a hand's tremor is in no row. mm, setup frame.
+/// Returns the strokes of a take as guide lines for a pass, smoothed so that no row contains the tremor of the hand.
+/// mm, setup frame.
 /// Errors: those of Project::take and evaluate; pathEmpty.
 Result<std::vector<PassLine>> linesOfTake(const Project& project, std::int64_t take, Progress& progress);
 

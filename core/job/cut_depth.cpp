@@ -10,17 +10,17 @@ namespace burin {
 
 namespace {
 
-/// How deep, of its diameter, a tool is taken through a material in rows nearly as wide as it is, by what cutting takes
-/// in energy: workshop rules of a full diameter and more in wax and board, half of one in aluminium, a quarter in
-/// steel. Estimates; a tool's own limit holds as well.
+/// Returns the usual depth of cut in a material, as a share of the tool diameter, for rows nearly as wide as the tool,
+/// derived from the specific cutting energy. Workshop rules: a full diameter and more in wax and board, half a diameter
+/// in aluminium, a quarter in steel. Estimates; a tool's own limit applies as well.
 double depthShare(const Property& material) {
     constexpr double soft = 0.2, light = 1.5; // J/mm³
     const double energy = material.valueOr(specificCuttingEnergy, light);
     return energy <= soft ? 2.0 : energy <= light ? 0.5 : 0.25;
 }
 
-/// mm that a tool may deflect by while stock is left on the part: longer tools that bend by more than a hundredth of
-/// their diameter are heard in the shop. Our estimate.
+/// Returns the allowed deflection of a tool while stock is left on the part, mm: long tools that bend by more than a
+/// hundredth of their diameter are audible in the shop. Our estimate.
 double roughingBending(const Tool& tool) {
     constexpr double share = 0.01, least = 0.02;
     return std::max(least, share * tool.cutter.diameter);

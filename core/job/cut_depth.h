@@ -7,14 +7,15 @@
 
 namespace burin {
 
-/// mm: the deepest cut of a width in the stock, as spindle and tool bear it and the tool itself states. @param width mm
+/// Returns the largest depth of cut for a width of cut in the stock, mm: limited by what spindle and tool withstand and
+/// by the tool's own maximum. @param width mm
 double deepestCut(const MillingContext& milling, double width);
 
-/// The tool as planners use it in the stock: its depth of cut is no more than workshops take through the material, in
-/// rows nearly as wide as the tool is, and than spindle and tool bear.
+/// Returns the tool as planners use it in the stock: its depth of cut is limited to workshop practice for the material,
+/// in rows nearly as wide as the tool, and to what spindle and tool withstand.
 Tool plannedTool(const MillingContext& milling);
 
-/// How high stock that can be milled stands. Nothing known where its runs are not along Z.
+/// Returns the height map of the machinable stock. Unknown if the runs are not parallel to Z.
 StandingStock seenFromAbove(const RunVolume& workpiece);
 
 } // namespace burin

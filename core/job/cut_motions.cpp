@@ -9,7 +9,8 @@ namespace burin {
 
 namespace {
 
-/// Where the hand's tick removed nothing, replaying must not either: braking, forces off, memory full.
+/// Whether the hand's tick removed material. If it did not, replaying must not either: braking, forces off, memory
+/// full.
 bool didCut(const Sample& sample) noexcept {
     return std::ranges::any_of(sample.removed, [](const RemovedMaterial& removed) { return removed.units > 0; });
 }
@@ -31,7 +32,7 @@ Result<void> CutFinder::find(std::span<const Sample> next, const Use& use) {
 }
 
 void CutMotions::add(const ToolPose& from, const ToolPose& to, std::uint64_t sample) {
-    constexpr std::size_t longest = 65536; // so that a run that grows copies little
+    constexpr std::size_t longest = 65536; // so that growing a run copies little
     const bool goesOn = !runs_.empty() && runs_.back().tips.size() <= longest && runs_.back().tips.back() == from.tip &&
                         runs_.back().axis == from.axis && runs_.back().axis == to.axis;
     if (!goesOn) runs_.push_back({from.axis, to.axis, count(), {from.tip}});

@@ -15,16 +15,16 @@
 
 namespace burin {
 
-/// Finds the motions of a recording that cut and were not taken back, while its samples are read in their order.
+/// Finds the motions of a recording that cut and were not undone, while its samples are read in order.
 class CutFinder {
 public:
-    /// @param undone of the take; outlives the finder
+    /// @param undone undone samples of the take; must outlive the finder
     explicit CutFinder(std::span<const SampleRange> undone) noexcept : undone_(undone) {}
 
-    /// @param sample of the take, that the motion ends with
+    /// @param sample the sample of the take that the motion ends with
     using Use = std::function<Result<void>(const ToolPose& from, const ToolPose& to, std::uint64_t sample)>;
-    /// Calls `use` with each motion that one of these samples ends; its first error ends the search.
-    /// @param next samples, behind those of the call before
+    /// Calls `use` with each motion that ends with one of these samples; its first error ends the search.
+    /// @param next the samples that follow those of the previous call
     Result<void> find(std::span<const Sample> next, const Use& use);
 
 private:
@@ -33,43 +33,42 @@ private:
     std::optional<ToolPose> before_;
 };
 
-/// Motions that cut, in their order, to the bit, and which samples they end with: 28 bytes each where the axis is
-/// fixed, against 336 of a sample, so that hours of milling can be handed to the thread that cuts them again.
+/// Motions that cut, in order and bitwise exact, and the samples that they end with. A motion takes 28 bytes if the
+/// axis is fixed, against 336 of a sample, so that hours of milling can be passed to the thread that cuts them again.
 class CutMotions {
 public:
-    /// Adds a motion behind the others. @param sample no smaller than that of the motion before, below 2^32 (49 days of
-    /// a take)
+    /// Appends a motion. @param sample not smaller than that of the previous motion, below 2^32 (49 days of a take)
     void add(const ToolPose& from, const ToolPose& to, std::uint64_t sample);
     std::uint64_t count() const noexcept { return samples_.size(); }
-    /// Calls `use` with each of them. Errors: its first one.
+    /// Calls `use` with each motion. Errors: the first one of `use`.
     Result<void> visit(const CutFinder::Use& use) const { return visit(0, count(), use); }
-    /// The same with those from `first` on and before `end`, counted from 0.
+    /// Calls `use` with the motions in [first, end), counted from 0. Errors: the first one of `use`.
     Result<void> visit(std::uint64_t first, std::uint64_t end, const CutFinder::Use& use) const;
-    /// How many of them end with one of the first `samples` of the take.
+    /// Returns the number of motions that end with one of the first `samples` samples of the take.
     std::uint64_t countWithin(std::uint64_t samples) const noexcept;
-    /// The sample that a motion ends with. @param motion below `count`
+    /// Returns the sample that a motion ends with. @param motion below `count`
     std::uint64_t sampleOf(std::uint64_t motion) const noexcept { return samples_[motion]; }
 
 private:
-    /// Motions behind each other with one axis; its tips one more than motions.
+    /// Consecutive motions with the same axis; has one more tip than motions.
     struct Run {
-        glm::dvec3 firstAxis, axis; ///< of its first pose, and of all others
-        std::uint64_t before = 0;   ///< motions of the runs before it
+        glm::dvec3 firstAxis, axis; ///< of the first pose, and of all other poses
+        std::uint64_t before = 0;   ///< motions of the preceding runs
         std::vector<glm::dvec3> tips;
     };
     std::vector<Run> runs_;
     std::vector<std::uint32_t> samples_; ///< by motion
 };
 
-/// Cuts a recording again, as the hand's ticks cut, so that the result is theirs to the last unit.
+/// Cuts a recording again in the same ticks as the hand, so that the result is identical to the last unit.
 class CutReplay {
 public:
-    /// @param workpiece outlives the replay
+    /// @param workpiece must outlive the replay
     CutReplay(const Tool& tool, RunVolume& workpiece);
 
     /// Errors: volumeOutOfMemory.
     Result<void> cut(const ToolPose& from, const ToolPose& to);
-    /// All cuts are in the workpiece. Errors: volumeOutOfMemory.
+    /// Completes the replay: afterwards all cuts are in the workpiece. Errors: volumeOutOfMemory.
     Result<void> finish();
 
 private:

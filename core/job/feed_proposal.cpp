@@ -13,10 +13,10 @@
 namespace burin {
 namespace {
 
-constexpr double mostOfTable = 2.0;    // a thin chip is not made up for by more than this
-constexpr double plungeArc = pi + 0.5; // rad: more than a slot, by what Engagement::arc may be off
+constexpr double mostOfTable = 2.0;    // a thin chip is compensated by at most this factor
+constexpr double plungeArc = pi + 0.5; // rad: that of a slot plus the error of Engagement::arc
 
-/// The cut in one of its materials, at any feed.
+/// The cut in one of its materials, for any feed.
 class CutInMaterial {
 public:
     CutInMaterial(const SmoothedCut& cut, const Tool& tool, const CuttingConditions& conditions, PropertyIndex material,
@@ -26,20 +26,20 @@ public:
         cut_.reported = cut.area * length;
         cut_.engagement = {cut.arc, cut.depth, cut.surface};
     }
-    /// N, tangential, in the mean over a turn. @param feed mm/min, > 0
+    /// Returns the mean tangential force over a revolution, N. @param feed mm/min, > 0
     double force(double feed) const noexcept {
         const ToolPose from{{0.0, 0.0, 0.0}}, to{{length, 0.0, 0.0}};
         return cuttingForce(cut_, coefficients_, tool_, from, to, length / (feed / secondsPerMinute)).tangential;
     }
 
 private:
-    static constexpr double length = 1.0; // mm, of way
+    static constexpr double length = 1.0; // mm, of tool motion
     CutResult cut_;
     const CuttingCoefficients& coefficients_;
     SpinningTool tool_;
 };
 
-/// The greatest feed of [0, feed] under which the force is below the limit, as force rises with feed.
+/// Returns the largest feed in [0, feed] at which the force stays below the limit; the force increases with the feed.
 double bearableFeed(const CutInMaterial& cut, double feed, double limit) {
     if (!(limit > 0.0) || cut.force(feed) <= limit) return feed;
     double low = 0.0, high = feed;
@@ -80,7 +80,7 @@ FeedProposal feedIn(PropertyIndex material, const SmoothedCut& cut, const Tool& 
 std::optional<FeedProposal> proposeFeed(const SmoothedCut& cut, const Tool& tool, const MachineProfile& machine,
                                         const PropertyList& properties) {
     if (!cut.cuts()) return std::nullopt;
-    // The spindle has one speed for all of them, and chips go by it.
+    // The spindle has one speed for all materials, and the chips depend on it.
     double spindleSpeed = machine.maximumSpindleSpeed;
     for (const PropertyIndex material : cut.materials) {
         if (material == airProperty) break;

@@ -13,30 +13,31 @@
 
 namespace burin {
 
-/// What keeps a proposed feed from being higher.
+/// The limit that determines a proposed feed.
 enum class FeedBound : std::uint8_t {
-    chip,    ///< the chip that the material's tables give
+    chip,    ///< the chip load of the material's tables
     plunge,  ///< the tool plunges
-    thinned, ///< the chip is thin, and more than twice the tables' feed is not proposed
-    load,    ///< what tool and spindle bear
-    limit,   ///< the greatest chip of the tool, or the machine's feed
+    thinned, ///< the chip is thin, and at most twice the tables' feed is proposed
+    load,    ///< what tool and spindle withstand
+    limit,   ///< the largest chip load of the tool, or the machine's feed
 };
 
-/// A feed for a cut, by the tables of the materials that it goes through.
+/// A feed for a cut, based on the tables of the materials that are cut.
 struct FeedProposal {
     double feed = 0.0;                    ///< mm/min
-    double spindleSpeed = 0.0;            ///< 1/min: the least that a material of the cut asks for
-    PropertyIndex material = airProperty; ///< that asks for the lowest feed
+    double spindleSpeed = 0.0;            ///< 1/min: the lowest for the materials of the cut
+    PropertyIndex material = airProperty; ///< the one that requires the lowest feed
     FeedBound bound = FeedBound::chip;
 };
 
-/// The feed at which the mean chip is what it is in a slot at the tables' feed: in a shallow cut across, where chips
-/// are thin, more than in a slot, up to twice; not more than tool and spindle bear (forceLimit, with the force in the
-/// mean over a turn), than the tool's greatest chip and the machine's feed. A plunge gets the plunge feed. Of several
-/// materials the most careful counts. Where limits are not stated they don't count. The engaged surface comes out up to
-/// 0.5 rad short (Engagement), so that chips count as thicker than they are and the feed is rather too low.
+/// Returns the feed at which the mean chip is as thick as in a slot at the tables' feed: with a small radial depth of
+/// cut, where chips are thin, up to twice the feed in a slot. The feed is limited by what tool and spindle withstand
+/// (forceLimit, with the mean force over a revolution), by the tool's largest chip load and by the machine's feed. A
+/// plunge gets the plunge feed. With several materials, the lowest feed counts. Limits that are not stated are ignored.
+/// The engaged surface is underestimated by up to 0.5 rad (Engagement), so that chips are taken as thicker than they
+/// are and the feed tends to be too low.
 /// @param properties of the workpiece
-/// Nothing: nothing is cut, or a material lacks values for the tool.
+/// @return empty if nothing is cut, or a material lacks values for the tool
 std::optional<FeedProposal> proposeFeed(const SmoothedCut& cut, const Tool& tool, const MachineProfile& machine,
                                         const PropertyList& properties);
 

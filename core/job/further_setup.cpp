@@ -11,7 +11,8 @@ namespace burin {
 
 namespace {
 
-/// The same margins around the part as it lies now: what was stated, lay around it as it lay before.
+/// Returns the setup with a new stock that has the same margins around the part in its present placement: a stated
+/// stock belonged to the previous placement.
 Setup withNewStock(Setup setup) {
     if (setup.form == StockForm::file || setup.stated) setup.form = StockForm::box;
     setup.stated = false;
@@ -37,7 +38,7 @@ Result<SetupId> storeFurtherSetup(Project& project, const std::string& name, con
     const Result<void> stored =
         inOrder([&] { return project.setSetup(setup, *id); }, [&] { return project.setProgramTarget(target, *id); });
     if (stored) return id;
-    static_cast<void>(project.removeSetup(*id)); // the row alone may have found room on a full disk
+    static_cast<void>(project.removeSetup(*id)); // on a full disk, possibly only its row was written
     return stored.error();
 }
 

@@ -38,7 +38,7 @@ std::vector<std::size_t> placesOf(const std::vector<ToolPass>& passes) {
     return order;
 }
 
-/// As their tools first milled: what orderPasses leaves as it was given.
+/// Returns the paths in the order in which their tools first milled: orderPasses keeps this order for ties.
 std::vector<StoredPath> byFirstTake(std::vector<StoredPath> paths, const std::vector<SourceInfo>& sources,
                                     const std::vector<std::string>& milled) {
     std::ranges::stable_sort(paths, {}, [&](const StoredPath& path) {
@@ -47,7 +47,7 @@ std::vector<StoredPath> byFirstTake(std::vector<StoredPath> paths, const std::ve
     return paths;
 }
 
-/// Places of paths in the order in which they are milled.
+/// Returns the indices of paths in milling order.
 std::vector<std::size_t> milledOrder(const std::vector<PathMatter>& matters) {
     std::vector<ToolPass> passes;
     for (const PathMatter& matter : matters) {
@@ -62,7 +62,7 @@ bool comesAfter(const EvaluatedPath& path, const std::vector<MilledPath>& before
     return std::ranges::equal(path.after, before, {}, {}, &MilledPath::evaluated);
 }
 
-/// Paths in a given order, each on the stock as those before it leave it.
+/// Evaluates paths in a given order, each on the stock left by the preceding ones.
 Result<std::vector<MilledPath>> evaluateEach(const MillingContext& milling, std::vector<PathMatter> matters,
                                              const std::vector<std::size_t>& order, Progress& progress) {
     std::vector<MilledPath> milled;
@@ -82,7 +82,7 @@ Result<std::vector<MilledPath>> evaluateEach(const MillingContext& milling, std:
     return milled;
 }
 
-/// Takes, and behind them what planners made.
+/// Returns the takes, followed by the generated passes.
 Result<std::vector<SourceInfo>> withGenerated(const Project& project, const Result<std::vector<TakeInfo>>& takes) {
     if (!takes) return takes.error();
     const Result<std::vector<GeneratedInfo>> generated = project.generated();
@@ -126,7 +126,7 @@ std::vector<StoredPath> inMillingOrder(const std::vector<StoredPath>& paths, con
     const std::vector<StoredPath> given = byFirstTake(paths, sources, milled);
     std::vector<ToolPass> passes;
     for (StoredPath path : given) {
-        addNewerTakes(path, sources); // it is milled with these
+        addNewerTakes(path, sources); // they are milled as well
         const std::string id = toolOf(path, sources);
         const auto known = std::ranges::find(tools, id, &Tool::id);
         Tool unknown;
@@ -139,7 +139,7 @@ std::vector<StoredPath> inMillingOrder(const std::vector<StoredPath>& paths, con
 }
 
 ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<SourceInfo>& sources) {
-    double allowance = std::numeric_limits<double>::infinity(); // what the path leaves in the end
+    double allowance = std::numeric_limits<double>::infinity(); // left by the complete path
     for (const SourceInfo& each : sources)
         if (std::ranges::find(path.sources, each.source) != path.sources.end())
             allowance = std::min(allowance, each.allowance);
@@ -218,7 +218,7 @@ Result<std::vector<StoredPath>> jobPaths(Project& project) {
             paths.push_back(*first);
             continue;
         }
-        if (!recorded(tool)) continue; // moves that no path is made of
+        if (!recorded(tool)) continue; // generated moves that belong to no path
         Result<StoredPath> made = standardPath(project, tool);
         if (!made) return std::move(made).error();
         const Result<std::int64_t> id = project.addPath(*made);
@@ -258,13 +258,13 @@ Result<EvaluatedPaths> evaluateInOrder(const MillingContext& milling, std::vecto
 
 namespace {
 
-/// What the job mills, with one path in the stead of its tool's own.
+/// The paths of the job, with one path replacing the one of its tool.
 struct JobMatters {
-    std::vector<PathMatter> matters; ///< by when their tools first milled
-    std::size_t itself = 0;          ///< where that path is among them
+    std::vector<PathMatter> matters; ///< in the order in which their tools first milled
+    std::size_t itself = 0;          ///< index of that path
 };
 
-/// @param path maybe without sources, then it has no strokes @param tool its tool, by id
+/// @param path if it has no sources, it has no strokes @param tool id of its tool
 Result<PathMatter> matterOfOwn(const Project& project, const StoredPath& path, const std::string& tool) {
     if (!path.sources.empty()) return matterOf(project, path);
     const Result<Tool> known = toolFor(project, tool);
@@ -317,7 +317,7 @@ Result<std::vector<PathMatter>> pathsBefore(const Project& project, const Stored
     Result<JobMatters> job = mattersOfJob(project, path, next.toolId);
     if (!job) return std::move(job).error();
     PathMatter& own = job->matters[job->itself];
-    own.sources.push_back({next, {}}); // it counts for the order
+    own.sources.push_back({next, {}}); // it affects the order
     const std::vector<std::size_t> order = milledOrder(job->matters);
     own.sources.pop_back();
     std::vector<PathMatter> before;

@@ -20,10 +20,10 @@ namespace {
 
 using nlohmann::json;
 
-/// To be counted up with every change that lets parser, lint or check judge a program otherwise than before.
+/// Increment with every change that alters the verdict of parser, lint or check on a program.
 constexpr int rulesOfJudgement = 2;
 
-/// What is compared as one: each part with its length, so that none runs into the next.
+/// Combines data for one checksum: each part is preceded by its length, so that parts cannot run into each other.
 class Parts {
 public:
     void add(std::string_view part) { all_ += std::to_string(part.size()) + ' ' + std::string(part); }
@@ -33,7 +33,7 @@ private:
     std::string all_;
 };
 
-/// Those of the library that the project has no copy of.
+/// Adds the library materials that the project has no copy of.
 Result<void> addMaterials(const Project& project, Parts& parts) {
     const Result<Setup> setup = project.setup();
     if (!setup) return setup.error();
@@ -63,7 +63,7 @@ Result<void> addTools(const Project& project, Parts& parts) {
     return {};
 }
 
-/// Nothing where a tool is not here any more.
+/// Empty if a tool no longer exists.
 std::optional<std::vector<Tool>> toolsFor(const Project& project, const std::vector<std::string>& ids) {
     std::vector<Tool> tools;
     for (const std::string& id : ids) {
@@ -75,7 +75,7 @@ std::optional<std::vector<Tool>> toolsFor(const Project& project, const std::vec
     return tools;
 }
 
-/// Nothing where it can't be read any more.
+/// Null if it can no longer be read.
 std::shared_ptr<const CheckedProgram> programOf(const Project& project, const KeptProgram& kept) {
     const Control& control = controlOfDialect(kept.dialect);
     Result<ParsedProgram> parsed = parseProgram(kept.text, "program", control);
@@ -121,7 +121,7 @@ std::optional<KeptProgram> keptProgramFromJson(std::string_view text) try {
     record.at("dialect").get_to(program.dialect);
     record.at("machine").get_to(program.machine);
     record.at("gouge_tolerance_mm").get_to(program.gougeTolerance);
-    program.excessTolerance = record.value("excess_tolerance_mm", program.excessTolerance); // older ones lack it
+    program.excessTolerance = record.value("excess_tolerance_mm", program.excessTolerance); // missing in older files
     record.at("overridden").get_to(program.overridden);
     record.at("by_hand").get_to(program.byHand);
     record.at("tools").get_to(program.tools);

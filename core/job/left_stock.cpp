@@ -19,11 +19,11 @@ namespace burin {
 
 namespace {
 
-/// Uses a project in another setup for a while.
+/// Switches a project to another setup for the lifetime of the object.
 class UsedElsewhere {
 public:
     explicit UsedElsewhere(Project& project) noexcept : project_(project), before_(project.usedSetup()) {}
-    ~UsedElsewhere() { static_cast<void>(project_.useSetup(before_)); } // it was in use, so it is there
+    ~UsedElsewhere() { static_cast<void>(project_.useSetup(before_)); } // it was in use, so it exists
     UsedElsewhere(const UsedElsewhere&) = delete;
     UsedElsewhere& operator=(const UsedElsewhere&) = delete;
 
@@ -32,7 +32,7 @@ private:
     SetupId before_;
 };
 
-/// Of all that is no air: exact along the runs, to the scanline across them.
+/// Returns the box around all material: exact along the runs, to the scanline across them.
 Box materialBox(const VolumeSnapshot& volume) {
     const Grid& grid = volume.grid();
     Box box;
@@ -58,7 +58,8 @@ Box materialBox(const VolumeSnapshot& volume) {
     return box;
 }
 
-/// Where the material reaches a face of the stock that it was, the face is known better than the scanlines tell.
+/// Replaces the sides of the material's box that reach a face of the original stock by that face, whose position is
+/// known more exactly than the scanlines show.
 Box withKnownFaces(Box material, const Box& stock, double voxel) {
     for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(material.low[axis] - stock.low[axis]) <= voxel) material.low[axis] = stock.low[axis];
@@ -72,7 +73,7 @@ Result<Property> materialOf(const MillingContext& milling, const std::string& id
     return known != milling.materials.end() ? Result<Property>(*known) : loadMaterial(id);
 }
 
-/// What a workpiece's entries are once nothing of it is protected any more: a part is of its raw material.
+/// The materials of a workpiece's entries when nothing is protected any more: a part becomes its raw material.
 struct RawMaterials {
     PropertyList list;
     std::array<PropertyIndex, 256> of{};
@@ -115,7 +116,7 @@ struct Moved {
     double greatestDisplacement = 0.0;
 };
 
-/// @param stock the box that the material lies in, frame of the volume
+/// @param stock the box that contains the material, in the frame of the volume
 Result<Moved> movedStock(const VolumeSnapshot& volume, const Box& stock, const Placement& by, const std::string& name,
                          Progress& progress) {
     const Box material = withKnownFaces(materialBox(volume), stock, volume.grid().edge());
@@ -131,7 +132,7 @@ Result<Moved> movedStock(const VolumeSnapshot& volume, const Box& stock, const P
 Result<VolumeSnapshot> afterRecordings(MillingContext& milling, const Project& project, Progress& progress) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
-    // Computed passes have cut nothing until their program has been checked.
+    // Computed passes cut nothing before their program has been checked.
     if (takes->empty())
         return Error{ErrorCode::projectIncomplete, "checked program", "burin post", project.file().string()};
     if (Result<void> cut = replayTakes(project, milling, progress); !cut) return std::move(cut).error();
@@ -172,7 +173,7 @@ Result<VolumeSnapshot> leftByProgram(const MillingContext& milling, const Checke
     if (!program.machined.empty()) return program.machined;
     ProgramRequest request;
     request.dialect = program.dialect;
-    request.exactSamples = 0; // the verdict stands already
+    request.exactSamples = 0; // the verdict is known already
     request.tools = program.tools;
     request.anyNumber = program.tools.size() == 1;
     Result<CheckedProgram> checked = checkProgram(milling, program.text, "program", request, progress);
@@ -210,7 +211,7 @@ Setup withStock(Setup setup, const LeftStock& stock) {
     setup.volume = stock.volume;
     setup.stock = stock.box;
     setup.leftBy = stock.by;
-    setup.regions.clear(); // the volume has them
+    setup.regions.clear(); // contained in the volume
     return setup;
 }
 

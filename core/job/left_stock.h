@@ -10,37 +10,38 @@
 
 namespace burin {
 
-/// The workpiece as one setup leaves it, the stock of another.
+/// The workpiece as left by one setup, used as the stock of another.
 struct LeftStock {
     StockVolume::Shared volume; ///< in the other setup's frame
-    Box box;                    ///< mm, that frame: around the material
+    Box box;                    ///< mm, same frame: around the material
     LeftBy by;
-    bool byProgram = false; ///< as the setup's checked program leaves it; else as its recordings do
-    /// mm by which its faces may lie beside the moved ones (MovedVolume::greatestDisplacement).
+    bool byProgram = false; ///< left by the setup's checked program; otherwise by its recordings
+    /// Largest distance between its faces and the exactly moved ones, mm (MovedVolume::greatestDisplacement).
     double greatestDisplacement = 0.0;
 };
 
-/// A workpiece as it stands, as it lies where the part's placement is another. Any thread; some tenths of a second.
-/// @param milling that `left` is the workpiece of @param by the setup that leaves it @param name for people
+/// Returns a workpiece in its present state, moved to another placement of the part. Thread-safe; takes some tenths of
+/// a second.
+/// @param milling the context of the workpiece `left` @param by the setup that leaves it @param name for display
 /// Errors: nameUnknown, resourceInvalid (a material), those of moved and StockVolume::of.
 Result<LeftStock> leftStock(const MillingContext& milling, const VolumeSnapshot& left, const LeftBy& by,
                             const Placement& to, const std::string& name, Progress& progress);
 
-/// The workpiece as a program that was checked leaves it. Errors: those of checkProgram.
+/// Returns the workpiece as left by a checked program. Errors: those of checkProgram.
 Result<VolumeSnapshot> leftByProgram(const MillingContext& milling, const CheckedProgram& program, Progress& progress);
 
-/// What stands of the stock behind a setup's checked program, as long as that holds, or else behind its recordings, as
-/// it lies where a part's placement is another. Any thread; seconds. The project is used in its present setup again
-/// afterwards. What lay on a face of a box stays on it exactly, across the runs as well, where the placement is along
-/// axes.
+/// Returns the stock left by a setup's checked program, if its verdict holds, or otherwise by its recordings, moved to
+/// another placement of the part. Any thread; takes seconds. The project's setup in use is the same afterwards. If the
+/// placement is along the axes, faces that lay on a face of a box stay exactly on it, also across the runs.
 /// Errors: nameUnknown, projectIncomplete (nothing was milled there), those of makeMillingContext, replayTakes,
 /// checkProgram, moved and StockVolume::of.
 Result<LeftStock> leftStock(Project& project, SetupId setup, const Placement& to, Progress& progress);
 
-/// A setup with that stock. What it says of form and margins goes.
+/// Returns a setup with that stock, which replaces its form and margins.
 Setup withStock(Setup setup, const LeftStock& stock);
 
-/// A part turned or moved further, and a stock that another setup left with it; any other stock stays where it is.
+/// Returns a setup whose part is turned or moved further, together with a stock left by another setup; any other stock
+/// stays where it is.
 /// Errors: those of moved and StockVolume::of.
 Result<Setup> placedFurther(Setup setup, const Placement& by, Progress& progress);
 

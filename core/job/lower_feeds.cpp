@@ -8,10 +8,10 @@ namespace burin {
 
 namespace {
 
-/// Of what is borne: a program's numbers are rounded, up as well.
+/// Share of the limit: a program's numbers are rounded, also upwards.
 constexpr double written = 0.99;
 
-/// By number among the points of all paths.
+/// A point of the concatenated paths.
 struct PointOf {
     PathPoint* point = nullptr;
     double leastFeed = 0.0; ///< mm/min, of its path

@@ -6,12 +6,12 @@
 
 namespace burin {
 
-/// All points of some paths, in their order, as one; for what goes by the points alone.
+/// Returns one path with the points of all given paths, in order; for functions that only use the points.
 Path wholeOf(const std::vector<Path>& paths);
 
-/// Feeds come down to what the check of a program of these paths found that spindle and tool bear, no lower than each
-/// path lets them (Path::leastFeed) and where it does. A move that was split comes down as a whole.
-/// @param kinematics of the machine with the program's zero. @return moves whose feed is lower than before
+/// Lowers feeds to the limits of spindle and tool that the check of a program of these paths found, if the path allows
+/// it (Path::leastFeed), and not below that feed. The feed of a split move is lowered for the entire move.
+/// @param kinematics of the machine with the program's zero. @return number of moves whose feed was lowered
 std::size_t lowerFeeds(std::vector<Path>& paths, const ParsedProgram& program, const std::vector<FeedLimit>& limits,
                        const Kinematics& kinematics);
 

@@ -10,19 +10,20 @@ namespace burin {
 
 namespace {
 
-/// Shares of the work: making the stock, cutting the paths before, and what it is lent for.
+/// Progress values at the end of making the stock and of cutting the paths before; the rest is for the use of the
+/// stock.
 constexpr double madeShare = 0.3, cutShare = 0.6;
 
 } // namespace
 
 Result<void> MilledStock::lend(std::span<const MilledPath> paths, const StockUse& use, Progress& progress) {
     std::unique_lock mine(owner_, std::defer_lock);
-    // Whoever has it may take seconds, and the request to stop must be heard meanwhile.
+    // The present holder can take seconds, during which a cancellation must be noticed.
     while (!mine.try_lock_for(std::chrono::milliseconds(5)))
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "stock", "", ""};
     Result<void> done = lendKept(paths, use, progress);
     if (done || done.error().code != ErrorCode::volumeOutOfMemory) return done;
-    // What is kept of earlier states holds memory back that the paths may need.
+    // The kept states occupy memory that the paths may need.
     states_.clear();
     untouched_ = {};
     stock_.reset();
@@ -39,7 +40,7 @@ Result<void> MilledStock::lendKept(std::span<const MilledPath> paths, const Stoc
     }
     std::size_t known = 0;
     while (known < states_.size() && known < paths.size() && states_[known].after == paths[known].evaluated) ++known;
-    if (known < paths.size()) states_.resize(known); // those of other paths are of no use any more
+    if (known < paths.size()) states_.resize(known); // those of other paths are obsolete
     stock_->restore(known == 0 ? untouched_ : states_[known - 1].stock);
     for (std::size_t i = known; i < paths.size(); ++i) {
         const double share = (cutShare - madeShare) / static_cast<double>(paths.size());

@@ -15,32 +15,32 @@
 
 namespace burin {
 
-/// A path that is evaluated, and the tool that mills it.
+/// An evaluated path, and the tool that mills it.
 struct MilledPath {
     std::shared_ptr<const EvaluatedPath> evaluated; ///< never null
     Tool tool;
 };
 
-/// The stock as paths leave it, one after the other. It is made when somebody asks for it first; what it looks like
-/// after each of the paths asked for last is kept, so that a change of a later one cuts no earlier one again.
+/// The stock as left by paths that are milled one after the other. It is made on the first request. Its states after
+/// each path of the latest request are kept, so that a change of one path does not cut the earlier ones again.
 /// Thread-safe. Blocks while another caller holds the result.
 class MilledStock {
 public:
-    /// @param make the stock before all paths
+    /// @param make makes the stock before all paths
     explicit MilledStock(std::function<Result<RunVolume>(Progress&)> make) : make_(std::move(make)) {}
     MilledStock(const MilledStock&) = delete;
     MilledStock& operator=(const MilledStock&) = delete;
 
-    /// Lends the stock as `paths`, in this order, leave it; what `use` cuts of it is forgotten. `use` is called again,
-    /// with a stock made anew, where the memory of the one that is kept does not suffice.
-    /// Errors: those of `make`, volumeOutOfMemory, cancelled, what `use` gives.
+    /// Lends the stock as left by `paths` in this order; what `use` cuts from it is discarded. If the memory of the
+    /// kept stock does not suffice, `use` is called again with a newly made stock.
+    /// Errors: those of `make`, volumeOutOfMemory, cancelled, those of `use`.
     Result<void> lend(std::span<const MilledPath> paths, const StockUse& use, Progress& progress);
 
-    /// The stock before all paths, as a volume of its own: made anew. Waits for nobody. Errors: those of `make`.
+    /// Returns the stock before all paths as a newly made, separate volume. Does not block. Errors: those of `make`.
     Result<RunVolume> makeStock(Progress& progress) const { return make_(progress); }
 
 private:
-    /// After the path of the same place; with all those before it.
+    /// The stock after the path with the same index and all preceding ones.
     struct State {
         std::shared_ptr<const EvaluatedPath> after;
         VolumeSnapshot stock;

@@ -17,14 +17,14 @@ namespace burin {
 
 namespace {
 
-/// The tip may be led this far above the stock's top and beyond its sides.
+/// How far the tip can be moved above the stock's top and beyond its sides.
 constexpr double travelMargin = 10.0; // mm
-/// A part's surface is pressed on, but the hand needs way below it.
+/// Room below a part's surface, which the hand needs to press on it.
 constexpr double pressMargin = 5.0; // mm
-/// Between two looks at whether a session has ended.
+/// Interval for checking whether a session has ended.
 constexpr std::chrono::milliseconds glance{5};
 
-/// What the samples of a take add up to.
+/// Accumulates the samples of a take.
 class TakeFigures {
 public:
     explicit TakeFigures(std::span<const SampleRange> undone) noexcept : undone_(undone) {}
@@ -55,7 +55,7 @@ private:
     std::uint64_t units_ = 0, index_ = 0;
 };
 
-/// Figures of a take out of the project: what is on the disk, not what was meant to be.
+/// Returns the values of a take from the project: from what is on the disk, not from what should have been written.
 Result<TakeOutcome> outcomeOf(const Project& project, const MillingContext& milling, std::int64_t id) {
     const Result<TakeOutline> take = project.takeOutline(id);
     if (!take) return take.error();
@@ -70,13 +70,13 @@ Result<TakeOutcome> outcomeOf(const Project& project, const MillingContext& mill
     return outcome;
 }
 
-/// Grooves a hand would scribble into a block: a frame, then waves across it, at half the cutter's depth.
+/// Returns grooves as scribbled by a hand into a block: a frame, then waves across it, at half the cutter's depth.
 std::vector<IntentPoint> freeHandGrooves(const MillingContext& milling) {
     const Box& stock = milling.setup.stock;
     const double radius = milling.tool.cutter.radius();
     const double depth = stock.high.z - radius, above = stock.high.z + std::max(1.0, radius);
     const HandSpeeds speeds;
-    const double cutting = std::min(speeds.cutting, 20.0 * radius); // as long a look at a small block as at a large one
+    const double cutting = std::min(speeds.cutting, 20.0 * radius); // takes as long on a small block as on a large one
     const glm::dvec3 centre = stock.centre(), half = 0.5 * stock.size() - glm::dvec3(2.0 * radius);
     std::vector<IntentPoint> points;
     const auto at = [&](double x, double y, double z, double speed) {
@@ -96,9 +96,9 @@ std::vector<IntentPoint> freeHandGrooves(const MillingContext& milling) {
     return points;
 }
 
-/// What earlier takes have left of the stock, seen from above; nothing where it is complete.
+/// Returns the height map of the stock left by earlier takes; empty if the stock is complete.
 StandingStock standingStock(const MillingContext& milling) {
-    constexpr double untouched = 1e-6; // of its volume
+    constexpr double untouched = 1e-6; // share of its volume
     if (milling.workpieceVolume() > (1.0 - untouched) * milling.embedded.stockVolume) return {};
     return seenFromAbove(milling.embedded.workpiece);
 }
@@ -122,7 +122,7 @@ Result<MillingPlan> planFor(const MillingContext& milling, const PlanningFrame& 
     wanted.finishing.press = request.press;
     wanted.finishing.stepOver = request.finishingStepOver;
     const Tool tool = plannedTool(milling);
-    constexpr double allowances = 2.0; // what the levels leave stands out further than the allowance
+    constexpr double allowances = 2.0; // what the levels leave protrudes further than the allowance
     wanted.finishing.deepest =
         deepestCut(milling, std::max(allowances * request.allowance, 0.1 * tool.cutter.diameter));
     wanted.finishing.deepestBelow = tool.maximumDepthOfCut;
@@ -132,7 +132,7 @@ Result<MillingPlan> planFor(const MillingContext& milling, const PlanningFrame& 
     return planMilling(frame.field(), tool, wanted);
 }
 
-/// Where a hand without a plan moves: from a little above the stock down to its middle.
+/// Returns the region in which a hand without a plan moves: from a little above the stock down to its middle.
 Box freeRegion(const MillingContext& milling) {
     Box region = milling.setup.stock;
     region.high.z += travelHeight;
@@ -150,14 +150,14 @@ std::vector<IntentPoint> inSetupFrame(const PlanningFrame& frame, std::vector<In
     return points;
 }
 
-/// Where a tip may be led around a stock, mm.
+/// Returns the region around a stock in which the tip can be moved, mm.
 Box ledRegion(const Box& stock, const Tool& tool) {
     Box region = stock.grown(tool.cutter.diameter + travelMargin);
     region.low.z = stock.low.z - pressMargin;
     return region;
 }
 
-/// What the operator means to do, and in which takes.
+/// Adds the operator's intents, divided into takes.
 Result<void> addStages(const MillingContext& milling, const PlanningFrame& frame, const OperatorRequest& request,
                        OperatorPlan& planned) {
     const bool freeHand = milling.partModel->bodies.empty();
@@ -216,7 +216,7 @@ Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const 
     session.allowance = request.allowance;
     session.mapping = request.mapping;
     session.pace = request.pace;
-    session.undoable = false; // nobody is there who could
+    session.undoable = false; // nobody could undo anything
     session.takeName = request.name;
     session.maximumSeconds = request.maximumSeconds;
     session.period = request.period;
@@ -296,7 +296,7 @@ Result<OperatorOutcome> millWithOperator(Project& project, MillingContext& milli
         take.pace = request.pace;
         take.saves = request.saves;
         if (request.timeLimit > 0.0) take.maximumSeconds = request.timeLimit;
-        if (request.intent == OperatorIntent::hostile) take.maximumSeconds = freeSeconds(request); // it never ends
+        if (request.intent == OperatorIntent::hostile) take.maximumSeconds = freeSeconds(request); // it has no end
         Result<TakeOutcome> recorded = recordTake(project, milling, bounds, stylus, take, stop);
         if (!recorded) return std::move(recorded).error();
         outcome.takes.push_back(*recorded);

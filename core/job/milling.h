@@ -23,67 +23,67 @@
 
 namespace burin {
 
-/// One recording to make.
+/// A request for one recording.
 struct TakeRequest {
     std::string name;
     double allowance = 0.0; ///< mm of stock that the boundary leaves on the part
     WorkspaceMapping mapping;
     Pace pace = Pace::fast;
-    double maximumSeconds = 1e9; ///< s of the session
-    double period = 0.0;         ///< s of a tick; 0: as SessionRequest says
-    bool cutsOnButton = false;   ///< the spindle turns only while the stylus' first button is down
+    double maximumSeconds = 1e9; ///< of the session, s
+    double period = 0.0;         ///< of a tick, s; 0: as in SessionRequest
+    bool cutsOnButton = false;   ///< the spindle turns only while the stylus' first button is pressed
     FeltCutting felt;
     std::uint32_t forceButtons = 0;                   ///< as in SessionRequest
     std::optional<GuideSettings> guides;              ///< as in SessionRequest
     std::filesystem::path trace, flights;             ///< as in SessionRequest
     std::optional<StagedFile>* traceOutput = nullptr; ///< as in SessionRequest
-    bool saves = true;                                ///< the project at the end; else the caller does
+    bool saves = true;                                ///< saves the project at the end; otherwise the caller does
     const SessionTrace* replayed = nullptr;           ///< as in SessionRequest
-    std::function<void(const Error&)> heardFault; ///< in the calling thread: a fault after which the session goes on
+    std::function<void(const Error&)> heardFault; ///< on the calling thread: a fault after which the session continues
 };
 
-/// What a recording came to, read back from the project.
+/// The result of a recording, read back from the project.
 struct TakeOutcome {
     std::int64_t take = 0;
     std::uint64_t samples = 0;
     LoopStatistics loop;
-    double removed = 0.0;            ///< mm³, sum over the recorded samples
-    double drop = 0.0;               ///< mm³ that the workpiece's machinable runs lost meanwhile
-    std::uint64_t shankTicks = 0;    ///< ticks in which shank or holder touched something
-    std::uint64_t obstacleTicks = 0; ///< in which a fixture, a keep-out volume or the machine's travel held the tool
-    std::uint64_t axisHeldTicks = 0; ///< in which the axis could not follow the hand
-    std::vector<std::uint64_t> layerTicks; ///< in which each layer held the tool, by its number in ToolBounds::layers
+    double removed = 0.0;                  ///< mm³, sum over the recorded samples
+    double drop = 0.0;                     ///< mm³ that the workpiece's machinable runs lost during the take
+    std::uint64_t shankTicks = 0;          ///< ticks with a contact of shank or holder
+    std::uint64_t obstacleTicks = 0;       ///< ticks with the tool held by fixture, keep-out volume or machine travel
+    std::uint64_t axisHeldTicks = 0;       ///< ticks in which the axis could not follow the hand
+    std::vector<std::uint64_t> layerTicks; ///< ticks in which each layer held the tool, by index in ToolBounds::layers
     double largestForce = 0.0;             ///< N, rendered
     double largestCuttingForce = 0.0;      ///< N, unscaled
-    SmoothedCut heaviestCut;               ///< none: nothing was cut for 0.1 s
+    SmoothedCut heaviestCut;               ///< empty if no cut lasted 0.1 s
     std::optional<FeedProposal> heaviestFeed; ///< for the heaviest cut
 };
 
-/// Mills with a stylus and records every tick into the project while it is made; saves the project at the end.
-/// Errors: those of the stylus, the servo loop, the recorder and Project::save; the file is as it was then, and what
+/// Mills with a stylus and records every tick into the project while milling; saves the project at the end.
+/// Errors: those of the stylus, the servo loop, the recorder and Project::save; the file is then unchanged, and what
 /// was recorded until then is kept as unsaved work.
 Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const ToolBounds& bounds,
                                const StylusHandle& stylus, const TakeRequest& request, const std::atomic<bool>& stop);
 
-/// What the virtual operator is asked to do.
+/// A request to the virtual operator.
 struct OperatorRequest {
     OperatorIntent intent = OperatorIntent::passes;
-    HandImpedance hand = firmHand;  ///< that holds the stylus
+    HandImpedance hand = firmHand;  ///< of the hand that holds the stylus
     double allowance = 0.5;         ///< mm, roughing
     double press = 2.0;             ///< mm into the part, finishing
     double levelDepth = 0.0;        ///< mm, between roughing levels; 0: the plan's own rule
     double roughingStepOver = 0.0;  ///< mm; 0: the plan's own rule
     double finishingStepOver = 0.0; ///< mm; 0: the plan's own rule
-    double finishingDepth = 0.0;    ///< mm of stock that finishing may take at once; 0: the distance of the levels
-    double timeLimit = 0.0;         ///< s for all takes; 0: none, and 20 s of a scribble or of hostility
+    double finishingDepth = 0.0;    ///< mm of stock that finishing may remove at once; 0: the distance of the levels
+    double timeLimit = 0.0;         ///< s for all takes; 0: none, but 20 s for the intents scribble and hostile
     std::uint64_t seed = 1;         ///< of the hand's tremor
     Pace pace = Pace::fast;
-    bool saves = true; ///< the project behind each take; else the caller does
+    bool saves = true; ///< saves the project after each take; otherwise the caller does
 };
 
 struct OperatorOutcome {
     MillingPlan plan;
-    std::vector<TakeOutcome> takes; ///< roughing, then finishing; one that has nothing to do is left out
+    std::vector<TakeOutcome> takes; ///< roughing, then finishing; an empty one is left out
 };
 
 /// One take of a virtual operator.
@@ -93,31 +93,31 @@ struct OperatorStage {
     double allowance = 0.0;          ///< mm
 };
 
-/// A planned hand can't look where it was pushed to, and would leave its plan: a share at which what is cut leads a
-/// firm hand off it by less than a finishing cut.
+/// The share of the cutting force that a planned hand feels. Such a hand can't see where it was pushed to, and would
+/// leave its plan; at this share the cutting force deflects a firm hand by less than a finishing cut.
 inline constexpr FeltCutting feltByPlannedHand{.gain = 0.05};
 
-/// What a virtual operator is about to do: a VirtualOperator with a stage's intent, `mapping` and `hand` mills it.
+/// The plan of a virtual operator: a VirtualOperator with a stage's intent, `mapping` and `hand` mills it.
 struct OperatorPlan {
     MillingPlan plan;
     WorkspaceMapping mapping;
     OperatorSettings hand;
     FeltCutting felt = feltByPlannedHand;
-    std::vector<OperatorStage> stages; ///< in order; one that has nothing to do is left out
+    std::vector<OperatorStage> stages; ///< in order; empty stages are left out
 };
 
-/// Plans along the axis where it stands. Where it is free the operator holds its stylus upright; that takes a field of
-/// tips, which is made here. Errors: those of planMilling and clearanceField. Any thread; seconds.
+/// Plans along a fixed tool axis. If the axis is free, the operator holds its stylus upright; that requires a clearance
+/// field over tips, which is made here. Errors: those of planMilling and clearanceField. Thread-safe; takes seconds.
 Result<OperatorPlan> planOperator(const MillingContext& milling, const ToolBounds& bounds,
                                   const OperatorRequest& request);
 
-/// Roughs in levels and finishes in parallel passes with a virtual hand, a take each. A model without bodies is cut in
-/// free-hand grooves instead (paper, figure 13 b). Errors: those of planMilling and recordTake; cancelled.
+/// Roughs in levels and finishes in parallel passes with a virtual hand, one take each. With a model without bodies,
+/// free-hand grooves are cut instead (paper, figure 13 b). Errors: those of planMilling and recordTake; cancelled.
 Result<OperatorOutcome> millWithOperator(Project& project, MillingContext& milling, const ToolBounds& bounds,
                                          const OperatorRequest& request, const std::atomic<bool>& stop);
 
-/// The mapping that fits where a milling context's tip may go into the workspace of a stylus; the same for the same
-/// project and tool, so that a trace means the same in every run.
+/// Returns the mapping that fits the reachable region of the tip in a milling context into the workspace of a stylus.
+/// It is the same for the same project and tool, so that a trace has the same meaning in every run.
 WorkspaceMapping mappingFor(const MillingContext& milling, const StylusDescription& stylus);
 
 } // namespace burin

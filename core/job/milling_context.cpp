@@ -14,7 +14,7 @@ namespace {
 
 constexpr double travelAboveStock = 5.0; // mm
 
-/// A part that is not there holds nothing back.
+/// The field of a missing part, which never stops the tool.
 class OpenField final : public ClearanceField {
 public:
     explicit OpenField(double voxel) noexcept : voxel_(voxel) {}
@@ -32,7 +32,8 @@ MeshDistance wholePart(const Model& model) {
     return MeshDistance(mesh);
 }
 
-/// Of the request's own model, setup and materials, whatever becomes of it.
+/// Returns a function that makes the stock from copies of the request's model, setup and materials, independent of the
+/// request's lifetime.
 std::function<Result<RunVolume>(Progress&)> stockMaker(const MillingContextRequest& request) {
     return [model = request.model, setup = request.setup,
             materials = request.materials](Progress& progress) -> Result<RunVolume> {

@@ -6,8 +6,9 @@
 
 namespace burin {
 
-/// Gives a milling context the materials of `setup`, whose shape must be the milling context's own: the workpiece stays
-/// as it was milled. Errors: those of withMaterials and cuttingConditions; the milling context is then unchanged.
+/// Gives a milling context the materials of `setup`, whose shape must be that of the milling context. The milled shape
+/// of the workpiece is kept. Errors: those of withMaterials and cuttingConditions; the milling context is then
+/// unchanged.
 Result<void> changeMaterials(MillingContext& milling, const Setup& setup, const std::vector<Property>& materials);
 
 } // namespace burin

@@ -17,9 +17,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Wish = SessionLoop::Wish;
 
-/// For so long the owner waits for a view; it takes a tick, unless the loop stands.
+/// How long the owner waits for a view; a view takes one tick, unless the loop is paused.
 constexpr std::chrono::milliseconds viewPatience{3};
-/// Between two looks at what the loop does: a fraction of a tick.
+/// Interval for polling the loop: a fraction of a tick.
 constexpr std::chrono::microseconds sessionGlance{200};
 
 Error nothingToDo(const char* what, const char* needed) {
@@ -76,7 +76,7 @@ Result<void> MillingSession::start(const SessionRequest& request) {
     if (!request.takeName.empty())
         if (Result<void> begun = beginTake(request.takeName); !begun) {
             step_.listen(nullptr);
-            trace_.reset(); // of nothing
+            trace_.reset(); // it recorded nothing
             return begun;
         }
     if (request.guides)
@@ -90,7 +90,7 @@ Result<void> MillingSession::start(const SessionRequest& request) {
     return {};
 }
 
-/// Waits until the loop has done what was requested. False: it ended before.
+/// Waits until the loop has fulfilled the request. Returns false if the loop ended before.
 bool MillingSession::fulfilled() {
     while (!loop_.fulfilled()) {
         if (ended()) {
@@ -103,14 +103,14 @@ bool MillingSession::fulfilled() {
     return true;
 }
 
-/// One request after the other; when this returns it is done.
+/// Makes a request after any previous one is fulfilled; when this returns, the request is fulfilled.
 void MillingSession::ask(Wish wish) {
     fulfilled();
     loop_.wish(wish);
     fulfilled();
 }
 
-/// Once the loop has ended, everything of it is the owner's.
+/// After the loop has ended, all of its data belongs to the owner.
 void MillingSession::settle() {
     if (!ended() && thread_.joinable()) return;
     if (thread_.joinable()) thread_.join();
@@ -157,12 +157,12 @@ Result<void> MillingSession::stopRecording() {
     const std::unique_ptr<Recorder> recorder = std::exchange(recorder_, nullptr);
     const Result<std::uint64_t> kept = recorder->finish();
     if (kept && !loop_.gaveUp()) return {};
-    // All of it may be on the disk by now, but the session ended for it.
+    // By now everything may be on the disk, but the session ended because of this error.
     diskFault_ = kept ? recorder->refusal() : kept.error();
     return *diskFault_;
 }
 
-/// @param change what is to be done while nobody else uses the workpiece
+/// @param change called while nobody else uses the workpiece
 template <class Change>
 Result<void> MillingSession::changeWorkpiece(Change change) {
     ask(Wish::stand);
@@ -187,7 +187,7 @@ Result<void> MillingSession::redoStroke() {
     return changeWorkpiece([this] { return strokes_.redo(project_, milling_.embedded.workpiece); });
 }
 
-/// What finds no room, as the loop stands or is late, is told later, in its order.
+/// Changes that find the ring full, as the loop is paused or late, are sent later, in order.
 void MillingSession::tell(const StepChange& change) {
     untold_.push_back(change);
     tellWhatWaits();
@@ -234,16 +234,16 @@ bool MillingSession::newest(SessionState& state) {
     return true;
 }
 
-/// Milling is worth more than taking back what was milled long ago.
+/// Frees memory if it runs out: milling is more important than undoing old strokes.
 void MillingSession::makeRoom(const TickNews& news) {
-    constexpr std::uint64_t patience = 10; // ticks until the loop has heard of it
+    constexpr std::uint64_t patience = 10; // ticks until the loop knows of it
     if ((news.sample.flags & sampleMemoryFull) == 0 || news.ticks < roomMade_ + patience) return;
     if (!strokes_.makeRoom()) return;
     tell(CutResumption{});
     roomMade_ = news.ticks;
 }
 
-/// A view that is not shown after all hands what it would have shown on to the next one.
+/// Passes the oldest cut of a view that is not shown on to the next view.
 void MillingSession::noteCut(const WorkpieceView& view) {
     if (view.oldestCut) unseenCut_ = std::min(unseenCut_.value_or(*view.oldestCut), *view.oldestCut);
 }
@@ -251,7 +251,7 @@ void MillingSession::noteCut(const WorkpieceView& view) {
 bool MillingSession::newestView(WorkpieceView& view) {
     settle();
     WorkpieceView newest;
-    if (loop_.takeView(newest)) noteCut(newest); // it came too late the last time
+    if (loop_.takeView(newest)) noteCut(newest); // it was too late for the last call
     if (!thread_.joinable()) {
         newest = loop_.finalView();
     } else {
@@ -290,7 +290,7 @@ Result<LoopStatistics> MillingSession::end() {
     ended_.store(true, std::memory_order_release);
     settle();
     faults_.finish();
-    // The disk's refusal, not the full ring that came of it.
+    // Report the disk's error, not the full ring that it caused.
     if (recorder_) static_cast<void>(stopRecording());
     if (diskFault_) outcome_ = *diskFault_;
     step_.listen(nullptr);

@@ -13,11 +13,11 @@
 namespace burin {
 namespace {
 
-/// Which body of the part before each body of the part now stands for; nothing: it is new.
+/// The body of the old part that each body of the new part replaces; empty: the body is new.
 using Lineage = std::vector<std::optional<std::size_t>>;
 
 Lineage lineageOf(const Model& before, const Model& after) {
-    std::multimap<std::string, std::size_t> waiting; // equal names stay in their order
+    std::multimap<std::string, std::size_t> waiting; // equal names keep their order
     for (std::size_t i = 0; i < before.bodies.size(); ++i) waiting.emplace(before.bodies[i].name, i);
     Lineage lineage;
     for (const Body& body : after.bodies) {
@@ -51,7 +51,7 @@ PartUpdate compared(const Model& before, const Model& after, const Lineage& line
     return update;
 }
 
-/// Roles and materials where their bodies are now.
+/// Moves roles and materials to the new indices of their bodies.
 void carry(Setup& setup, const Lineage& lineage) {
     const Setup before = setup;
     setup.roles.clear();
@@ -63,7 +63,7 @@ void carry(Setup& setup, const Lineage& lineage) {
     }
 }
 
-/// True: stock and zero stay. Errors: fileDamaged.
+/// Whether the setup was milled, so that stock and zero stay. Errors: fileDamaged.
 Result<bool> isMilled(const Project& project, SetupId id) {
     const Result<std::vector<TakeInfo>> takes = project.takes(id);
     if (!takes) return takes.error();
@@ -72,7 +72,7 @@ Result<bool> isMilled(const Project& project, SetupId id) {
     return !takes->empty() || !generated->empty();
 }
 
-/// A setup with the new part. Errors: projectIncomplete (nothing is embedded in it yet).
+/// Returns a setup with the new part. Errors: projectIncomplete (nothing is embedded in it yet).
 Result<Setup> updatedSetup(const Project& project, SetupId id, const std::shared_ptr<const Model>& after,
                            const Lineage& lineage, PartUpdate& update) {
     Result<Setup> setup = project.setup(id);
@@ -85,7 +85,7 @@ Result<Setup> updatedSetup(const Project& project, SetupId id, const std::shared
     Result<Setup> complete = placeStock(*placed(after, setup->placement), std::move(*setup));
     if (!complete || !*milled) return complete;
     update.stockStays = true;
-    if (complete->workOffset != zero) { // it lay on the part
+    if (complete->workOffset != zero) { // it referred to the part
         complete->zero.on = ZeroReference::point;
         complete->zero.point = complete->workOffset = zero;
     }
@@ -106,7 +106,7 @@ Result<PartUpdate> updatePart(Project& project, const Model& model) {
     PartUpdate update = compared(*before, *after, lineage);
     const Result<std::vector<SetupName>> setups = project.setups();
     if (!setups) return setups.error();
-    std::vector<std::pair<SetupId, Setup>> updated; // nothing changes before all of them hold
+    std::vector<std::pair<SetupId, Setup>> updated; // nothing is changed before all of them are valid
     for (const SetupName& name : *setups) {
         Result<Setup> setup = updatedSetup(project, name.id, after, lineage, update);
         if (!setup && setup.error().code == ErrorCode::projectIncomplete) continue;

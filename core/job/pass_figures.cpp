@@ -17,9 +17,9 @@ namespace burin {
 
 namespace {
 
-constexpr double sampling = 0.5; // mm, of what is told apart
+constexpr double sampling = 0.5; // mm, resolution
 
-/// Adds up what stretches of one pass met.
+/// Adds up the intervals of one pass.
 class Sum {
 public:
     void add(const MetStretch& stretch, double feed) {
@@ -51,10 +51,10 @@ public:
 private:
     PassFigures figures_;
     double air_ = 0.0;                           // mm
-    std::vector<std::pair<double, double>> met_; // rad and mm
+    std::vector<std::pair<double, double>> met_; // engagement, rad, and length, mm
 };
 
-/// What the passes of a path were asked for, by their ids. Errors: those of Project::generated.
+/// Returns the requests of passes, by their ids. Errors: those of Project::generated.
 Result<std::map<std::int64_t, PassRequest>> requestsOf(const Project& project) {
     const Result<std::vector<GeneratedInfo>> all = project.generated();
     if (!all) return all.error();
@@ -69,7 +69,7 @@ bool comesToThePart(PassKind kind) noexcept {
     return kind != PassKind::drill && kind != PassKind::engrave;
 }
 
-/// Adds what each pass leaves, when it and all before it has been milled.
+/// Adds the stock left after each pass and all preceding ones have been milled.
 void addStockLeft(std::vector<PassFigures>& figures, const FigureMatter& matter, const std::vector<PathPoint>& points,
                   const MillingContext& milling, const Progress& progress) {
     if (milling.part.bounds().empty()) return;

@@ -11,12 +11,12 @@ namespace burin {
 
 namespace {
 
-constexpr double rows = 20.0;     // that a preview shows across the part
-constexpr double coarsest = 16.0; // so that what is drawn still lies on the part
-constexpr double ofLevels = 3.0;  // loops stay as many as they are
-constexpr double ofPencil = 2.0;  // coarser, edges would be missed
+constexpr double rows = 20.0;     // shown by a preview across the part
+constexpr double coarsest = 16.0; // so that the drawn lines still lie on the part
+constexpr double ofLevels = 3.0;  // their number of loops is kept
+constexpr double ofPencil = 2.0;  // coarser rasters would miss edges
 
-/// @return 1: as the pass itself
+/// @return 1: as fine as the pass itself
 double coarsenessOf(const PassRequest& request, const MillingContext& milling) {
     switch (request.kind) {
     case PassKind::levels:
@@ -33,7 +33,7 @@ double coarsenessOf(const PassRequest& request, const MillingContext& milling) {
         break;
     }
     const Result<double> step = stepOverOf(request, milling.tool.cutter);
-    if (!step) return 1.0; // planning tells why
+    if (!step) return 1.0; // planning reports why
     const Box part = milling.partModel->box();
     glm::dvec3 size = part.empty() ? milling.setup.stock.size() : part.size();
     if (!request.area.empty()) size = glm::dvec3(boundsOf(request.area).high - boundsOf(request.area).low, size.z);

@@ -6,17 +6,17 @@
 
 namespace burin {
 
-/// A pass in outline: what a user sees of it before it is computed.
+/// A coarse preview of a pass, shown before the pass is computed.
 struct PassPreview {
-    std::vector<TipLine> strokes; ///< of rows every `every`th or so, with fewer places than the pass has
+    std::vector<TipLine> strokes; ///< about every `every`th row, with fewer points than in the pass
     double every = 1.0;
-    double length = 0.0;                  ///< mm, of the whole pass, estimated
-    double duration = 0.0;                ///< s, of the same at the feed of tool and material, without links
-    double leftOut = 0.0, inTheWay = 0.0; ///< mm of the whole pass, estimated, see PlannedPass
+    double length = 0.0;                  ///< mm, of the complete pass, estimated
+    double duration = 0.0;                ///< s, of the complete pass at the feed of tool and material, without links
+    double leftOut = 0.0, inTheWay = 0.0; ///< mm of the complete pass, estimated, see PlannedPass
     std::size_t unreachedHoles = 0;
 };
 
-/// Plans with so few rows, and rasters so coarse, that it is done within some tenths of a second. Any thread.
+/// Plans with so few rows and such coarse rasters that it takes only some tenths of a second. Thread-safe.
 /// Errors: those of planOn. @param milling with the pass's tool
 Result<PassPreview> previewPass(const PassBasis& basis, const MillingContext& milling, const PassRequest& request,
                                 Progress& progress);

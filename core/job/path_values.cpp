@@ -17,8 +17,8 @@ namespace burin {
 
 namespace {
 
-constexpr double drawnChord = 0.02; // mm that pieces of an arc leave it by
-constexpr double interval = 0.5;    // mm of a move between looks at what is cut
+constexpr double drawnChord = 0.02; // mm, deviation of the pieces from an arc
+constexpr double interval = 0.5;    // mm of a move between samples of the cut
 
 struct QuantityRow {
     PathQuantity quantity;
@@ -38,7 +38,7 @@ const QuantityRow& rowOf(PathQuantity quantity) noexcept {
     return *std::ranges::find(rows, quantity, &QuantityRow::quantity);
 }
 
-/// Corners of a move behind its start.
+/// Returns the corners of a move after its start.
 std::vector<glm::dvec3> cornersOf(const glm::dvec3& from, const PathPoint& to) {
     std::vector<glm::dvec3> corners{to.pose.tip};
     if (to.arc) flatten({from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise}, drawnChord, corners);
@@ -49,7 +49,7 @@ double speedOf(const Path& path, const PathPoint& point) noexcept {
     return point.spindleSpeed > 0.0 ? point.spindleSpeed : path.spindleSpeed;
 }
 
-/// Calls `use(index of the point, from, corners)` for each move at feed.
+/// Calls `use(index of the point, from, corners)` for each feed move.
 template <class Use>
 void forEachFeedMove(const Path& path, const Use& use) {
     for (std::size_t i = 1; i < path.points.size(); ++i)
@@ -57,7 +57,7 @@ void forEachFeedMove(const Path& path, const Use& use) {
             use(i, path.points[i - 1].pose.tip, cornersOf(path.points[i - 1].pose.tip, path.points[i]));
 }
 
-/// One value for each move.
+/// Returns pieces with one value for each move.
 template <class ValueOf>
 std::vector<ValuedPiece> byMove(const Path& path, const ValueOf& valueOf) {
     std::vector<ValuedPiece> pieces;
@@ -74,7 +74,7 @@ std::vector<ValuedPiece> heights(const Path& path, double zero) {
     return pieces;
 }
 
-/// How far the path is from where its source went, move by move.
+/// The distance of the path from the motion of its source, move by move.
 class Deviations {
 public:
     Deviations(const Path& path, std::span<const SourceStrokes> sources) : path_(path), trail_(sources) {}
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    /// From the source's place at a tick, straight between its marks.
+    /// Returns the distance from the source's position at a tick, interpolated linearly between its marks.
     static double apart(std::span<const HandMark> marks, std::int64_t tick, const glm::dvec3& place) {
         const auto next = std::ranges::lower_bound(marks, tick, {}, &HandMark::tick);
         if (next == marks.end()) return glm::distance(place, marks.back().tip);
@@ -126,7 +126,7 @@ double loadOf(PathQuantity quantity, const MetStretch& met, const Path& path, co
         .tangential;
 }
 
-/// What is cut, interval by interval; intervals without a cut have 0.
+/// Returns the removal rate or force of each interval; intervals without a cut have 0.
 Result<std::vector<ValuedPiece>> loads(PathQuantity quantity, const MilledPath& milled,
                                        std::span<const MilledPath> before, const MillingContext& milling,
                                        Progress& progress) {

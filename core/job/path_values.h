@@ -14,39 +14,40 @@
 
 namespace burin {
 
-/// What a path can be coloured by.
+/// A quantity that a path can be coloured by.
 enum class PathQuantity { feed, spindleSpeed, height, removalRate, force, deviation };
 inline constexpr std::array pathQuantities{PathQuantity::feed,   PathQuantity::spindleSpeed,
                                            PathQuantity::height, PathQuantity::removalRate,
                                            PathQuantity::force,  PathQuantity::deviation};
 
-/// Stable, of command lines and settings: "feed", "spindle-speed", "removal-rate".
+/// Stable id, for command lines and settings: "feed", "spindle-speed", "removal-rate".
 std::string_view idOf(PathQuantity quantity) noexcept;
 std::optional<PathQuantity> pathQuantityFromId(std::string_view id) noexcept;
-/// "Feed", to be translated.
+/// Returns the title, to be translated: "Feed".
 TextId titleOf(PathQuantity quantity) noexcept;
-/// Of its values: "mm/min".
+/// Returns the unit of the values: "mm/min".
 std::string_view unitOf(PathQuantity quantity) noexcept;
 
-/// A straight piece of a move at feed.
+/// A straight piece of a feed move.
 struct ValuedPiece {
     glm::dvec3 from{0.0}, to{0.0}; ///< mm, setup frame
-    std::optional<double> value{}; ///< nothing: there is none, as for the deviation of what an edit made
+    std::optional<double> value{}; ///< empty: no value, such as the deviation of a move made by an edit
 };
 
-/// A quantity along a path. Rapids have no piece.
+/// A quantity along a path. Rapids have no pieces.
 struct PathValues {
     PathQuantity quantity = PathQuantity::feed;
     std::vector<ValuedPiece> pieces; ///< in the path's order
-    double low = 0.0, high = 0.0;    ///< of the values; 0 where there is none
+    double low = 0.0, high = 0.0;    ///< of the values; 0 if there are none
 };
 
-/// Feed in mm/min, spindle speed in 1/min, height of the tip in mm above the program's zero (of a piece: its middle),
-/// removal rate in mm³/s, tangential cutting force in N, deviation in mm: how far the path is from where the hand, a
-/// planner or a program went between the same moments, at most. Removal and force are those of intervals of 0.5 mm,
-/// cut out of the stock that the paths before leave. Any thread. Cost: for removal and force the path is cut once.
-/// @param milling its tool does not count @param before what is milled before the path, in order
-/// @param sources the path's own, for the deviation alone; else they may be empty
+/// Returns a quantity along a path: feed in mm/min, spindle speed in 1/min, height of the tip in mm above the program's
+/// zero (at the middle of a piece), removal rate in mm³/s, tangential cutting force in N, deviation in mm: the largest
+/// distance of the path from the motion of the hand, planner or program between the same moments. Removal and force are
+/// determined in intervals of 0.5 mm, cut out of the stock left by the preceding paths. Thread-safe. Cost: for removal
+/// and force the path is cut once.
+/// @param milling its tool is ignored @param before the paths milled before the path, in order
+/// @param sources of the path, only for the deviation; otherwise they may be empty
 /// Errors: those of MilledStock::lend and recordEngagement; cancelled.
 Result<PathValues> pathValues(PathQuantity quantity, const MilledPath& path, std::span<const MilledPath> before,
                               std::span<const SourceStrokes> sources, const MillingContext& milling,

@@ -24,7 +24,7 @@ Box PlanningFrame::toSetup(const Box& box) const noexcept {
 }
 
 FieldSample PlanningFrame::SeenField::at(const glm::dvec3& tip) const noexcept {
-    FieldSample sample = field_->at(tip * turn_); // the transposed turn takes it back
+    FieldSample sample = field_->at(tip * turn_); // multiplies by the transposed rotation, the inverse
     sample.gradient = turn_ * sample.gradient;
     return sample;
 }

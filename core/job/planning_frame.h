@@ -7,25 +7,25 @@
 
 namespace burin {
 
-/// A milling context as it is seen along a tool's standing axis (3+2): what plans for an upright tool plans in this
-/// frame for a tilted one. For the axis +Z it is the setup frame, bit by bit. MillingContext and field outlive it.
+/// A milling context seen along a fixed tool axis (3+2): planners for an upright tool plan in this frame for a tilted
+/// one. For the axis +Z it is bitwise identical to the setup frame. The MillingContext and the field must outlive it.
 class PlanningFrame {
 public:
-    /// @param field of the milling context's tool with that axis. @param axis unit, setup frame, towards the holder
+    /// @param field of the milling context's tool with this axis. @param axis unit, setup frame, towards the holder
     PlanningFrame(const MillingContext& milling, const ClearanceField& field, const glm::dvec3& axis);
 
-    /// Over tips of this frame; lives as long as this object.
+    /// Returns the field over tips in this frame; valid as long as this object.
     const ClearanceField& field() const noexcept { return upright_ ? *setupField_ : seenField_; }
-    const Box& stock() const noexcept { return stock_; } ///< mm: the box around it
+    const Box& stock() const noexcept { return stock_; } ///< mm: the box around the stock
     const Box& part() const noexcept { return part_; }   ///< mm
     bool upright() const noexcept { return upright_; }
     /// @param place mm, this frame
     glm::dvec3 toSetup(const glm::dvec3& place) const noexcept { return upright_ ? place : place * turn_; }
-    /// The box around one of this frame, setup frame.
+    /// Returns the box in the setup frame around a box in this frame.
     Box toSetup(const Box& box) const noexcept;
 
 private:
-    /// The field over tips of this frame.
+    /// The field over tips in this frame.
     class SeenField final : public ClearanceField {
     public:
         SeenField(const ClearanceField& field, const glm::dmat3& turn) noexcept : field_(&field), turn_(turn) {}

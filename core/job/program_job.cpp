@@ -22,7 +22,8 @@ namespace burin {
 
 namespace {
 
-/// What was found and why the program is exported nevertheless: one line a kind, with its worst amount.
+/// Returns the findings and the reason for exporting the program nevertheless: one line per kind of finding, with its
+/// worst value.
 std::vector<std::string> overrideLines(const CheckedProgram& program, const std::string& reason) {
     struct Kind {
         std::size_t count = 0;
@@ -80,8 +81,8 @@ Result<CheckedProgram> postAndCheck(const MillingContext& milling, const Program
     return checkProgram(milling, std::move(*text), request.name, request, progress);
 }
 
-/// What the program's T numbers mean: one tool for all of them, or several to look up. Errors: argumentInvalid (a
-/// number that several tools have).
+/// Returns the tools of the program's T numbers: one tool for all of them, or several to look up. Errors:
+/// argumentInvalid (several tools with the same number).
 Result<std::vector<Tool>> toolsMeant(const ParsedProgram& program, const MillingContext& milling,
                                      const ProgramRequest& request) {
     if (request.tools.size() == 1) return request.tools;
@@ -94,18 +95,18 @@ Result<std::vector<Tool>> toolsMeant(const ParsedProgram& program, const Milling
         std::ranges::copy_if(request.tools, std::back_inserter(called),
                              [number](const Tool& tool) { return tool.number == number; });
     if (Result<void> numbered = checkNumbers(called); !numbered) return numbered.error();
-    // With a number that nobody has, all are named beside it.
+    // If a called number belongs to no tool, all tools are named together with it.
     return called.size() < numbers.size() ? request.tools : called;
 }
 
-/// Measured of the edits of the main job on a recording of an hour: its strokes, and what edits hold of them at most.
+/// Measured with the edits of the main job on a recording of one hour: its strokes, and the peak memory of the edits.
 constexpr double bytesPerSample = 300.0;
 
 std::string memorySubject(const StoredPath& path, std::uint64_t samples) {
     return path.name + " (" + std::to_string(samples) + " samples)";
 }
 
-// What is checked takes time with the length of its moves: a slip of some digits would take hours. mm
+// The time of a check grows with the length of the moves: a mistyped number would take hours. mm
 constexpr double longestMove = 1e6, longestProgram = 1e7;
 
 constexpr std::string_view authored = "path authored by hand"; // some dialects write it in capitals
@@ -138,7 +139,7 @@ bool isPosted(std::string_view text) {
 
 namespace {
 
-/// Those that are milled besides the stock's, with commas between them.
+/// Returns the machinable materials other than the stock's, separated by commas.
 std::string otherMaterials(const EmbeddedSetup& embedded) {
     const PropertyList& list = embedded.workpiece.properties();
     std::string names;
@@ -219,7 +220,7 @@ Result<SourceStrokes> generatedStrokesOf(const Project& project, PathSource sour
     return strokesOf(*moves);
 }
 
-/// Takes that a path is made of, in its order.
+/// Returns the takes that a path is made of, in the path's order.
 Result<std::vector<TakeOutline>> outlinesOf(const Project& project, const StoredPath& path) {
     std::vector<TakeOutline> outlines;
     for (const std::int64_t id : takesOf(path.sources)) {
@@ -230,7 +231,7 @@ Result<std::vector<TakeOutline>> outlinesOf(const Project& project, const Stored
     return outlines;
 }
 
-/// Points that planners made for a path.
+/// Returns the number of generated points of a path.
 Result<std::uint64_t> generatedPoints(const Project& project, const StoredPath& path) {
     const Result<std::vector<GeneratedInfo>> generated = project.generated();
     if (!generated) return generated.error();
@@ -267,7 +268,7 @@ Result<std::vector<SourceStrokes>> strokesOf(const Project& project, const Store
 
 namespace {
 
-/// By property; none where the stock is of one material.
+/// Returns the conditions by property; empty if the stock has only one material.
 Result<std::vector<CuttingConditions>> conditionsByMaterial(const MillingContext& milling, const Tool& tool) {
     const PropertyList& list = milling.embedded.workpiece.properties();
     std::vector<CuttingConditions> conditions(static_cast<std::size_t>(list.size()));
@@ -317,7 +318,7 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const M
             context.tickPeriod = each.info.tickPeriod;
             break;
         }
-    constexpr double editing = 0.9; // of the work
+    constexpr double editing = 0.9; // share of the work
     Result<EvaluatedPath> evaluated = [&] {
         const ProgressPart part(progress, 0.0, editing);
         return evaluate(path.name, std::move(strokes), path.edits, context, progress);
@@ -400,7 +401,7 @@ Result<CheckedProgram> checkProgram(const MillingContext& milling, std::string t
     verification.workOffset = milling.setup.zero.workOffset;
     verification.materials = milling.materials;
     verification.obstacles = milling.surroundings();
-    if (milling.travel.zero) // what is only the rule's guess refuses no program
+    if (milling.travel.zero) // an estimated position must not make a program fail
         verification.travel =
             travelEnvelope(milling.machine, milling.travel, milling.setup.workOffset, topOf(milling.setup)).tips;
     Result<std::vector<Tool>> tools = toolsMeant(*parsed, milling, request);

@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-/// Points that a program leaves out, as rounding makes them equal to the one before, are few in a row.
+/// Limit of the search: a program omits only few points in a row, where rounding makes them equal to the previous one.
 constexpr std::size_t farthestAhead = 1000;
 
 /// Follows a path's points as a program's motions end in them.
@@ -19,7 +19,7 @@ public:
     Follower(const Path& path, const Kinematics& kinematics, double tolerance)
         : path_(path), kinematics_(kinematics), tolerance_(tolerance) {}
 
-    /// The point that a motion ends in; nothing: none ahead.
+    /// Returns the point that a motion ends in; empty if there is none ahead.
     std::optional<std::size_t> next(const NcMotion& motion) {
         if (!motion.endKnown(kinematics_.axes())) return std::nullopt;
         const glm::dvec3 place = kinematics_.poseOf(motion.to).tip;

@@ -12,15 +12,15 @@
 
 namespace burin {
 
-/// The point of a path behind each motion of a program that was posted from it, by place in its motions; nothing: the
-/// path does not go there. The text alone is looked at: a motion belongs to the next point of the path that it ends in,
-/// within `tolerance`; pieces of a move that was split belong to that move. Cost: linear.
-/// @param kinematics of the machine with the program's zero @param tolerance mm, at least what rounding moves a place
-/// by
+/// Returns the path point that each motion of a program posted from the path stems from, by index of the motion; empty
+/// if the path has no such point. Only the text is used: a motion belongs to the next point of the path that it ends
+/// in, within `tolerance`; the pieces of a split move belong to that move. Cost: linear.
+/// @param kinematics of the machine with the program's zero @param tolerance mm, at least the rounding error of a
+/// position
 std::vector<std::optional<std::size_t>> pointsBehind(const ParsedProgram& program, const Path& path,
                                                      const Kinematics& kinematics, double tolerance = 0.002);
-/// The moment of the hand behind each motion, by its point. No moment (take 0): an edit made the move, or the path does
-/// not go there.
+/// Returns the moment of the hand that each motion stems from, found by its point. No moment (take 0) if an edit made
+/// the move, or the path has no such point.
 std::vector<Moment> momentsOf(const ParsedProgram& program, const Path& path, const Kinematics& kinematics,
                               double tolerance = 0.002);
 

@@ -23,7 +23,7 @@ Result<ParsedProgram> read(std::string_view text, const std::string& file, const
                                    : parseProgram(text, file, controlOfDialect(dialect));
 }
 
-/// Places are in the frame of one work offset, which is the setup's.
+/// Checks that all positions are in the frame of one work offset, which is the setup's.
 Result<void> checkOffsets(const ParsedProgram& program, const std::string& file) {
     std::optional<int> offset;
     for (const NcMotion& motion : program.motions) {
@@ -36,7 +36,7 @@ Result<void> checkOffsets(const ParsedProgram& program, const std::string& file)
     return {};
 }
 
-/// Nothing: none of that number.
+/// Empty if no tool has that number.
 std::optional<Tool> numbered(const ToolChoice& choice, int number) {
     const std::vector<Tool>& tools = choice.tools;
     if (!tools.empty() && (choice.anyNumber || (number == 0 && tools.size() == 1))) return tools.front();
@@ -62,7 +62,7 @@ bool callsOneNumber(const ParsedProgram& program) {
     return true;
 }
 
-/// Makes passes of moves that come one behind the other.
+/// Makes passes from consecutive moves.
 class PassWriter {
 public:
     PassWriter(const std::string& file, const ToolChoice& tools)
@@ -104,7 +104,7 @@ private:
     }
 
     std::string name_;
-    const ToolChoice& tools_; ///< outlives it
+    const ToolChoice& tools_; ///< must outlive it
     ProgramPasses made_;
     std::int64_t moment_ = 0;
     int number_ = 0;

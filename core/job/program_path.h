@@ -14,43 +14,43 @@
 
 namespace burin {
 
-/// What a program mills with one tool between two tool changes, as a source of a path.
+/// The moves of a program with one tool between two tool changes, as a source of a path.
 struct ProgramPass {
     Tool tool;
-    Coolant coolant = Coolant::off; ///< of its first move with any
-    GeneratedMoves moves;           ///< at feed; no id yet
-    double length = 0.0;            ///< mm, of these
+    Coolant coolant = Coolant::off; ///< of the first move with coolant
+    GeneratedMoves moves;           ///< feed moves; no id yet
+    double length = 0.0;            ///< mm, of these moves
 };
 
-/// A program as sources of paths. Rapids are not among them: links take their place.
+/// A program as sources of paths. Rapids are left out: links replace them.
 struct ProgramPasses {
     std::vector<ProgramPass> passes; ///< in the program's order; never empty
-    std::size_t arcs = 0;            ///< moves that became chords, which leave them by `arcChord` at most
-    std::size_t dwells = 0;          ///< left out: paths know none
-    std::size_t startless = 0;       ///< feed moves from a place that the program does not state, left out
+    std::size_t arcs = 0;            ///< arcs replaced by chords, which deviate by `arcChord` at most
+    std::size_t dwells = 0;          ///< left out: paths have no dwells
+    std::size_t startless = 0;       ///< feed moves from a position that the program does not state, left out
 
-    double length() const noexcept; ///< mm, of all of them
+    double length() const noexcept; ///< mm, of all passes
 };
 
-/// What a program's tool numbers mean.
+/// The meaning of a program's tool numbers.
 struct ToolChoice {
     std::vector<Tool> tools;
-    bool anyNumber = false;         ///< the first one, whatever number is called; else each by its own
-    std::optional<Tool> onlyTool{}; ///< of a program that calls one number or none, whatever that is
+    bool anyNumber = false;         ///< any number calls the first tool; otherwise each tool has its own number
+    std::optional<Tool> onlyTool{}; ///< for a program that calls one number or none, for any number
 };
 
-/// Reads a program, G-code in a dialect or cutter locations, as moves of the setup frame. Any thread.
-/// @param milling its setup, program zero and machine count, not its tool
-/// @param tools without a number called, and one of them: that one
-/// Errors: those of parseProgram and parseCutterLocations; nameUnknown (a tool number), pathEmpty (no move at feed),
-/// those of checkLength, programSyntax (several work offsets, or one that the program sets), argumentInvalid (a place
+/// Reads a program, G-code in a dialect or cutter locations, as moves in the setup frame. Thread-safe.
+/// @param milling its setup, program zero and machine are used, not its tool
+/// @param tools if the program calls no number and there is one tool, that tool is used
+/// Errors: those of parseProgram and parseCutterLocations; nameUnknown (a tool number), pathEmpty (no feed move), those
+/// of checkLength, programSyntax (several work offsets, or one that the program sets), argumentInvalid (a position
 /// beyond 1e6 mm), cancelled.
 Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& file, const std::string& dialect,
                                       const MillingContext& milling, const ToolChoice& tools, const Progress& progress);
 
-/// A path with a pass of a program as its last source, fed as the program states; one without sources gets the edits of
-/// paths that are made of programs. @param name of a new one @param coolant of a new one's edits @param source its id
-/// in the project
+/// Returns the path with a pass of a program as its last source, with the program's feeds; a path without sources gets
+/// the edits of paths that are made from programs. @param name of a new path @param coolant for the edits of a new path
+/// @param source id of the pass in the project
 StoredPath withProgram(StoredPath path, const std::string& name, Coolant coolant, std::int64_t source);
 
 } // namespace burin

@@ -15,13 +15,13 @@ namespace {
 constexpr double shortestTick = 0.01;   // s
 constexpr double mostTicks = 540'000.0; // an hour and a half of the shortest
 
-/// A straight move with the time at which it is made.
+/// A straight move with its start and end time.
 struct TimedMove {
     ToolMove move;
     double start = 0.0, end = 0.0; ///< s
 };
 
-/// Each motion's time is shared among its chords by their length.
+/// Divides each motion's time among its chords in proportion to their length.
 std::vector<TimedMove> timed(const std::vector<ToolMove>& moves, const std::vector<MotionTime>& times) {
     std::vector<TimedMove> all;
     const auto lengthOf = [](const ToolMove& move) {
@@ -43,7 +43,7 @@ std::vector<TimedMove> timed(const std::vector<ToolMove>& moves, const std::vect
     return all;
 }
 
-/// Makes the takes of a program, each of one tool, tick by tick.
+/// Makes the takes of a program, each with one tool, tick by tick.
 class Spreader {
 public:
     Spreader(const CheckedProgram& program, double tick) : program_(program) { made_.tick = tick; }
@@ -55,7 +55,7 @@ public:
         const ToolPose from = timed.move.begin(), to = timed.move.to;
         const double length = timed.end - timed.start;
         ToolPose before = from;
-        // To each tick that falls into the move, then to its end: the way is the program's, whatever the ticks.
+        // To each tick within the move, then to its end: the path is that of the program, independent of the ticks.
         for (double at = nextTick(); at < timed.end; at = nextTick()) {
             const double share = length > 0.0 ? std::clamp((at - timed.start) / length, 0.0, 1.0) : 1.0;
             const ToolPose now{glm::mix(from.tip, to.tip, share), to.axis};
@@ -72,14 +72,14 @@ public:
     ProgramTime finish(double seconds) {
         if (!made_.time.tracks.empty()) {
             for (double at = nextTick(); at <= seconds; at = nextTick()) tickAt(last_, lastMotion_);
-            tickAt(last_, lastMotion_); // what is left of a tick at the end
+            tickAt(last_, lastMotion_); // the remainder of the last tick
             endTake();
         }
         return std::move(made_);
     }
 
 private:
-    /// s of the program, of the tick that comes next.
+    /// Returns the time of the next tick, s of the program.
     double nextTick() const noexcept { return made_.tick * static_cast<double>(made_.poses.size() + 1); }
 
     void beginTake(const TimedMove& timed) {
@@ -97,7 +97,7 @@ private:
         cuts_ = {made_.time.tracks.back().info.id, tool != nullptr ? *tool : Tool{}, {}, 0, 0};
         made_.first.push_back(made_.poses.size());
         if (made_.poses.empty()) last_ = timed.move.begin();
-        // What passed before, such as a tool change, is spent where the tool was.
+        // During the time before, such as a tool change, the tool stays where it was.
         for (double at = nextTick(); at <= timed.start; at = nextTick()) tickAt(last_, timed.move.motion);
     }
     void endTake() {
@@ -107,7 +107,7 @@ private:
         made_.time.cuts.push_back(std::make_shared<const RecordedCuts>(std::move(cuts_)));
         cuts_ = {};
     }
-    /// A motion is over with the tick behind it.
+    /// Adds a motion, which ends with the next tick.
     void move(const ToolPose& from, const ToolPose& to) {
         if (from.tip == to.tip && from.axis == to.axis) return;
         cuts_.motions.add(from, to, made_.poses.size() - made_.first.back());
@@ -125,7 +125,7 @@ private:
     int number_ = 0;
 };
 
-/// Curves of bins, as a recording has them.
+/// Adds curves in bins, as for a recording.
 void addCurves(ProgramTime& made, const CheckedProgram& program) {
     const auto valuesOf = [&](std::size_t take, TrackCurve curve) -> std::vector<float>& {
         return made.time.tracks[take].curves[static_cast<std::size_t>(curve)];
@@ -172,7 +172,7 @@ void addCurves(ProgramTime& made, const CheckedProgram& program) {
         }
 }
 
-/// Where the tool cuts at feed; and each motion, for going from block to block.
+/// Adds the ranges in which the tool cuts at feed, and each motion, for stepping from block to block.
 void addStrokes(ProgramTime& made, const CheckedProgram& program) {
     for (std::size_t take = 0; take < made.time.tracks.size(); ++take) {
         TakeTrack& track = made.time.tracks[take];
@@ -189,7 +189,7 @@ void addStrokes(ProgramTime& made, const CheckedProgram& program) {
     }
 }
 
-/// At the first motion of their lines. A line that makes no move has no time.
+/// Adds findings at the first motion of their lines. A line without a move has no time.
 void addFindings(ProgramTime& made, const CheckedProgram& program) {
     const std::vector<Finding>& all = program.report.findings;
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -220,7 +220,7 @@ std::uint64_t ProgramTime::ticksBefore(const TakeMoment& moment) const noexcept 
 }
 
 TakeMoment ProgramTime::beginOf(std::size_t motion) const noexcept {
-    // A motion shorter than a tick may have none: the next one that has is meant.
+    // A motion shorter than a tick may have no tick: the next motion with a tick is used.
     const auto found = std::ranges::lower_bound(motions, static_cast<std::uint32_t>(motion));
     if (found == motions.end()) return {};
     const auto place = static_cast<std::uint64_t>(found - motions.begin());

@@ -10,36 +10,36 @@
 
 namespace burin {
 
-/// A program along the time that the machine takes for it, in the form of recordings: a "take" for each stretch with
-/// one tool, in ticks of `tick`. Curves are those of its check.
+/// A program over its machining time, in the form of recordings: one "take" for each section with one tool, in ticks of
+/// `tick`. The curves are those of its check.
 struct ProgramTime {
-    /// Where the check found something.
+    /// The moment of a finding of the check.
     struct FindingMoment {
         TakeMoment at;
-        std::size_t finding = 0; ///< place in VerifyReport::findings
+        std::size_t finding = 0; ///< index in VerifyReport::findings
     };
 
     RecordedTime time;                   ///< without kept workpieces and markers
     double tick = 0.0;                   ///< s
     std::vector<FindingMoment> findings; ///< in order
-    /// The motion (place in ParsedProgram::motions) that is under way, or begins, at a moment; at the end the last.
-    /// There must be one.
+    /// Returns the motion (index in ParsedProgram::motions) that is in progress, or begins, at a moment; at the end the
+    /// last motion. There must be one.
     std::size_t motionAt(const TakeMoment& moment) const noexcept;
-    /// Where the tool is then, setup frame: on its way at the mean speed of the motion.
+    /// Returns the pose of the tool at a moment, setup frame, interpolated at the mean speed of the motion.
     ToolPose poseAt(const TakeMoment& moment) const noexcept;
-    /// The moment at which a motion begins, to a tick.
+    /// Returns the moment at which a motion begins, with the resolution of a tick.
     TakeMoment beginOf(std::size_t motion) const noexcept;
 
-    std::vector<ToolPose> poses;        ///< when each tick of all takes is over, one behind the other
-    std::vector<std::uint32_t> motions; ///< the same: under way then
-    std::vector<std::uint64_t> first;   ///< by take: ticks before it
+    std::vector<ToolPose> poses;        ///< at the end of each tick, of all takes in sequence
+    std::vector<std::uint32_t> motions; ///< in progress at the end of each tick
+    std::vector<std::uint64_t> first;   ///< per take: number of ticks before it
 
 private:
     std::uint64_t ticksBefore(const TakeMoment& moment) const noexcept;
 };
 
-/// Spreads a program over its time. Ticks are 10 ms, longer where a program takes more than an hour and a half. Any
-/// thread. Errors: cancelled.
+/// Spreads a program over its machining time. Ticks are 10 ms, longer if a program takes more than an hour and a half.
+/// Thread-safe. Errors: cancelled.
 Result<ProgramTime> programTime(const CheckedProgram& program, const MachineProfile& machine,
                                 const glm::dvec3& workOffset, const Progress& progress);
 

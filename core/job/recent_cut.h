@@ -11,20 +11,20 @@
 
 namespace burin {
 
-/// A cut as meters show it and as a feed is proposed for it: smoothed, and with all materials that it went through.
+/// A cut as displayed and as used for feed proposals: smoothed, with all materials that were cut.
 struct SmoothedCut {
-    double area = 0.0;    ///< mm², that meets the material, across the motion; 0: nothing is cut
+    double area = 0.0;    ///< mm², of the cut, perpendicular to the motion; 0: nothing is cut
     double surface = 0.0; ///< mm², of the flutes' surface that is engaged
-    double arc = 0.0;     ///< rad, as Engagement has it
-    double depth = 0.0;   ///< mm, as Engagement has it
-    double energy = 0.0;  ///< J/mm³, of the mix
+    double arc = 0.0;     ///< rad, as in Engagement
+    double depth = 0.0;   ///< mm, as in Engagement
+    double energy = 0.0;  ///< J/mm³, of the mixture of materials
     /// Indices of the workpiece's properties, each once; the rest is air.
     std::array<std::uint8_t, 8> materials{};
 
     bool cuts() const noexcept { return area > 0.0; }
 };
 
-/// Follows what the flutes stand in from tick to tick. Nothing here allocates or waits. Loop's thread.
+/// Tracks the engagement of the flutes from tick to tick. Does not allocate or block. Call on the loop's thread.
 class RecentCut {
 public:
     /// @param period s
@@ -50,14 +50,15 @@ public:
     }
     void beginTake() noexcept { heaviest_ = {}; }
     const SmoothedCut& newest() const noexcept { return newest_; }
-    /// Of the take: the one that takes the most energy on a millimetre of way. What lasted less than 0.1 s is left out.
+    /// Returns the cut of the take with the most energy per millimetre of tool motion. Cuts of less than 0.1 s are
+    /// ignored.
     const SmoothedCut& heaviest() const noexcept { return heaviest_; }
 
 private:
     static constexpr double leastArea = 1e-3; ///< mm²
     static constexpr double smoothing = 0.05; ///< s
-    static constexpr double settled = 0.1;    ///< s, of a cut
-    static constexpr double window = 0.1;     ///< s, in which a material counts
+    static constexpr double settled = 0.1;    ///< s, shortest cut that counts
+    static constexpr double window = 0.1;     ///< s, for which a material is listed
 
     struct Seen {
         std::uint8_t property = 0;
@@ -74,7 +75,7 @@ private:
         }
         *oldest = {property, time_};
     }
-    /// A tool that rests in a cut keeps those that it met last.
+    /// Lists the recent materials. A tool that rests in a cut keeps the last ones.
     void listMaterials() noexcept {
         std::array<std::uint8_t, 8> recent{};
         auto* next = recent.begin();

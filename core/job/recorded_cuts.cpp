@@ -27,7 +27,7 @@ CutFinder::Use cutAgain(CutReplay& replay, const Progress& progress) {
     };
 }
 
-/// Reports how much of a replay is done, now and then.
+/// Reports the progress of a replay from time to time.
 class ReplayedShare {
 public:
     explicit ReplayedShare(Progress& progress) noexcept : progress_(progress) {}
@@ -45,7 +45,7 @@ private:
     std::uint64_t all_ = 0, done_ = 0, told_ = 0;
 };
 
-/// The newest workpiece that was kept and holds, no later than a moment.
+/// Returns the newest valid kept workpiece that is not later than a moment.
 Result<std::optional<KeptWorkpiece>> newestKept(const Project& project, const TakeMoment& until) {
     const Result<std::vector<TakeMoment>> moments = project.keptMoments();
     if (!moments) return moments.error();
@@ -153,7 +153,7 @@ Result<void> replayTakes(const Project& project, MillingContext& milling, Progre
     if (!work) return work.error();
     Result<void> replayed = replayTakes(*work, milling, progress);
     if (replayed || !work->kept || replayed.error().code != ErrorCode::fileDamaged) return replayed;
-    const Result<RecordedWork> all = recordedWork(project, false); // what was kept is damaged; the recordings are not
+    const Result<RecordedWork> all = recordedWork(project, false); // only the kept workpiece is damaged
     if (!all) return all.error();
     return replayTakes(*all, milling, progress);
 }

@@ -9,7 +9,7 @@ namespace burin {
 
 namespace {
 
-/// Adds samples of one take to its track, ten by ten.
+/// Adds samples of one take to its track, in bins of ten.
 class TrackBuilder {
 public:
     explicit TrackBuilder(TakeTrack& track) noexcept : track_(track) {}
@@ -46,7 +46,7 @@ private:
     }
 
     void endBin() {
-        constexpr double rest = 1e-4; // mm in ten ticks: a tremor, no feed
+        constexpr double rest = 1e-4; // mm in ten ticks: tremor, not feed
         const double seconds = static_cast<double>(inBin_) * track_.info.tickPeriod;
         const auto put = [this](TrackCurve curve, double value) {
             track_.curves[static_cast<std::size_t>(curve)].push_back(static_cast<float>(value));
@@ -68,7 +68,7 @@ private:
     double force_ = 0.0, removed_ = 0.0, way_ = 0.0, pushBack_ = 0.0, height_ = 0.0;
 };
 
-/// The place of a take that is as it was, with the same tool and the same samples that count.
+/// Returns the index of a take that is unchanged, with the same tool and the same valid samples.
 std::optional<std::size_t> knownTake(const RecordedTime& before, const TakeOutline& take) {
     for (std::size_t i = 0; i < before.tracks.size(); ++i) {
         const TakeTrack& track = before.tracks[i];

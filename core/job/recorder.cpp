@@ -14,10 +14,10 @@ namespace burin {
 
 namespace {
 
-/// On a busy machine what was recorded would wait for its turn in memory, where a kill loses it. Never fails: without
-/// the right to go before others this thread waits as they do.
+/// Raises the priority of this thread. On a busy machine, recorded samples would otherwise wait in memory, where they
+/// are lost if the process is killed. Never fails: without the permission, the thread keeps its normal priority.
 void goBeforeOthers() noexcept {
-    constexpr int nice = -11; // RealtimeKit grants -15 as a rule
+    constexpr int nice = -11; // RealtimeKit usually grants -15
     const pid_t thread = ::gettid();
     if (::setpriority(PRIO_PROCESS, static_cast<id_t>(thread), nice) == 0) return;
     static_cast<void>(realtimekit::makeHighPriority(static_cast<std::uint64_t>(thread), nice));
@@ -50,9 +50,9 @@ Result<std::uint64_t> Recorder::finish() {
 void Recorder::work() {
     goBeforeOthers();
     for (bool last = false; !last;) {
-        last = wait(); // what was pushed before `finish` is seen by the pass after it
+        last = wait(); // samples pushed before `finish` are seen by the pass after it
         outcome_ = drain();
-        // A single fault passes, and ends no recording.
+        // A single error is tolerated and does not end the recording.
         for (int again = 0; !outcome_ && again < 2; ++again) {
             std::this_thread::sleep_for(interval);
             outcome_ = drain();

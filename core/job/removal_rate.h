@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// Removal over the last tenth of a second of the session's time; of fewer ticks where they are shorter than 0.1 ms.
+/// The removal rate over the last 0.1 s of the session's time; over a shorter time if ticks are shorter than 0.1 ms.
 class RemovalRate {
 public:
     /// @param units removed in one tick. @param period s

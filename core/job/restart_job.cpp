@@ -13,11 +13,11 @@ namespace burin {
 
 namespace {
 
-constexpr double clearance = 2.0;                         // mm above the stock, where the tool stops to rapid
-constexpr double largestTouch = 0.001;                    // mm³, as the check allows a rapid
-constexpr double shortestLead = 5.0, leadDiameters = 1.0; // mm; of the cutter
+constexpr double clearance = 2.0;                         // mm above the stock, where rapids end
+constexpr double largestTouch = 0.001;                    // mm³, as allowed by the check for a rapid
+constexpr double shortestLead = 5.0, leadDiameters = 1.0; // mm; multiple of the cutter diameter
 
-/// The tools that a text may call; without a number, or with one tool for all, it is that one.
+/// Returns the tools that a text may call; if it calls no number, or there is one tool for all numbers, that tool.
 std::map<int, PostTool> postTools(const ParsedProgram& program, const MillingContext& milling,
                                   const ProgramRequest& request) {
     const Tool& only = request.tools.size() == 1 ? request.tools.front() : milling.tool;
@@ -28,7 +28,7 @@ std::map<int, PostTool> postTools(const ParsedProgram& program, const MillingCon
     return tools;
 }
 
-/// mm, of the cutters that a program calls.
+/// Returns the largest diameter of the cutters that a program calls, mm.
 double widest(const ParsedProgram& program, const MillingContext& milling, const ProgramRequest& request) {
     if (request.tools.size() == 1) return request.tools.front().cutter.diameter;
     double diameter = 0.0;
@@ -38,8 +38,8 @@ double widest(const ParsedProgram& program, const MillingContext& milling, const
     return diameter > 0.0 ? diameter : milling.tool.cutter.diameter;
 }
 
-/// The way down onto the path takes something away, so that the tool was not there before: a cutter that is wider than
-/// its shank comes down on what it left standing above.
+/// Whether the plunge onto the path removes material, which shows that the tool had not plunged there before: a cutter
+/// that is wider than its shank hits what it left above.
 bool cutsOnTheWayDown(const CheckedProgram& program) {
     const auto down = std::ranges::find(program.parsed.motions, NcMotionKind::line, &NcMotion::kind);
     if (down == program.parsed.motions.end()) return false;
@@ -84,7 +84,7 @@ public:
                                 restart->place.linear()};
     }
 
-    /// The tool of the one made last goes down onto the path at feed.
+    /// Whether the tool of the last program made plunges onto the path at feed.
     bool descends() const noexcept { return descends_; }
 
 private:

@@ -7,9 +7,9 @@
 namespace burin {
 namespace {
 
-/// A device says what ails it some time after its readings stopped being valid: that record is still of its fault.
+/// A device reports its fault some time after its readings became invalid: the record then still belongs to this fault.
 constexpr std::chrono::seconds sameFault{2};
-/// Or a moment before.
+/// The device can also report its fault a moment before the record.
 constexpr std::chrono::milliseconds recordPatience{200};
 
 } // namespace
@@ -61,7 +61,7 @@ std::optional<Error> SessionFaults::takeOfLoop() {
         newest_ = report->file;
         newestAt_ = Clock::now();
         const TextId reason = tickFaultReasons[static_cast<std::size_t>(report->fault)];
-        if (*reason.text == '\0') continue; // the stylus words it itself
+        if (*reason.text == '\0') continue; // the stylus reports it in its own words
         return Error{ErrorCode::deviceStopped, name_, report->file.string(), reason.text};
     }
     return std::nullopt;

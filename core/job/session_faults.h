@@ -15,24 +15,24 @@
 
 namespace burin {
 
-/// The faults of a session, of its stylus and of its loop, as messages that name the record of what led to them.
-/// Owner's thread, but for the sink and the alarm, which are the loop's.
+/// The faults of a session, of its stylus and of its loop, as messages that name the record of what led to them. Call
+/// on the owner's thread; the sink and the alarm belong to the loop.
 class SessionFaults {
 public:
-    /// @param flights folder; empty: nothing is recorded, as for a simulated stylus, whose user no force can hurt
+    /// @param flights folder; empty: nothing is recorded, as for a simulated stylus, which can't hurt its user
     /// @param materials ids of the workpiece's property list, each at its index
     SessionFaults(StylusDevice& device, double period, const std::filesystem::path& flights,
                   std::vector<std::string> materials, TickSink& loop);
-    /// Where records of a project's sessions stand: "part.flights" beside "part.burin".
+    /// Returns the folder of the records of a project's sessions: "part.flights" next to "part.burin".
     static std::filesystem::path folderBeside(const std::filesystem::path& project);
 
-    TickSink& sink() noexcept; ///< that the servo loop tells its ticks
+    TickSink& sink() noexcept; ///< to which the servo loop reports its ticks
     LoopAlarm* alarm() noexcept { return recorder_.get(); }
-    /// The oldest fault that nobody took yet; waits for no file: a fault whose record is about to be written, or may
-    /// be, comes later.
+    /// Returns the oldest fault that was not taken yet. Does not wait for files: a fault whose record is being written,
+    /// or may still be written, is returned by a later call.
     std::optional<Error> take();
 
-    /// Once the loop has ended: all records are written, and what they tell can be taken.
+    /// Call after the loop has ended: all records are written, and their faults can be taken.
     void finish() {
         if (recorder_) recorder_->finish();
         finished_ = true;

@@ -24,7 +24,7 @@ void SessionLoop::fulfil() noexcept {
         begin();
         break;
     case Wish::finish:
-        if (!endStroke()) return; // the owner is about to take some
+        if (!endStroke()) return; // the owner will take some shortly
         step_.releaseSpindle(false);
         recording_ = {};
         break;
@@ -47,7 +47,7 @@ void SessionLoop::begin() noexcept {
     step_.releaseSpindle(true);
 }
 
-/// What the owner wants otherwise from the next tick on.
+/// Applies the owner's changes before the next tick.
 void SessionLoop::takeChanges() noexcept {
     for (StepChange change; changes_.pop({&change, 1}) == 1;) step_.apply(change);
 }
@@ -59,7 +59,7 @@ AtEdge SessionLoop::edge() noexcept {
     step_.takeTiles();
     giveView();
     if (!recording()) return AtEdge::tick;
-    // Nobody mills on into a recording that can't be kept.
+    // Milling must not continue if the recording can't be kept.
     if (recording_.recorder->failing()) {
         gaveUp_.store(true, std::memory_order_relaxed);
         stop_.store(true, std::memory_order_relaxed);
@@ -77,7 +77,7 @@ void SessionLoop::tick(const Sample& sample, const TickTiming& timing) noexcept 
     if (units > 0 && oldestCut_ == 0) oldestCut_ = timing.over;
     const bool cutting = recording() && (sample.flags & sampleSpindleOff) == 0;
     if (recording()) {
-        samples_.push(sample); // room was seen at the edge, and this thread is the only writer
+        samples_.push(sample); // the edge checked for room, and this thread is the only writer
         follow(sample, cutting);
         ++recorded_;
     }
@@ -120,7 +120,7 @@ void SessionLoop::noteLayers() noexcept {
 
 void SessionLoop::follow(const Sample& sample, bool cutting) noexcept {
     if (!cutting) {
-        // Should too many strokes wait, this one goes on with the next.
+        // If too many strokes wait to be taken, this one is merged with the next.
         static_cast<void>(endStroke());
         traceBegins_ = true;
         return;
@@ -130,13 +130,13 @@ void SessionLoop::follow(const Sample& sample, bool cutting) noexcept {
         traceBegins_ = true;
         strokeOpen_.store(true, std::memory_order_release);
     }
-    // A point that found no room leaves a gap.
+    // A point that finds the ring full leaves a gap.
     traceBegins_ = !trace_.push({glm::vec3(sample.proxy.tip), traceBegins_});
 }
 
 bool SessionLoop::endStroke() noexcept {
     if (!strokeUnderWay()) return true;
-    step_.settle(); // the next stroke's snapshot, and undo's, show all of this one
+    step_.settle(); // so that the snapshots of the next stroke and of undo contain all of this one
     if (undoable_) {
         if (strokes_.full()) return false;
         strokes_.put({recording_.take, strokeFirst_, recorded_ - strokeFirst_, std::move(before_)});

@@ -17,7 +17,7 @@
 
 namespace burin {
 
-/// The layers that bound the tool, by bit of their number.
+/// The state of the layers that bound the tool, one bit per layer number.
 struct LayersNews {
     std::uint64_t on = 0;                                        ///< in force, or waiting
     std::uint64_t force = 0;                                     ///< in force
@@ -33,14 +33,14 @@ struct LayersNews {
     }
 };
 
-/// What the loop tells of its newest tick.
+/// The loop's report of its newest tick.
 struct TickNews {
     Sample sample;
     TickTiming timing;
     std::uint64_t ticks = 0;
     std::int64_t take = 0;
-    double removalRate = 0.0; ///< run units (Grid::unitVolume) a second
-    SmoothedCut cut;          ///< as it is now
+    double removalRate = 0.0; ///< run units (Grid::unitVolume) per second
+    SmoothedCut cut;          ///< at present
     SmoothedCut heaviestCut;  ///< of the take
     bool cutting = false;
     ShankContact shank;
@@ -50,8 +50,9 @@ struct TickNews {
     LayersNews layers{};
 };
 
-/// The loop's side of a session: follows takes and strokes from tick to tick, and does at a tick's edge what its owner
-/// requests. Nothing in `edge` and `tick` allocates, waits or frees: what owns memory is handed to the owner.
+/// The loop's side of a session: follows takes and strokes from tick to tick, and carries out its owner's requests
+/// between ticks. `edge` and `tick` do not allocate, block or free memory: objects that own memory are passed to the
+/// owner.
 class SessionLoop final : public TickSink {
 public:
     /// A take to record: the recorder reads `samples()`.
@@ -61,7 +62,7 @@ public:
     };
     enum class Wish : std::uint8_t { none, begin, finish, stand, goOn };
 
-    /// @param step whose spindle stands until a take begins. @param stop set when the recorder fails
+    /// @param step its spindle stays off until a take begins. @param stop set when the recorder fails
     SessionLoop(HapticStep& step, RunVolume& workpiece, bool undoable, std::atomic<bool>& stop);
 
     // ---- Loop's thread
@@ -70,36 +71,36 @@ public:
 
     // ---- Owner's thread, at any time
     Ring<Sample>& samples() noexcept { return samples_; }
-    /// The loop fulfils a request at one of its next edges; one at a time.
+    /// Makes a request, which the loop fulfils at one of its next edges; one at a time.
     void wish(Wish what) noexcept { wish_.store(what, std::memory_order_release); }
     void wishTake(const Recording& recording) noexcept;
-    /// The last wish is done: what it changed of the workpiece and of the step is visible to the owner.
+    /// Whether the last request is fulfilled: its changes to the workpiece and the step are then visible to the owner.
     bool fulfilled() const noexcept { return wish_.load(std::memory_order_acquire) == Wish::none; }
-    /// What the step is told before the next tick, in the order in which it was said here. False, and nothing was
-    /// said: too much waits, since the loop stands; ask again later.
+    /// Queues a change for the step before the next tick; changes are applied in order. Returns false, and queues
+    /// nothing, if the queue is full because the loop is paused; try again later.
     bool tell(const StepChange& change) noexcept { return changes_.push(change); }
-    /// Any thread.
+    /// Thread-safe.
     bool strokeUnderWay() const noexcept { return strokeOpen_.load(std::memory_order_acquire); }
-    /// False: there is nothing since the last call; what was overtaken is lost.
+    /// Gets the newest report. Returns false if there was none since the last call; overtaken reports are lost.
     bool takeNews(TickNews& news) noexcept { return news_.take(news); }
     bool takeFigures(LiveFigures& figures) noexcept { return figuresOut_.take(figures); }
-    /// True once for each time that the device's motors began to be spared.
+    /// Returns true once for each time that the force was reduced to spare the device's motors.
     bool takeHeat() noexcept { return heated_.exchange(false, std::memory_order_relaxed); }
-    /// True once the loop has ended because the recorder failed.
+    /// Whether the loop has ended because the recorder failed.
     bool gaveUp() const noexcept { return gaveUp_.load(std::memory_order_relaxed); }
-    /// The oldest that has ended. False: there is none. Strokes that nobody takes grow together.
+    /// Gets the oldest ended stroke. Returns false if there is none. Strokes that are not taken are merged.
     bool takeStroke(Stroke& stroke) noexcept { return strokes_.take(stroke); }
     std::size_t takeTrace(std::span<TracePoint> points) noexcept { return trace_.pop(points); }
-    /// A view of the workpiece is made at one of the next edges; `takeView` gets it, and owns it.
+    /// Requests a view of the workpiece, which is made at one of the next edges; `takeView` gets it, with ownership.
     void wishView() noexcept { viewWish_.store(true, std::memory_order_release); }
     bool takeView(WorkpieceView& view) noexcept { return views_.take(view); }
 
-    // ---- Owner's thread, while the loop stands or after it has ended
-    /// As at an edge: what was requested and not fulfilled yet.
+    // ---- Owner's thread, while the loop is paused or after it has ended
+    /// Fulfils a pending request, as at an edge.
     void fulfil() noexcept;
-    /// Ends the stroke under way, if there is one. False: too many wait to be taken.
+    /// Ends the stroke in progress, if there is one. Returns false if too many strokes wait to be taken.
     bool endStroke() noexcept;
-    /// Another state of the workpiece was put in place.
+    /// Call after the workpiece was set to another state.
     void workpieceChanged() noexcept;
     WorkpieceView finalView() { return view(); }
 
@@ -112,9 +113,9 @@ private:
     void follow(const Sample& sample, bool cutting) noexcept;
     void noteLayers() noexcept;
 
-    static constexpr std::size_t sampleCapacity = 16384; ///< seconds of ticks that the disk may keep us waiting for
+    static constexpr std::size_t sampleCapacity = 16384; ///< several seconds of ticks, to bridge delays of the disk
     static constexpr std::size_t traceCapacity = 65536;
-    static constexpr std::size_t changeCapacity = 256; ///< what a user may wish for while a slow tick lasts
+    static constexpr std::size_t changeCapacity = 256; ///< what a user can request during a slow tick
 
     HapticStep& step_;
     RunVolume& workpiece_;
@@ -133,11 +134,11 @@ private:
     Mailbox<TickNews> news_;
     Mailbox<LiveFigures> figuresOut_;
 
-    // Loop's alone.
+    // Used only by the loop.
     Recording recording_;
     bool standing_ = false;
     std::uint64_t recorded_ = 0; ///< samples of the take
-    /// While no stroke is under way: the workpiece as it is, since only strokes change it.
+    /// While no stroke is in progress: the present workpiece, since only strokes change it.
     VolumeSnapshot before_;
     std::atomic<bool> strokeOpen_{false};
     std::uint64_t strokeFirst_ = 0;

@@ -8,10 +8,10 @@ namespace burin {
 
 namespace {
 
-/// s of a tick.
+/// Returns the period of a tick, s.
 double periodOf(const StylusHandle& stylus, const SessionRequest& request) {
     const double rate = stylus.device().description().rate.value;
-    if (stylus.selfPaced() != nullptr && rate > 0.0) return 1.0 / rate; // nobody else can
+    if (stylus.selfPaced() != nullptr && rate > 0.0) return 1.0 / rate; // only the stylus can pace the loop
     return request.period > 0.0 ? request.period : ServoSettings{}.period;
 }
 

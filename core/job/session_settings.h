@@ -8,17 +8,18 @@
 
 namespace burin {
 
-// What a session's request means to its parts, and what its loop tells means to who watches. Owner's thread.
+// Converts a session's request to the settings of its parts, and the reports of its loop to the state that is shown.
+// Call on the owner's thread.
 
-/// Of the step: `settings.tickPeriod` is that of the loop.
+/// Returns the settings of the step: `settings.tickPeriod` is that of the loop.
 HapticSettings hapticSettings(const MillingContext& milling, const AxisMode& axis, const StylusHandle& stylus,
                               const SessionRequest& request);
-/// Of the loop: a stylus that paces itself gives the period.
+/// Returns the settings of the loop: a stylus that paces itself defines the period.
 ServoSettings servoSettings(const StylusHandle& stylus, const SessionRequest& request);
-/// Folder for records of faults; empty where time is simulated: there is no hand.
+/// Returns the folder for records of faults; empty if time is simulated, as there is no hand.
 std::filesystem::path flightFolder(const Project& project, const SessionRequest& request);
 
-/// @param unitVolume mm³ that a run unit of the workpiece stands for
+/// @param unitVolume volume of a run unit of the workpiece, mm³
 SessionState sessionState(const TickNews& news, const LiveFigures& figures, std::size_t layerCount, double unitVolume);
 
 } // namespace burin

@@ -9,10 +9,10 @@
 
 namespace burin {
 
-/// What a program's header and a setup sheet call a setup: its name, or its number where it has none. Empty where it
-/// is the only one and has no name.
+/// Returns the title of a setup in a program's header and a setup sheet: its name, or its number if it has none. Empty
+/// if it is the only setup and has no name.
 std::string setupTitle(const std::vector<SetupName>& setups, SetupId setup);
-/// Of the one in use. Errors: as Project::setups.
+/// Returns the title of the setup in use. Errors: as Project::setups.
 Result<std::string> setupTitle(const Project& project);
 
 } // namespace burin

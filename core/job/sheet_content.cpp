@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-/// Those of a program that are called, in the order of their numbers.
+/// Returns the tools that a program calls, in the order of their numbers.
 std::vector<Tool> calledBy(const CheckedProgram& program) {
     std::set<int> numbers;
     for (const NcMotion& motion : program.parsed.motions) numbers.insert(motion.tool);
@@ -61,7 +61,7 @@ Result<void> addProgram(const Project& project, SheetSource& source) {
     return {};
 }
 
-/// What stands around the stock, and how its tool is held.
+/// Adds the fixtures and keep-out volumes, and the axis mode of the tool.
 Result<void> addSurroundings(const Project& project, SheetSource& source) {
     Result<std::vector<Obstacle>> obstacles = project.obstacles();
     if (!obstacles) return std::move(obstacles).error();

@@ -11,34 +11,34 @@
 
 namespace burin {
 
-/// What a project says of the setup in use, for its sheet.
+/// The data of a project about the setup in use, for its setup sheet.
 struct SheetSource {
     std::string project;                ///< file name, without its folder
     std::string setupName;              ///< setupTitle
-    std::shared_ptr<const Model> model; ///< as it lies in the setup
+    std::shared_ptr<const Model> model; ///< in the setup frame
     Setup setup;
-    std::vector<Property> materials; ///< that the project keeps
-    std::vector<Obstacle> obstacles; ///< fixtures and keep-out volumes, bodies that are fixtures among them
+    std::vector<Property> materials; ///< stored in the project
+    std::vector<Obstacle> obstacles; ///< fixtures and keep-out volumes, including bodies that are fixtures
     AxisMode axis;
     MachineProfile machine;
     std::string dialect;
     NcUnits units = NcUnits::millimetre;
     std::shared_ptr<const CheckedProgram> program; ///< null: none was checked
-    bool programUpToDate = false;                  ///< its verdict holds for the project as it is
-    std::string programName;                       ///< as it was exported last; empty: it was not
-    std::vector<Tool> tools; ///< that the program calls; those of the recordings where there is none
+    bool programUpToDate = false;                  ///< its verdict holds for the present project
+    std::string programName;                       ///< of the last export; empty: not exported
+    std::vector<Tool> tools; ///< called by the program; without a program, those of the recordings
 };
 
-/// With what is made of it in seconds.
+/// The source together with the data computed from it, which takes seconds.
 struct SheetContent {
     SheetSource source;
     VolumeSnapshot stock; ///< before anything is milled
     std::vector<MaterialAmount> amounts;
 };
 
-/// Reads it. Errors: projectIncomplete (no stock yet), fileDamaged, those of loadMachine.
+/// Reads the source. Errors: projectIncomplete (no stock yet), fileDamaged, those of loadMachine.
 Result<SheetSource> sheetSource(const Project& project, const std::string& file);
-/// Embeds its stock. Any thread. Errors: those of embed, cancelled.
+/// Embeds the stock. Thread-safe. Errors: those of embed, cancelled.
 Result<SheetContent> sheetContent(SheetSource source, Progress& progress);
 
 } // namespace burin

@@ -12,7 +12,7 @@ namespace burin {
 
 namespace {
 
-/// The bodies of a model as runs of one material, in a grid around them.
+/// Returns the bodies of a model as runs of one material, in a grid around them.
 Result<RunVolume> filled(const Model& model, const StockFileRequest& request, Progress& progress) {
     Setup around;
     around.voxel = request.voxel;

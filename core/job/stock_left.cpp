@@ -17,19 +17,19 @@ namespace {
 
 constexpr double placeCount = 20'000.0;
 constexpr double apart = 0.1;      // mm between tips of a move
-constexpr double square = 1.0;     // mm, of the raster in plan
-constexpr double farthest = 10.0;  // mm: what is left is not told apart beyond
-constexpr double touching = 0.01;  // mm: a tip this deep in the mesh touches the part
-constexpr double flattened = 1e-3; // of the part of a normal in plan: the face is level
-constexpr int aroundAxis = 8;      // tips that are tried on a level face
+constexpr double square = 1.0;     // mm, cell of the raster in plan view
+constexpr double farthest = 10.0;  // mm: largest stock left that is measured
+constexpr double touching = 0.01;  // mm: a tip that is this deep in the mesh touches the part
+constexpr double flattened = 1e-3; // of a unit normal's length in plan view: below it the face is horizontal
+constexpr int aroundAxis = 8;      // tips that are tried on a horizontal face
 
 std::int64_t squareAt(double value) noexcept {
     return static_cast<std::int64_t>(std::floor(value / square));
 }
 
-/// The farthest ring of a tool in the direction against a normal.
+/// Returns the ring of a tool that is farthest in the direction opposite to a normal.
 ProfilePoint contactOf(std::span<const RevolvedPiece> flutes, const glm::dvec3& normal) noexcept {
-    constexpr double leastUpwards = 1e-6; // an upright side touches with its lowest ring
+    constexpr double leastUpwards = 1e-6; // a vertical side touches with its lowest ring
     const double sidewards = glm::length(glm::dvec2(normal)), upwards = std::max(normal.z, leastUpwards);
     ProfilePoint farthestRing;
     double most = -std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ ProfilePoint contactOf(std::span<const RevolvedPiece> flutes, const glm::dvec3& 
     return farthestRing;
 }
 
-/// Tips at which an upright tool touches a place of a face.
+/// Returns the tip positions at which an upright tool touches a point of a face.
 std::vector<glm::dvec3> touchingTips(std::span<const RevolvedPiece> flutes, const glm::dvec3& point,
                                      const glm::dvec3& normal) {
     const double sidewards = glm::length(glm::dvec2(normal));
@@ -66,14 +66,14 @@ StockLeftMeter::StockLeftMeter(const MeshDistance& part, const Box& stock) : par
         if (const glm::dvec3 normal = areaNormal(triangle); upwards(normal)) area += 0.5 * glm::length(normal);
     areaOfPlace_ = area / placeCount;
     if (!(areaOfPlace_ > 0.0)) return;
-    double passed = 0.5 * areaOfPlace_; // of the area, until the next place
+    double passed = 0.5 * areaOfPlace_; // mm², remaining area until the next point
     std::uint32_t number = 0;
     for (const Triangle& triangle : part.triangles()) {
         const glm::dvec3 normal = areaNormal(triangle);
         const double length = glm::length(normal);
         if (!upwards(normal) || !(length > 0.0)) continue;
         for (passed -= 0.5 * length; passed < 0.0; passed += areaOfPlace_, ++number) {
-            // A sequence of little discrepancy (by the plastic number) in the square, folded onto the triangle.
+            // A low-discrepancy sequence (based on the plastic number) in the square, folded onto the triangle.
             glm::dvec2 share =
                 glm::fract(static_cast<double>(number) * glm::dvec2(0.7548776662466927, 0.5698402909980532));
             if (share.x + share.y > 1.0) share = 1.0 - share;

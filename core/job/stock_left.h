@@ -14,33 +14,34 @@
 
 namespace burin {
 
-/// What is left standing where a pass was to come to the part.
+/// The stock left where a pass was requested to reach the part.
 struct StockLeft {
-    double reachable = 0.0; ///< mm² of the part that the pass was asked for, and its tool reaches from above
-    double within99 = 0.0;  ///< mm: on 99 % of that no more is left
+    double reachable = 0.0; ///< mm² of the part that was requested and that the tool reaches from above
+    double within99 = 0.0;  ///< mm: not exceeded on 99 % of that area
     double most = 0.0;      ///< mm
 };
 
-/// Measures how far a part's surface is from what the flutes of upright cutters sweep, by 20,000 places that lie evenly
-/// on what of it looks upwards. Never too little; tips are looked at 0.1 mm apart, which makes it too much by 0.0004 mm
-/// at a radius of 3 mm, and the less the larger that is. One thread at a time.
+/// Measures the distance of a part's surface from the volume swept by the flutes of upright cutters, at 20,000 points
+/// that are evenly distributed on the upward-facing surface. Never too small; tips are sampled 0.1 mm apart, which
+/// makes the result too large by 0.0004 mm at a radius of 3 mm, and by less at a larger radius. One thread at a time.
 class StockLeftMeter {
 public:
-    /// Keeps a reference to the part. @param part, stock in the setup frame: nothing stands outside of the box
+    /// Keeps a reference to the part. @param part, stock in the setup frame: nothing lies outside the box
     StockLeftMeter(const MeshDistance& part, const Box& stock);
 
-    /// The flutes go along a path. @param from index of the first point that they go to, > 0 @param to of the last
-    /// Rapids count for nothing. Cost: the length of the moves. Cancelled, it has swept a part of them.
+    /// Sweeps the flutes along a path. @param from index of the first point that they move to, > 0 @param to index of
+    /// the last. Rapids are ignored. Cost: proportional to the length of the moves. If cancelled, only a part of them
+    /// was swept.
     void sweep(std::span<const PathPoint> points, std::size_t from, std::size_t to, const Tool& tool,
                const Progress& progress);
 
-    /// Of all that was swept until now, where a pass was asked for. @param tool of the pass
+    /// Returns the stock left by all moves swept so far, where a pass was requested. @param tool of the pass
     StockLeft leftBy(const PassRequest& request, const Tool& tool, const Progress& progress) const;
 
 private:
     struct Place {
         glm::dvec3 point{0.0}, normal{0.0}; ///< mm; unit, out of the part
-        double left = 0.0;                  ///< mm, until now
+        double left = 0.0;                  ///< mm, so far
     };
     void sweepTo(const glm::dvec3& tip, std::span<const RevolvedPiece> flutes, double widest);
     static std::int64_t squareOf(std::int64_t column, std::int64_t row) noexcept {
@@ -48,9 +49,9 @@ private:
     }
 
     const MeshDistance& part_;
-    double areaOfPlace_ = 0.0; ///< mm² that each place stands for
+    double areaOfPlace_ = 0.0; ///< mm² that each point represents
     std::vector<Place> places_;
-    std::unordered_map<std::int64_t, std::vector<std::uint32_t>> squares_; ///< of a millimetre, in plan
+    std::unordered_map<std::int64_t, std::vector<std::uint32_t>> squares_; ///< of one millimetre in plan view
 };
 
 } // namespace burin

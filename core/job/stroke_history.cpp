@@ -27,7 +27,7 @@ void StrokeHistory::tidy() {
     forgetBeyondMemory();
 }
 
-/// The volume's history gives steps up when they take more than its budget.
+/// Drops the strokes whose steps the volume's history gave up, as they took more than its budget.
 void StrokeHistory::forgetBeyondMemory() {
     while (done_.size() > workpiece_.undoSteps()) done_.pop_front();
     while (undone_.size() > workpiece_.redoSteps()) undone_.pop_front();

@@ -14,53 +14,54 @@ namespace burin {
 struct Stroke {
     std::int64_t take = 0;
     std::uint64_t first = 0, count = 0; ///< samples of the take
-    VolumeSnapshot before;              ///< the workpiece as the stroke found it
+    VolumeSnapshot before;              ///< the workpiece before the stroke
 };
 
-/// The newest strokes of a milling context, so that they can be taken back, during a session and after it. It belongs
-/// to one workpiece: to be cleared when that is made anew, changed by others, or a take of it is removed. Owner's
-/// thread. The last few strokes hold back what of the volume's memory has changed since; older ones are packed
-/// (VolumeHistory) and cost some bytes a run end that they changed.
+/// The newest strokes of a milling context, so that they can be undone during a session and after it. Belongs to one
+/// workpiece: clear it when the workpiece is made anew, changed by others, or when one of its takes is removed. Call on
+/// the owner's thread. The last few strokes occupy the volume's memory that has changed since; older ones are packed
+/// (VolumeHistory) and take some bytes per run end that they changed.
 class StrokeHistory {
 public:
-    static constexpr std::size_t maximum = 128; ///< strokes that can be taken back at once; older ones by cutting again
+    static constexpr std::size_t maximum = 128; ///< strokes that can be undone immediately; older ones by cutting again
     bool canUndo() const noexcept { return !done_.empty(); }
     bool canRedo() const noexcept { return !undone_.empty(); }
     std::size_t count() const noexcept { return done_.size(); }
-    /// All strokes that were ever added, whatever became of them.
+    /// Returns the number of all strokes that were ever added, including forgotten ones.
     std::uint64_t added() const noexcept { return added_; }
-    /// The stroke that `undo` would take back; there must be one. Its snapshot is empty: the history has taken it.
+    /// Returns the stroke that `undo` would undo; there must be one. Its snapshot is empty, as the history has taken
+    /// it.
     const Stroke& newest() const noexcept { return newest(0); }
-    /// The one that so many are newer than; there must be one. @param newer below `count`
+    /// Returns the stroke that is older than the `newer` newest ones; there must be one. @param newer below `count`
     const Stroke& newest(std::size_t newer) const noexcept { return done_[done_.size() - 1 - newer]; }
-    /// The stroke that `redo` would put back; there must be one.
+    /// Returns the stroke that `redo` would redo; there must be one.
     const Stroke& nextRedo() const noexcept { return undone_.back(); }
-    /// What the strokes hold of the volume's memory and beside it.
+    /// Returns the memory that the strokes occupy inside and outside the volume.
     VolumeHistory::Cost cost() const noexcept { return workpiece_.totalCost(); }
-    void clear(); ///< gives back what it holds of the volume's memory
+    void clear(); ///< also releases its part of the volume's memory
 
-    /// For the session alone: a stroke that was just ended. What could be redone is forgotten.
+    /// For the session only: adds a stroke that has just ended. Strokes that could be redone are forgotten.
     void add(Stroke stroke);
-    /// For the session alone, now and then: packs a little of what is to be packed (a millisecond or two).
+    /// For the session only, call from time to time: packs some of the pending strokes (a millisecond or two).
     void tidy();
-    /// Puts the workpiece back and marks the stroke's samples as undone in the project, or takes both back. The
-    /// workpiece must have no other writer. Errors: argumentInvalid (there is none), volumeOutOfMemory (a packed
-    /// stroke does not fit in), those of Project; nothing is changed then.
+    /// `undo` restores the workpiece and marks the stroke's samples as undone in the project; `redo` reverts both. The
+    /// workpiece must have no other writer. Errors: argumentInvalid (there is no such stroke), volumeOutOfMemory (a
+    /// packed stroke does not fit), those of Project; nothing is changed then.
     Result<void> undo(Project& project, RunVolume& workpiece);
     Result<void> redo(Project& project, RunVolume& workpiece);
-    /// Gives memory back to the volume: what strokes hold is packed, or, when that was done before, the oldest half
-    /// stays for good. False: there is nothing to give.
+    /// Returns memory to the volume: packs the strokes or, if they are packed already, forgets the oldest half. Returns
+    /// false if there is nothing to free.
     bool makeRoom();
-    /// The oldest half stays for good. False: there is none.
+    /// Forgets the oldest half of the strokes, which can then no longer be undone. Returns false if there are none.
     bool forgetOldest();
 
 private:
     void forget(std::size_t strokes);
     void forgetBeyondMemory();
 
-    std::deque<Stroke> done_, undone_; ///< newest last; of the undone, the one that is redone first
+    std::deque<Stroke> done_, undone_; ///< newest last; for undone_: the next one to redo
     std::uint64_t added_ = 0;
-    VolumeHistory workpiece_; ///< a step a stroke
+    VolumeHistory workpiece_; ///< one step per stroke
 };
 
 } // namespace burin

@@ -30,13 +30,13 @@ Result<Field> fieldFor(const MillingContext& milling, const Tool& tool, const gl
     return Field(std::make_shared<const TurnedField>(std::move(*field)));
 }
 
-/// A field of a part as it is seen along an axis, asked in the setup frame.
+/// A field of a part seen along an axis, queried in the setup frame.
 class SetupView final : public ClearanceField {
 public:
     SetupView(Field seen, const glm::dmat3& turn) noexcept : seen_(std::move(seen)), turn_(turn) {}
     FieldSample at(const glm::dvec3& tip) const noexcept override {
         FieldSample sample = seen_->at(turn_ * tip);
-        sample.gradient = sample.gradient * turn_; // the transposed turn takes it back
+        sample.gradient = sample.gradient * turn_; // multiplies by the transposed rotation, the inverse
         return sample;
     }
     double errorBound() const noexcept override { return seen_->errorBound(); }
@@ -134,7 +134,7 @@ Result<void> ToolBounds::lay(const MillingContext& milling, const Seen& seen, co
 Result<ToolBounds> ToolBounds::grow(const MillingContext& milling, std::shared_ptr<const MeshDistance> part,
                                     const Tool& tool, const AxisMode& axis, const Surroundings& surroundings,
                                     double maximumAllowance, const GrowthLimits& limits, Progress& progress) {
-    // A part without a body has no field that could grow.
+    // A part without bodies has no field that could grow.
     if (axis.free || milling.partModel->bodies.empty())
         return build(milling, tool, axis, surroundings, maximumAllowance, progress);
     Result<ToolBounds> bounds = withoutField(milling, tool, axis, surroundings);

@@ -19,88 +19,89 @@
 
 namespace burin {
 
-/// A mesh that somebody keeps for longer than what gets it: the milling context's own part, as a rule.
+/// Returns a non-owning pointer to a mesh that outlives the receiver: usually the milling context's own part.
 inline std::shared_ptr<const MeshDistance> lent(const MeshDistance& mesh) {
     return {std::shared_ptr<void>(), &mesh};
 }
 
-/// What bounds a milling context's tool besides the part.
+/// The limits of a milling context's tool other than the part.
 struct Surroundings {
     std::vector<Obstacle> obstacles; ///< layers 1, 2, …
-    Envelope envelope;               ///< the layer after them, where it sets a limit
+    Envelope envelope;               ///< the layer after them, if it sets a limit
 };
 
-/// What stands around a milling context, and the travel of its machine. A travel bounds an upright tool alone: how a
-/// three-axis machine's axes move a tilted one is not known.
+/// Returns the fixtures and keep-out volumes of a milling context, and the travel of its machine. Travel limits apply
+/// only to an upright tool: how the axes of a three-axis machine move a tilted one is not known.
 Surroundings surroundingsOf(const MillingContext& milling, const TravelPlacement& placement, const AxisMode& axis);
 
-/// One of the layers that bound a tool, for whoever shows and switches it.
+/// One of the layers that bound a tool, for displaying and switching it.
 struct BoundLayer {
     enum class Kind : std::uint8_t { part, fixture, keepOut, machineTravel };
     Kind kind = Kind::part;
     std::string name; ///< of the obstacle; empty for part and travel
-    bool on = true;   ///< from the start
+    bool on = true;   ///< initially
 };
 
-/// What bounds a tool on a milling context, made once in the background and used by any number of sessions: each gets
-/// layers of its own. Immutable; shares what is large when it is copied; any thread.
+/// The limits of a tool on a milling context, made once in the background and used by any number of sessions, each of
+/// which gets its own layers. Immutable and thread-safe; copies share large data.
 class ToolBounds {
 public:
-    /// Of layers, the part's and the travel's among them.
+    /// Largest number of layers, including those of the part and the travel.
     static constexpr std::size_t capacity = 64;
 
-    /// The part alone, as a field of tips for the axis +Z that the caller keeps: it outlives the object and all its
-    /// layers.
+    /// Bounds by the part alone, given as a field over tips for the axis +Z. The caller keeps the field: it must
+    /// outlive the object and all its layers.
     static ToolBounds borrowing(const ClearanceField& part);
-    /// The same; the field goes with the object.
+    /// The same; the object shares ownership of the field.
     explicit ToolBounds(std::shared_ptr<const ClearanceField> part);
 
-    /// The part is layer 0: a field of tips where the axis stands, the mesh itself where it is free. The milling
-    /// context outlives what is made. Cost: that of `clearanceField`, none with a free axis; and of a search tree an
-    /// obstacle.
+    /// Makes the bounds. The part is layer 0: a field over tips for a fixed axis, the mesh itself for a free one. The
+    /// milling context must outlive the result. Cost: that of `clearanceField`, none with a free axis; and of one
+    /// search tree per obstacle.
     /// @param tool that the milling context has or is about to get
     /// Errors: cancelled, outOfMemory, those of checkObstacle, argumentInvalid (an axis that is not of unit length, too
     /// many obstacles).
     static Result<ToolBounds> build(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                     const Surroundings& surroundings, double maximumAllowance, Progress& progress);
 
-    /// The same, to mill with in a moment whatever the size: the part's field grows in the background, around the tool
-    /// first, and holds the tool where it is not there yet. What is whole within some tenths of a second is awaited.
-    /// A free axis has no field.
-    /// @param part the milling context's mesh; shared by what is made @param limits of the field
+    /// The same, but ready for milling almost immediately for any size: the part's field grows in the background,
+    /// around the tool first, and stops the tool where it is not computed yet. Waits for the complete field if that
+    /// takes only some tenths of a second. A free axis has no field.
+    /// @param part the milling context's mesh; shared with the result @param limits of the field
     static Result<ToolBounds> grow(const MillingContext& milling, std::shared_ptr<const MeshDistance> part,
                                    const Tool& tool, const AxisMode& axis, const Surroundings& surroundings,
                                    double maximumAllowance, const GrowthLimits& limits, Progress& progress);
-    /// As they grew while a trace was recorded whose `TracedSession::growth` says so: for a session that plays it
-    /// (SessionRequest::replayed). Makes what the trace names, in the caller's thread. Errors: also traceInvalid (it
-    /// names what this milling context does not have).
+    /// The bounds as they grew while a trace was recorded, according to its `TracedSession::growth`: for a session that
+    /// plays it (SessionRequest::replayed). Computes the tiles that the trace names, on the caller's thread. Errors:
+    /// also traceInvalid (it names something that this milling context does not have).
     static Result<ToolBounds> asGrown(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                       const Surroundings& surroundings, const SessionTrace& trace, Progress& progress);
 
-    /// Waits until the field has nothing left to do for the tool where it is; at once where none grows.
-    /// @param progress gets the share of the field that is there. Errors: cancelled, outOfMemory (what is not there
-    /// holds the tool for good).
+    /// Blocks until the field has nothing left to compute for the tool's present position; returns immediately if no
+    /// field grows.
+    /// @param progress gets the computed share of the field. Errors: cancelled, outOfMemory (the missing parts then
+    /// stop the tool permanently).
     Result<void> waitUntilQuiet(Progress& progress) const;
-    /// Makes all of the field, and keeps it. Errors: cancelled, outOfMemory.
+    /// Computes the entire field, and keeps it. Errors: cancelled, outOfMemory.
     Result<void> finish(Progress& progress) const;
-    /// Every tip is answered as the part itself is: the field is all there, or the axis free.
+    /// Whether every tip is answered by the part itself: the field is complete, or the axis is free.
     bool complete() const { return !growing_ || growing_->complete(); }
-    /// Of a field that grows, as it is now; 0 where none does.
+    /// Returns the present memory of a growing field; 0 if none grows.
     std::size_t memoryBytes() const { return growing_ ? growing_->memoryBytes() : 0; }
-    /// How it grows, for the trace of a session; none where it does not.
+    /// Returns how the field grows, for the trace of a session; empty if it does not grow.
     std::optional<TracedSession::Growth> growth() const;
 
-    /// For one session; quick. Layers go on without the object.
+    /// Returns layers for one session; fast. The layers do not depend on the lifetime of the object.
     BoundaryLayers boundaryLayers() const;
-    /// By their number.
+    /// Returns the layers, by their number.
     const std::vector<BoundLayer>& layers() const noexcept { return layers_; }
-    const AxisMode& axis() const noexcept { return axis_; }         ///< that the layers were made for
-    const Envelope& envelope() const noexcept { return envelope_; } ///< setup frame; without limits where none is on
-    /// The part's clearance where the axis stands, over tips; null where it is free.
+    const AxisMode& axis() const noexcept { return axis_; }         ///< for which the layers were made
+    const Envelope& envelope() const noexcept { return envelope_; } ///< setup frame; without limits if none is on
+    /// Returns the part's clearance field over tips for a fixed axis; null for a free axis.
     const ClearanceField* field() const noexcept { return field_.get(); }
 
 private:
-    /// What a growing field is made of and seen through.
+    /// The mesh of a growing field, and the rotation into its frame.
     struct Seen {
         std::shared_ptr<const MeshDistance> part;
         glm::dmat3 turn{1.0};
@@ -114,11 +115,11 @@ private:
 
     AxisMode axis_;
     std::shared_ptr<const ClearanceField> field_;
-    std::shared_ptr<GrowingField> growing_; ///< null: the field is all there
+    std::shared_ptr<GrowingField> growing_; ///< null: the field is complete
     glm::dmat3 turn_{1.0};                  ///< from the setup frame to the growing field's
     double maximumAllowance_ = 0.0;         ///< mm, of the growing field
     std::optional<GrowingBoundary::Tiles> replayed_;
-    const MeshDistance* mesh_ = nullptr; ///< the milling context's; null: the part's field alone
+    const MeshDistance* mesh_ = nullptr; ///< of the milling context; null: only the part's field
     double voxel_ = 0.0;                 ///< mm
     Tool tool_;
     std::vector<ObstacleSolid> obstacles_;
@@ -126,7 +127,7 @@ private:
     std::vector<BoundLayer> layers_;
 };
 
-/// What bounds the milling context's own tool, for HapticStep: the layers of its ToolBounds.
+/// Returns the layers of the ToolBounds of the milling context's own tool, for HapticStep.
 Result<BoundaryLayers> boundaryLayers(const MillingContext& milling, const AxisMode& axis,
                                       const Surroundings& surroundings, double maximumAllowance, Progress& progress);
 

@@ -12,10 +12,10 @@ namespace burin {
 
 namespace {
 
-// A tick sweeps each piece of a profile: more of them would take its time.
+// A tick sweeps each piece of a profile: more pieces would take too long.
 constexpr std::size_t mostLines = 48;
 
-/// All bodies of a model as one mesh.
+/// Returns all bodies of a model as one mesh.
 Result<TriangleMesh> closedMesh(const std::filesystem::path& file, const ImportOptions& options, Progress& progress) {
     const Result<Model> model = importModel(file, options, progress);
     if (!model) return model.error();
@@ -30,7 +30,7 @@ void lift(TriangleMesh& mesh, double height) {
     for (glm::dvec3& vertex : mesh.vertices) vertex.z += height;
 }
 
-/// Finest first: a profile of too many lines gets a coarser one.
+/// Returns the finest profile that does not have too many lines, starting at the given tolerance.
 Result<RevolutionEnvelope> profileOf(const TriangleMesh& mesh, double tolerance) {
     for (;; tolerance *= 2.0) {
         Result<RevolutionEnvelope> envelope = revolutionEnvelope(mesh, tolerance);
@@ -44,13 +44,13 @@ double widestOf(const TriangleMesh& mesh) {
     return widest;
 }
 
-/// mm, the least radius of a profile from a height on; 0 where it reaches below the tip.
+/// Returns the smallest radius of a profile from a height on, mm; 0 if the height is below the tip.
 double narrowestFrom(double height, const std::vector<ProfileElement>& profile) {
     if (height < 0.0) return 0.0;
     double narrowest = profile.back().radius;
     ProfileElement before;
     for (const ProfileElement& line : profile) {
-        if (line.height > height) narrowest = std::min({narrowest, line.radius, before.radius}); // whole lines: safe
+        if (line.height > height) narrowest = std::min({narrowest, line.radius, before.radius}); // entire lines: safe
         before = line;
     }
     return narrowest;

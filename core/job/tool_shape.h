@@ -12,29 +12,29 @@
 
 namespace burin {
 
-/// A cutter that is to be made of models of its flutes and its shank (paper, eq. 3). Both are in one frame: axis +Z, to
-/// the holder, through the origin; the lowest point of the flutes becomes the tip.
+/// A request for a cutter made from models of its flutes and its shank (paper, eq. 3). Both are in one frame: axis +Z,
+/// towards the holder, through the origin; the lowest point of the flutes becomes the tip.
 struct ToolShapeRequest {
     std::filesystem::path flutes; ///< any of the formats of importModel
-    std::filesystem::path shank;  ///< the same; empty: the shank of `like`
-    Tool like; ///< number, flutes, what it bears, holder, and the shank where there is no model of it
+    std::filesystem::path shank;  ///< in the same formats; empty: the shank of `like`
+    Tool like;                    ///< provides number, flutes, limits, holder, and the shank if there is no model of it
     std::string id, name;
-    double tolerance = 0.005; ///< mm, by which the profile may stand away from the axis
+    double tolerance = 0.005; ///< mm, by which the profile may be farther from the axis
     ImportOptions import;
 };
 
-/// The tool, and what was done to the models.
+/// The tool, and the changes made to the models.
 struct ShapedTool {
-    Tool tool;           ///< valid
-    double lift = 0.0;   ///< mm, that the models were moved along Z, so that the tip is at 0
-    double excess = 0.0; ///< mm, by which the profile is at most wider than what the flutes sweep in a turn; never less
-    bool coarser = false; ///< than the tolerance that was asked for: a finer profile has too many lines
+    Tool tool;            ///< valid
+    double lift = 0.0;    ///< mm, by which the models were moved along Z so that the tip is at 0
+    double excess = 0.0;  ///< mm, largest excess of the profile over the volume swept by the flutes; never narrower
+    bool coarser = false; ///< than the requested tolerance: a finer profile has too many lines
 };
 
-/// Reads the models and draws the profile of what they sweep while the spindle turns: every tool that turns cuts as
-/// that profile does, whatever its teeth are like; where a tip is hollow, it is taken as filled.
-/// Errors: those of importModel, argumentInvalid (a surface that is not closed; a shank that sticks out of
-/// the flutes below their end, or ends there), those of `validate`.
+/// Reads the models and computes the profile of the volume that they sweep while the spindle turns: a rotating tool
+/// cuts like this profile, regardless of the shape of its teeth; a hollow tip is treated as filled.
+/// Errors: those of importModel, argumentInvalid (a surface that is not closed; a shank that protrudes from the flutes
+/// below their end, or ends there), those of `validate`.
 Result<ShapedTool> shapedTool(const ToolShapeRequest& request, Progress& progress);
 
 } // namespace burin

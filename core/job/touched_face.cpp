@@ -10,8 +10,8 @@ namespace burin {
 
 namespace {
 
-constexpr double leastPush = 0.02;       // mm that the hand is beyond the tool: far more than the loop's rounding
-constexpr double leastAlignment = 0.999; // of a unit normal: 2.6 degrees, what a field of voxels makes of a plane
+constexpr double leastPush = 0.02;       // mm that the hand is beyond the tool: much more than the loop's rounding
+constexpr double leastAlignment = 0.999; // of a unit normal: 2.6 degrees, the error of a plane in a field of voxels
 
 } // namespace
 

@@ -9,20 +9,20 @@
 
 namespace burin {
 
-/// What an upright tool is held against, as an edge finder tells it.
+/// The face that stops an upright tool, as found by an edge finder.
 struct TouchedFace {
     enum class Outcome : std::uint8_t {
         found,
         nothing, ///< nothing holds the tool back
-        aslant   ///< the tool leans, or the face is along no plane of two axes
+        aslant   ///< the tool is tilted, or the face is not parallel to a plane of two axes
     };
     Outcome outcome = Outcome::nothing;
-    int axis = 0;          ///< 0, 1, 2: that the face stands across
+    int axis = 0;          ///< 0, 1, 2: the axis that the face is perpendicular to
     glm::dvec3 place{0.0}; ///< mm, setup frame: where the tool touches
 };
 
-/// From which side a boundary pushes the tool back, and where: a side face by the cutter's radius, a face below by its
-/// tip. @param allowance mm that the boundary lies before the face
+/// Returns the side and the position at which a boundary pushes the tool back: a side face is found with the cutter's
+/// radius, a face below with its tip. @param allowance distance of the boundary in front of the face, mm
 TouchedFace touchedFace(const Sample& sample, const Tool& tool, double allowance);
 
 } // namespace burin

@@ -10,9 +10,9 @@ namespace burin {
 
 namespace {
 
-/// What reading a kept workpiece costs beside cutting again: it pays where so many motions are spared.
+/// The cost of reading a kept workpiece, in motions to cut: reading pays if it saves more motions.
 constexpr std::uint64_t motionsOfReading = 2000;
-/// Putting the bricks of a known stretch costs about a twentieth of cutting it.
+/// The cost of applying the bricks of a known step: about a twentieth of cutting it.
 constexpr std::uint64_t motionsOfKnownStep = WorkpieceInTime::motionsPerStep / 20;
 
 Error goingCancelled() {
@@ -45,7 +45,7 @@ std::uint64_t WorkpieceInTime::motionsBefore(const TakeMoment& moment) const noe
     return before_[place] + (*take)->motions.countWithin(moment.samples);
 }
 
-/// Each take's end, what was kept, and every thousand motions of a take in between.
+/// Places marks at each take's end, at the kept workpieces, and every thousand motions of a take in between.
 void WorkpieceInTime::placeMarks(std::vector<KeptWorkpiece> kept) {
     std::map<std::uint64_t, Mark> marks;
     const auto markOf = [&](std::uint64_t motions, const TakeMoment& moment) -> Mark& {
@@ -78,7 +78,7 @@ std::size_t WorkpieceInTime::markAt(std::uint64_t motions) const noexcept {
     return static_cast<std::size_t>(std::ranges::upper_bound(marks_, motions, {}, &Mark::motions) - marks_.begin()) - 1;
 }
 
-/// From where the volume stands to a mark, in motions to cut.
+/// Returns the cost of going from the volume's position to a mark, in motions to cut.
 std::uint64_t WorkpieceInTime::costOfWalk(std::size_t mark) const noexcept {
     std::uint64_t cost = 0;
     for (std::size_t i = std::min(mark, mark_); i < std::max(mark, mark_); ++i)
@@ -86,9 +86,9 @@ std::uint64_t WorkpieceInTime::costOfWalk(std::size_t mark) const noexcept {
     return cost;
 }
 
-/// A kept workpiece, or the stock, from which a mark is nearer than from where the volume stands.
+/// Returns a kept workpiece, or the stock, from which a mark costs less than from the volume's position.
 std::optional<std::size_t> WorkpieceInTime::betterStart(std::size_t target) const noexcept {
-    bool backwards = true; // the stretches in between are known
+    bool backwards = true; // the steps in between are known
     for (std::size_t i = target; i < mark_; ++i) backwards = backwards && marks_[i].next.has_value();
     std::optional<std::size_t> best;
     std::uint64_t least = backwards ? costOfWalk(target) : ~std::uint64_t{0};
@@ -168,7 +168,7 @@ Result<void> WorkpieceInTime::stepBackward() {
     return {};
 }
 
-/// The volume stands at a mark.
+/// Goes to a mark, from a volume that is at a mark.
 Result<void> WorkpieceInTime::walkTo(std::size_t mark, Progress& progress) {
     const std::size_t begin = mark_;
     while (mark_ != mark) {
@@ -186,7 +186,7 @@ Result<VolumeSnapshot> WorkpieceInTime::at(const TakeMoment& moment, Progress& p
     const std::size_t target = markAt(motions);
     const auto go = [&]() -> Result<void> {
         if (target == mark_ && motions >= place_) return cut(place_, motions, progress);
-        // What was cut behind the mark is put back, so that a stretch that was left half way is begun again.
+        // Cuts behind the mark are undone, so that an incomplete step is begun again.
         volume_.restore(atMark_);
         place_ = marks_[mark_].motions;
         if (const std::optional<std::size_t> start = betterStart(target))

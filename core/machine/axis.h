@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// Axes of a machine as programs name them (ISO 841), in the order in which controls number them.
+/// Axes of a machine, with the names that programs use (ISO 841), in the order in which controls number them.
 enum class Axis : std::uint8_t { x, y, z, a, b, c, u, v, w };
 inline constexpr std::size_t axisCount = 9;
 inline constexpr std::string_view axisLetters = "XYZABCUVW"; ///< in the order of Axis
@@ -19,12 +19,12 @@ inline constexpr std::string_view axisLetters = "XYZABCUVW"; ///< in the order o
 constexpr char letterOf(Axis axis) noexcept {
     return axisLetters[static_cast<std::size_t>(axis)];
 }
-/// The axis that a letter names, upper case; nothing: it names none.
+/// The axis with this letter, upper case; empty if there is none.
 constexpr std::optional<Axis> axisOfLetter(char letter) noexcept {
     const std::size_t place = axisLetters.find(letter);
     return place == std::string_view::npos ? std::nullopt : std::optional(static_cast<Axis>(place));
 }
-/// Whether an axis turns, so that its values are degrees rather than mm.
+/// Whether an axis is rotary, so that its values are degrees rather than mm.
 constexpr bool isRotary(Axis axis) noexcept {
     return axis == Axis::a || axis == Axis::b || axis == Axis::c;
 }
@@ -33,7 +33,7 @@ constexpr Axis linearAxis(int component) noexcept {
     return static_cast<Axis>(component);
 }
 
-/// Some of the axes. Its iterator goes over them in the order of Axis.
+/// A set of axes. Its iterator visits them in the order of Axis.
 class AxisSet {
 public:
     class Iterator {
@@ -47,7 +47,7 @@ public:
         friend constexpr bool operator==(Iterator, Iterator) noexcept = default;
 
     private:
-        std::uint16_t left_; // those that are still to come
+        std::uint16_t left_; // axes that are still to be visited
     };
 
     constexpr AxisSet() noexcept = default;
@@ -79,7 +79,7 @@ private:
 inline constexpr AxisSet linearAxes(Axis::x, Axis::y, Axis::z);
 inline constexpr AxisSet allAxes(Axis::x, Axis::y, Axis::z, Axis::a, Axis::b, Axis::c, Axis::u, Axis::v, Axis::w);
 
-/// Something of each axis.
+/// One value for each axis.
 template <class T>
 struct ByAxis {
     std::array<T, axisCount> values{}; ///< in the order of Axis

@@ -30,7 +30,7 @@ void AxisTravel::goTo(Axis axis, double value) noexcept {
 std::optional<double> AxisTravel::wayBeyond(Axis axis) const noexcept {
     const Ends& ends = ends_[axis];
     const Way& way = ways_[axis];
-    if (way.low > way.high) return std::nullopt; // it was sent nowhere
+    if (way.low > way.high) return std::nullopt; // no position was given
     std::optional<double> beyond;
     if (!(way.high - way.low <= ends.length)) beyond = way.high - way.low;
     if (way.last < ends.low || way.last > ends.high)

@@ -10,21 +10,22 @@
 
 namespace burin {
 
-/// Judges whether the axes of a machine get wherever a program sends them. It is told one place after the other; from
-/// the first two on the way between them can be longer than an axis, wherever on it the setup stands. Lengths are mm,
-/// of rotary axes degrees; axes without a stated travel, as rotary ones are, have no end.
+/// Checks whether the travel of a machine's axes is enough for a program. It receives one position after the other;
+/// from the second on, the range between them can exceed the travel of an axis, wherever in that travel the setup is
+/// placed. Lengths are mm, for rotary axes degrees; axes without a stated travel, such as rotary ones, have no limits.
 class AxisTravel {
 public:
-    /// @param ends of X, Y and Z, counted as the values that follow; empty: nobody knows where they lie
+    /// @param limits of X, Y and Z, in the same coordinates as the values that follow; empty: their position is not
+    /// known
     explicit AxisTravel(const MachineProfile& machine, const Box& ends = {}) noexcept;
 
     void goTo(AxisSet axes, const AxisValues& values) noexcept;
     void goTo(Axis axis, double value) noexcept;
 
-    /// Way that an axis would have to have for its last place, and all before: more than it has. Nothing: it gets
-    /// there.
+    /// The travel that an axis would need for its last position together with all previous ones, if that exceeds the
+    /// travel it has. Empty if the position can be reached.
     std::optional<double> wayBeyond(Axis axis) const noexcept;
-    double length(Axis axis) const noexcept { return ends_[axis].length; } ///< that an axis has; infinite: no end
+    double length(Axis axis) const noexcept { return ends_[axis].length; } ///< travel of an axis; infinite: no limits
 
 private:
     struct Ends {

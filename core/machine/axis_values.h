@@ -11,10 +11,10 @@
 
 namespace burin {
 
-/// Where a machine's axes stand: mm, and degrees of A, B and C, counted from whatever zero its owner names. Which of
-/// them a machine has is not said here. A value: copies are their own. X, Y and Z stand in it; the six others take
-/// memory of their own from the first that is not 0, as a program has millions of these and seldom more than three
-/// axes.
+/// Positions of a machine's axes: mm, for A, B and C degrees, relative to a zero that the owner of the object defines.
+/// It does not say which axes a machine has. A value type: copies are independent. X, Y and Z are stored in the object;
+/// the six other axes are allocated separately as soon as one of them is not 0, because a program holds millions of
+/// these objects and seldom has more than three axes.
 class AxisValues {
 public:
     AxisValues() noexcept = default;
@@ -50,14 +50,14 @@ public:
 
     const glm::dvec3& linear() const noexcept { return linear_; } ///< X, Y, Z, mm
     void setLinear(const glm::dvec3& linear) noexcept { linear_ = linear; }
-    /// Whether no axis but X, Y and Z is off its zero.
+    /// Whether all axes except X, Y and Z are at their zero.
     bool onlyLinear() const noexcept { return !further_ || *further_ == Further{}; }
 
     friend bool operator==(const AxisValues& a, const AxisValues& b) noexcept {
         if (a.linear_ != b.linear_) return false;
         return a.further_ && b.further_ ? *a.further_ == *b.further_ : a.onlyLinear() && b.onlyLinear();
     }
-    /// Axis by axis.
+    /// Adds axis by axis.
     friend AxisValues operator+(AxisValues a, const AxisValues& b) {
         a.linear_ += b.linear_;
         for (std::size_t i = 3; b.further_ && i < axisCount; ++i) {
@@ -73,10 +73,10 @@ private:
     static constexpr std::size_t placeOf(Axis axis) noexcept { return static_cast<std::size_t>(axis) - 3; }
 
     glm::dvec3 linear_{0.0};
-    std::unique_ptr<Further> further_; // of none that is off its zero: nothing, or zeros
+    std::unique_ptr<Further> further_; // null or all zeros if none of these axes is off its zero
 };
 
-/// The straight way from one to the other, axis by axis, at a share of it.
+/// Linear interpolation between two positions, axis by axis. @param share 0: `from`, 1: `to`
 inline AxisValues between(const AxisValues& from, const AxisValues& to, double share) {
     AxisValues values(glm::mix(from.linear(), to.linear(), share));
     for (std::size_t i = 3; !(from.onlyLinear() && to.onlyLinear()) && i < axisCount; ++i) {

@@ -12,7 +12,7 @@ Envelope travelEnvelope(const MachineProfile& machine, const TravelPlacement& pl
     if (!placement.on) return envelope;
     const glm::dvec3& travel = machine.travel;
     const glm::dvec3 middle(0.5 * travel.x, 0.5 * travel.y, travel.z - machine.toolChangeHeight);
-    // The tool change height is above program zero, and above the stock wherever that is.
+    // The tool change height is measured from program zero, or from the top of the stock if that is higher.
     const glm::dvec3 assumed(stockTop.x, stockTop.y, std::max(stockTop.z, workOffset.z));
     envelope.tips.low = placement.zero ? workOffset - *placement.zero : assumed - middle;
     envelope.tips.high = envelope.tips.low + travel;

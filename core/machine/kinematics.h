@@ -12,26 +12,27 @@
 
 namespace burin {
 
-/// How the axes of a machine carry a tool about a setup: the only way from poses to values of axes and back. Values are
-/// those that a program states, counted from the zero that the kinematics were made for. Immutable; any thread.
+/// How the axes of a machine move a tool relative to a setup. All conversions between poses and axis values are made
+/// here. Axis values are those of the program, relative to the zero that the kinematics were made for. Immutable;
+/// thread-safe.
 class Kinematics {
 public:
     virtual ~Kinematics() = default;
 
-    /// Those that a pose depends on.
+    /// The axes that a pose depends on.
     virtual AxisSet axes() const noexcept = 0;
-    /// Where the axes stand with the tool at a pose.
+    /// The axis values for a tool pose.
     /// @param pose setup frame; finite, its axis of unit length
-    /// Errors: programLimit (the machine can't hold the tool that way). Where the axes end is AxisTravel's affair.
+    /// Errors: programLimit (the machine can't orient the tool like this). Axis limits are checked by AxisTravel.
     virtual Result<AxisValues> axesOf(const ToolPose& pose) const = 0;
-    /// The tool's pose, setup frame. Axes that the machine doesn't have don't count.
+    /// The tool's pose, setup frame. Axes that the machine doesn't have are ignored.
     virtual ToolPose poseOf(const AxisValues& values) const noexcept = 0;
 };
 
-/// X, Y and Z carry an upright tool: the values are the tip's place, counted from the program's zero.
+/// X, Y and Z move an upright tool: the values are the position of the tip relative to the program's zero.
 class ThreeAxes final : public Kinematics {
 public:
-    /// @param zero the program's, mm, setup frame
+    /// @param zero the program's zero, mm, setup frame
     explicit ThreeAxes(const glm::dvec3& zero = glm::dvec3(0.0)) noexcept : zero_(zero) {}
 
     AxisSet axes() const noexcept override { return linearAxes; }
@@ -43,7 +44,7 @@ private:
 };
 
 /// The kinematics of a machine for programs of one setup; the caller owns them.
-/// @param zero the program's, mm, setup frame
+/// @param zero the program's zero, mm, setup frame
 std::unique_ptr<const Kinematics> kinematicsOf(const MachineProfile& machine, const glm::dvec3& zero);
 
 } // namespace burin

@@ -20,7 +20,7 @@ ordered_json jsonOf(const glm::dvec3& axes) {
     return ordered_json::array({axes.x, axes.y, axes.z});
 }
 
-/// Of each axis, or nothing where none has a value of its own.
+/// The values of each axis; nothing is written if no axis has a value of its own.
 void addAxes(ordered_json& file, const char* key, const glm::dvec3& axes) {
     if (axes != glm::dvec3(0.0)) file[key] = jsonOf(axes);
 }
@@ -52,7 +52,7 @@ void addSpindle(ordered_json& file, const MachineProfile& machine) {
 }
 
 void addArcs(ordered_json& file, const ArcRules& rules) {
-    // Whole or short numbers in files; turned to radians and back they are so again.
+    // So that files contain integers or short numbers again after the conversion to radians and back.
     const double sweep = std::round(rules.largestSweep * 180.0 / pi * 1e9) / 1e9;
     file["arcs"] = {{"largest_sweep_deg", sweep},
                     {"smallest_radius_mm", rules.smallestRadius},
@@ -69,7 +69,8 @@ void addCoolants(ordered_json& file, const MachineProfile& machine) {
 
 std::string toJson(const MachineProfile& machine) {
     ordered_json file{{"id", machine.id}, {"name", machine.name}, {"source", machine.source}};
-    file["sources"] = ordered_json::object(); // their place; of what the file states in the end
+    // reserves the position in the file; filled at the end from the keys that the file states
+    file["sources"] = ordered_json::object();
     if (!machine.dialect.empty()) file["dialect"] = machine.dialect;
     addMotion(file, machine);
     addSpindle(file, machine);
@@ -83,7 +84,7 @@ std::string toJson(const MachineProfile& machine) {
     for (const auto& [key, source] : machine.sources)
         if (file.contains(key)) file["sources"][key] = source;
     if (file["sources"].empty()) file.erase("sources");
-    // Text that is not UTF-8 is replaced: an exception must not leave this library.
+    // Invalid UTF-8 is replaced: an exception must not leave this library.
     return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -85,7 +85,7 @@ void readCoolants(JsonObject& file, MachineProfile& machine) {
     });
 }
 
-/// A source that names no figure of the file is a slip of the pen.
+/// A source for a key that the file does not have is a typing error.
 void readSources(JsonObject& file, MachineProfile& machine) {
     machine.source = file.text("source");
     if (!file.has("sources")) return;
@@ -94,7 +94,7 @@ void readSources(JsonObject& file, MachineProfile& machine) {
         if (!file.has(key)) file.fail("sources." + key, "names no key of this file");
 }
 
-/// Rules between keys.
+/// Checks rules that involve several keys.
 void checkTogether(JsonObject& file, const MachineProfile& machine) {
     for (int axis = 0; axis < 3; ++axis)
         if (machine.axisRates[axis] > machine.rapidFeed)
@@ -102,7 +102,7 @@ void checkTogether(JsonObject& file, const MachineProfile& machine) {
                       "has to be at most rapid_feed_mm_per_min, the greatest feed of all");
     if (machine.toolChangeHeight >= machine.travel.z)
         file.fail("tool_change_height_mm", "has to be below the travel of Z");
-    for (int axis = 0; machine.home && axis < 3; ++axis) // whichever end of the travel its zero is at
+    for (int axis = 0; machine.home && axis < 3; ++axis) // at whichever end of the travel its zero is
         if (std::abs((*machine.home)[axis]) > machine.travel[axis])
             file.fail("home_mm[" + std::to_string(axis) + "]",
                       "has to be at most travel_mm[" + std::to_string(axis) + "] from the machine's zero");

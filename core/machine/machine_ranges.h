@@ -4,7 +4,7 @@
 
 #include "core/base/number_range.h"
 
-/// What a machine's file may state: wide enough for any milling machine, narrow enough to catch a slip of the unit.
+/// The ranges of values in a machine file: wide enough for any milling machine, narrow enough to catch a wrong unit.
 namespace burin::machine_range {
 
 inline constexpr NumberRange travel{1.0, 1e5};         ///< mm, of an axis

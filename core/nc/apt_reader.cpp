@@ -21,19 +21,19 @@ namespace {
 constexpr std::string_view spaces = " \t\r\f\v";
 constexpr double millimetresPerInch = 25.4;
 constexpr double uprightWithin = 1e-6;      // of a unit vector's components
-constexpr double onCircleWithin = 0.01;     // mm, that ends of an arc may lie off its circle
-constexpr double farthest = 1e6;            // mm from zero, of a place
+constexpr double onCircleWithin = 0.01;     // mm by which the ends of an arc may lie off its circle
+constexpr double farthest = 1e6;            // mm from zero, of a position
 constexpr double fastest = 1e9;             // mm/min
 constexpr std::size_t longestRecord = 4096; // characters, continued lines included
 
-/// "GOTO / 1, 2, 3": the word before the slash, and what stands behind it. In capitals.
+/// "GOTO / 1, 2, 3": the word before the slash, and what follows it. In capitals.
 struct Record {
     std::string word;
     std::vector<std::string> data;
-    std::uint32_t line = 0; ///< of the text, from 1, that it begins in
+    std::uint32_t line = 0; ///< in the text, from 1, at which it begins
 
     bool has(std::string_view wanted) const { return std::ranges::find(data, wanted) != data.end(); }
-    /// From a place on; fewer where they end or where something else stands.
+    /// The numbers from position `from` on, up to the first item that is not a number.
     std::vector<double> numbers(std::size_t from = 0) const {
         std::vector<double> read;
         for (std::size_t i = from; i < data.size(); ++i) {
@@ -52,7 +52,7 @@ std::string inCapitals(std::string_view text) {
     return capitals;
 }
 
-/// Words that text follows, with or without a slash, which may have slashes of its own.
+/// Words followed by text, with or without a slash; the text may contain slashes.
 constexpr std::array textWords{std::string_view("PARTNO"), std::string_view("PPRINT"), std::string_view("REMARK")};
 
 Record recordOf(std::string_view text, std::uint32_t line) {
@@ -75,12 +75,12 @@ Record recordOf(std::string_view text, std::uint32_t line) {
     }
 }
 
-/// Puts continued lines together and leaves comments out.
+/// Joins continued lines and skips comments.
 class RecordReader {
 public:
     explicit RecordReader(std::string_view text) : lines_(text) {}
 
-    /// Nothing: the text is over. An empty word: a record that is too long.
+    /// Returns the next record. Empty at the end of the text; a record with an empty word if it is too long.
     std::optional<Record> next() {
         std::string text;
         std::uint32_t first = 0;
@@ -106,10 +106,10 @@ private:
 constexpr std::array motionWords{std::string_view("GOTO"), std::string_view("GODLTA"), std::string_view("FEDRAT"),
                                  std::string_view("LOADTL"), std::string_view("PARTNO")};
 
-/// Records that say nothing of where the tool goes at which feed.
+/// Whether a record does not affect where the tool goes and at which feed.
 bool movesNothing(const Record& record) {
     if (std::ranges::find(textWords, record.word) != textWords.end()) return true;
-    // MSYS says where the places' frame lies in the model, which is the program's zero here.
+    // MSYS gives the position of the coordinate frame in the model; that frame is the program's zero here.
     constexpr std::array words{"MACHIN", "CUTTER", "INTOL",   "OUTTOL", "TOLER",     "TPRINT", "PAINT",  "DISPLY",
                                "CLDIST", "TOOLNO", "CLEARP",  "SELECT", "OPSTOP",    "STOP",   "MULTAX", "REWIND",
                                "UNLOAD", "LINTOL", "CATMAT",  "SEQNO",  "TOOL PATH", "TLDATA", "MSYS",   "END-OF-PATH",
@@ -117,10 +117,10 @@ bool movesNothing(const Record& record) {
     return std::ranges::find(words, record.word) != words.end();
 }
 
-/// Makes motions of records, one behind the other.
+/// Converts records to motions, one after the other.
 class CutterLocations {
 public:
-    /// Nothing: it was taken. Else: why it can't be.
+    /// Empty if the record was accepted, otherwise the reason why it can't be.
     std::optional<std::string> take(const Record& record) {
         const std::string& word = record.word;
         if (word == "GOTO" || word == "FROM") return go(record, word == "FROM");
@@ -168,7 +168,7 @@ private:
         motion.line = record.line;
         motion.column = 1;
         motion.from = AxisValues(place_.value_or(glm::dvec3(0.0)));
-        // Cutter locations say nothing of turning axes: these stay as they are set up.
+        // Cutter locations say nothing about rotary axes: these stay as they are set up.
         motion.fromKnown = place_ ? allAxes : AxisSet{};
         motion.toKnown = allAxes;
         return motion;
@@ -219,7 +219,7 @@ private:
         made_.motions.push_back(std::move(motion));
         return {};
     }
-    /// CIRCLE or MOVARC / centre, axis, radius: the next GOTO ends it.
+    /// CIRCLE or MOVARC / centre, axis, radius: ends at the next GOTO.
     Problem turn(const Record& record) {
         const std::vector<double> numbers = record.numbers();
         if (numbers.size() < 7) return incomplete();
@@ -279,7 +279,7 @@ private:
         if (!(numbers[0] >= 0.0 && numbers[0] < 1e6 && numbers[0] == std::floor(numbers[0])))
             return "a tool number that is not whole";
         tool_ = static_cast<int>(numbers[0]);
-        place_.reset(); // the change happens somewhere else
+        place_.reset(); // the tool change takes place somewhere else
         return {};
     }
     Problem coolant(const Record& record) {
@@ -304,10 +304,10 @@ private:
         bool clockwise;
     };
     ParsedProgram made_;
-    std::optional<glm::dvec3> place_; ///< of the tip, mm
+    std::optional<glm::dvec3> place_; ///< position of the tip, mm
     std::optional<Turn> arc_;         ///< of the next move
     double unit_ = 1.0;               ///< mm
-    double feed_ = 0.0, speed_ = 0.0; ///< mm/min, or mm a turn; 1/min
+    double feed_ = 0.0, speed_ = 0.0; ///< mm/min, or mm per turn; 1/min
     SpindleState spindle_ = SpindleState::off;
     int tool_ = 0;
     bool rapid_ = false, feedPerTurn_ = false, clockwise_ = true, mist_ = false, flood_ = false;

@@ -14,10 +14,10 @@ namespace burin {
 namespace {
 
 constexpr double smallestSweep = 1e-3; // rad
-constexpr double sweepTolerance = 0.1; // rad: a piece that turns by more or less has become another arc
+constexpr double sweepTolerance = 0.1; // rad: a piece whose sweep differs by more has become another arc
 constexpr int mostHalvings = 3;
 constexpr double computed = 1e-9; // mm: what a control's own arithmetic may add
-/// The written arc leaves the true one by no more than so many steps of the last digit and so much more.
+/// Largest deviation of the written arc from the true one: this many steps of the last digit, plus this many mm.
 constexpr double strayedSteps = 2.0, strayedBeyond = 0.0015; // mm
 
 glm::dvec3 placeOf(const StepPlace& steps, const NumberWords& numbers) {
@@ -28,7 +28,7 @@ StepPlace stepsOf(const glm::dvec3& place, const NumberWords& numbers) {
     return {numbers.stepsOf(place.x), numbers.stepsOf(place.y), numbers.stepsOf(place.z)};
 }
 
-/// How far quarters of an arc's path lie from another arc, in their plane, mm.
+/// The largest distance, mm, in their plane, of the quarter points of an arc from another arc.
 double strayed(const Arc& wanted, const Arc& written) {
     const int u = (wanted.axis + 1) % 3, v = (wanted.axis + 2) % 3;
     const ArcTurn turn = turnOf(wanted), turnWritten = turnOf(written);
@@ -77,7 +77,7 @@ private:
         }
     }
 
-    /// One piece, or its halves where it can't be written as it is.
+    /// Adds one piece, or its halves where it can't be written as it is.
     void add(const Arc& arc, int halvings) {
         if (const std::optional<StepMove> move = written(arc)) {
             moves_.push_back(*move);
@@ -94,7 +94,7 @@ private:
         add(half, halvings - 1);
     }
 
-    /// The arc in written numbers; nothing where they would make another one of it.
+    /// The arc in written numbers; empty if these would describe another arc.
     std::optional<StepMove> written(const Arc& arc) const {
         const int u = (arc.axis + 1) % 3, v = (arc.axis + 2) % 3;
         StepMove move{stepsOf(arc.to, numbers_), true, {}};
@@ -123,8 +123,7 @@ private:
         return move;
     }
 
-    /// Of the rounded centre and its neighbours by one step the one whose radii agree best; the rounded one among
-    /// equals.
+    /// Of the rounded centre and its neighbours by one step, the one whose radii agree best; the rounded one if equal.
     StepPlace bestOffset(Arc arc, const StepPlace& rounded) const {
         const int u = (arc.axis + 1) % 3, v = (arc.axis + 2) % 3;
         StepPlace best = rounded;

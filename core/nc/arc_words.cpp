@@ -9,7 +9,7 @@ namespace burin {
 namespace {
 
 constexpr double noChord = 1e-9;   // mm
-constexpr double noRadius = 0.001; // mm, that an R may state
+constexpr double noRadius = 0.001; // mm: the smallest R that is accepted
 constexpr std::array<char, 3> offsetLetters{'I', 'J', 'K'};
 
 class ArcReader {
@@ -27,7 +27,7 @@ public:
             return fail(ProgramProblem::axisMissing, column_);
         for (int i = 0; i < 3; ++i) {
             const bool inPlane = i != axis, stays = words_.arc.to[i] == words_.arc.from[i];
-            // A helix needs its start along the axis too, unless it goes nowhere there.
+            // A helix needs its start along the axis too, unless it does not move along it.
             if ((inPlane || !stays) && (!state_.frames.known().has(linearAxis(i)) || !known.has(linearAxis(i))))
                 return fail(ProgramProblem::placeUnknown, column_);
         }
@@ -71,7 +71,7 @@ private:
                fail(ProgramProblem::arcRadiusDiffers, column_);
     }
 
-    /// Below 0 the longer one of the two arcs is meant.
+    /// A negative R selects the longer one of the two arcs.
     bool byRadius(const Word& word) {
         Arc& arc = words_.arc;
         const int u = (arc.axis + 1) % 3, v = (arc.axis + 2) % 3;

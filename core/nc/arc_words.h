@@ -12,10 +12,11 @@ struct ArcWords {
     std::uint32_t wholeTurns = 0; ///< before the last one
 };
 
-/// Reads an arc that ends at `target` (X, Y, Z, mm): centre by I J K (from the start, or of the program's frame) or
-/// radius by R. A radius that misses the half chord by no more than the control's radius rule gives half a circle.
-/// Centre and radius are checked by that rule; nothing is put right. `known` are the axes known at its end.
-/// @return false and `fault` filled
+/// Reads an arc that ends at `target` (X, Y, Z, mm), with its centre by I J K (relative to the start, or in the
+/// program's frame) or its radius by R. A radius that is less than half the chord by no more than the control's radius
+/// rule allows gives half a circle. Centre and radius are checked by that rule and not corrected. `known` are the axes
+/// known at the end of the arc.
+/// @return false, with `fault` filled, if the arc is not valid
 bool readArc(const Block& block, const ModalState& state, const Control& control, const glm::dvec3& target,
              AxisSet known, ArcWords& words, BlockFault& fault);
 

@@ -12,7 +12,7 @@
 
 namespace burin {
 
-/// Modal groups of G words (NIST IR 6556, table 4): two words of one group can't stand in one block.
+/// Modal groups of G words (NIST IR 6556, table 4): a block must not have two words of one group.
 enum class GGroup : std::uint8_t {
     once, ///< not modal: G4 G10 G28 G30 G52 G53 G92 …
     motion,
@@ -26,14 +26,14 @@ enum class GGroup : std::uint8_t {
     workOffset,
     control,
     retract,
-    harmless, ///< switches off what Burin does not read: G50 G69
+    harmless, ///< switches off a function that Burin does not read: G50 G69
     smoothing,
     count
 };
 /// Modal groups of M words.
 enum class MGroup : std::uint8_t { stop, toolChange, spindle, coolant, overrides, subprogram, count };
 
-/// Ten times the numbers of G words that the code names.
+/// Ten times the numbers of the G words that the code refers to.
 namespace gcode {
 inline constexpr int rapid = 0, line = 10, clockwise = 20, anticlockwise = 30, dwell = 40, setOffset = 100;
 inline constexpr int planeXY = 170, planeZX = 180, inch = 200;
@@ -48,22 +48,22 @@ inline constexpr int restoreShift = 923, inverseTime = 930, perRevolution = 950;
 inline constexpr int retractToHeight = 990, furtherOffsetHaas = 1540;
 } // namespace gcode
 
-/// A word that stands alone in its block: letter and number.
+/// A word that occurs at most once in a block: letter and number.
 struct Word {
     double value = 0.0;
     std::uint32_t column = 0; ///< of the letter, from 1; 0: the block has no such word
-    bool point = false;       ///< its number was written with a decimal point, or came from an expression
+    bool point = false;       ///< its number has a decimal point, or comes from an expression
     bool given() const noexcept { return column != 0; }
 };
 
 /// A G or M word: ten times its number, so that G91.1 is 911.
 struct Code {
-    int number = -1; ///< -1: none of its group
+    int number = -1; ///< -1: no word of the group
     std::uint32_t column = 0;
     bool given() const noexcept { return number >= 0; }
 };
 
-/// One line of a program, taken apart but not yet carried out.
+/// One line of a program, split into words but not yet executed.
 struct Block {
     std::array<Word, 26> words{}; ///< by letter; G, M and N are not kept here
     std::array<Code, static_cast<std::size_t>(GGroup::count)> g{};
@@ -76,11 +76,11 @@ struct Block {
     const Code& code(GGroup group) const noexcept { return g[static_cast<std::size_t>(group)]; }
     const Code& code(MGroup group) const noexcept { return m[static_cast<std::size_t>(group)]; }
     bool empty() const noexcept { return firstColumn == 0; }
-    /// A word of any axis.
+    /// Whether any axis has a word.
     bool hasAxis() const noexcept {
         return std::ranges::any_of(axisLetters, [this](char letter) { return word(letter).given(); });
     }
-    /// Any of I J K.
+    /// Whether any of I J K is given.
     bool hasOffset() const noexcept { return word('I').given() || word('J').given() || word('K').given(); }
     std::uint32_t firstAxis() const noexcept;   ///< column of the first word of an axis; 0: none
     std::uint32_t firstOffset() const noexcept; ///< column of the first of I J K; 0: none
@@ -89,11 +89,11 @@ struct Block {
 /// What is wrong with a block, and where.
 struct BlockFault {
     ProgramProblem problem = ProgramProblem::characterNotAllowed;
-    std::uint32_t column = 1; ///< from 1
-    std::uint32_t length = 1; ///< characters concerned
-    /// Lines that may be the cause: of an arc, those that set the two axes of its start; 0: none.
+    std::uint32_t column = 1; ///< counted from 1
+    std::uint32_t length = 1; ///< number of characters
+    /// Lines that may be the cause; for an arc, those that set the two axes of its start; 0: none.
     std::array<std::uint32_t, 2> starts{};
-    std::uint32_t incrementalSince = 0; ///< line of the G91 in force; 0: none, or no matter
+    std::uint32_t incrementalSince = 0; ///< line of the G91 in force; 0: none, or not relevant
 };
 
 } // namespace burin

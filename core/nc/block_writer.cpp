@@ -15,7 +15,7 @@ bool isPlain(char c) noexcept {
     return isLetter(c) || (c >= '0' && c <= '9') || c == ' ';
 }
 
-/// A first word with a comma, as in (MSG, …) or (DEBUG, …), would be an order to a control: the comma makes way.
+/// Replaces the comma after a first word, as in (MSG, …) or (DEBUG, …), which would be a command to a control.
 void disarm(std::string& text, char instead) {
     const std::size_t comma = text.find(',');
     if (comma == std::string::npos) return;
@@ -25,7 +25,7 @@ void disarm(std::string& text, char instead) {
     text[comma] = instead;
 }
 
-/// The beginning of a text that fits, up to a space: a number that is broken in two would be another number.
+/// The beginning of a text that fits, up to a space: a number that is split would become another number.
 std::string_view upToWidth(std::string_view text, std::size_t width) {
     if (text.size() <= width) return text;
     const std::size_t space = text.rfind(' ', width);
@@ -34,12 +34,12 @@ std::string_view upToWidth(std::string_view text, std::size_t width) {
 
 } // namespace
 
-/// Printable ASCII without brackets, or what the dialect allows; one ? for every other character.
+/// Printable ASCII without brackets, or what the dialect allows; every other character becomes a question mark.
 std::string BlockWriter::commentText(std::string_view text) const {
     std::string clean;
     for (const char c : text) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte >= 0x80 && byte < 0xC0) continue; // the rest of a UTF-8 character
+        if (byte >= 0x80 && byte < 0xC0) continue; // a continuation byte of a UTF-8 character
         if (dialect_.commentCharacters) {
             clean += isPlain(c) || dialect_.commentCharacters->find(c) != std::string::npos ? c : ' ';
         } else {
@@ -67,7 +67,7 @@ Result<void> BlockWriter::comment(std::string_view text) {
             return done;
         clean.erase(0, line.size());
         clean.erase(0, clean.find_first_not_of(' '));
-        disarm(clean, insteadOfComma()); // the next line has a first word, too
+        disarm(clean, insteadOfComma()); // the next line has a first word as well
     } while (!clean.empty());
     return {};
 }
@@ -77,7 +77,7 @@ Result<void> BlockWriter::block(std::string_view words) {
     const bool frame = words.front() == '%' || words.front() == 'O' || words.front() == ':';
     if (dialect_.lineNumberStep == 0 || frame) return sink_.line(words);
     number_ += dialect_.lineNumberStep;
-    if (number_ > 99999) number_ = dialect_.lineNumberStep; // what the shortest counters hold
+    if (number_ > 99999) number_ = dialect_.lineNumberStep; // the limit of the shortest counters
     return sink_.line("N" + std::to_string(number_) + " " + std::string(words));
 }
 
@@ -94,7 +94,7 @@ Result<std::string> BlockWriter::filled(std::string_view text,
         result += *value;
         text.remove_prefix(close == std::string_view::npos ? text.size() : close + 1);
     }
-    // What stood around a value that is empty leaves no blanks at the ends.
+    // Blanks that surrounded an empty value are removed at the ends.
     const std::size_t first = result.find_first_not_of(' ');
     if (first == std::string::npos) return std::string();
     return result.substr(first, result.find_last_not_of(' ') - first + 1);

@@ -9,19 +9,19 @@
 
 namespace burin {
 
-/// Hands a program's lines to a sink as a dialect wants them: numbered, comments within what may stand in them and
-/// within the line's length, values put into blocks.
+/// Passes the lines of a program to a sink in the form of a dialect: numbered, with comments limited to the allowed
+/// characters and line length, and with values put into blocks.
 class BlockWriter {
 public:
     BlockWriter(const DialectData& dialect, int lineLength, LineSink& sink)
         : dialect_(dialect), lineLength_(lineLength), sink_(sink) {}
 
-    /// A block with its number, where blocks have one; an empty one is left out.
+    /// Writes a block, with a number if the dialect numbers its blocks; skips an empty one.
     Result<void> block(std::string_view words);
-    /// One comment, on as many lines as it needs.
+    /// Writes a comment, on as many lines as it needs.
     Result<void> comment(std::string_view text);
 
-    /// Words in braces become what `valueOf` says.
+    /// Replaces the words in braces by what `valueOf` returns for them.
     static Result<std::string> filled(std::string_view text,
                                       const std::function<Result<std::string>(std::string_view)>& valueOf);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double peckClearance = 0.254; // mm: 0.010 in
 constexpr int mostRepeats = 10000;
-constexpr double mostPecks = 1e4; // of one block; more is a slip, not a program
+constexpr double mostPecks = 1e4; // of one block; more is a mistake
 
 bool needsDwell(int cycle) noexcept {
     return cycle == 820 || cycle == 860 || cycle == 880 || cycle == 890;
@@ -20,19 +20,19 @@ bool needsDwell(int cycle) noexcept {
 
 } // namespace
 
-/// One cycle of a block, worked out: places in the frame of the work offset, heights in mm.
+/// One cycle of a block with its values resolved: positions in the frame of the work offset, heights in mm.
 struct CannedCycles::Hole {
     int cycle = 0;
     std::uint32_t column = 1;
     Axis axis = Axis::z;  ///< of the hole
-    AxisValues place;     ///< of the next one, but for its height
+    AxisValues place;     ///< of the next hole, except for its height
     AxisSet known;        ///< axes that are known there
     AxisValues increment; ///< from one repeat to the next
     AxisValues offset;    ///< of a back bore, across the axis
     double height = 0.0;  ///< R
     double depth = 0.0;
-    double clear = 0.0;  ///< where it ends
-    double travel = 0.0; ///< height of the way to the hole
+    double clear = 0.0;  ///< height at which the cycle ends
+    double travel = 0.0; ///< height of the move to the hole
     double middle = 0.0; ///< top of a back bore
     int repeats = 1;
 
@@ -57,7 +57,7 @@ bool CannedCycles::fail(ProgramProblem problem, std::uint32_t column) {
     return false;
 }
 
-/// A word of this block, or what an earlier one of the same cycle said.
+/// Takes a word from this block, or keeps its value from an earlier block of the same cycle.
 bool CannedCycles::keep(const Block& block, char letter, std::optional<double>& kept, double factor, bool needed) {
     if (const Word& word = block.word(letter); word.given()) kept = word.value * factor;
     return kept.has_value() || !needed;
@@ -137,7 +137,7 @@ bool CannedCycles::run(const Block& block, const Control& control, ModalState& s
     hole.place = state.frames.place();
     hole.known = state.frames.known();
     for (const Axis axis : control.axes) {
-        // Where the hole lies has to be known, and from which height the tool comes.
+        // The position of the hole and the height from which the tool comes have to be known.
         const bool stated = !state.incremental && axis != hole.axis && block.word(axis).given();
         if (stated) hole.known.set(axis);
         if (linearAxes.has(axis) && !hole.known.has(axis)) return fail(ProgramProblem::placeUnknown, hole.column);
@@ -182,7 +182,7 @@ void CannedCycles::drill(const Hole& hole, ModalState& state, MotionWriter& writ
         break;
     case 850:
         feed(hole.depth);
-        feed(hole.height); // out at feed as far as R
+        feed(hole.height); // retracts at feed up to R
         rapid(hole.clear);
         break;
     case 860:
@@ -195,7 +195,7 @@ void CannedCycles::drill(const Hole& hole, ModalState& state, MotionWriter& writ
     case 870:
         boreBack(hole, state, writer);
         break;
-    case 880: // the operator takes the tool out by hand, to where it is clear
+    case 880: // the operator retracts the tool by hand to the clear height
         feed(hole.depth);
         writer.dwell(*dwell_, hole.column);
         state.frames.moveTo(hole.with(hole.clear), hole.known);
@@ -219,14 +219,14 @@ void CannedCycles::peck(const Hole& hole, MotionWriter& writer) const {
     };
     for (double depth = hole.height - *step_; depth > hole.depth; depth -= *step_) {
         writer.move(NcMotionKind::line, hole.with(depth), hole.known, hole.column);
-        if (hole.cycle == 830) rapid(hole.height); // chips out
+        if (hole.cycle == 830) rapid(hole.height); // clears the chips
         rapid(depth + peckClearance);
     }
     writer.move(NcMotionKind::line, hole.with(hole.depth), hole.known, hole.column);
     rapid(hole.clear);
 }
 
-/// In with the spindle clockwise, out anticlockwise.
+/// Feeds in with the spindle clockwise, and out with it anticlockwise.
 void CannedCycles::tap(const Hole& hole, ModalState& state, MotionWriter& writer) const {
     writer.move(NcMotionKind::line, hole.with(hole.depth), hole.known, hole.column);
     state.spindle = SpindleState::anticlockwise;
@@ -235,7 +235,7 @@ void CannedCycles::tap(const Hole& hole, ModalState& state, MotionWriter& writer
     state.spindle = SpindleState::clockwise;
 }
 
-/// Through the hole beside its axis with the spindle oriented, then from below.
+/// Passes through the hole off its axis with the spindle oriented, then bores from below.
 void CannedCycles::boreBack(const Hole& hole, ModalState& state, MotionWriter& writer) const {
     const auto go = [&](NcMotionKind kind, const AxisValues& target) {
         writer.move(kind, target, hole.known, hole.column);

@@ -8,18 +8,19 @@
 
 namespace burin {
 
-/// G73 and G81 … G89 as moves (NIST IR 6556, 3.5.16, with LinuxCNC's 2.9 reading where the report leaves things open):
-/// in any plane, absolute and incremental, with repeats. What a block leaves out of R, the depth, P, Q, I, J and K
-/// holds on from the block before, as long as the same cycle stays in force. Incrementally R counts from the height at
-/// which the first of a row of cycles began (over changes of plane too, as LinuxCNC has it), and the depth from R.
-/// Pecks (G73, G83) come back to 0.254 mm (0.010 in) above where they were; controls have a parameter for it.
+/// Converts G73 and G81 … G89 to moves (NIST IR 6556, 3.5.16, as LinuxCNC 2.9 reads it where the report leaves things
+/// open): in any plane, absolute and incremental, with repeats. R, the depth, P, Q, I, J and K keep their values from
+/// the previous block if a block omits them, as long as the same cycle stays in force. In incremental mode R is
+/// relative to the height at which the first of a series of cycles began (also over changes of the plane, as in
+/// LinuxCNC), and the depth is relative to R. Pecks (G73, G83) return to 0.254 mm (0.010 in) above the previous depth;
+/// controls have a parameter for it.
 class CannedCycles {
 public:
     static bool isCycle(int motion) noexcept;
 
-    /// @return false and `fault` filled
+    /// @return false, with `fault` filled, on an error
     bool run(const Block& block, const Control& control, ModalState& state, MotionWriter& writer, BlockFault& fault);
-    /// Another motion ends a row of cycles.
+    /// Called for any other motion: ends a series of cycles.
     void end() noexcept;
 
 private:
@@ -34,7 +35,7 @@ private:
     void tap(const Hole& hole, ModalState& state, MotionWriter& writer) const;
     void boreBack(const Hole& hole, ModalState& state, MotionWriter& writer) const;
 
-    int last_ = gcode::noMotion; ///< cycle that the kept words belong to
+    int last_ = gcode::noMotion; ///< the cycle that the kept words belong to
     std::optional<double> startHeight_;
     std::optional<double> height_, depth_, dwell_, step_; ///< mm, s; height and depth as the block states them
     std::array<std::optional<double>, 3> offset_{};       ///< mm, I J K

@@ -131,7 +131,7 @@ constexpr std::int8_t groupOfM(int number) noexcept {
     }
 }
 
-/// What every control of the family reads: motions, planes, units, offsets, distance and feed per minute.
+/// Read by every control of the family: motions, planes, units, offsets, distance and feed per minute.
 constexpr Numbers commonG{0,   10,  20,  30,  40,  170, 180, 190, 200, 210, 280, 300, 400, 490,
                           530, 540, 550, 560, 570, 580, 590, 610, 800, 900, 910, 920, 940};
 constexpr Numbers commonM{0, 1, 2, 3, 4, 5, 8, 9, 30};
@@ -179,8 +179,8 @@ Control linuxCnc() {
 constexpr ArcRadiusRule grblArcs{
     .absolute = 0.005, .relative = 0.001, .ceiling = 0.5, .ofStart = true, .shortBy = 1e-6};
 
-/// GRBL 1.1: doc/markdown/commands.md, gcode.c. Blanks, comments and / are dropped before the line is measured. M7 is
-/// there only where it was compiled in.
+/// GRBL 1.1: doc/markdown/commands.md, gcode.c. Blanks, comments and / are removed before the line is measured. M7
+/// exists only where it was compiled in.
 Control grbl() {
     Control control = controlOf("grbl", "FIJKLPRSTXYZ", {commonG, {100, 281, 301, 431, 911, 921, 930}}, {commonM});
     control.tapeMarks = TapeMarks::none;
@@ -195,7 +195,7 @@ Control grbl() {
     return control;
 }
 
-/// grblHAL: a superset of GRBL; what depends on how it was built (tool change, G43 H, G95) is read.
+/// grblHAL: a superset of GRBL; codes that depend on its build options (tool change, G43 H, G95) are read.
 Control grblHal() {
     Control control = controlOf("grblhal", "DFHIJKLPQRSTXYZ",
                                 {commonG, drilling, {100, 281, 301, 430, 431, 500, 591, 592, 593, 911, 921, 930, 950}},
@@ -209,7 +209,7 @@ Control grblHal() {
     return control;
 }
 
-/// Where nothing is published: how far radii may differ is Fanuc's parameter 3410.
+/// For controls without published values: Fanuc's parameter 3410 sets how far radii may differ.
 constexpr ArcRadiusRule cautiousArcs{.absolute = 0.01, .ceiling = 0.01, .shortBy = 0.002};
 
 /// Fanuc 0i and 30i with custom macros.
@@ -230,7 +230,7 @@ Control fanuc() {
     return control;
 }
 
-/// Haas mill; 80 characters is what the maker of its best-known post allows itself. Radii as for Fanuc.
+/// Haas mill; 80 characters is the limit that the maker of its best-known post observes. Radii as for Fanuc.
 Control haas() {
     Control control = controlOf("haas", "DEFHIJKLOPQRSTXYZ",
                                 {commonG, drilling, {410,  420,  430,  500,  520,  640,  690,  880,  930,  950,  1540,

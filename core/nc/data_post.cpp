@@ -24,7 +24,7 @@ std::size_t indexOf(Text kind) noexcept {
     return static_cast<std::size_t>(kind);
 }
 
-/// What both the dialect and the machine's own control take.
+/// The arcs that both the dialect and the machine's own control accept.
 DialectArcs limitsOf(const DialectArcs& dialect, const ArcRules& machine) {
     DialectArcs limits = dialect;
     limits.largestSweep = std::min(dialect.largestSweep, machine.largestSweep * 180.0 / pi);
@@ -34,7 +34,7 @@ DialectArcs limitsOf(const DialectArcs& dialect, const ArcRules& machine) {
     return limits;
 }
 
-/// Words a program and keeps what is in force while it does.
+/// Writes a program in a dialect and tracks the modes in force.
 class ProgramWriter {
 public:
     ProgramWriter(const DialectData& dialect, const NcProgram& program, const MachineProfile& machine, LineSink& sink)
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    /// Where a block goes, mm; nothing: the axis stays.
+    /// Where a block goes, mm; empty: the axis does not move.
     using Target = std::array<std::optional<double>, 3>;
     static Target targetOf(const glm::dvec3& place) { return Target{place.x, place.y, place.z}; }
     static Target height(double z) { return Target{std::nullopt, std::nullopt, z}; }
@@ -86,7 +86,7 @@ private:
         if (Result<void> done = blocks(dialect_.toolChange); !done) return done;
         const std::vector<NcMove> moves = withoutRoundedBackSteps(section_->moves, numbers_);
         place_ = {};
-        feed_ = 0; // each tool states its own
+        feed_ = 0; // each tool states its own feed
         if (Result<void> done = firstMove(moves.front()); !done) return done;
         for (std::size_t i = 1; i < moves.size(); ++i) {
             if (i % 1024 == 0) {
@@ -101,7 +101,8 @@ private:
         return blocks(dialect_.home);
     }
 
-    /// Where the tool stands after its change is not known here: along Z first, unless the change leaves it at the top.
+    /// The position of the tool after its change is not known here: moves along Z first, unless the change leaves it at
+    /// the top.
     Result<void> firstMove(const NcMove& move) {
         waiting_ = move.comment;
         const Target across{move.target[Axis::x], move.target[Axis::y], std::nullopt};
@@ -182,8 +183,8 @@ private:
         return line(kind, *steps, named, feed);
     }
 
-    /// Writes the words that change something. A block that rounding makes equal to the place before is left out; its
-    /// comment waits for the next one.
+    /// Writes the words that change something. A block whose rounded position equals the previous one is left out; its
+    /// comment is kept for the next block.
     Result<void> line(NcMoveKind kind, const StepPlace& to, const std::array<bool, 3>& named, double feed) {
         std::string words;
         for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -213,7 +214,7 @@ private:
         return {};
     }
 
-    /// Both ends of the plane and both offsets, whether they change or not: every control takes that.
+    /// Writes both coordinates of the plane and both offsets, whether they change or not: every control accepts that.
     Result<void> arcBlock(const StepMove& step, const Arc& arc, double feed) {
         if (Result<void> done = writeWaiting(); !done) return done;
         if (Result<void> done = plane(arc.axis); !done) return done;
@@ -297,7 +298,7 @@ private:
         return Error{ErrorCode::internalFault, "dialect " + dialect_.id, std::string(word), "no such word"};
     }
 
-    /// An axis and where it parks, in the machine's frame.
+    /// An axis letter with its parking position, in the machine's frame.
     Result<std::string> homeWord(std::size_t axis) const {
         Target home{};
         home[axis] = (*home_)[static_cast<int>(axis)];
@@ -326,7 +327,7 @@ private:
                                    [&](std::string_view) -> Result<std::string> { return std::to_string(offset); });
     }
 
-    /// Those that the control has.
+    /// The work offsets that the control has.
     std::string workOffsets() const {
         std::string names = workOffsetName(54) + " to " + workOffsetName(59);
         if (dialect_.workOffset59) names += ", " + workOffsetName(591) + " to " + workOffsetName(593);
@@ -345,7 +346,7 @@ private:
                                    [&](std::string_view) -> Result<std::string> { return tolerance; });
     }
 
-    /// The program's name where it is a number that fits, else 1.
+    /// The program's name if it is a number that fits, otherwise 1.
     std::string programNumber() const {
         const auto digits = static_cast<std::size_t>(dialect_.programNumberDigits);
         std::string number = program_.name;
@@ -366,8 +367,8 @@ private:
     double clearHeight_;                            // mm
     std::optional<glm::dvec3> home_;                // mm, machine frame
     double speed_ = 0.0;                            // 1/min, of the spindle
-    std::array<std::optional<long long>, 3> place_; // in steps of the last digit; nothing: not known
-    glm::dvec3 reached_{0.0};                       // mm, the same before it was rounded
+    std::array<std::optional<long long>, 3> place_; // in steps of the last digit; empty: not known
+    glm::dvec3 reached_{0.0};                       // mm, the same before rounding
     std::optional<std::string> motion_;
     int plane_ = 2;
     long long feed_ = 0;  // in steps of the feed's last digit

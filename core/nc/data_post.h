@@ -7,9 +7,9 @@
 
 namespace burin {
 
-/// Words programs by a dialect's data. Errors of `write`: programLimit (a coordinate that is no place, a feed or work
-/// offset that is missing), notSupported (several tools, a coolant or work offset that the control does not have),
-/// argumentInvalid (a section that does not begin with a rapid), cancelled.
+/// A post-processor defined by the data of a dialect. Errors of `write`: programLimit (a coordinate that is not a valid
+/// position, a missing feed or work offset), notSupported (several tools, a coolant or work offset that the control
+/// does not have), argumentInvalid (a section that does not begin with a rapid), cancelled.
 class DataPost final : public PostProcessor {
 public:
     explicit DataPost(DialectData dialect) : dialect_(std::move(dialect)) {}

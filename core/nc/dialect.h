@@ -12,16 +12,15 @@
 
 namespace burin {
 
-/// Takes the lines of a program, one at a time, without their line end.
+/// Receives the lines of a program, one at a time, without their line ends.
 class LineSink {
 public:
     virtual ~LineSink() = default;
     virtual Result<void> line(std::string_view text) = 0;
 };
 
-/// Writes a checked program in one controller's dialect. Keeps no state between calls; one thread at a time.
-/// Every coordinate arrives in millimetres, in the frame of the work offset in force; the dialect rounds and words
-/// them.
+/// Writes a checked program in one controller's dialect. Keeps no state between calls; used by one thread at a time.
+/// Every coordinate is in millimetres, in the frame of the work offset in force; the dialect rounds and formats them.
 class PostProcessor {
 public:
     static constexpr int interfaceVersion = 4; ///< +1 with any change to this declaration or to NcProgram
@@ -30,10 +29,10 @@ public:
                                Progress& progress) const = 0;
 };
 
-/// A dialect that data can't word is a plugin: a folder with plugin.json ({"id", "kind": "dialect", "name", "version",
-/// "interface_version", "library", "file_suffix"}) and the library it names, which exports this one function. Metadata
-/// is read, and the interface version compared, before any code of the plugin runs. All others are data:
-/// dialect_data.h.
+/// A dialect that cannot be expressed as data is a plugin: a folder with plugin.json ({"id", "kind": "dialect", "name",
+/// "version", "interface_version", "library", "file_suffix"}) and the library it names, which exports this one
+/// function. The metadata is read, and the interface version compared, before any code of the plugin runs. All other
+/// dialects are data: dialect_data.h.
 inline constexpr const char* dialectEntryPoint = "burinCreatePostProcessor";
 using CreatePostProcessor = PostProcessor* (*)(); ///< the caller owns the object and deletes it
 

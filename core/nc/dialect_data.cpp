@@ -22,7 +22,7 @@ std::string listOf(std::span<const std::string_view> words) {
     return list;
 }
 
-/// Words in braces have to be known ones; `needed` has to stand there.
+/// Checks that words in braces are known ones; with `needed`, that there is one.
 void checkWords(JsonObject& file, std::string_view key, const std::string& text,
                 std::span<const std::string_view> known, bool needed = false) {
     bool found = false;
@@ -47,7 +47,7 @@ std::optional<std::string> optionalText(JsonObject& file, std::string_view key) 
     return file.has(key) ? std::optional<std::string>(file.text(key)) : std::nullopt;
 }
 
-/// What stands for blocks of their own can't be part of one.
+/// Words that stand for separate blocks cannot be part of a block.
 void checkAlone(JsonObject& file, std::string_view key, const std::string& text) {
     for (const std::string_view word : {"{comments}", "{tool_comment}"})
         if (text != word && text.find(word) != std::string::npos)

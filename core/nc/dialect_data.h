@@ -15,25 +15,24 @@ namespace burin {
 /// How numbers of one unit are written.
 struct DialectNumbers {
     int decimals = 3;     ///< of coordinates
-    int feedDecimals = 1; ///< the zeros at a feed's end are left out
+    int feedDecimals = 1; ///< trailing zeros of a feed are omitted
 };
 
-/// What a control takes for an arc. What it does not take is split, or made of lines.
+/// The arcs that a control accepts. Others are split, or replaced by lines.
 struct DialectArcs {
-    double largestSweep = 360.0;    ///< degrees; longer ones are split
+    double largestSweep = 360.0;    ///< degrees; longer arcs are split
     double smallestRadius = 0.01;   ///< mm
     double largestRadius = 1000.0;  ///< mm
-    double largestMismatch = 0.002; ///< mm between the radii of both ends, as written
-    bool helices = true;            ///< with a move along the axis
+    double largestMismatch = 0.002; ///< mm between the written radii at both ends
+    bool helices = true;            ///< whether arcs may move along their axis
 };
 
-/// A dialect as data: the words of a control, and how a program is put together from them.
-/// resources/dialects/<id>.json; the user's own stand in dialects/ of the folder that userResourceDirectory names, and
-/// replace ours of the same id. core/nc/README.md explains every key. In the blocks a word in braces stands for a
-/// value: {units} {work_offset} {blend} {blend_end} {tool} {tool_2} (two digits) {speed} {spindle} {coolant}
-/// {start_dwell} {program_number} {rapid}, and in `home` {home_x} {home_y} {home_z} (the axis and its position); a
-/// block that is one of {comments}, {tool_comment} stands for a comment of as many lines as it needs. A block of which
-/// nothing is left is left out.
+/// A dialect as data: the words of a control, and how a program is composed of them. resources/dialects/<id>.json;
+/// those of the user are in dialects/ of the folder that userResourceDirectory returns, and replace ours of the same
+/// id. core/nc/README.md explains every key. A word in braces in a block stands for a value: {units} {work_offset}
+/// {blend} {blend_end} {tool} {tool_2} (two digits) {speed} {spindle} {coolant} {start_dwell} {program_number} {rapid},
+/// and in `home` {home_x} {home_y} {home_z} (the axis and its position). A block {comments} or {tool_comment} stands
+/// for a comment of as many lines as it needs. A block that is empty after that is omitted.
 struct DialectData {
     std::string id, name, source, fileSuffix;
     std::string control;                   ///< id of the Control that reads it
@@ -43,34 +42,34 @@ struct DialectData {
     bool keepZeros = true;                 ///< of coordinates: "5.000"
     int lineLength = 255;
     int lineNumberStep = 0;                ///< 0: lines are not numbered
-    std::string commentOpen, commentClose; ///< the latter empty: to the line's end
+    std::string commentOpen, commentClose; ///< commentClose empty: to the end of the line
     bool commentUpperCase = false;
-    std::optional<std::string> commentCharacters; ///< that may stand besides letters, digits and blanks; else any
+    std::optional<std::string> commentCharacters; ///< allowed besides letters, digits and blanks; none: all are
     int programNumberDigits = 4;
     std::array<std::string, 2> units; ///< by NcUnits
     std::string rapid, line, clockwise, anticlockwise;
-    std::array<std::string, 3> planes;                 ///< by the axis across them
+    std::array<std::string, 3> planes;                 ///< by the axis normal to them
     std::array<std::string, 2> spindle;                ///< by SpindleDirection
-    std::array<std::optional<std::string>, 3> coolant; ///< by Coolant; nothing: the control has none
+    std::array<std::optional<std::string>, 3> coolant; ///< by Coolant; none: the control does not have it
     std::string dwell;                                 ///< with {seconds} or {milliseconds}
-    std::optional<std::string> blend, exactStop;       ///< {tolerance}; nothing: left out
-    std::optional<std::string> blendEnd;               ///< behind a tool that was used with `blend`
+    std::optional<std::string> blend, exactStop;       ///< {tolerance}; none: omitted
+    std::optional<std::string> blendEnd;               ///< after a tool that was used with `blend`
     std::string workOffset;                            ///< 54 … 59: {offset}
     std::optional<std::string> workOffset59;           ///< G59.1 … G59.3: {offset} is 1 … 3
     std::optional<std::string> furtherWorkOffset;      ///< 1001 …: {offset} is 1 …
     int furtherWorkOffsets = 0;
-    bool changesTools = true;       ///< else a program is of one tool
-    bool planeBeforeHeight = false; ///< the tool change leaves the tool at the top: first X Y, then Z
-    std::string firstHeight;        ///< first block along Z: {rapid}, {clear} (Z and its height), {tool}, {tool_2}
+    bool changesTools = true;       ///< otherwise a program has one tool only
+    bool planeBeforeHeight = false; ///< the tool change leaves the tool at the top: X Y first, then Z
+    std::string firstHeight;        ///< first block along Z: {rapid}, {clear} (Z with its height), {tool}, {tool_2}
     DialectArcs arcs;
     std::vector<std::string> begin, toolChange, toolEnd, end;   ///< blocks
-    std::vector<std::string> speedChange{"S{speed} {spindle}"}; ///< blocks; the spindle turns already
-    /// Blocks behind each tool's end that go to MachineProfile::home, for machines that state one; empty: the control
-    /// has no words for it.
+    std::vector<std::string> speedChange{"S{speed} {spindle}"}; ///< blocks, written while the spindle turns
+    /// Blocks after the end of each tool that move to MachineProfile::home, for machines that state one; empty: the
+    /// control has no words for it.
     std::vector<std::string> home;
 };
 
-/// @param origin file name for messages. Errors: resourceInvalid, with the key and what it has to be.
+/// @param origin file name for messages. Errors: resourceInvalid, with the key and its allowed values.
 Result<DialectData> dialectFromJson(std::string_view text, const std::string& origin);
 
 } // namespace burin

@@ -32,7 +32,7 @@ Result<DialectData> readData(const std::string& id) {
     return dialect;
 }
 
-/// Plugins may be missing altogether where nobody asked for a folder of them.
+/// The default folder of plugins may be missing.
 Result<std::vector<PluginDescription>> pluginsBelow(const fs::path& folder) {
     auto plugins = findPlugins(dialectPlugin, folder);
     if (!plugins && folder.empty() && plugins.error().code == ErrorCode::fileNotFound)
@@ -51,7 +51,7 @@ Result<std::shared_ptr<const PostProcessor>> create(const PluginDescription& plu
     std::shared_ptr<const PostProcessor> post;
     try {
         post.reset(function());
-    } catch (...) { // a fault of foreign code must not pass our border
+    } catch (...) { // exceptions of foreign code must not pass this boundary
         return invalid(plugin, "its entry point threw");
     }
     if (!post) return invalid(plugin, "its entry point gave nothing");
@@ -68,7 +68,7 @@ public:
     std::string text;
 };
 
-/// Characters of the lines at a program's head that have to stay there: a tape mark, a program number.
+/// Number of characters in the lines that must stay at a program's head: a tape mark, a program number.
 std::size_t frameLength(std::string_view text) {
     std::size_t length = 0;
     while (length < text.size() && (text[length] == '%' || text[length] == 'O')) {

@@ -24,28 +24,29 @@ struct DialectDescription {
 
 struct DialectList {
     std::vector<DialectDescription> known; ///< sorted by id
-    std::vector<Error> faults;             ///< of what can't be read, with its file: resourceInvalid, pluginInvalid
+    std::vector<Error> faults;             ///< of files that cannot be read: resourceInvalid, pluginInvalid
 };
 
-/// All dialects: those that are data (resources/dialects and the user's own, which replace ours of the same id), and
-/// plugins below `folder` (default: dialects in pluginDirectory(), which may be missing), described without running
-/// their code. With a folder given only its plugins are listed. One id for both kinds: the data counts. A folder of
-/// plugins with a fault in it gives none.
+/// All dialects: those defined by data (resources/dialects and those of the user, which replace ours of the same id),
+/// and plugins below `folder` (default: dialects in pluginDirectory(), which may be missing), described without running
+/// their code. If a folder is given, only its plugins are listed. If an id exists as data and as a plugin, the data is
+/// used. A plugin folder with an error in it provides no dialect.
 DialectList dialects(const std::filesystem::path& folder = {});
 
-/// The control that reads a dialect's programs: of data the one that it names, of a plugin one of the plugin's own id;
-/// LinuxCNC's where there is none.
+/// The control that reads the programs of a dialect: for data the one that it names, for a plugin the one with the
+/// plugin's own id; LinuxCNC's if there is none.
 const Control& controlOfDialect(const std::string& id);
 
-/// A post-processor: data, or out of a plugin, which stays loaded as long as the program runs. With a folder given only
-/// its plugins count. Errors: dialectNotFound, resourceInvalid (data), pluginIncompatible (interface version),
+/// A post-processor, from data or from a plugin, which stays loaded until Burin ends. If a folder is given, only its
+/// plugins are considered. Errors: dialectNotFound, resourceInvalid (data), pluginIncompatible (interface version),
 /// pluginInvalid (does not load, no entry point).
 Result<std::shared_ptr<const PostProcessor>> loadDialect(const std::string& id,
                                                          const std::filesystem::path& folder = {});
 
-/// A program's text with comments at its head, as its dialect words them: behind a tape mark and a program number.
-/// Everything else stays as it is, so many lines further down. Comments of a plugin's dialect stand between ( and ).
-/// @param lineLength characters that a line may have. Errors: resourceInvalid.
+/// The text of a program with comments at its head, in the form of its dialect: after a tape mark and a program number.
+/// Everything else is unchanged, only that many lines further down. In the dialect of a plugin, comments are enclosed
+/// in ( and ).
+/// @param lineLength largest length of a line, characters. Errors: resourceInvalid.
 Result<std::string> withHeaderComments(std::string_view text, const std::vector<std::string>& comments,
                                        const std::string& dialect, int lineLength);
 

@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 constexpr int deepestNesting = 64;
-constexpr double largestResult = 1e15;  // of a part of an expression
+constexpr double largestResult = 1e15;  // limit for parts of an expression
 constexpr double wholeTolerance = 1e-4; // as LinuxCNC's for parameter numbers
 constexpr double degree = pi / 180.0;
 
@@ -27,7 +27,7 @@ struct NamedFunction {
     std::string_view name;
     Function call;
 };
-// A value outside a function's domain gives no number, which the caller reports.
+// A value outside a function's domain gives a result that is not finite, which the caller reports.
 constexpr std::array<NamedFunction, 11> functions{{
     {"ABS", [](double x) { return std::abs(x); }},
     {"ACOS", [](double x) { return std::acos(x) / degree; }},
@@ -78,7 +78,7 @@ bool ExpressionReader::beginsNumber(std::size_t at) const noexcept {
     return at < line_.size() && (isDigit(line_[at]) || line_[at] == '.');
 }
 
-/// Of a number that is being read.
+/// Skips blanks within a number.
 std::size_t ExpressionReader::behindBlanks(std::size_t at) const noexcept {
     if (control_.blanksInNumbers) skipBlanks(at);
     return at;
@@ -136,7 +136,7 @@ bool ExpressionReader::general(std::size_t word, std::size_t& at, double& value)
     const bool letter = upperLetter(c) >= 'A' && upperLetter(c) <= 'Z';
     if (c != '-' && c != '+' && c != '[' && c != '#' && !letter) return fail(ProgramProblem::numberMissing, word, at);
     if (!control_.expressions) {
-        // A letter is the next word: this one lacks its number.
+        // A letter begins the next word: this one lacks its number.
         const bool lacksNumber = letter || c == '-' || c == '+';
         return fail(lacksNumber ? ProgramProblem::numberMissing : ProgramProblem::expressionNotRead,
                     lacksNumber ? word : at);
@@ -145,7 +145,7 @@ bool ExpressionReader::general(std::size_t word, std::size_t& at, double& value)
     bool done = false;
     if (c == '-' || c == '+') {
         ++at;
-        // A sign before a number was the number's: here stands something else.
+        // A sign of a number was read with the number: here something else follows.
         done = at < line_.size() && line_[at] != '-' && line_[at] != '+' ? general(word, at, value)
                                                                          : fail(ProgramProblem::numberMissing, word);
         if (c == '-') value = -value;
@@ -172,7 +172,7 @@ bool ExpressionReader::readOperator(std::size_t& at, ExpressionOperator& found) 
     return true;
 }
 
-/// Values wait on a stack until an operator that binds no tighter stands behind them.
+/// Values wait on a stack until they are followed by an operator that does not bind more tightly.
 bool ExpressionReader::bracket(std::size_t& at, double& value) {
     static constexpr std::size_t tightest = 6;
     std::array<double, tightest> values{};
@@ -191,7 +191,7 @@ bool ExpressionReader::bracket(std::size_t& at, double& value) {
             if (!finite(values[count], place)) return false;
         }
         if (next == ExpressionOperator::close) break;
-        waiting[count++] = next; // strictly rising precedences: never more than there are of them
+        waiting[count++] = next; // precedences strictly increase: never more than there are of them
     }
     value = values[0];
     return true;
@@ -255,7 +255,7 @@ bool ExpressionReader::parameterNumber(std::size_t& at, int& number) {
     return true;
 }
 
-/// Names are of one case and know no blanks.
+/// Names are case-insensitive, and blanks in them are ignored.
 bool ExpressionReader::parameterName(std::size_t& at, std::string& name) {
     const std::size_t start = at;
     if (!control_.namedParameters) return fail(ProgramProblem::expressionNotRead, start);

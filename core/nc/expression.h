@@ -14,22 +14,22 @@ namespace burin {
 
 inline constexpr double largestNumber = 1e7; ///< beyond any machine; keeps sums and counts of chords finite
 
-/// Reads numbers, parameters and expressions of NIST RS274/NGC (IR 6556, 3.3.2) out of one line: [ ], # and #<>, signs,
-/// ** * / MOD + - AND OR XOR, comparisons EQ NE GT GE LT LE (LinuxCNC), and the functions ABS ACOS ASIN ATAN[]/[] COS
-/// EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN, angles in degrees. ** binds before * / MOD, then + -, then comparisons,
-/// then AND OR XOR: LinuxCNC's order, from which the report's differs in having the last ones beside + and -. Equal
-/// ones go from left to right. Blanks may stand anywhere but inside names, and inside numbers where the control says
-/// so. No number is infinite.
+/// Reads numbers, parameters and expressions of NIST RS274/NGC (IR 6556, 3.3.2) from a line: [ ], # and #<>, signs, **
+/// * / MOD + - AND OR XOR, comparisons EQ NE GT GE LT LE (LinuxCNC), and the functions ABS ACOS ASIN ATAN[]/[] COS
+/// EXISTS EXP FIX FUP LN ROUND SIN SQRT TAN, angles in degrees. Precedence is that of LinuxCNC: **, then * / MOD, then
+/// + -, then comparisons, then AND OR XOR; in the report AND OR XOR have the same precedence as + and -. Operators of
+/// equal precedence are evaluated from left to right. Blanks may occur anywhere except inside names, and inside numbers
+/// where the control allows it. Numbers are never infinite.
 class ExpressionReader {
 public:
     ExpressionReader(std::string_view line, const Control& control, Parameters& parameters, BlockFault& fault) noexcept
         : line_(line), control_(control), parameters_(parameters), fault_(fault) {}
 
-    /// A number, parameter, expression or function at `at`, which is left behind it.
-    /// @param word where the word begins that it belongs to, for messages
-    /// @param point set when it was not written as a number without a decimal point
+    /// Reads a number, parameter, expression or function at `at`, and moves `at` past it.
+    /// @param word position of the word that it belongs to, for messages
+    /// @param point set to true unless it was written as a number without a decimal point
     bool value(std::size_t word, std::size_t& at, double& value, bool& point);
-    /// An assignment #n=… or #<name>=… at `at`.
+    /// Reads an assignment #n=… or #<name>=… at `at`.
     bool assignment(std::size_t& at);
 
 private:

@@ -16,7 +16,7 @@ struct Spelling {
     std::string_view text;
     ExpressionOperator means;
 };
-// ** stands before *, of which it begins with.
+// ** precedes *, which is its first character.
 constexpr std::array<Spelling, 16> spellings{{{"]", ExpressionOperator::close},
                                               {"**", ExpressionOperator::power},
                                               {"*", ExpressionOperator::times},
@@ -34,7 +34,7 @@ constexpr std::array<Spelling, 16> spellings{{{"]", ExpressionOperator::close},
                                               {"LT", ExpressionOperator::less},
                                               {"LE", ExpressionOperator::lessOrEqual}}};
 
-/// By place in the enumeration.
+/// By index in the enumeration.
 constexpr std::array<int, 16> precedences{0, 1, 1, 1, 2, 2, 2, 2, 2, 2, 3, 3, 4, 4, 4, 5};
 
 bool beginsWith(std::string_view text, std::string_view word) noexcept {
@@ -103,7 +103,7 @@ std::optional<double> combined(ExpressionOperator by, double left, double right)
     case ExpressionOperator::modulo:
         if (right == 0.0) return std::nullopt;
         left = std::fmod(left, right);
-        if (left < 0.0) left += std::abs(right); // never negative, as the report has it
+        if (left < 0.0) left += std::abs(right); // never negative, as in the report
         break;
     case ExpressionOperator::power:
         left = std::pow(left, right);

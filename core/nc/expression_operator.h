@@ -28,17 +28,18 @@ enum class ExpressionOperator : std::uint8_t {
     power
 };
 
-/// How tightly it binds: more before less; 0: close.
+/// The precedence of an operator: higher binds more tightly; 0 for close.
 int precedenceOf(ExpressionOperator by) noexcept;
 
-/// The operator that a text begins with, in either case, and how many characters it has; nothing: none.
+/// The operator that a text begins with, in upper or lower case, and its number of characters; empty if there is none.
 struct SpelledOperator {
     ExpressionOperator by = ExpressionOperator::close;
     std::size_t length = 0;
 };
 std::optional<SpelledOperator> operatorAt(std::string_view text) noexcept;
 
-/// Nothing for a division or remainder by 0. Truth is 1, falsehood 0; a remainder is never below 0.
+/// The result of an operation; empty for a division or remainder by 0. True is 1, false is 0; a remainder is never
+/// below 0.
 std::optional<double> combined(ExpressionOperator by, double left, double right) noexcept;
 
 } // namespace burin

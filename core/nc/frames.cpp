@@ -5,7 +5,7 @@
 namespace burin {
 namespace {
 
-/// Work offsets in the order in which LinuxCNC's parameters hold them, 5221 on, twenty apart.
+/// Work offsets in the order of LinuxCNC's parameters, from 5221 in steps of twenty.
 constexpr std::array<int, 9> workOffsetOrder{54, 55, 56, 57, 58, 59, 591, 592, 593};
 
 } // namespace
@@ -107,7 +107,7 @@ void Frames::shiftSoThatHereIs(const PartialPlace& here) {
         if (!here[axis]) continue;
         if (known_.has(axis)) {
             shift_.set(axis, place_[axis] - *here[axis]);
-        } else { // the text never says where this zero lies in the work offset's frame
+        } else { // the text never states where this zero is in the frame of the work offset
             place_.set(axis, *here[axis] + shift_[axis]);
             known_.set(axis);
             ownZero_ = true;

@@ -55,7 +55,7 @@ void Interpreter::note(NcSettingKind kind, int value) {
     program.settings.push_back({kind, value, line_, program.motions.size()});
 }
 
-/// A feed beside a change of units is refused: controls differ in which units it has.
+/// A feed together with a change of units is refused: controls differ in which unit it has.
 bool Interpreter::feedAndSpeed(const Block& block) {
     const Word& feed = block.word('F');
     const Code& mode = block.code(GGroup::feedMode);
@@ -63,14 +63,14 @@ bool Interpreter::feedAndSpeed(const Block& block) {
     double length = state_.length;
     if (units.given()) {
         length = units.number == gcode::inch || units.number == gcode::inchByG70 ? millimetresPerInch : 1.0;
-        if (feed.given() && length != state_.length) // before they are stated they are taken for millimetres
+        if (feed.given() && length != state_.length) // units that are not stated yet are assumed to be millimetres
             return fail(ProgramProblem::unitsChangeBesideFeed, feed);
     }
     if (mode.given()) {
         const FeedMode next = mode.number == gcode::inverseTime     ? FeedMode::inverseTime
                               : mode.number == gcode::perRevolution ? FeedMode::perRevolution
                                                                     : FeedMode::perMinute;
-        if (next != state_.feedMode) state_.feed = 0.0; // a number that counts something else
+        if (next != state_.feedMode) state_.feed = 0.0; // the value has another meaning in the new mode
         state_.feedMode = next;
     }
     if (feed.given()) state_.feed = feed.value * (state_.feedMode == FeedMode::inverseTime ? 1.0 : length);
@@ -88,7 +88,7 @@ bool Interpreter::feedAndSpeed(const Block& block) {
 bool Interpreter::toolChange(const Block& block) {
     const Code& code = block.code(MGroup::toolChange);
     if (!code.given()) return true;
-    if (code.number == 610) { // the tool that is in the spindle gets its number: nothing moves
+    if (code.number == 610) { // assigns a number to the tool in the spindle: nothing moves
         if (!block.word('Q').given()) return fail(ProgramProblem::toolNotSelected, code);
         state_.tool = static_cast<int>(block.word('Q').value);
         note(NcSettingKind::toolChange, state_.tool);
@@ -154,7 +154,7 @@ bool Interpreter::modes(const Block& block) {
                           : code.number == gcode::exactStop ? PathMode::exactStop
                                                             : PathMode::blend;
         state_.blendTolerance = block.word('P').given() ? block.word('P').value * state_.length : 0.0;
-        const Word& merge = block.word('Q'); // without it P counts for both (convert_control_mode of LinuxCNC)
+        const Word& merge = block.word('Q'); // if missing, P applies to both (convert_control_mode of LinuxCNC)
         state_.mergeTolerance = merge.given() ? merge.value * state_.length : state_.blendTolerance;
         note(NcSettingKind::pathControl, static_cast<int>(state_.pathMode));
     }
@@ -211,7 +211,7 @@ bool Interpreter::motion(const Block& block) {
     return straight(block);
 }
 
-/// For a move at feed.
+/// Checks the feed of a move at feed.
 bool Interpreter::feedSuffices(const Block& block, std::uint32_t column) {
     if (!(state_.feed > 0.0)) return fail(ProgramProblem::feedMissing, column);
     if (state_.feedMode == FeedMode::inverseTime && !block.word('F').given())

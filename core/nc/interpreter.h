@@ -7,16 +7,16 @@
 
 namespace burin {
 
-/// Carries blocks out, in the order of RS274/NGC (NIST IR 6556, table 8), whatever the order of their words.
+/// Executes blocks in the order of RS274/NGC (NIST IR 6556, table 8), whatever the order of their words.
 class Interpreter {
 public:
     Interpreter(const Control& control, const MachineState& start);
     Interpreter(const Interpreter&) = delete;
     Interpreter& operator=(const Interpreter&) = delete;
 
-    /// @return false and `fault` filled
+    /// @return false, with `fault` filled, on an error
     bool run(const Block& block, std::uint32_t line, BlockFault& fault);
-    /// The program is over: nothing of what follows is read.
+    /// The program has ended: nothing after this is read.
     bool atEnd() const noexcept { return program.ended && !control_.readsOnBehindEnd; }
     const ModalState& state() const noexcept { return state_; }
     /// Value of one of the control's own parameters.
@@ -53,11 +53,11 @@ private:
     bool stop(const Block& block);
 
     bool carryOut(const Block& block);
-    /// What a fault may be the consequence of.
+    /// Adds what may have caused a fault.
     void nameCauses(BlockFault& fault) const;
-    /// Notes what the block sets, for who looks for causes.
+    /// Records what the block sets, for the search for causes.
     void note(NcSettingKind kind, int value);
-    /// mm, or degrees, that an axis' word states.
+    /// Value of an axis word, mm or degrees.
     double valueOf(const Word& word, Axis axis) const noexcept {
         return isRotary(axis) ? word.value : word.value * state_.length;
     }

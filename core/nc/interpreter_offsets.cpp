@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// What an Interpreter does with frames: offsets, shifts, homes.
+// The part of Interpreter that deals with frames: offsets, shifts, homes.
 #include "core/nc/interpreter.h"
 
 #include <cmath>
@@ -85,7 +85,7 @@ bool Interpreter::setOffset(const Block& block) {
     const auto order = static_cast<std::size_t>(which.value);
     const int number = order == 0 ? state_.frames.workOffset() : offsetsInOrder[order - 1];
     if (how.value == 2.0) {
-        if (block.word('R').given()) return fail(ProgramProblem::wordWithoutUse, block.word('R')); // a turned frame
+        if (block.word('R').given()) return fail(ProgramProblem::wordWithoutUse, block.word('R')); // a rotated frame
         state_.frames.writeWorkOffset(number, axisWords(block));
     } else {
         state_.frames.writeWorkOffsetHere(number, axisWords(block));
@@ -93,10 +93,11 @@ bool Interpreter::setOffset(const Block& block) {
     return true;
 }
 
-/// By way of the place that the axis words name, which only their axes leave; without any, all axes.
+/// Moves home by way of the position that the axis words name; only their axes move, or all axes without any.
 bool Interpreter::home(const Block& block, const Code& code) {
     const std::size_t which = code.number == gcode::home ? 0 : 1;
-    // Incrementally from nowhere (G28 G91 Z0): the way stays unknown, and so is nothing that matters.
+    // Incrementally from an unknown position (G28 G91 Z0): the intermediate position stays unknown, but does not
+    // matter.
     AxisValues place = state_.frames.place();
     AxisSet known = state_.frames.known();
     for (const Axis axis : control_.axes) {

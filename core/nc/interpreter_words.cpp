@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// What an Interpreter looks at before it carries a block out: words that nothing uses are errors, never ignored.
+// The checks of Interpreter before it executes a block: words that nothing uses are errors, never ignored.
 #include "core/nc/interpreter.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-/// Codes of the group that is not modal which read X Y Z.
+/// The non-modal codes that read X Y Z.
 bool readsAxes(int once) noexcept {
     return once == gcode::setOffset || once == gcode::home || once == gcode::secondHome || once == gcode::localShift ||
            once == gcode::shift;
@@ -37,7 +37,7 @@ bool Interpreter::checkCodes(const Block& block) {
     return true;
 }
 
-/// Numbers that can't be below 0, or have to be whole.
+/// Checks numbers that must not be negative, or must be integers.
 bool Interpreter::checkWords(const Block& block) {
     for (const char letter : {'F', 'S', 'T', 'H', 'D', 'L', 'E'}) {
         if (block.word(letter).given() && block.word(letter).value < 0.0)
@@ -52,7 +52,7 @@ bool Interpreter::checkWords(const Block& block) {
     return true;
 }
 
-/// Words that have no meaning without another one.
+/// Checks words that have no meaning without another one.
 bool Interpreter::checkUse(const Block& block) {
     const int motion = motionOf(block);
     const int once = block.code(GGroup::once).number;
@@ -67,7 +67,7 @@ bool Interpreter::checkUse(const Block& block) {
     const int offset = block.code(GGroup::workOffset).number;
     const bool sets = once == gcode::setOffset;
     const bool further = offset == gcode::furtherOffset || offset == gcode::furtherOffsetHaas;
-    // Lengths, which a control would count in its smallest steps; K and R may stand for a count.
+    // Lengths, which a control would read in its smallest steps; K and R may be counts.
     for (const char letter : {'X', 'Y', 'Z', 'I', 'J', 'K', 'R'}) {
         const Word& word = block.word(letter);
         const bool counts = (letter == 'K' && cycle && !boresBack) || (letter == 'R' && smooths);
@@ -80,7 +80,7 @@ bool Interpreter::checkUse(const Block& block) {
     };
     const std::array<Use, 10> uses{{
         {'H', block.code(GGroup::lengthOffset).number == gcode::lengthOffset},
-        {'D', false}, // of G41 and G42 alone
+        {'D', false}, // only of G41 and G42
         {'L', sets || cycle},
         {'P', once == gcode::dwell || (blends && control_.blendWords) || sets || further || smooths || waits || arc ||
                   once == gcode::secondHome},

@@ -17,7 +17,7 @@ bool isSpaceOrTab(char c) noexcept {
     return c == ' ' || c == '\t';
 }
 
-/// Walks over one line.
+/// Parses one line.
 class LineReader {
 public:
     LineReader(std::string_view line, const Control& control, Parameters& parameters, Block& block, BlockFault& fault)
@@ -46,8 +46,8 @@ private:
         return false;
     }
 
-    /// The control's buffer. What does not count is known only behind a walk, so that short lines are let through
-    /// first.
+    /// Checks the length against the control's buffer. What is not counted is only known after a scan, so short lines
+    /// are accepted first.
     bool measure() {
         const auto limit = static_cast<std::size_t>(control_.lineLength);
         if (line_.size() <= limit) return true;
@@ -66,7 +66,7 @@ private:
         return fail(ProgramProblem::lineTooLong, limit);
     }
 
-    /// Over blanks and comments.
+    /// Skips blanks and comments.
     bool skip() noexcept {
         while (!atEnd()) {
             const char c = line_[at_];
@@ -123,7 +123,7 @@ private:
         return true;
     }
 
-    /// Words of the macro languages, which begin like words of a block.
+    /// Keywords of the macro languages, which begin like words of a block.
     bool saysFlow(std::size_t at) const noexcept {
         constexpr std::array<std::string_view, 6> words{"IF", "WHILE", "GOTO", "DO", "END", "THEN"};
         return std::ranges::any_of(words, [&](std::string_view word) {
@@ -150,7 +150,7 @@ private:
         return true;
     }
 
-    /// Two words of the group of motions, one of which is G80: "G0 … G80 G90" is how many programs begin.
+    /// Two words of the motion group, one of which is G80: many programs begin with "G0 … G80 G90".
     bool secondMotion(Code& place, const Code& read) noexcept {
         const Code& motion = read.number == gcode::noMotion ? place : read;
         const bool cancels = read.number == gcode::noMotion || place.number == gcode::noMotion;

@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// Takes one line apart. Comments are left out ((MSG, …) too: they ask for nothing that moves), letters may be of
-/// either case, blanks may stand between words and between a letter and its number, but not inside a number. A block
-/// behind / is read as if block delete were off. Parameters take what the line assigns to them, behind it.
-/// @return true, or false and `fault` filled
+/// Splits one line into words. Comments are skipped, also (MSG, …), as they move nothing. Letters may be upper or lower
+/// case. Blanks may occur between words and between a letter and its number, but not inside a number. A block after /
+/// is read as if block delete were off. Assignments of the line to parameters take effect after it.
+/// @return true, or false with `fault` filled
 bool readLine(std::string_view line, const Control& control, Parameters& parameters, Block& block, BlockFault& fault);
 
 } // namespace burin

@@ -11,8 +11,8 @@
 
 namespace burin {
 
-/// Walks over the lines of a program and knows its tape marks. A byte order mark before the first line is none of its
-/// text. Views the text.
+/// Iterates over the lines of a program and recognises its tape marks. A byte order mark before the first line is not
+/// part of the text. Keeps a view of the text.
 class LineWalker {
 public:
     explicit LineWalker(std::string_view text) noexcept : rest_(text) {
@@ -21,8 +21,8 @@ public:
         newline_ = rest_.find('\n');
     }
 
-    /// The next line without its end: LF, CR, CR LF, or the CR CR LF of a file that was converted twice. Nothing behind
-    /// the last one.
+    /// Returns the next line without its end: LF, CR, CR LF, or the CR CR LF of a file that was converted twice. Empty
+    /// after the last line.
     std::optional<std::string_view> next() noexcept {
         if (rest_.empty()) return std::nullopt;
         ++number_;
@@ -41,10 +41,10 @@ public:
         hasText_ = line.find_first_not_of(" \t") != std::string_view::npos;
         return line;
     }
-    std::uint32_t number() const noexcept { return number_; } ///< of the line that `next` gave, from 1
+    std::uint32_t number() const noexcept { return number_; } ///< of the line that `next` returned last, from 1
 
-    /// What the line that `next` gave, a block, is to the tape: the first line's % opens it, the next one ends the
-    /// program and all that is read of it.
+    /// The meaning of the line that `next` returned last, a block, as a tape mark: the % of the first line opens the
+    /// tape, the next one ends the program and with it all that is read.
     enum class Mark : std::uint8_t { none, opens, closes, misplaced };
     Mark mark(const Block& block, TapeMarks marks) noexcept {
         const bool closes = seenMark_ || (marks == TapeMarks::around && seenWords_);
@@ -62,10 +62,11 @@ private:
     }
 
     std::string_view rest_;
-    std::size_t newline_ = std::string_view::npos; ///< the first LF of the rest
+    std::size_t newline_ = std::string_view::npos; ///< the first LF of `rest_`
     std::uint32_t number_ = 0;
     bool seenMark_ = false, seenWords_ = false;
-    bool hasText_ = false, seenText_ = false; ///< the line that `next` gave has more than blanks; one before it had
+    /// whether the line that `next` returned last, and one before it, has more than blanks
+    bool hasText_ = false, seenText_ = false;
 };
 
 /// Lines that a LineWalker gives.

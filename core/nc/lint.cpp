@@ -46,7 +46,7 @@ public:
     }
 
 private:
-    /// A tool that the operator put in and measured; nothing else is known.
+    /// A tool that the operator has loaded and measured; nothing else is known.
     static MachineState start() { return {}; }
 
     void add(const BlockFault& fault, LintSeverity severity = LintSeverity::error, std::string_view more = {}) {
@@ -62,13 +62,13 @@ private:
         marks_.push_back(std::move(mark));
     }
 
-    /// What stands there; of what is missing, nothing.
+    /// The text at the mark; empty if something is missing.
     std::string written(const LintMark& mark) const {
         if (mark.problem == ProgramProblem::endMissing) return {};
         return shownWords(content_, mark.column - 1, mark.length);
     }
 
-    /// To the end of the word that begins in a column: its letter and what is not the next one's.
+    /// Length of the word that begins in a column: its letter and what belongs to its number.
     std::uint32_t wordLength(std::uint32_t column) const {
         std::size_t at = column;
         const auto goesOn = [](char c) { return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+'; };
@@ -82,7 +82,7 @@ private:
         const std::size_t marks = marks_.size();
         if (!interpreter_.run(block_, line_, fault)) {
             add(fault);
-            // A stop in a faulty block still is the end that its author meant.
+            // A stop in a faulty block still counts as the end that its author meant.
             const int stop = block_.code(MGroup::stop).number;
             faultyEnd_ = faultyEnd_ || stop == 20 || stop == 300;
         }
@@ -108,7 +108,7 @@ private:
                     " 1/min");
     }
 
-    /// Says a thing once for the whole program.
+    /// Reports a problem once for the whole program.
     void once(bool& said, ProgramProblem problem, std::uint32_t column, LintSeverity severity) {
         if (!said) add({problem, column, 1}, severity);
         said = true;
@@ -125,7 +125,7 @@ private:
                 once(arcModeStated_, ProgramProblem::arcModeMissing, column, LintSeverity::warning);
             if (motion.takes(Axis::z))
                 once(lengthStated_, ProgramProblem::lengthOffsetMissing, column, LintSeverity::warning);
-            if (motion.rapid() || marks_.size() > marksBefore) continue; // one mark a block is enough
+            if (motion.rapid() || marks_.size() > marksBefore) continue; // one mark per block is enough
             judgeFeed(motion);
         }
     }
@@ -146,7 +146,7 @@ private:
     std::uint32_t line_ = 0;
     std::vector<LintMark> marks_;
     bool unitsStated_ = false, arcModeStated_ = false, workOffsetStated_ = false;
-    bool lengthStated_ = true; // until a tool change asks for it
+    bool lengthStated_ = true; // until a tool change requires it
     bool faultyEnd_ = false;
 };
 

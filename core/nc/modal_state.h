@@ -10,14 +10,14 @@
 
 namespace burin {
 
-/// What is in force while a program runs. Plain data, but for its frames.
+/// The modes in force while a program runs. Plain data, except for its frames.
 struct ModalState {
     ModalState(const Control& control, const MachineState& start)
         : frames(start, control.axes), retractToHeight(control.retractsToHeight) {}
 
     Frames frames;
     int motion = gcode::noMotion;
-    int motionBesideCycles = gcode::noMotion; ///< before a cycle that is in force
+    int motionBesideCycles = gcode::noMotion; ///< from before the cycle in force
     int planeAxis = 2;                        ///< normal to the plane of arcs and cycles
     bool incremental = false;
     bool centresAbsolute = false;
@@ -34,7 +34,7 @@ struct ModalState {
     bool mist = false, flood = false;
     int selectedTool = 0, tool = 0;
 
-    /// M2 and M30 of a control that reads on (GRBL 1.1, gcode.c).
+    /// Resets the modes on M2 and M30, for a control that continues to read after them (GRBL 1.1, gcode.c).
     void setBack() {
         motion = motionBesideCycles = gcode::line;
         planeAxis = 2;

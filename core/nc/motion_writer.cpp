@@ -4,7 +4,7 @@
 
 namespace burin {
 
-/// Inverse time needs the whole way, which a move from an unknown place does not have: its feed stays 0.
+/// Inverse time needs the length of the move, which is unknown for a move from an unknown position: its feed stays 0.
 void MotionWriter::resolveFeed(NcMotion& motion) const noexcept {
     switch (state_.feedMode) {
     case FeedMode::perMinute:

@@ -7,16 +7,17 @@
 
 namespace burin {
 
-/// Appends motions to a program, each with what is in force, and keeps the state's place up with them.
+/// Appends motions to a program, each with the modes in force, and updates the position of the state.
 class MotionWriter {
 public:
     MotionWriter(ModalState& state, ParsedProgram& program) noexcept : state_(state), program_(program) {}
 
-    /// Of the block that is carried out now. @param feed its F where G93 is in force, else what is in force
+    /// Sets the line of the block that is executed now. @param feed its F where G93 is in force, otherwise the feed in
+    /// force
     void beginBlock(std::uint32_t line) noexcept { line_ = line; }
 
     NcMotion& move(NcMotionKind kind, const AxisValues& target, AxisSet known, std::uint32_t column);
-    /// @param target ends where the arc does
+    /// @param target must end where the arc does
     void arc(const ArcWords& words, const AxisValues& target, AxisSet known, std::uint32_t column);
     void dwell(double seconds, std::uint32_t column);
 

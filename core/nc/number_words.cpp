@@ -20,7 +20,7 @@ std::string fixedText(long long steps, int decimals) {
     return steps < 0 ? "-" + digits : digits;
 }
 
-/// Without zeros behind the point; the point itself stays.
+/// Removes trailing zeros after the decimal point; the point itself stays.
 void trim(std::string& text) {
     if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of('0') + 1);
 }

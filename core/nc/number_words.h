@@ -9,12 +9,12 @@
 
 namespace burin {
 
-/// Writes a program's numbers as a dialect wants them. Coordinates are rounded once, to whole steps of the last digit,
-/// and everything else is worked out from these steps: what is compared, repeated or left out is what the control
+/// Formats the numbers of a program as a dialect requires. Coordinates are rounded once, to whole steps of the last
+/// digit, and everything else is computed from these steps: what is compared, repeated or omitted is what the control
 /// reads.
 class NumberWords {
 public:
-    /// @param mostDecimals in millimetres, of the machine; one more in inches
+    /// @param mostDecimals of the machine, in millimetres; one more in inches
     NumberWords(const DialectData& dialect, NcUnits units, int mostDecimals);
 
     double step() const noexcept { return step_; } ///< mm
@@ -22,10 +22,10 @@ public:
     double millimetresOf(long long steps) const noexcept { return static_cast<double>(steps) * step_; }
     std::string coordinate(long long steps) const;
     long long feedStepsOf(double millimetresPerMinute) const noexcept;
-    std::string feed(long long steps) const; ///< without the zeros at its end
-    /// A length, without the zeros at its end; up to one decimal more than coordinates have.
+    std::string feed(long long steps) const; ///< without trailing zeros
+    /// A length, without trailing zeros; up to one decimal more than coordinates have.
     std::string tolerance(double millimetres) const;
-    /// A number without unit, without the zeros at its end.
+    /// A number without unit, without trailing zeros.
     static std::string plain(double value, int decimals);
 
 private:

@@ -11,25 +11,26 @@
 
 namespace burin {
 
-/// What #n and #<name> of a program hold. One thread.
+/// The values of #n and #<name> in a program. Not thread-safe.
 class Parameters {
 public:
-    static constexpr int count = 5603;          ///< numbers go from 1 below it
-    static constexpr int firstOfControl = 5061; ///< from here on they are the control's: read, never set
+    static constexpr int count = 5603;          ///< numbers are 1 up to, but not including, this one
+    static constexpr int firstOfControl = 5061; ///< this and higher numbers belong to the control: read, never set
 
-    /// @param unsetIsZero parameters that the program did not set are 0, as in LinuxCNC without a parameter file
-    /// @param ofControl   value of one of the control's own; nothing where the text does not tell it
+    /// @param unsetIsZero whether parameters that the program did not set are 0, as in LinuxCNC without a parameter
+    /// file
+    /// @param ofControl value of one of the control's own parameters; empty if the text does not determine it
     Parameters(bool unsetIsZero, std::function<std::optional<double>(int)> ofControl)
         : unsetIsZero_(unsetIsZero), ofControl_(std::move(ofControl)) {}
 
     static bool exists(int number) noexcept { return number >= 1 && number < count; }
     std::optional<double> value(int number) const;
     std::optional<double> value(std::string_view name) const;
-    /// Assignments of a block take effect together, behind it (NIST IR 6556, 3.3.3).
+    /// Assignments of a block take effect together, after it (NIST IR 6556, 3.3.3).
     void setLater(int number, double value) { numbersLater_.emplace_back(number, value); }
     void setLater(std::string name, double value) { namesLater_.emplace_back(std::move(name), value); }
     void commit();
-    /// Forgets the assignments of a block that turned out faulty.
+    /// Discards the assignments of a block that turned out to be faulty.
     void discard();
 
 private:

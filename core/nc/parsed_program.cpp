@@ -10,7 +10,7 @@
 namespace burin {
 namespace {
 
-/// On an arc the other axes go evenly with its sweep.
+/// On an arc, the other axes move in proportion to its sweep.
 AxisValues placeIn(const NcMotion& motion, const ArcTurn& turn, double share) {
     AxisValues place = between(motion.from, motion.to, share);
     place.setLinear(placeOn(motion.arc(), turn, share));

@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-/// Lines that a fault may be the consequence of: "; its start is set by line 145 and line 146".
+/// Lines that may be the cause of a fault: "; its start is set by line 145 and line 146".
 std::string causesOf(const BlockFault& fault) {
     std::string text;
     const auto [first, second] = std::minmax(fault.starts[0], fault.starts[1]);

@@ -36,7 +36,7 @@ Result<void> checkFeed(const PathPoint& point, std::size_t index, const MachineP
     return {};
 }
 
-/// A section that began with a feed move would plough through the unknown.
+/// A section that began with a feed move would cut through unknown space.
 Result<void> checkPaths(const std::vector<Path>& paths, const PostRequest& request) {
     if (paths.empty()) return Error{ErrorCode::pathEmpty, request.programName, "", ""};
     for (const Path& path : paths) {
@@ -56,12 +56,12 @@ PostTool toolOf(const Path& path, const PostRequest& request) {
     return {request.toolNumber, request.toolName, SpindleDirection::clockwise};
 }
 
-/// 1/min, of a point's move.
+/// Spindle speed of a point's move, 1/min.
 double speedOf(const Path& path, const PathPoint& point) {
     return point.spindleSpeed > 0.0 ? point.spindleSpeed : path.spindleSpeed;
 }
 
-/// 1/min, of the next move that is no rapid, or at the end of the path's last one.
+/// Spindle speed of the next move that is not a rapid, or at the end of the path of the last one, 1/min.
 double speedFrom(const Path& path, std::size_t first) {
     const auto isFeed = [](const PathPoint& point) { return point.kind != MoveKind::rapid; };
     const auto begin = path.points.begin() + static_cast<std::ptrdiff_t>(first);
@@ -81,7 +81,7 @@ double speedAtEnd(const NcSection& section) {
     return change == section.moves.rend() ? section.spindleSpeed : change->spindleSpeed;
 }
 
-/// The section of a path: the last one where it uses the same tool in the same way.
+/// The section of a path: the last one if it uses the same tool in the same way.
 NcSection& sectionOf(NcProgram& program, const Path& path, const PostRequest& request) {
     const PostTool tool = toolOf(path, request);
     if (!program.sections.empty()) {
@@ -99,13 +99,13 @@ NcSection& sectionOf(NcProgram& program, const Path& path, const PostRequest& re
     return section;
 }
 
-/// Says which moment of the hand, or which move of a planner, an interval comes from.
+/// Names the moment of the hand, or the move of a planner, that a part of the path comes from.
 std::string originOf(const PathPoint& point) {
     const PathSource source{point.source};
     return nameOf(source) + (source.isTake() ? ", sample " : ", move ") + std::to_string(point.sample);
 }
 
-/// Puts paths behind each other as moves of the machine's axes.
+/// Appends paths to a program as moves of the machine's axes.
 class PathWriter {
 public:
     PathWriter(NcProgram& program, const PostRequest& request, const MachineProfile& machine)
@@ -136,8 +136,8 @@ public:
         return {};
     }
 
-    /// Whether the axes get everywhere, the heights that the dialect goes to by itself before and after the moves among
-    /// it.
+    /// Checks whether the axes can reach all positions, including the heights that the dialect itself moves to before
+    /// and after the moves.
     Result<void> checkTravel() {
         travel_.goTo(Axis::z, std::max(request_.safeHeight, machine_.toolChangeHeight));
         for (const Axis axis : kinematics_->axes())
@@ -160,7 +160,7 @@ private:
         if (point.arc) {
             if (i == 0 || move.kind == NcMoveKind::rapid || !isFinite(point.arc->centre))
                 return pointError(path, i, " can't be the end of an arc");
-            const Result<AxisValues> centre = valuesAt(ToolPose{point.arc->centre}, i); // as if the tip stood there
+            const Result<AxisValues> centre = valuesAt(ToolPose{point.arc->centre}, i); // as if the tip were there
             if (!centre) return centre.error();
             move.kind = NcMoveKind::arc;
             move.arc = {centre->linear(), point.arc->axis, point.arc->clockwise};
@@ -183,10 +183,11 @@ private:
         return error;
     }
 
-    /// The places of an arc's path, by parts of it.
+    /// Includes points along the path of an arc.
     void goAlongArc(const NcMove& move, const AxisValues& from) {
         const Arc arc{from.linear(), move.target.linear(), move.arc.centre, move.arc.axis, move.arc.clockwise};
-        constexpr int steps = 64; // outside by at most 0.12 % of the radius, far below what travel is known to
+        // underestimates by at most 0.12 % of the radius, far less than the accuracy of the travel
+        constexpr int steps = 64;
         const ArcTurn turn = turnOf(arc);
         for (int i = 1; i < steps; ++i)
             travel_.goTo(linearAxes, AxisValues(placeOn(arc, turn, static_cast<double>(i) / steps)));
@@ -199,7 +200,7 @@ private:
     AxisTravel travel_;
 };
 
-/// Checks the length of each line and gathers them.
+/// Checks the length of each line and collects the lines.
 class TextSink final : public LineSink {
 public:
     explicit TextSink(int maximumLineLength) : maximumLineLength_(maximumLineLength) {}

@@ -31,13 +31,14 @@ struct PostRequest {
     double blendTolerance = 0.005;         ///< mm
 };
 
-/// Paths as a program: poses turned into values of the machine's axes (`kinematicsOf`), moves and arcs in order, a
-/// section for each change of tool or spindle speed. Errors: pathEmpty, programLimit (feed, speed, travel beyond the
-/// machine's, a feed that is missing, a pose that the machine can't hold the tool at), argumentInvalid (a path that
-/// does not begin with a rapid, a tool that the request does not name, a rapid arc).
+/// Converts paths to a program: poses become values of the machine's axes (`kinematicsOf`), moves and arcs stay in
+/// order, and each change of tool or spindle speed begins a section. Errors: pathEmpty, programLimit (feed, speed or
+/// travel beyond the machine's, a missing feed, a pose in which the machine cannot hold the tool), argumentInvalid (a
+/// path that does not begin with a rapid, a tool that the request does not name, a rapid arc).
 Result<NcProgram> toProgram(const std::vector<Path>& paths, const PostRequest& request, const MachineProfile& machine);
 
-/// The text of a program in a dialect. Errors: the dialect's; programLimit (a line longer than the control reads).
+/// The text of a program in a dialect. Errors: those of the dialect; programLimit (a line longer than the control
+/// reads).
 Result<std::string> writeProgram(const NcProgram& program, const MachineProfile& machine, const PostProcessor& post,
                                  Progress& progress);
 

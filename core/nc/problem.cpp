@@ -88,19 +88,19 @@ constexpr std::array<Wording, static_cast<std::size_t>(ProgramProblem::count)> w
     {"units_missing", BURIN_TEXT("ProgramProblem", "the program does not state its units")},
     {"feed_point_missing", BURIN_TEXT("ProgramProblem", "feed without a decimal point")},
 }};
-// A problem that was added without its wording has an empty one.
+// A problem that was added without its wording would have an empty entry.
 static_assert(!wordings.back().id.empty());
 
 constexpr std::size_t longestShown = 40; // characters
 
-/// The UTF-8 character at a place; empty where there is none.
+/// The UTF-8 character at a position; empty if there is none.
 std::string_view characterAt(std::string_view text, std::size_t at) noexcept {
     for (std::size_t bytes = 1; bytes <= std::min<std::size_t>(4, text.size() - at); ++bytes)
         if (isUtf8(text.substr(at, bytes))) return text.substr(at, bytes);
     return {};
 }
 
-/// Control characters, and what turns, breaks or hides text: they would be obeyed, not shown.
+/// Control characters, and characters that turn, break or hide text: they would be interpreted, not shown.
 bool isObeyed(std::string_view character) noexcept {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(character[i]); };
     if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7F;

@@ -11,9 +11,9 @@
 
 namespace burin {
 
-/// What can be wrong with a program's text, for the parser and for lint.
+/// Problems in the text of a program, as reported by the parser and by lint.
 enum class ProgramProblem : std::uint8_t {
-    // the line as such
+    // the line itself
     lineTooLong,
     characterNotAllowed,
     commentNotClosed,
@@ -77,7 +77,7 @@ enum class ProgramProblem : std::uint8_t {
     cycleStep,
     cycleSpindle,
     cycleRepeats,
-    // lint alone
+    // only from lint
     endMissing,
     feedAboveMachine,
     spindleBeyondMachine,
@@ -94,10 +94,10 @@ std::string_view wordingOf(ProgramProblem problem) noexcept;
 /// The same, to be translated.
 TextId textOf(ProgramProblem problem) noexcept;
 
-/// Words of a program's line as a message may repeat them on a terminal, whatever bytes the program is of: UTF-8
-/// without a byte that a terminal or a text view obeys. Such bytes, and those that are no UTF-8, stand as "\x1b". What
-/// is longer than 40 characters is cut and ends in "…".
-/// @param from @param length  bytes of the line; a character that begins within them is shown whole
+/// Words of a program's line in a form that a message may repeat on a terminal, whatever the bytes of the program:
+/// UTF-8 without control bytes that a terminal or a text view interprets. Such bytes, and those that are not UTF-8, are
+/// shown as "\x1b". Text longer than 40 characters is cut and ends in "…".
+/// @param from @param length bytes of the line; a character that begins within them is shown whole
 std::string shownWords(std::string_view line, std::size_t from, std::size_t length);
 
 } // namespace burin

@@ -19,26 +19,26 @@ namespace burin {
 
 enum class NcMoveKind : std::uint8_t { rapid, line, arc, dwell };
 
-/// How an arc turns, as PathArc and Arc have it: about an axis of the frame, at most one turn; with equal ends a full
-/// one.
+/// How an arc turns, as in PathArc and Arc: about an axis of the frame, by at most one turn; a full turn if both ends
+/// are equal.
 struct NcArc {
     glm::dvec3 centre{0.0}; ///< mm, in the frame of the work offset; its component along the axis has no meaning
     int axis = 2;           ///< 0 X, 1 Y, 2 Z
     bool clockwise = false; ///< seen against the axis
 };
 
-/// One move of a program, before a dialect words it.
+/// One move of a program, before a dialect formats it.
 struct NcMove {
     NcMoveKind kind = NcMoveKind::line;
-    AxisValues target;       ///< in the frame of the work offset in force; of a dwell without meaning
+    AxisValues target;       ///< in the frame of the work offset in force; has no meaning for a dwell
     double feed = 0.0;       ///< mm/min; 0 for rapids and dwells
-    std::int64_t source = 0; ///< and the moment in it, as in PathPoint
+    std::int64_t source = 0; ///< with `sample`, the moment in it, as in PathPoint
     std::int64_t sample = -1;
-    std::string comment;  ///< stands before the move; empty: none
-    NcArc arc{};          ///< of an arc alone
-    double seconds = 0.0; ///< of a dwell alone
-    /// 1/min, from before this move on; 0: as it is. The spindle gets its time before a rapid; in a cut the feeds see
-    /// to that.
+    std::string comment;  ///< written before the move; empty: none
+    NcArc arc{};          ///< only of an arc
+    double seconds = 0.0; ///< only of a dwell
+    /// 1/min, in force from before this move; 0: unchanged. The spindle gets time to reach it before a rapid; in a cut,
+    /// the feeds take care of that.
     double spindleSpeed = 0.0;
 };
 
@@ -54,7 +54,7 @@ constexpr std::optional<NcUnits> ncUnitsFromId(std::string_view id) noexcept {
     return std::nullopt;
 }
 
-/// What a program does with one tool. Begins with a rapid move.
+/// The part of a program that uses one tool. Begins with a rapid move.
 struct NcSection {
     int toolNumber = 1;
     std::string toolName;
@@ -64,14 +64,14 @@ struct NcSection {
     std::vector<NcMove> moves;
 };
 
-/// A program, before a dialect words it. Lengths are mm whatever `units` asks for.
+/// A program before a dialect formats it. Lengths are in mm whatever `units` is.
 struct NcProgram {
     std::string name;
     std::vector<std::string> header; ///< comment lines
     NcUnits units = NcUnits::millimetre;
     int workOffset = 54;                    ///< as NcMotion::workOffset: 54 … 59, 591 … 593, 1000 + n
-    double safeHeight = 0.0;                ///< mm above the work offset's zero, where travel is free
-    double blendTolerance = 0.0;            ///< mm that the control may leave the path by; 0: it stops exactly
+    double safeHeight = 0.0;                ///< mm above the zero of the work offset, where travel is free
+    double blendTolerance = 0.0;            ///< mm by which the control may deviate from the path; 0: it stops exactly
     double spindleStart = spindleStartTime; ///< s; 0: no dwell for it
     std::vector<NcSection> sections;
 };

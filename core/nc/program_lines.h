@@ -8,12 +8,13 @@
 
 namespace burin {
 
-// A program's motions by the lines of its text, in which they stand in order. Lines count from 1. Cost: log n.
+// Access to a program's motions by the lines of its text; the motions are in the order of the lines. Lines count from
+// 1. Cost: log n.
 
-/// What one line makes the machine do; none for a line without a move.
+/// The motions that a line makes; empty for a line without a move.
 std::span<const NcMotion> motionsOf(std::span<const NcMotion> motions, std::uint32_t line);
 
-/// The motion that has brought the machine to where it stands when a line is done; null: none yet.
+/// The last motion up to and including a line, which determines where the machine is after it; null: none yet.
 const NcMotion* lastMotion(std::span<const NcMotion> motions, std::uint32_t line);
 
 } // namespace burin

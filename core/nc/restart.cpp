@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-constexpr double shortestRest = 0.01; // mm: less of a move is not worth a block
+constexpr double shortestRest = 0.01; // mm: a shorter remainder of a move is not written
 
 bool isCut(const NcMotion& motion) noexcept {
     return motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc;
@@ -24,11 +24,11 @@ Coolant coolantOf(const NcMotion& motion) noexcept {
     return motion.flood ? Coolant::flood : motion.mist ? Coolant::mist : Coolant::off;
 }
 
-/// mm that the control may leave the path by, as NcProgram has it.
+/// mm by which the control may deviate from the path, as in NcProgram.
 double blendOf(const NcMotion& motion) noexcept {
     switch (motion.pathMode) {
     case PathMode::machine:
-        return PostRequest{}.blendTolerance; // for the dialects that say it somewhere else
+        return PostRequest{}.blendTolerance; // for dialects that state it elsewhere
     case PathMode::blend:
         return motion.blendTolerance;
     case PathMode::exactPath:
@@ -38,12 +38,12 @@ double blendOf(const NcMotion& motion) noexcept {
     return 0.0;
 }
 
-/// Cuts that differ in none of this stand in one section.
+/// Cuts that agree in all of these belong to one section.
 bool sameSection(const NcMotion& a, const NcMotion& b) noexcept {
     return a.tool == b.tool && a.spindle == b.spindle && a.mist == b.mist && a.flood == b.flood;
 }
 
-/// The lowest feed of the tool down into material, or `otherwise`.
+/// The lowest feed at which the tool moves down into material, or `otherwise`.
 double plungeFeed(std::span<const NcMotion> motions, int tool, double otherwise) {
     double feed = otherwise;
     for (const NcMotion& motion : motions) {
@@ -69,14 +69,14 @@ NcMove dwellOf(const NcMotion& motion) {
     return move;
 }
 
-/// Where the rest of a program begins: within a motion.
+/// The point within a motion at which the remainder of a program begins.
 struct Begin {
     std::size_t motion = 0;
-    double share = 0.0; ///< of the motion that is left out
-    double lead = 0.0;  ///< mm of path up to the cut that is next
+    double share = 0.0; ///< fraction of the motion that is left out
+    double lead = 0.0;  ///< mm of path up to the next cut
 };
 
-/// Back along the path from the start of a cut, over cuts of the same tool alone.
+/// Goes back along the path from the start of a cut, only over cuts of the same tool.
 Begin leadBefore(std::span<const NcMotion> motions, std::size_t cut, double lead) {
     Begin begin{cut, 0.0, 0.0};
     for (std::size_t i = cut; i-- > 0 && begin.lead < lead;) {
@@ -95,7 +95,7 @@ Begin leadBefore(std::span<const NcMotion> motions, std::size_t cut, double lead
     return begin;
 }
 
-/// Behind the last motion before a cut that ends at a free height with the same tool; the first one of the tool where
+/// After the last motion before a cut that ends at a free height with the same tool; at the first motion of the tool if
 /// there is none.
 Begin retractBefore(std::span<const NcMotion> motions, std::size_t cut, double freeHeight) {
     std::size_t first = cut;
@@ -111,7 +111,7 @@ Begin retractBefore(std::span<const NcMotion> motions, std::size_t cut, double f
     return {first, 0.0, lead};
 }
 
-/// Gathers the moves of the rest in sections.
+/// Collects the moves of the remainder in sections.
 class RestWriter {
 public:
     RestWriter(const ParsedProgram& program, const RestartRequest& request, NcProgram& rest)
@@ -129,7 +129,7 @@ public:
 private:
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// By motion, the first cut at or behind it.
+    /// By motion, the first cut at or after it.
     void findNextCuts() {
         nextCut_.assign(motions_.size(), none);
         std::size_t next = none;
@@ -148,7 +148,7 @@ private:
             if (open_ && sameSection(*open_, asCut)) push(dwellOf(motion), asCut.spindleSpeed);
             return {};
         }
-        if (motion.tool != asCut.tool) return {}; // back from the last cut of a tool: so does the section's end
+        if (motion.tool != asCut.tool) return {}; // returns from the last cut of a tool, as the end of the section does
         if (!open_ || !sameSection(*open_, asCut))
             if (Result<void> begun = beginSection(asCut); !begun) return begun;
         push(moveTo(NcMoveKind::rapid, motion.to), asCut.spindleSpeed);
@@ -202,7 +202,7 @@ private:
         return {};
     }
 
-    /// Over a place of the path, then straight down onto it: an upright tool that was there has room above.
+    /// Moves above a point of the path, then straight down onto it: an upright tool that was there has room above.
     void enter(const AxisValues& place, const NcMotion& cut) {
         AxisValues above = place;
         above.set(Axis::z, std::max(place[Axis::z], request_.freeHeight));
@@ -211,7 +211,7 @@ private:
             push(moveTo(NcMoveKind::line, place, plungeFeed(motions_, cut.tool, cut.feed)));
     }
 
-    /// In as many pieces as it has turns: a block makes one at most.
+    /// Written in as many pieces as it has turns: a block makes at most one.
     void addArc(const NcMotion& motion, double share) {
         const double turns = std::abs(motion.turn().sweep) * (1.0 - share) / (2.0 * pi);
         const int pieces = std::max(1, static_cast<int>(std::ceil(turns - 1e-9)));
@@ -223,7 +223,7 @@ private:
         }
     }
 
-    /// @param speed 1/min that the spindle turns with; 0: as it does
+    /// @param speed of the spindle, 1/min; 0: unchanged
     void push(NcMove move, double speed = 0.0) {
         if (speed > 0.0 && speed != speed_) move.spindleSpeed = speed_ = speed;
         if (move.kind == NcMoveKind::line || move.kind == NcMoveKind::arc) {

@@ -15,13 +15,13 @@ namespace burin {
 namespace {
 
 constexpr double farthestInSteps = 2.0;
-constexpr std::size_t longestLeftOut = 256; // points between two that stay
-constexpr std::size_t nearEnd = 8;          // points that are looked at together
+constexpr std::size_t longestLeftOut = 256; // largest number of points between two that are kept
+constexpr std::size_t nearEnd = 8;          // number of points that are considered together
 
-/// A run of straight feed moves at the positions that a program can state.
+/// A series of straight feed moves at the positions that a program can state.
 class RoundedRun {
 public:
-    /// @param run the first one is where the run begins: it stays, as the last one does
+    /// @param run the series; the first move is its start point and is kept, as is the last one
     RoundedRun(std::span<const NcMove> run, const NumberWords& numbers) : run_(run), numbers_(numbers) {
         for (std::size_t i = 0; i < run.size(); ++i) take(i);
     }
@@ -29,9 +29,9 @@ public:
     struct Point {
         std::size_t number = 0; ///< in the run
         StepPlace steps{};
-        bool moved = false; ///< to another position than rounding leads to
+        bool moved = false; ///< to another position than the rounded one
     };
-    /// Those that stay.
+    /// The points that are kept.
     const std::vector<Point>& points() const noexcept { return points_; }
 
 private:
@@ -61,7 +61,7 @@ private:
                stepsBack(points_[index - 1].steps, points_[index].steps, points_[index + 1].steps);
     }
 
-    /// Takes out the back-step at the last point but one. @return whether there may be another
+    /// Removes the back-step at the last point but one. @return whether there may be another
     bool settle() {
         if (points_.size() < 3 || !stepsBackAt(points_.size() - 2)) return false;
         const std::size_t size = points_.size();
@@ -69,7 +69,7 @@ private:
         return moveTwo(size - 3) || moveTwo(size - 2) || (size > 3 && moveTwo(size - 4));
     }
 
-    /// Leaves out points near the end, the fewest that take the back-step with them.
+    /// Leaves out points near the end, as few as possible, to remove the back-step.
     bool shorten() {
         const std::size_t size = points_.size(), first = size - std::min(size, nearEnd);
         for (std::size_t count = 1; count + 2 <= size - first; ++count)
@@ -92,13 +92,13 @@ private:
         return false;
     }
 
-    /// A point and the next one are one for the control.
+    /// Merges a point with the next one if both are the same for the control.
     void merge(std::size_t index) {
         const std::size_t less = isFixed(points_[index + 1].number) ? index : index + 1;
         if (!isFixed(points_[less].number)) points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(less));
     }
 
-    /// All that lies between two points is within the steps allowed of the line between them.
+    /// Whether all points between two are within the allowed number of steps of the line between these.
     bool leavesLittle(const Point& from, const Point& to) const {
         if (to.number - from.number > longestLeftOut) return false;
         const double most = farthestInSteps * numbers_.step();
@@ -107,8 +107,9 @@ private:
         return true;
     }
 
-    /// Puts a point at each position beside the one it has, no farther from its own than so much, mm, and calls
-    /// `accept` with the distance; at which of them it is left is for `accept` to note. It stands where it was after.
+    /// Moves a point to each position around its current one that is no farther than `farthest` mm from its exact
+    /// position, and calls `accept` with the distance; `accept` has to record the position. The point is restored
+    /// afterwards.
     template <class Accept>
     void atEachPosition(std::size_t index, double farthest, const Accept& accept) {
         const Point before = points_[index];
@@ -122,7 +123,7 @@ private:
         points_[index] = before;
     }
 
-    /// The nearest other position of a point at which nothing steps back; where there is none it stays.
+    /// Moves a point to the nearest other position at which nothing steps back; it stays if there is none.
     bool move(std::size_t index) {
         if (isFixed(points_[index].number)) return false;
         double least = farthestInSteps * numbers_.step();
@@ -137,7 +138,7 @@ private:
         return best.has_value();
     }
 
-    /// The same of a point and the next one together, where no one of them can help alone.
+    /// The same for a point together with the next one, if neither of them alone suffices.
     bool moveTwo(std::size_t index) {
         if (index + 1 >= points_.size() || isFixed(points_[index].number) || isFixed(points_[index + 1].number))
             return false;
@@ -164,7 +165,7 @@ private:
                (index + 1 < points_.size() && points_[index + 1].steps == points_[index].steps);
     }
 
-    /// Whether a point moves along no axis along which its neighbours do not.
+    /// Whether a point moves along no axis along which its neighbours do not move.
     bool staysLevel(std::size_t index, const std::array<int, 3>& by) const {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (by[axis] == 0) continue;
@@ -181,7 +182,7 @@ private:
     std::vector<Point> points_;
 };
 
-/// Appends a run, without the point where it begins.
+/// Appends a series, without its start point.
 void append(std::vector<NcMove>& moves, std::span<const NcMove> run, const NumberWords& numbers) {
     const RoundedRun rounded(run, numbers);
     std::size_t next = 1;
@@ -189,7 +190,7 @@ void append(std::vector<NcMove>& moves, std::span<const NcMove> run, const Numbe
         if (point.number == 0) continue;
         NcMove move = run[point.number];
         std::string comment;
-        double speed = 0.0; // the last one that a point which is left out asks for
+        double speed = 0.0; // the last one requested by a point that is left out
         for (; next < point.number; ++next) {
             if (comment.empty()) comment = run[next].comment;
             if (run[next].spindleSpeed > 0.0) speed = run[next].spindleSpeed;

@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 constexpr int furtherBegin = 1000; // NcMotion::workOffset
-constexpr int furtherMost = 300;   // G54.1 P300, the most that a Fanuc control has
+constexpr int furtherMost = 300;   // G54.1 P300, the highest that a Fanuc control has
 constexpr int tenthsBegin = 590;   // 591 is G59.1
 
 } // namespace

@@ -8,10 +8,11 @@
 
 namespace burin {
 
-/// Of a number as NcMotion::workOffset has it: "G54" … "G59", "G59.1" … "G59.3", or "P3" for the third of the further
-/// ones that some controls have.
+/// The name of a work offset with a number as in NcMotion::workOffset: "G54" … "G59", "G59.1" … "G59.3", or "P3" for
+/// the third of the additional ones that some controls have.
 std::string workOffsetName(int number);
-/// Of such a name, in capitals or not; nothing for others. Further ones: P1 to P300.
+/// The number of a work offset with such a name, in upper or lower case; empty for other names. Additional ones: P1 to
+/// P300.
 std::optional<int> workOffsetFromName(std::string_view name);
 
 } // namespace burin

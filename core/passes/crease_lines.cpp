@@ -16,18 +16,18 @@
 namespace burin {
 namespace {
 
-constexpr double leastTurn = 20.0 * pi / 180.0; // rad: what bends less is a fillet that the cutter rolls through
+constexpr double leastTurn = 20.0 * pi / 180.0; // rad: a smaller bend is a fillet that the cutter rolls through
 constexpr double precision = 1e-3;              // mm, across a crease
 constexpr double chordError = 0.002;            // mm
-constexpr double closest = 0.04;                // mm between places
+constexpr double closest = 0.04;                // mm between points
 
-/// The surface of tips at a place.
+/// A sample of the surface of tips.
 struct Look {
     SurfacePlace place;
-    glm::dvec3 away{0.0, 0.0, 1.0}; ///< unit, out of the part
+    glm::dvec3 away{0.0, 0.0, 1.0}; ///< unit vector out of the part
 };
 
-/// Finds where a straight way over the surface of tips crosses a crease. One thread.
+/// Finds where a straight line over the surface of tips crosses a crease. Not thread-safe.
 class CreaseSearch {
 public:
     explicit CreaseSearch(const SurfaceTrace& trace) : trace_(trace), probe_(trace.probe()) {}
@@ -37,7 +37,7 @@ public:
         return {place, place.onPart ? probe_.touch(place.tip).away : glm::dvec3(0.0, 0.0, 1.0)};
     }
 
-    /// The lower side of the sharpest crease that the ends of a way give away.
+    /// The point on the lower side of the sharpest crease that the samples at both ends of a line indicate.
     std::optional<glm::dvec3> between(Look from, Look to) {
         const auto plan = [](const Look& look) { return glm::dvec2(look.place.tip); };
         while (true) {
@@ -47,14 +47,14 @@ public:
             (turn(from, middle) >= turn(middle, to) ? to : from) = middle;
         }
         const Look& lower = from.place.tip.z <= to.place.tip.z ? from : to;
-        // At the bottom beside the part nothing is touched but the part.
+        // At the bottom, beside the part, only the part itself counts as touched.
         if (!lower.place.onPart) return {};
         return lower.place.tip;
     }
 
 private:
-    /// By how much the surface of tips turns upwards between two places, rad: also where it jumps from one to the
-    /// other, as at a wall.
+    /// The angle by which the surface of tips turns upwards between two samples, rad, including a jump between them, as
+    /// at a wall.
     static double turn(const Look& from, const Look& to) {
         const glm::dvec2 way = glm::dvec2(to.place.tip - from.place.tip);
         const double length = glm::length(way);
@@ -70,7 +70,7 @@ private:
     TipDrop probe_;
 };
 
-/// Looks at a raster, and links what its squares cross.
+/// Samples a raster, and links the crossings on the sides of its squares.
 class CreaseRaster {
 public:
     CreaseRaster(const SurfaceTrace& trace, double raster, Progress& progress)
@@ -99,7 +99,7 @@ private:
     std::size_t indexOf(int column, int row) const {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
     }
-    /// Of the edge from a place to its neighbour along x, or along y.
+    /// Index of the edge from a point to its neighbour along x, or along y.
     std::size_t edgeOf(int column, int row, bool upwards) const { return indexOf(column, row) * 2 + (upwards ? 1 : 0); }
 
     std::vector<Look> lookAround() const {
@@ -137,7 +137,7 @@ private:
         }
     }
 
-    /// Crossings of one square's sides belong together, the nearest first, without a ring.
+    /// Links the crossings on the sides of each square, the nearest first, without closing a ring.
     void link() {
         for (int row = 0; row + 1 < rows_; ++row)
             for (int column = 0; column + 1 < columns_; ++column) {
@@ -170,7 +170,7 @@ private:
         }
     }
 
-    /// Lines from one end or fork to the next; then what goes round.
+    /// Follows lines from one end or fork to the next, then the closed ones.
     std::vector<TipLine> chains() {
         std::vector<TipLine> lines;
         const auto follow = [&](std::size_t node) {
@@ -192,7 +192,7 @@ private:
         return lines;
     }
 
-    /// Places between others where the crease bends.
+    /// Inserts points where the crease bends.
     TipLine refined(const TipLine& line) const {
         CreaseSearch search(trace_);
         TipLine fine{line.front()};

@@ -9,11 +9,12 @@
 
 namespace burin {
 
-/// The lines along which a tip goes where the tool lies on the part in two places whose faces meet at more than 20
-/// degrees: where a larger cutter, or one that goes across, leaves stock in concave edges. A place of a line is on the
-/// edge within 0.001 mm, on the side that is free, and no chord leaves it by more than 0.002 mm where the edge goes on
-/// evenly. Edges that are less than a square of the raster apart are found as one. All cores; cancelled, some lines are
-/// missing. @param raster mm, of the squares that are looked at, > 0
+/// The tip paths along the concave edges of the part: the positions at which the tool touches the part at two points
+/// whose faces meet at more than 20 degrees. A larger cutter, or one that crosses the edge, leaves stock there. Each
+/// point of a line is within 0.001 mm of the edge, on the free side; where the edge is smooth, no chord deviates from
+/// it by more than 0.002 mm. Edges closer together than one square of the raster are found as one. Uses all cores. When
+/// cancelled, lines are missing.
+/// @param raster edge of the squares that are examined, mm, > 0
 std::vector<TipLine> creaseLines(const SurfaceTrace& trace, double raster, Progress& progress);
 
 } // namespace burin

@@ -12,15 +12,15 @@ namespace burin {
 namespace {
 
 constexpr double steepSlope = 1.0;          // 45 degrees across the rows
-constexpr double shortestStretch = 1.0;     // mm: less lies between two rows
+constexpr double shortestStretch = 1.0;     // mm: shorter intervals lie between two rows
 constexpr double longestCrosswiseGap = 1.0; // mm along a pass that is milled through rather than around
 
-/// Where the hand aims, and where the part holds the tip then.
+/// The aim of the hand, and the position at which the part then holds the tip.
 struct CrosswiseTouch {
     glm::dvec3 aim{0.0}, tip{0.0};
 };
 
-/// What a pass mills in one go: a wall from its foot to its rim, or the other way.
+/// The interval that a pass mills in one go: a wall from its foot to its rim, or the reverse.
 struct Stretch {
     std::vector<CrosswiseTouch> touches;
     bool done = false;
@@ -52,7 +52,7 @@ private:
         const EvenPlaces rows = passesOver(request_, tool_.cutter, 1, request_.stepOver);
         std::vector<Stretch> stretches;
         glm::dvec3 before = reachedAt(x, rows.low);
-        double gap = 0.0; // mm since the last steep place
+        double gap = 0.0; // mm since the last steep point
         bool open = false;
         for (int row = 1; row <= rows.intervals; ++row) {
             const glm::dvec3 now = reachedAt(x, rows.at(row));
@@ -79,20 +79,20 @@ private:
         return {x, y, lowestFeasibleHeight(field_, x, y, 0.0, writer_.travelLevel(), request_.floor)};
     }
 
-    /// Adds touches on the surface between two of its places; false where the tool can't go on.
+    /// Adds touches on the surface between two of its points; false where the tool can't continue.
     bool follow(const glm::dvec3& from, const glm::dvec3& to, Stretch& stretch) const {
         const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / sampling_)));
         for (int i = stretch.touches.empty() ? 0 : 1; i <= steps; ++i) {
             const std::optional<CrosswiseTouch> touch = touchNear(glm::mix(from, to, static_cast<double>(i) / steps));
-            if (!touch) continue; // an edge, where no one face is the nearest
-            // Standing stock beside the wall: the shank must not come there.
+            if (!touch) continue; // an edge, where no single face is the nearest
+            // Standing stock beside the wall: the shank must not reach it.
             if (heights_.safeHeight(touch->tip, sampling_) > touch->tip.z + heightTolerance) return false;
             stretch.touches.push_back(*touch);
         }
         return true;
     }
 
-    /// The hand presses square to the surface: straight down it would hardly press on a wall at all.
+    /// The hand presses at right angles to the surface: straight down it would hardly press on a wall at all.
     std::optional<CrosswiseTouch> touchNear(const glm::dvec3& place) const {
         glm::dvec3 tip = place, normal(0.0);
         for (int i = 0; i < 3; ++i) {
@@ -103,7 +103,7 @@ private:
             tip -= normal * (sample.clearance / slope);
         }
         tip.z = std::max(tip.z, request_.floor);
-        // At the rim of a wall the top would hold the tool while the hand goes down behind it.
+        // At the rim of a wall, the top would hold the tool while the hand goes down behind it.
         if (field_.at(tip + overRim * (glm::dvec3(0.0, 0.0, 1.0) - normal)).clearance > 0.0) return std::nullopt;
         if (!(std::abs(field_.at(tip).clearance) < surfaceTolerance)) return std::nullopt;
         CrosswiseTouch touch{tip - request_.press * normal, tip};
@@ -111,7 +111,7 @@ private:
         return touch;
     }
 
-    /// Mills an interval and whatever joins it in the passes that follow: along one wall, to and fro.
+    /// Mills an interval and those that adjoin it in the following passes: to and fro along one wall.
     void millFrom(std::size_t pass, Stretch& first) {
         mill(first);
         for (std::size_t i = pass + 1; i < passes_.size(); ++i) {
@@ -121,7 +121,7 @@ private:
         }
     }
 
-    /// The interval of a pass that begins close to where the tip is; null where none does.
+    /// The interval of a pass that begins close to the tip; null if there is none.
     Stretch* nearest(std::vector<Stretch>& pass) const {
         Stretch* best = nullptr;
         double least = 2.0 * tool_.cutter.radius();
@@ -157,7 +157,7 @@ private:
     /// Comes down beside the wall, not into it.
     void enter(const CrosswiseTouch& touch) { writer_.enterAt(touch.tip, touch.tip); }
 
-    /// From the end of one interval to the start of the next, along the surface.
+    /// Moves from the end of one interval to the start of the next, along the surface.
     void cross(const CrosswiseTouch& to) {
         const glm::dvec3 from = writer_.tip();
         const int steps = static_cast<int>(std::ceil(glm::distance(from, to.tip) / sampling_));

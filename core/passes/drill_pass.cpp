@@ -14,17 +14,18 @@ namespace burin {
 
 namespace {
 
-constexpr double narrowest = 0.1;   // mm that a drill may be narrower than its hole
-constexpr double above = 1.0;       // mm over what stands where a stroke begins
-constexpr double leastDepth = 0.05; // mm: less is no hole to drill, nor is less than a square of the stock's raster
-constexpr double rimShare = 0.05, mostRim = 0.5; // of the radius: what only the rim would touch is no stock
-constexpr double wholeDiameters = 3.0;           // a hole no deeper than so many diameters is drilled at once
+constexpr double narrowest = 0.1; // mm by which a drill may be narrower than its hole
+constexpr double above = 1.0;     // mm above the standing stock where a stroke begins
+// mm: a smaller depth is not drilled, nor is less than a square of the stock's raster
+constexpr double leastDepth = 0.05;
+constexpr double rimShare = 0.05, mostRim = 0.5; // of the radius: stock that only the rim would touch is ignored
+constexpr double wholeDiameters = 3.0;           // a hole no deeper than this many diameters is drilled in one peck
 constexpr int mostTurns = 20;                    // rounds of improving the order
 
-/// A hole that is wanted, mm.
+/// A hole to drill, mm.
 struct Wanted {
     glm::dvec2 place{0.0};
-    double lowest = 0.0; ///< of the tip, unless the part holds it up
+    double lowest = 0.0; ///< lowest position of the tip, unless the part stops it
     double top = 0.0;    ///< the tip has to come below this
 };
 
@@ -50,7 +51,8 @@ public:
             if (progress_.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
             if (const std::optional<TipLine> hole = drilled((*wanted)[i])) holes.strokes.push_back(*hole);
         }
-        keepClear(holes, tool_, ground_.obstacles, progress_); // whole holes: a peck has no piece below an obstacle
+        // whole holes, as a peck must not have a piece below an obstacle
+        keepClear(holes, tool_, ground_.obstacles, progress_);
         sort(holes.strokes);
         planned_.inTheWay = holes.inTheWay;
         for (const TipLine& hole : holes.strokes) addPecks(hole.front(), hole.back());
@@ -58,7 +60,8 @@ public:
     }
 
 private:
-    /// With the same point: what holds up its middle holds up the drill, and the wall of its hole does not.
+    /// The same drill, slightly thinner and with the same point: what stops its middle stops the drill, but the wall of
+    /// its hole does not.
     static Cutter slimmer(Cutter drill) {
         drill.diameter -= 2.0 * drillFit;
         return drill;
@@ -80,7 +83,7 @@ private:
                 wanted.push_back(inHole(hole));
         for (const glm::dvec2& place : request_.places) {
             const std::string asked = formatShortest(place.x) + ", " + formatShortest(place.y);
-            const UprightHole* around = nullptr; // the narrowest: of a counterbore the hole in it
+            const UprightHole* around = nullptr; // the narrowest: for a counterbore, the hole in it
             for (const UprightHole& hole : holes)
                 if (glm::distance(hole.centre, place) < hole.radius && (!around || hole.radius < around->radius))
                     around = &hole;
@@ -99,7 +102,7 @@ private:
         return wanted;
     }
 
-    /// From above what stands to the bottom; nothing where there is nothing to do, or no way to it.
+    /// From above the standing stock to the bottom; empty if there is nothing to drill or the bottom cannot be reached.
     std::optional<TipLine> drilled(const Wanted& hole) {
         const double raster = ground_.standing.heights.empty() ? 0.0 : ground_.standing.edge;
         const double rim = std::clamp(raster, rimShare * radius(), mostRim * radius());
@@ -117,7 +120,7 @@ private:
         return TipLine{{hole.place, standing + above}, {hole.place, lowest}};
     }
 
-    /// From each hole to the nearest, then parts of the way turned round as long as that makes it shorter.
+    /// Orders the holes by nearest neighbour, then reverses parts of the sequence as long as that makes it shorter.
     static void sort(std::vector<TipLine>& holes) {
         const auto way = [&](std::size_t a, std::size_t b) {
             return glm::distance(glm::dvec2(holes[a].front()), glm::dvec2(holes[b].front()));
@@ -158,7 +161,7 @@ private:
     Progress& progress_;
     std::vector<RevolvedPiece> tool_, slim_;
     WorkpieceHeights heights_;
-    double pointHeight_; ///< mm from the tip to where the drill has its diameter
+    double pointHeight_; ///< mm from the tip to where the drill reaches its full diameter
     PlannedPass planned_;
 };
 

@@ -9,16 +9,18 @@
 
 namespace burin {
 
-/// Whether a drill is the one for a hole: no wider than it but for `drillFit`, no more than 0.1 mm narrower.
-/// @param radius of the drill, mm
+/// Whether a drill fits a hole: it is wider than the hole by no more than `drillFit` and narrower by no more than 0.1
+/// mm.
+/// @param radius radius of the drill, mm
 bool fitsHole(double radius, const UprightHole& hole) noexcept;
 
-/// Straight down, from above what stands there: as deep as a hole's bottom and `drilledThrough`, or as the request
-/// says, and nowhere into the part. A stroke for each peck, all from above. Holes that fit the drill come from the part
-/// where the request names no places; a place within a hole is drilled on its axis. The order goes from each to the
-/// nearest, improved by turning parts of it round. Where nothing stands any more nothing is drilled.
-/// Errors: argumentInvalid (a place without a hole and no depth, or in a hole that is narrower than the drill),
-/// pathEmpty is the caller's; cancelled.
+/// Plans drilling straight down, starting above the standing stock: as deep as the bottom of a hole plus
+/// `drilledThrough`, or as the request says, but never into the part. Each peck is a stroke of its own that starts
+/// above the stock. If the request names no points, all holes of the part that fit the drill are drilled; a requested
+/// point inside a hole is moved to the axis of the hole. The holes are ordered by nearest neighbour, improved by
+/// reversing parts of the sequence. Holes without remaining stock are left out.
+/// Errors: argumentInvalid (a point without a hole and without a depth, or in a hole that is narrower than the drill),
+/// cancelled; pathEmpty is left to the caller.
 Result<PlannedPass> planDrilling(const PassRequest& request, const PassGround& ground, Progress& progress);
 
 } // namespace burin

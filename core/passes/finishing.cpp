@@ -12,12 +12,12 @@ namespace burin {
 
 namespace {
 
-/// A rise that gets steeper by so much at once holds a tool that is pressed into its corner.
+/// Increase of slope at one point that holds a tool which is pressed into the corner.
 constexpr double kinkSlope = 0.15;
 constexpr int mostRepeats = 100;       // of a pass, to and fro
-constexpr double leastProgress = 0.02; // mm of depth that a repeat gains
+constexpr double leastProgress = 0.02; // mm of depth gained by a repeat
 
-/// A place of a pass: where the hand aims and where the part stops the tool.
+/// A point of a pass, with the height at which the part stops the tool.
 struct Touch {
     double x = 0.0;
     double reached = 0.0; ///< mm, lowest tip
@@ -58,7 +58,7 @@ private:
     std::vector<std::vector<Touch>> pass(double y) const {
         const EvenPlaces places = passesOver(request_, tool_.cutter, 0, sampling_);
         std::vector<std::vector<Touch>> stretches;
-        std::vector<Touch> gap; // floor since the part was near; crossed where it is short
+        std::vector<Touch> gap; // points on the floor since the last one near the part; crossed if the gap is short
         bool touchesPart = false;
         const std::size_t longestGap = static_cast<std::size_t>(4.0 * tool_.cutter.radius() / sampling_);
         for (int i = 0; i <= places.intervals; ++i) {
@@ -78,12 +78,12 @@ private:
             stretches.back().push_back(touch);
             gap.clear();
         }
-        if (!touchesPart) stretches.clear(); // a pass over floor alone
+        if (!touchesPart) stretches.clear(); // a pass over the floor only
         for (std::vector<Touch>& stretch : stretches) endBeforeRims(stretch, y);
         return stretches;
     }
 
-    /// The tool is wide: what lies at a rim it mills from before it.
+    /// Shortens an interval so that it ends before rims: the tool is wide enough to mill what lies at a rim from there.
     void endBeforeRims(std::vector<Touch>& stretch, double y) const {
         const auto isAtRim = [&](const Touch& touch, double side) {
             return rims_.isTurnAtRim({touch.x, y}, touch.reached, {side, 0.0});
@@ -91,7 +91,7 @@ private:
         std::size_t first = 0, end = stretch.size();
         while (first < end && isAtRim(stretch[first], -1.0)) ++first;
         while (end > first && isAtRim(stretch[end - 1], 1.0)) --end;
-        if (first == end) return; // it is no wider than what it turns in
+        if (first == end) return; // the interval is not wider than the turning distance
         stretch.erase(stretch.begin() + static_cast<std::ptrdiff_t>(end), stretch.end());
         stretch.erase(stretch.begin(), stretch.begin() + static_cast<std::ptrdiff_t>(first));
     }
@@ -102,7 +102,7 @@ private:
             enter(stretch, y);
         else
             cross(start);
-        std::size_t held = stretch.size(); // first place of an interval at which stock is left
+        std::size_t held = stretch.size(); // first point of an interval at which stock is left
         for (std::size_t i = 0; i < stretch.size(); ++i) {
             const Touch& touch = stretch[i];
             if (!std::isfinite(touch.reached)) continue;
@@ -114,7 +114,8 @@ private:
         }
     }
 
-    /// To and fro between two places, at the second of which it stands, until it is down or gets no deeper.
+    /// Repeats the part between two points to and fro, beginning at the second one, until all stock is removed or it
+    /// gets no deeper.
     void deepen(const std::vector<Touch>& stretch, double y, std::size_t first, std::size_t last) {
         double before = std::numeric_limits<double>::infinity();
         for (int i = 0; i < mostRepeats; ++i) {
@@ -132,7 +133,7 @@ private:
         }
     }
 
-    /// From the end of one pass to the start of the next, along the surface.
+    /// Moves from the end of one pass to the start of the next, along the surface.
     void cross(const glm::dvec2& to) {
         const glm::dvec2 from(writer_.tip());
         const int steps = static_cast<int>(std::ceil(glm::distance(from, to) / sampling_));
@@ -143,10 +144,11 @@ private:
         }
     }
 
-    /// The lowest tip at a place, on the way from the last one, that removes no more stock at once than requested.
+    /// The lowest tip at a point, coming from the last one, that removes no more stock at once than requested.
     double lowestByStock(const glm::dvec2& place) const {
         double lowest = WorkpieceHeights::nothing;
-        constexpr double margins = 2.5; // beside a wall that it has cut the raster leaves stock at the edge of the tool
+        // beside a wall that it has cut, the raster leaves stock at the edge of the tool
+        constexpr double margins = 2.5;
         const double inset = margins * trembleMargin(tool_.cutter);
         if (request_.deepest > 0.0) lowest = heights_.freeTip(place.x, place.y, inset) - request_.deepest;
         if (request_.deepestBelow > 0.0) {
@@ -158,16 +160,17 @@ private:
         return lowest;
     }
 
-    /// Where the hand aims over a place at which the part stops the tip at `reached`.
+    /// The aim of the hand at a point where the part stops the tip at `reached`.
     glm::dvec3 aimAt(const glm::dvec2& place, double reached) {
         const double pressed = reached - rims_.pressAt(place, reached, request_.press);
-        // On its way between two places of a pass the tip rises and sinks along walls: either may hold while it does.
+        // Between two points of a pass the tip rises and falls along walls, so that either height may apply.
         const double safe = heights_.safeHeight({place, pressed}, sampling_);
         heldUp_ = safe > pressed;
         return {place, safe};
     }
 
-    /// Where the part holds the tip while the hand aims at `aim`: at its nearest place, down the slope from `reached`.
+    /// The position at which the part holds the tip while the hand aims at `aim`: the nearest one, down the slope from
+    /// `reached`.
     glm::dvec3 tipAt(const glm::dvec3& aim, double reached) const {
         if (aim.z >= reached) return aim;
         glm::dvec3 tip = aim;
@@ -182,8 +185,8 @@ private:
         return found ? tip : glm::dvec3(aim.x, aim.y, reached);
     }
 
-    /// Comes down at the first place of an interval: where stock stands there, down a ramp over the places behind it,
-    /// and back on the ground of what it cut.
+    /// Comes down at the first point of an interval. If stock stands there, goes down a ramp over the following points
+    /// and back over the ground that it cut.
     void enter(const std::vector<Touch>& stretch, double y) {
         const glm::dvec2 start(stretch.front().x, y);
         climbing_ = false;
@@ -214,7 +217,7 @@ private:
         while (end-- > 0) touchAt({stretch[end].x, y}, stretch[end].reached);
     }
 
-    /// Over the rim of a wall that it climbed, or what it was held by in a corner, slowly: a hand rounds its corners.
+    /// Goes slowly over the rim of a wall that it climbed, or over what held it in a corner: a hand rounds its corners.
     void goOverRim(const glm::dvec2& place, double reached) {
         aim_.z = std::max({aim_.z, reached_ + overRim, reached + overRim});
         writer_.cutTo(aim_);
@@ -237,7 +240,7 @@ private:
         aim_ = aimAt(place, reached);
         if (left_ > 0.0) aim_.z = std::max(aim_.z, byStock);
         heldUp_ = heldUp_ || (left_ > 0.0 && aim_.z > from.z);
-        // Where standing stock keeps the shank up, the tool rises before it comes there and sinks after it has left.
+        // Where standing stock keeps the shank up, the tool rises before that point and descends after it.
         if (heldUp_ && aim_.z > from.z)
             writer_.cutTo({from.x, from.y, aim_.z}, liftedTo(aim_.z));
         else if (wasHeldUp && aim_.z < from.z)
@@ -256,13 +259,13 @@ private:
     WorkpieceHeights& heights_;
     StrokeWriter writer_;
     OperatorRims rims_;
-    double sampling_;       ///< mm along a pass
-    glm::dvec3 aim_{0.0};   ///< of the last stroke
-    double reached_ = 0.0;  ///< mm, where the part stops the tool at the last place
-    double slope_ = 0.0;    ///< of what stops it, on the way to there
-    double left_ = 0.0;     ///< mm of stock that the last place keeps: more stood there than is taken at once
-    bool heldUp_ = false;   ///< it was kept above where the hand would have pressed
-    bool climbing_ = false; ///< the last place is higher than the one before it, behind a wall or corner
+    double sampling_;      ///< mm along a pass
+    glm::dvec3 aim_{0.0};  ///< of the last stroke
+    double reached_ = 0.0; ///< mm, height at which the part stops the tool at the last point
+    double slope_ = 0.0;   ///< slope of what stops it, on the way to that point
+    double left_ = 0.0; ///< mm of stock that remains at the last point because more stood there than is removed at once
+    bool heldUp_ = false;   ///< it was kept above the height to which the hand would have pressed
+    bool climbing_ = false; ///< the last point is higher than the one before it, behind a wall or corner
 };
 
 } // namespace

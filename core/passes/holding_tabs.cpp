@@ -12,12 +12,12 @@ namespace burin {
 
 namespace {
 
-constexpr double cornerTurn = 20.0 * pi / 180.0; // rad: less is no corner
+constexpr double cornerTurn = 20.0 * pi / 180.0; // rad: a smaller turn is not a corner
 const double flank = std::tan(30.0 * pi / 180.0);
 constexpr int phases = 24;         // shifts of the tabs along an outline that are tried
-constexpr double onRunShare = 1.0; // of the diameter: a tab that is farther from a run is none of it
+constexpr double onRunShare = 1.0; // of the diameter: a tab farther from a run than this does not belong to it
 
-/// mm along a ring to each of its corners, and all round it behind them.
+/// The distance along a ring to each of its corners, and after them its full length, mm.
 std::vector<double> waysAlong(const PlanRing& ring) {
     std::vector<double> ways{0.0};
     for (std::size_t i = 0; i < ring.size(); ++i)
@@ -32,7 +32,7 @@ glm::dvec2 placeAt(const PlanRing& ring, const std::vector<double>& ways, double
     return glm::mix(ring[i], ring[(i + 1) % ring.size()], length > 0.0 ? (way - ways[i]) / length : 0.0);
 }
 
-/// mm along the ring to its sharp corners.
+/// The distances along the ring to its sharp corners, mm.
 std::vector<double> cornersOf(const PlanRing& ring, const std::vector<double>& ways) {
     std::vector<double> corners;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -76,7 +76,8 @@ TipLine HoldingTabs::over(const LevelRun& run, double level) const {
     std::vector<double> ways{0.0};
     for (std::size_t i = 1; i < run.places.size(); ++i)
         ways.push_back(ways.back() + glm::distance(run.places[i - 1], run.places[i]));
-    // The cutter takes half of its width from both ends, and a place may lie short of where the flank begins.
+    // The cutter reaches half of its width into the tab from both ends, and a point may lie short of the start of the
+    // flank.
     const double half = 0.5 * (request_.tabWidth + diameter_) + spacing_;
     for (const glm::dvec2& tab : places_) {
         const auto middle = std::ranges::min_element(

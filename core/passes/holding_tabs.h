@@ -9,26 +9,27 @@
 
 namespace burin {
 
-/// Bridges that a profile leaves, so that what it cuts out stays held: evenly along each outline, as far from its
-/// corners as that lets them. The tool goes up over them and down again at 30°.
+/// The tabs (bridges) that a profile pass leaves to hold the piece that it cuts out. They are evenly spaced along each
+/// outline and as far from its corners as that allows. The tool rises over them and descends again at 30°.
 class HoldingTabs {
 public:
-    /// @param request its tabs, their width and height @param bottom mm, the lowest level
-    /// @param spacing mm between places of the runs, at most
+    /// @param request number, width and height of the tabs @param bottom height of the lowest level, mm
+    /// @param spacing largest distance between points of the runs, mm
     HoldingTabs(const PassRequest& request, double diameter, double bottom, double spacing)
         : request_(request), diameter_(diameter), top_(bottom + request.tabHeight), spacing_(spacing) {}
 
-    /// Whether tips on a level have to go over tabs.
+    /// Whether tool tips on this level have to rise over tabs.
     bool reach(double level) const noexcept { return request_.tabs > 0 && level < top_; }
-    /// Where they are: on the lowest level's outlines, before any level is asked for. @param room for the tip there
+    /// Positions the tabs on the outlines of the lowest level. Call it before any level is planned. @param room where
+    /// the tip may be on that level
     void place(const PlanRegion& room);
-    /// Lifts a run over the tabs that lie on it.
+    /// Raises a run over the tabs that lie on it.
     TipLine over(const LevelRun& run, double level) const;
 
 private:
     const PassRequest& request_;
     double diameter_, top_, spacing_; // mm
-    std::vector<glm::dvec2> places_;  // of the tip over the middle of each
+    std::vector<glm::dvec2> places_;  // of the tip over the middle of each tab
 };
 
 } // namespace burin

@@ -43,11 +43,11 @@ Result<std::vector<Segment>> segments(std::span<const IntentPoint> points, const
     return result;
 }
 
-constexpr double turningShare = 0.5; // of the acceleration; the rest is for the speed along the move
+constexpr double turningShare = 0.5; // of the acceleration; the remainder is for the change of speed along the move
 
-/// Fastest way round the corner between two segments: the change of velocity, spread over the time in which a corner is
-/// rounded, stays within a share of the acceleration, and so does the curvature that a row of short segments stands
-/// for.
+/// The greatest speed around the corner between two segments: the change of velocity, spread over the time in which a
+/// corner is rounded, stays within a share of the acceleration, and so does the curvature that a sequence of short
+/// segments approximates.
 double cornerSpeed(const Segment& in, const Segment& out, const MotionLimits& limits) {
     const double turn =
         std::atan2(glm::length(glm::cross(in.direction, out.direction)), glm::dot(in.direction, out.direction));
@@ -59,7 +59,7 @@ double cornerSpeed(const Segment& in, const Segment& out, const MotionLimits& li
     return std::min({speed, byChange, byCurvature});
 }
 
-/// Speeds at the ends of the segments that braking and gathering speed allow; rest at both ends.
+/// The speeds at the ends of the segments that acceleration and braking allow; at rest at both ends.
 std::vector<double> endSpeeds(const std::vector<Segment>& way, const MotionLimits& limits) {
     std::vector<double> speeds(way.size() + 1, 0.0);
     for (std::size_t i = 1; i < way.size(); ++i) speeds[i] = cornerSpeed(way[i - 1], way[i], limits);
@@ -85,7 +85,7 @@ Result<IntentMotion> IntentMotion::make(std::span<const IntentPoint> points, con
     const std::vector<double> speeds = endSpeeds(*way, limits);
     for (std::size_t i = 0; i < way->size(); ++i)
         motion.append((*way)[i].direction, (*way)[i].length, speeds[i], (*way)[i].speed, speeds[i + 1]);
-    // Sums of thousands of short pieces may miss the last point by some 1e-10 mm; the end is exact by definition.
+    // Sums of thousands of short pieces may miss the last point by some 1e-10 mm; the end is set to be exact.
     motion.end_.position = points.back().tip - motion.origin_;
     motion.end_.velocity = glm::dvec3(0.0);
     return motion;

@@ -14,7 +14,7 @@ namespace burin {
 /// One point that the operator means to reach.
 struct IntentPoint {
     glm::dvec3 tip{0.0}; ///< mm, setup frame
-    double speed = 0.0;  ///< mm/s on the way to this point, > 0; the first point's is not used
+    double speed = 0.0;  ///< mm/s of the move to this point, > 0; not used for the first point
 };
 
 /// How fast a hand changes its speed. Our estimates: half of gravity is brisk but controlled, and a corner is rounded
@@ -25,28 +25,28 @@ struct MotionLimits {
     double maximumSpeed = 1.0e9;  ///< mm/s, > 0; faster points are slowed down
 };
 
-/// Where the operator means to be.
+/// The motion that the operator intends, at one time.
 struct MotionState {
     glm::dvec3 position{0.0};     ///< mm
     glm::dvec3 velocity{0.0};     ///< mm/s
     glm::dvec3 acceleration{0.0}; ///< mm/s²
 };
 
-/// A polyline travelled as a hand travels it: at the stated speeds, slower into corners and tight curves, then averaged
-/// over `cornerSeconds`, so that velocity has no jump. Starts and ends at rest, exactly on the first and last point.
-/// Immutable; any thread.
+/// A polyline traversed as a hand does it: at the stated speeds, slower into corners and tight curves, then averaged
+/// over `cornerSeconds`, so that the velocity has no jumps. Starts and ends at rest, exactly on the first and last
+/// point. Immutable, thread-safe.
 class IntentMotion {
 public:
     /// Errors: argumentInvalid (no point, a coordinate that is not finite, a speed or limit not > 0).
     static Result<IntentMotion> make(std::span<const IntentPoint> points, const MotionLimits& limits);
 
-    /// @param time s since the start; before it the motion rests at its first point, after duration() at its last.
+    /// @param time s since the start; before 0 the state rests at the first point, after duration() at the last.
     MotionState at(double time) const noexcept;
     double duration() const noexcept { return travelSeconds_ + limits_.cornerSeconds; } ///< s
 
 private:
-    /// A piece of constant acceleration along a line. Positions are relative to the first point: the integral then
-    /// keeps its digits over hours.
+    /// A phase of constant acceleration along a line. Positions are relative to the first point, so that the integral
+    /// keeps its precision over hours.
     struct Phase {
         double start = 0.0;        ///< s
         glm::dvec3 position{0.0};  ///< mm at its start
@@ -71,7 +71,7 @@ private:
     glm::dvec3 origin_{0.0};
     std::vector<Phase> phases_;
     double travelSeconds_ = 0.0;
-    Moment end_; ///< where appending goes on; in the end the last point at rest
+    Moment end_; ///< the state to which the next phase is appended; at the end, the last point at rest
 };
 
 } // namespace burin

@@ -10,9 +10,9 @@
 namespace burin {
 namespace {
 
-constexpr double shortest = 0.2; // mm of a move that is looked at by itself
+constexpr double shortest = 0.2; // mm of a move that is examined separately
 
-/// Asks all obstacles whether a move keeps clear of them.
+/// Checks whether a move keeps clear of all obstacles.
 class Clearances {
 public:
     Clearances(std::span<const RevolvedPiece> tool, std::span<const ObstacleSolid> obstacles) {
@@ -33,7 +33,7 @@ private:
     std::vector<Asked> askers_;
 };
 
-/// The pieces of a stroke that keep clear; `lost` gets what lies between them, mm.
+/// The pieces of a stroke that keep clear; the length between them, mm, is added to `lost`.
 std::vector<TipLine> clearPieces(const TipLine& stroke, Clearances& clearances, double& lost) {
     std::vector<TipLine> pieces;
     bool open = false;

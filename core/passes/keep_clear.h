@@ -9,9 +9,10 @@
 
 namespace burin {
 
-/// Takes out of a pass what would bring the tool nearer to an obstacle than its margin: strokes end before it and begin
-/// again behind it, within 0.2 mm. What was taken out is added to `PlannedPass::inTheWay`. Any thread; cancellable.
-/// @param obstacles those that are on count
+/// Removes from a pass what would bring the tool closer to an obstacle than the margin of that obstacle: strokes end
+/// before the obstacle and begin again behind it, to within 0.2 mm. The length removed is added to
+/// `PlannedPass::inTheWay`. Thread-safe; cancellable.
+/// @param obstacles only those that are switched on count
 void keepClear(PlannedPass& planned, std::span<const RevolvedPiece> tool, std::span<const ObstacleSolid> obstacles,
                const Progress& progress);
 

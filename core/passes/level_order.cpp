@@ -11,8 +11,8 @@
 namespace burin {
 namespace {
 
-constexpr double besideShare = 1.5; // step-overs: loops that are no farther from each other are beside each other
-constexpr double aheadShare = 2.0;  // step-overs that the tool goes on while it goes over to the next loop
+constexpr double besideShare = 1.5; // step-overs: loops no farther apart than this are neighbours
+constexpr double aheadShare = 2.0;  // step-overs that the tool moves forward while it changes to the next loop
 
 std::size_t nearestTo(const std::vector<glm::dvec2>& places, const glm::dvec2& tip) {
     return static_cast<std::size_t>(
@@ -20,7 +20,7 @@ std::size_t nearestTo(const std::vector<glm::dvec2>& places, const glm::dvec2& t
         places.begin());
 }
 
-/// The place of a closed run that lies so far behind another along it.
+/// The index of the point of a closed run that lies the given distance along the run after another one.
 std::size_t aheadOf(const LevelRun& run, std::size_t start, double way) {
     std::size_t i = start % (run.places.size() - 1);
     for (std::size_t looked = 0; way > 0.0 && looked + 1 < run.places.size(); ++looked) {
@@ -56,7 +56,7 @@ std::vector<LevelRun> runsAlong(const std::vector<glm::dvec2>& places, std::vect
     const auto first = std::ranges::find(work, LevelPlace::cuts);
     if (first == work.end()) return {};
     const auto begin = static_cast<std::size_t>(first - work.begin());
-    for (std::size_t i = 1, idle = 0; i <= count; ++i) { // gaps, round the loop from a place that cuts
+    for (std::size_t i = 1, idle = 0; i <= count; ++i) { // gaps, around the loop, starting at a point that cuts
         const std::size_t at = (begin + i) % count;
         if (work[at] == LevelPlace::idle) {
             ++idle;
@@ -108,7 +108,7 @@ void LevelOrder::findWhatComesFirst() {
         glm::dvec2 place;
     };
     std::unordered_map<std::int64_t, std::vector<Spot>> squares;
-    const auto visitSpots = [&](std::size_t run, const auto& visit) { // a step apart is near enough
+    const auto visitSpots = [&](std::size_t run, const auto& visit) { // points about a step apart suffice
         double way = stepOver_;
         for (std::size_t i = 0; i < runs_[run].places.size(); ++i) {
             if (i > 0) way += glm::distance(runs_[run].places[i - 1], runs_[run].places[i]);

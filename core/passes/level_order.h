@@ -13,42 +13,43 @@ namespace burin {
 
 /// A loop on one level.
 struct LevelLoop {
-    PlanRing ring; ///< mm, the room for the tool to its left
-    int step = 0;  ///< how many step-overs it is from the part
+    PlanRing ring; ///< mm, with the free side to its left
+    int step = 0;  ///< number of step-overs between it and the part
 };
 
-/// A stretch of a loop that takes something away.
+/// A part of a loop that removes stock.
 struct LevelRun {
-    std::vector<glm::dvec2> places; ///< mm, in the direction of the loop; a closed one ends where it begins
+    std::vector<glm::dvec2> places; ///< mm, in the direction of the loop; a closed run ends at its first point
     bool closed = false;
     int step = 0;
 };
 
-/// A ring with its corners, and places between them at most `spacing` > 0 apart.
+/// The corners of a ring, with points between them at most `spacing` (> 0) apart.
 std::vector<glm::dvec2> spaced(const PlanRing& ring, double spacing);
 
-/// The run, begun at one of its places where it is closed.
+/// The run; a closed one is rotated so that it begins at point `start`.
 LevelRun begunAt(LevelRun run, std::size_t start);
 
-/// What a loop has to do at a place.
+/// What happens at a point of a loop.
 enum class LevelPlace : std::uint8_t {
-    idle,     ///< nothing is to be taken away
-    cuts,     ///< something is
+    idle,     ///< no stock to remove
+    cuts,     ///< stock is removed
     forbidden ///< the tool must not be there
 };
-/// Stretches of a closed line of places on which something is taken away, with a place more at either end where that is
-/// allowed; idle gaps of up to `gap` places are gone as well. @param work by place
+/// The parts of a closed polyline on which stock is removed, each extended by one point at either end where that is
+/// allowed. Idle gaps of up to `gap` points are traversed too. @param work the state of each point
 std::vector<LevelRun> runsAlong(const std::vector<glm::dvec2>& places, std::vector<LevelPlace> work, std::size_t gap);
 
-/// Puts runs of a level in order: each comes behind those that are beside it and one step farther from the part, and of
-/// those that may come the nearest comes. Closed ones begin where the tool is near, a little ahead of it, so that it
-/// goes into them askew.
+/// Orders the runs of a level. A run comes after its neighbours that are one step-over farther from the part; of the
+/// runs that are possible next, the nearest is taken. Closed runs begin near the tool, a little ahead of it, so that it
+/// enters them at an angle.
 class LevelOrder {
 public:
-    /// @param stepOver mm, between loops
+    /// @param stepOver distance between loops, mm
     LevelOrder(std::vector<LevelRun> runs, double stepOver);
 
-    /// The next one, nothing when all have been. @param tip where the tool is; nothing: it may begin anywhere
+    /// Returns the next run, or nothing when none is left. @param tip position of the tool; if empty, the run may begin
+    /// anywhere
     std::optional<LevelRun> next(std::optional<glm::dvec2> tip);
 
 private:
@@ -56,8 +57,8 @@ private:
 
     std::vector<LevelRun> runs_;
     double stepOver_;
-    std::vector<std::vector<std::size_t>> behind_; ///< by run: those that wait for it
-    std::vector<int> waitsFor_;                    ///< by run: how many have to come before it
+    std::vector<std::vector<std::size_t>> behind_; ///< by run: the runs that wait for it
+    std::vector<int> waitsFor_;                    ///< by run: the number of runs that must come before it
     std::vector<bool> done_;
 };
 

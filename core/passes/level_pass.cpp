@@ -13,18 +13,19 @@
 namespace burin {
 namespace {
 
-constexpr double tolerance = 1e-6;      // mm
-constexpr double startHeight = 1.0;     // mm above stock and part: where tips that come down begin
-constexpr double beyondStock = 1.0;     // mm between the cutter and the stock where a loop has nothing to take any more
-constexpr double insetShare = 0.05;     // of the radius: what only the cutter's rim would touch is no stock
-constexpr double longestGap = 1.0;      // diameters of a loop without stock that are gone, and not flown over
-constexpr double seedHalfWidth = 0.01;  // mm
-constexpr double loopTolerance = 0.01;  // mm between a loop's chords and its arcs
-constexpr int mostLoops = 100'000;      // of one level, one within the other
-constexpr double sharpTurn = 20.0;      // degrees: a cutter reaches into a flatter corner well enough
-constexpr double mostAway = 2.0;        // radii from the middle of a cutter to a corner: 60 degrees between its sides
-constexpr double atCorner = 0.05;       // mm between what a dogbone reaches and the corner of the area
-constexpr double levelFaceShare = 0.25; // of the cutter's square: smaller level faces get no level of their own
+constexpr double tolerance = 1e-6;     // mm
+constexpr double startHeight = 1.0;    // mm above stock and part at which tips start to come down
+constexpr double beyondStock = 1.0;    // mm between cutter and stock beyond which a loop has nothing to cut
+constexpr double insetShare = 0.05;    // of the radius: stock that only the rim of the cutter would touch is ignored
+constexpr double longestGap = 1.0;     // diameters of a loop without stock that are traversed at feed and not by a link
+constexpr double seedHalfWidth = 0.01; // mm
+constexpr double loopTolerance = 0.01; // mm between a loop's chords and its arcs
+constexpr int mostLoops = 100'000;     // of one level, nested
+constexpr double sharpTurn = 20.0;     // degrees: a cutter reaches far enough into a flatter corner
+constexpr double mostAway = 2.0;       // radii from the centre of the cutter to a corner: 60 degrees between its sides
+constexpr double atCorner = 0.05;      // mm between the point that a dogbone reaches and the corner of the area
+// of the cutter's diameter squared: smaller level faces get no level of their own
+constexpr double levelFaceShare = 0.25;
 
 class LevelPlanner {
 public:
@@ -34,7 +35,7 @@ public:
         , progress_(progress)
         , heights_(ground.stock, ground.tool.cutter, ground.coarseness)
         , stepOver_(request.stepOver > 0.0 ? request.stepOver : usualRoughStep * ground.tool.cutter.diameter)
-        // Above all of the part the field's error is no reason to stay away from it.
+        // Above the whole part, the error of the field is no reason to keep away from it.
         , keep_(request.allowance + (request.kind == PassKind::face ? -1.0 : 1.0) * ground.field.errorBound())
         , top_(request.top.value_or(ground.stock.high.z))
         , bottom_(bottomOf(request, ground))
@@ -82,7 +83,7 @@ private:
                 progress_};
     }
 
-    /// Equal steps between the level faces, falling.
+    /// Equal steps between the level faces, descending.
     std::vector<double> levelsOf(const TipRaster& raster) const {
         std::vector<double> stops;
         const double diameter = ground_.tool.cutter.diameter;
@@ -99,7 +100,7 @@ private:
         return levels;
     }
 
-    /// Takes the stairs between two levels down to lower ones, from below, so that each takes as little as it can.
+    /// Reduces the steps between two levels by lower ones, from below, so that each removes as little as possible.
     void millStairs(const TipRaster& raster, double above, double level) {
         if (request_.kind != PassKind::levels) return;
         const double height = request_.stairs > 0.0 ? request_.stairs : usualStairs * ground_.tool.cutter.diameter;
@@ -114,7 +115,7 @@ private:
         return std::min(depth, usableFlutes(ground_.tool.cutter));
     }
 
-    /// Where the tip may be on a level, and in which loops begin at even distances.
+    /// The region in which the tip may be on a level, and from which loops start at even distances.
     PlanRegion roomOn(const TipRaster& raster, double level) const {
         const double radius = ground_.tool.cutter.radius();
         const PlanRegion blocked = cleaned(raster.blockedAt(level), loopTolerance);
@@ -128,11 +129,11 @@ private:
         if (request_.kind == PassKind::pocket)
             return without(grown(request_.area, -radius - request_.allowance), blocked);
         if (!request_.area.empty()) return without(request_.area, blocked);
-        // Where the part is nowhere near, loops go round the middle of the stock.
+        // Where the part is nowhere near, loops go around the middle of the stock.
         return without(frame(), blocked.empty() ? middleOfStock() : blocked);
     }
 
-    /// So far around that what is inset from it never matters.
+    /// So far around the stock that its inset never matters.
     PlanRegion frame() const {
         const double away = 3.0 * glm::length(glm::dvec2(ground_.stock.size())) + 10.0 * ground_.tool.cutter.diameter;
         return rectangle(glm::dvec2(ground_.stock.low) - away, glm::dvec2(ground_.stock.high) + away);
@@ -157,9 +158,9 @@ private:
         return room;
     }
 
-    /// With a way into each inner corner of the area and back, until the cutter's edge is there: what has a square
-    /// corner fits in then. Where the part is in the way, and in corners of less than 60 degrees, whose sides it would
-    /// cut away, it stays round. @param ring the room to its left
+    /// Adds a move into each inner corner of the area and back, until the cutter's edge reaches the corner, so that an
+    /// object with a square corner fits in. Corners where the part is in the way, and those of less than 60 degrees,
+    /// whose sides the move would cut away, stay round. @param ring with the free region to its left
     PlanRing withDogbones(const PlanRing& ring, double level) const {
         const double radius = ground_.tool.cutter.radius() + request_.allowance;
         PlanRing bones;
@@ -169,7 +170,7 @@ private:
             const glm::dvec2 in = here - ring[(i + ring.size() - 1) % ring.size()];
             const glm::dvec2 out = ring[(i + 1) % ring.size()] - here;
             const double turn = std::atan2(in.x * out.y - in.y * out.x, glm::dot(in, out));
-            if (!(turn > glm::radians(sharpTurn))) continue; // to the left: the corner lies to the right
+            if (!(turn > glm::radians(sharpTurn))) continue; // a left turn: the corner lies to the right
             const double away = radius / std::cos(0.5 * turn);
             if (away > mostAway * radius + tolerance) continue;
             const glm::dvec2 back = glm::normalize(glm::normalize(in) - glm::normalize(out));
@@ -187,17 +188,17 @@ private:
         });
     }
 
-    /// Stretches of loops that take something away, by how many steps they are from the room's border.
-    /// @param stairs stock is left next to the part alone: no loop farther away than the first that takes nothing
+    /// The parts of loops that remove stock, with their number of steps from the border of the region.
+    /// @param stairs stock is left only next to the part: stop at the first loop that removes nothing
     std::vector<LevelRun> runsIn(const PlanRegion& room, double level, bool stairs) {
         std::vector<LevelRun> runs;
         const int most = request_.kind == PassKind::profile ? 1 : mostLoops;
         for (int step = 0; step < most && !progress_.cancelled(); ++step) {
             const std::size_t before = runs.size();
             bool near = false;
-            // Each from the border itself: a step from the loop before would carry its errors on.
+            // Each loop is offset from the border itself: offsetting the previous loop would accumulate errors.
             for (PlanPiece& piece : piecesOf(step == 0 ? room : grown(room, -step * stepOver_, loopTolerance))) {
-                piece.holes.push_back(std::move(piece.border)); // both have the room on their left
+                piece.holes.push_back(std::move(piece.border)); // both have the free region on their left
                 for (PlanRing& ring : piece.holes) {
                     if (!isNearStock(ring)) continue;
                     near = true;
@@ -232,7 +233,7 @@ private:
         }
     }
 
-    /// Stretches of a loop on which the flutes take something, and nothing else touches the stock.
+    /// Adds the parts of a loop on which the flutes remove stock and nothing else touches it.
     void addRuns(const LevelLoop& loop, double level, std::vector<LevelRun>& runs) {
         const std::vector<glm::dvec2> places = spaced(loop.ring, heights_.raster());
         const std::size_t count = places.size();
@@ -255,7 +256,7 @@ private:
         }
     }
 
-    /// Whether the tool may go straight on its level: within two steps, or where nothing stands any more.
+    /// Whether the tool may move straight within its level: over up to three step-overs, or where no stock is left.
     bool mayGo(const glm::dvec3& from, const glm::dvec3& to) const {
         const double length = glm::distance(from, to), reach = 2.0 * ground_.tool.cutter.diameter;
         if (from.z != to.z || length > reach) return false;

@@ -8,11 +8,12 @@
 
 namespace burin {
 
-/// Levels, pocket, profile, face. From the top of what stands to the bottom, in equal steps between the part's level
-/// faces. On each level the tool goes in loops at even distances from the part (and from the border of an area),
-/// from the outermost to the part, with the part to its right: it climbs all the way. Loops go only where stock is
-/// left; what lies within a step of each other is gone without lifting. Errors: argumentInvalid (a step-over wider than
-/// the cutter's radius; a bottom above the stock), cancelled.
+/// Plans levels, pocket, profile and face. The levels go from the top of the standing stock to the bottom, in equal
+/// steps between the level faces of the part. On each level the tool follows loops at even distances from the part (and
+/// from the border of an area), from the outermost loop to the part. The part is to the right of the tool, so that all
+/// loops are climb milled. Loops are kept only where stock is left; gaps of up to one
+/// diameter of the cutter in a loop, and links of up to three step-overs, are traversed at feed without a retract.
+/// Errors: argumentInvalid (a step-over larger than the radius of the cutter; a bottom above the stock), cancelled.
 Result<PlannedPass> planLevels(const PassRequest& request, const PassGround& ground, Progress& progress);
 
 } // namespace burin

@@ -12,10 +12,11 @@ namespace burin {
 
 namespace {
 
-constexpr double mostWidening = 1.25; // of the finishing step-over: wider, and roughing would outweigh it
+// of the finishing step-over: with a larger one, roughing would take longer than it
+constexpr double mostWidening = 1.25;
 constexpr int mostReplans = 3;
-constexpr int heightHalvings = 6;   // of the part's height: half a millimetre of a hand-sized part
-constexpr double longestLift = 1.0; // s, kept for the lift at the end of what was truncated
+constexpr int heightHalvings = 6;   // of the part's height: half a millimetre for a hand-sized part
+constexpr double longestLift = 1.0; // s, reserved for the retract at the end of what was truncated
 
 HandSpeeds raised(const HandSpeeds& speeds, double factor) {
     const auto raise = [factor](double speed, double fastest) {
@@ -25,7 +26,7 @@ HandSpeeds raised(const HandSpeeds& speeds, double factor) {
             raise(speeds.travelling, fastestHand.travelling)};
 }
 
-/// Stock that a finishing pass may meet at most.
+/// The greatest height of stock that a finishing pass may meet.
 double deepestFinishing(const Cutter& cutter, double maximumDepthOfCut) {
     const double depth = usableFlutes(cutter) - lateralMargin(cutter);
     return maximumDepthOfCut > 0.0 ? std::min(depth, maximumDepthOfCut) : depth;
@@ -42,7 +43,7 @@ Result<std::vector<IntentPoint>> planAllFinishing(const ClearanceField& field, c
     return points;
 }
 
-/// One attempt with the request as it stands.
+/// Plans once, with the request as it is.
 Result<MillingPlan> attempt(const ClearanceField& field, const Tool& tool, const MillingRequest& request) {
     WorkpieceHeights heights(request.stock, tool.cutter);
     heights.lowerTo(request.standing);
@@ -65,7 +66,7 @@ double seconds(const MillingPlan& plan) {
     return plan.roughingSeconds + plan.finishingSeconds;
 }
 
-/// Cuts the intent off so that it ends, lifted, within `limit`; its new duration.
+/// Truncates the intent so that it ends, retracted, within `limit`. Returns its new duration.
 double truncate(std::vector<IntentPoint>& points, double limit, double travelLevel, double travelSpeed,
                 const MotionLimits& motion) {
     const double kept = std::max(0.0, limit - longestLift);
@@ -92,18 +93,18 @@ void truncateBoth(MillingPlan& plan, const MillingRequest& request) {
             truncate(plan.roughing, request.timeLimit, travelLevel, request.roughing.speeds.travelling, request.motion);
 }
 
-/// The request for the part above a height alone. What the finishing passes can take at once need not be roughed.
+/// The request for only the part above a height. What the finishing passes can remove at once need not be roughed.
 MillingRequest above(MillingRequest request, double height, const Tool& tool) {
     const double depth = deepestFinishing(tool.cutter, tool.maximumDepthOfCut);
     request.finishing.floor = height;
-    request.finishing.floorMargin = 0.0; // on a gentle slope it would run far out over stock that stays
+    request.finishing.floorMargin = 0.0; // on a gentle slope, the passes would extend far over stock that stays
     request.roughing.finishingDepth = depth;
     request.roughing.nearPartOnly = true;
     request.roughing.bottom = request.stock.high.z - height > depth ? height : request.stock.high.z;
     return request;
 }
 
-/// As much of the upper part as the time allows; the highest piece where it allows none.
+/// As much of the upper part as the time allows; the smallest upper part if it allows none.
 Result<MillingPlan> planUpperPart(const ClearanceField& field, const Tool& tool, MillingRequest& request) {
     double tooLow = request.finishing.floor, high = request.finishing.part.high.z;
     const MillingRequest whole = request;
@@ -125,7 +126,7 @@ Result<MillingPlan> planUpperPart(const ClearanceField& field, const Tool& tool,
     return best;
 }
 
-/// As a T-slot cutter does above its disc.
+/// Whether a profile narrows upwards, as that of a T-slot cutter does above its disc.
 bool narrowsUpwards(const std::vector<ProfileElement>& profile) {
     double widest = 0.0;
     for (const ProfileElement& element : profile) {
@@ -172,7 +173,7 @@ Result<MillingPlan> planMilling(const ClearanceField& field, const Tool& tool, c
 
     double factor = 1.0;
     for (int i = 0; i < mostReplans && plan && seconds(*plan) > request.timeLimit; ++i) {
-        // A little more than in proportion: corners and short strokes don't get faster.
+        // A little more than in proportion, because corners and short strokes don't get faster.
         factor *= 1.1 * seconds(*plan) / request.timeLimit;
         now.roughing.speeds = raised(request.roughing.speeds, factor);
         now.finishing.speeds = raised(request.finishing.speeds, factor);

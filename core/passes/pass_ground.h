@@ -15,21 +15,22 @@
 
 namespace burin {
 
-/// What a pass is planned on: part, stock and tool, setup frame, mm. What it refers to outlives it.
+/// The geometry that a pass is planned on: part, stock and tool, setup frame, mm. Everything it refers to must outlive
+/// it.
 struct PassGround {
     const MeshDistance& part;    ///< what nothing may cut; may be empty
-    const ClearanceField& field; ///< of the tool from the part, fine at least up to the allowance of the pass
+    const ClearanceField& field; ///< of the tool from the part; fine at least up to the allowance of the pass
     const Tool& tool;
     Box stock;
     std::span<const ObstacleSolid> obstacles; ///< that the tool keeps clear of
-    StandingStock standing;                   ///< what has been left of the stock; none: the whole box stands
-    double levelDepth = 0.0;                  ///< mm: the deepest level that tool, spindle and material bear
-    double rowDepth = 0.0; ///< mm: the deepest cut of a row beside the one before it, as the tool states it
-    /// Rows, rasters and places are so many times as far apart as a pass has them: of a preview. 1: the pass itself.
+    StandingStock standing;                   ///< what is left of the stock; empty: the whole box stands
+    double levelDepth = 0.0; ///< mm: the largest depth of a level that tool, spindle and material can bear
+    double rowDepth = 0.0;   ///< mm: the largest depth of cut of a row next to the one before it, as the tool states it
+    /// Factor for the distances of rows, rasters and points; > 1 for a preview, 1 for the pass itself.
     double coarseness = 1.0;
 };
 
-/// Tips of one stretch of a pass, mm.
+/// The tip positions of one continuous part of a pass, mm.
 using TipLine = std::vector<glm::dvec3>;
 
 /// mm
@@ -39,14 +40,15 @@ inline double lengthOf(const TipLine& line) noexcept {
     return length;
 }
 
-/// What a planner made.
+/// The result of a planner.
 struct PlannedPass {
     std::vector<TipLine> strokes;
-    /// mm of ways that were left out: so much stock stands there that shank or holder would touch it, or that the cut
-    /// would be deeper than the tool bears. Roughing has to come first, or a longer tool.
+    /// Length of path that was left out, mm: so much stock stands there that the shank or holder would touch it, or
+    /// that the cut would be deeper than the tool can bear. Rough first, or use a longer tool.
     double leftOut = 0.0;
-    double inTheWay = 0.0;          ///< mm of ways that were left out because of fixtures and keep-out volumes
-    std::size_t unreachedHoles = 0; ///< of `drill`: the part, or the length of the drill, keeps it from their bottom
+    double inTheWay = 0.0; ///< length of path left out because of fixtures and keep-out volumes, mm
+    /// of `drill`: holes whose bottom cannot be reached because of the part or the length of the drill
+    std::size_t unreachedHoles = 0;
 };
 
 } // namespace burin

@@ -94,7 +94,7 @@ Result<void> checkPlaces(const PassRequest& request) {
     return {};
 }
 
-/// Tabs and dogbones: a pass that does not make them must not seem to.
+/// Tabs and dogbones: rejects them for passes that would ignore them.
 Result<void> checkOutline(const PassRequest& request) {
     const std::string id(rowOf(request.kind).id);
     if (request.dogbones && request.kind != PassKind::pocket && request.kind != PassKind::profile)

@@ -17,26 +17,26 @@ namespace burin {
 
 /// What a computed pass does.
 enum class PassKind : std::uint8_t {
-    levels,    ///< takes away what stands, level by level, along the part
-    pocket,    ///< the same within an area that the cutter does not leave
-    profile,   ///< once along an area's border, or the part's outline, level by level
-    face,      ///< takes away what stands above the part
+    levels,    ///< removes the standing stock level by level along the part
+    pocket,    ///< the same, within an area that the cutter does not leave
+    profile,   ///< once along the border of an area, or the outline of the part, level by level
+    face,      ///< removes the stock above the part
     parallel,  ///< parallel rows on the part
-    radial,    ///< rows from a centre outwards on the part
-    spiral,    ///< one row round a centre on the part
+    radial,    ///< rows on the part from a centre outwards
+    spiral,    ///< one row around a centre on the part
     flow,      ///< rows on the part that follow lines, blended between them
-    waterline, ///< along the part at one height after the other
-    scallop,   ///< rows on the part that are evenly far apart on it
+    waterline, ///< contours of the part at one height after the other
+    scallop,   ///< rows on the part at even distances, measured on the part
     pencil,    ///< along concave edges of the part
     rest,      ///< rows and contours where stock is left
     engrave,   ///< along lines, at a depth
-    drill,     ///< straight down in round holes of the part, or at places
+    drill,     ///< straight down in round holes of the part, or at given points
 };
 
-/// What a request without them means, of the tool's diameter.
+/// Defaults of a request that does not state these values, relative to the diameter of the tool.
 inline constexpr double usualRoughStep = 0.4, usualFineStep = 1.0 / 15.0, usualStairs = 0.1;
 
-/// One kind, as users name and read it.
+/// A pass kind with the texts that users see.
 struct PassKindRow {
     PassKind kind = PassKind::levels;
     std::string_view id; ///< "levels", stable
@@ -45,50 +45,52 @@ struct PassKindRow {
 /// All kinds, in the order of the enumeration.
 extern const std::array<PassKindRow, 14> passKinds;
 const PassKindRow& rowOf(PassKind kind) noexcept;
-/// Errors: nameUnknown (detail: those that there are).
+/// Errors: nameUnknown (detail: the known ids).
 Result<PassKind> passKindWithId(std::string_view id);
 
-/// A line that leads a pass or is engraved, mm, setup frame.
+/// A line that guides a pass or is engraved, mm, setup frame.
 using PassLine = std::vector<glm::dvec3>;
 
-/// How much deeper than the bottom of a hole a drill goes with its full diameter, mm; the part holds it up before.
+/// How far a drill goes below the bottom of a hole with its full diameter, mm; less where the part stops it.
 inline constexpr double drilledThrough = 0.2;
 
-/// Of PassRequest::tabs.
+/// Upper limit of PassRequest::tabs.
 inline constexpr int mostTabs = 100;
 
-/// Of PassRequest::steepest, more than a right angle: no limit.
+/// Value of PassRequest::steepest that means no limit; more than a right angle.
 inline constexpr double anySlope = 1.6; // rad
 
-/// What a planner is asked for. Lengths in mm, angles in rad, setup frame; upright tools.
+/// The request to a planner. Lengths in mm, angles in rad, setup frame; upright tools.
 struct PassRequest {
     PassKind kind = PassKind::levels;
-    double allowance = 0.0; ///< left on the part
-    double stepOver = 0.0; ///< between rows or loops, between heights of `waterline`; 0: by scallop, or the kind's rule
-    double scallop = 0.0;  ///< height of the ridges between rows of a tool with a rounded end; 0: not asked for
-    double levelDepth = 0.0;    ///< between levels; 0: what tool, spindle and material bear; of `drill` of one peck
-    double stairs = 0.0;        ///< of `levels`: what they leave on slopes, at most; 0: a tenth of the diameter
-    double direction = 0.0;     ///< of parallel rows, anticlockwise from X
-    double flattest = 0.0;      ///< slope of the part, from level: rows and waterlines stay where it is no less …
-    double steepest = anySlope; ///< … and no more
+    double allowance = 0.0; ///< stock left on the part
+    /// between rows or loops; of `waterline` between heights; 0: by scallop, or the default of the kind
+    double stepOver = 0.0;
+    double scallop = 0.0;    ///< height of the ridges between rows of a tool with a rounded end; 0: not requested
+    double levelDepth = 0.0; ///< between levels; 0: what tool, spindle and material can bear; of `drill`: of one peck
+    double stairs = 0.0;     ///< of `levels`: largest height of the steps left on slopes; 0: a tenth of the diameter
+    double direction = 0.0;  ///< of parallel rows, anticlockwise from X
+    double flattest = 0.0;   ///< smallest slope of the part from level at which rows and waterlines are kept …
+    double steepest = anySlope; ///< … and the largest
     std::optional<double> top,
         bottom;              ///< heights of the first stock and of the lowest tip; none: the stock's, the part's
     bool oneWay = false;     ///< rows all in one direction
-    bool inside = false;     ///< of `profile`: within the area's border instead of around it
-    bool restOnly = false;   ///< rows only where stock is left
-    bool areaOnPart = false; ///< of rows and waterlines: the area is of what the tool touches, not of its tip
-    PlanRegion area;         ///< where the tip may be; of pocket and profile: what the cutter makes. Empty: everywhere
+    bool inside = false;     ///< of `profile`: inside the border of the area instead of around it
+    bool restOnly = false;   ///< only rows where stock is left
+    bool areaOnPart = false; ///< of rows and waterlines: the area limits the contact points of the tool, not its tip
+    PlanRegion area;         ///< where the tip may be; of pocket and profile: the shape to cut. Empty: everywhere
     std::vector<PassLine> lines;
-    double depth = 0.0;               ///< of `engrave` and `drill`, below the top; `drill`: 0 by the part's hole
-    std::vector<glm::dvec2> places{}; ///< of `drill`; none: every hole of the part that fits the drill
-    int tabs = 0;                     ///< of `profile`: bridges that are left round each outline
-    double tabWidth = 0.0;            ///< of each, along the outline
-    double tabHeight = 0.0;           ///< of each, above the lowest level
-    bool dogbones = false; ///< of `pocket` and `profile`: into inner corners of the area, as far as the cutter's edge
+    double depth = 0.0; ///< of `engrave` and `drill`, below the top; `drill`: 0: from the hole of the part
+    std::vector<glm::dvec2> places{}; ///< of `drill`; empty: every hole of the part that fits the drill
+    int tabs = 0;                     ///< of `profile`: number of tabs left along each outline
+    double tabWidth = 0.0;            ///< of each tab, along the outline
+    double tabHeight = 0.0;           ///< of each tab, above the lowest level
+    /// of `pocket` and `profile`: reach into inner corners of the area with the edge of the cutter
+    bool dogbones = false;
 
     bool limitsSlope() const noexcept { return flattest > 0.0 || steepest < anySlope; }
-    /// Whether the part is as steep as is asked for. @param away unit, the way out of the part where the tool touches
-    /// it
+    /// Whether the slope of the part is within the requested range. @param away unit vector that points out of the part
+    /// at the contact point of the tool
     bool allowsSlope(const glm::dvec3& away) const noexcept;
 
     friend bool operator==(const PassRequest&, const PassRequest&) = default;
@@ -97,7 +99,7 @@ struct PassRequest {
 /// Errors: argumentInvalid (subject: the key of its JSON, place: the value, detail: what is allowed).
 Result<void> validate(const PassRequest& request);
 
-/// {"pass": id, keys with their unit}; what has its first value is left out.
+/// {"pass": id, keys with their unit}; values equal to their default are omitted.
 std::string toJson(const PassRequest& request);
 /// Errors: resourceInvalid, nameUnknown, those of `validate`. @param origin for messages
 Result<PassRequest> passRequestFromJson(std::string_view text, const std::string& origin);

@@ -11,10 +11,10 @@ namespace burin {
 namespace {
 
 constexpr double coarsestRaster = 0.5; // mm
-constexpr double mostSquares = 1500.0; // along a side of the raster, for the memory that it takes
-constexpr double shortest = 2.0;       // squares of the raster: what is shorter is no edge
+constexpr double mostSquares = 1500.0; // along a side of the raster, to limit its memory
+constexpr double shortest = 2.0;       // squares of the raster: shorter lines are not edges
 
-/// Creases one after the other, each from the end that is nearer to where the last one ended.
+/// Orders the creases, each from the end that is nearer to where the last one ended.
 std::vector<TipLine> inOrder(std::vector<TipLine> lines) {
     std::vector<TipLine> ordered;
     glm::dvec3 tip(0.0);
@@ -39,14 +39,14 @@ std::vector<TipLine> inOrder(std::vector<TipLine> lines) {
     return ordered;
 }
 
-/// With lines that lead it: only edges that the tool's width beside them holds.
+/// The request limited by its lines, if it has any: only edges within one tool diameter of them.
 PassRequest ledBy(PassRequest request, double width) {
     if (request.lines.empty()) return request;
     PlanRegion beside;
     for (const PassLine& line : request.lines)
         beside = joined(beside, brushed(std::vector<glm::dvec2>(line.begin(), line.end()), width));
     request.area = request.area.empty() ? beside : without(beside, without(beside, request.area));
-    if (request.area.empty()) request.area = rectangle(glm::dvec2(0.0), glm::dvec2(1e-3)); // they never meet
+    if (request.area.empty()) request.area = rectangle(glm::dvec2(0.0), glm::dvec2(1e-3)); // the areas do not intersect
     return request;
 }
 

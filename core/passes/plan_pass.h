@@ -9,15 +9,17 @@
 
 namespace burin {
 
-/// Plans a pass of any kind. Any thread; the work is shared among all cores, the result does not depend on them.
-/// Errors: those of validate, checkPlannable and of the kind's planner (level_pass.h, surface_pass.h, drill_pass.h);
-/// notSupported (a drill for another pass than drilling, or the other way round); cancelled.
+/// Plans a pass of any kind. Thread-safe. The work is shared among all cores; the result does not depend on their
+/// number.
+/// Errors: those of validate, checkPlannable and the planner of the kind (level_pass.h, surface_pass.h, drill_pass.h);
+/// notSupported (a drill for another pass than drilling, or drilling with another tool); cancelled.
 Result<PlannedPass> planPass(const PassRequest& request, const PassGround& ground, Progress& progress);
 
-/// mm, of its strokes.
+/// The length of its strokes, mm.
 double lengthOf(const PlannedPass& planned) noexcept;
 
-/// A planned pass as a source of paths. Moments count its places. @param info but for id and count of points
+/// Converts a planned pass to a source of paths. The moments number its points consecutively. @param info complete
+/// except for id and point count
 GeneratedMoves movesOf(const PlannedPass& planned, GeneratedInfo info);
 
 } // namespace burin

@@ -11,11 +11,11 @@
 namespace burin {
 namespace {
 
-constexpr double spiralChord = 0.002; // mm between a spiral and its corners
+constexpr double spiralChord = 0.002; // mm between a spiral and its chords
 
 std::vector<PlanRow> parallelRows(const PassRequest& request, const PlanBounds& bounds, double stepOver) {
     const glm::dvec2 along(std::cos(request.direction), std::sin(request.direction)), across(-along.y, along.x);
-    glm::dvec2 low(1e300), high(-1e300); // along and across
+    glm::dvec2 low(1e300), high(-1e300); // in coordinates along and across the rows
     for (const double x : {bounds.low.x, bounds.high.x})
         for (const double y : {bounds.low.y, bounds.high.y}) {
             const glm::dvec2 seen(glm::dot(glm::dvec2(x, y), along), glm::dot(glm::dvec2(x, y), across));
@@ -31,7 +31,7 @@ std::vector<PlanRow> parallelRows(const PassRequest& request, const PlanBounds& 
     return rows;
 }
 
-/// The place that radial rows and spirals go round: the first of a line that was given, or the middle.
+/// The point that radial rows and spirals go around: the first point of the first line, or the middle.
 glm::dvec2 centreOf(const PassRequest& request, const PlanBounds& bounds) {
     return request.lines.empty() ? 0.5 * (bounds.low + bounds.high) : glm::dvec2(request.lines.front().front());
 }
@@ -40,16 +40,16 @@ double farthestFrom(const glm::dvec2& centre, const PlanBounds& bounds) {
     return glm::length(glm::max(glm::abs(bounds.low - centre), glm::abs(bounds.high - centre)));
 }
 
-/// Towards the centre every other row ends where the ones beside it are near enough.
+/// Towards the centre, every second row ends where the rows next to it are close enough.
 std::vector<PlanRow> radialRows(const PassRequest& request, const PlanBounds& bounds, double stepOver) {
     const glm::dvec2 centre = centreOf(request, bounds);
     const double reach = farthestFrom(centre, bounds);
-    int count = 8; // a power of two, so that every other one can end, and again
+    int count = 8; // a power of two, so that every second row can end, repeatedly
     while (2.0 * pi * reach / count > stepOver) count *= 2;
     std::vector<PlanRow> rows;
     for (int i = 0; i < count; ++i) {
         int among =
-            i == 0 ? count : i & -i; // it is one of every so many rows: the power of two that divides its number
+            i == 0 ? count : i & -i; // it is one of every `among` rows: the power of two that divides its number
         among = std::min(among, count);
         const double begin = among == count ? 0.0 : stepOver * count / (2.0 * pi * 2.0 * among);
         if (begin >= reach) continue;
@@ -72,7 +72,7 @@ std::vector<PlanRow> spiralRow(const PassRequest& request, const PlanBounds& bou
     return {row};
 }
 
-/// The line in plan, with its ends carried on.
+/// The line in plan, extended at its ends.
 PlanRow carriedOn(const PassLine& line, double by) {
     PlanRow row;
     for (const glm::dvec3& place : line)
@@ -83,7 +83,7 @@ PlanRow carriedOn(const PassLine& line, double by) {
     return row;
 }
 
-/// Whether a place lies to the left of the nearest part of a line.
+/// Whether a point lies to the left of the nearest part of a line.
 bool isLeftOf(const PlanRow& line, const glm::dvec2& place) {
     double nearest = 1e300, side = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -96,7 +96,7 @@ bool isLeftOf(const PlanRow& line, const glm::dvec2& place) {
     return side > 0.0;
 }
 
-/// Lines beside one that was given, at even distances to either side, from the left to the right.
+/// Lines parallel to a given one, at even distances to either side, from left to right.
 std::vector<PlanRow> rowsBeside(const PassLine& lead, const PlanBounds& bounds, double stepOver) {
     const double reach = 2.0 * glm::length(bounds.high - bounds.low) + farthestFrom(glm::dvec2(lead.front()), bounds) +
                          farthestFrom(glm::dvec2(lead.back()), bounds);
@@ -107,7 +107,7 @@ std::vector<PlanRow> rowsBeside(const PassLine& lead, const PlanBounds& bounds, 
     for (int i = 1; i <= most; ++i) {
         bool near = false;
         for (PlanRing ring : around(line, i * stepOver).rings) {
-            // A ring holds both sides; it is cut where one goes over to the other, at the far ends.
+            // A ring surrounds both sides; it is split where one side becomes the other, at the far ends.
             const std::size_t count = ring.size();
             std::size_t start = 0;
             while (start < count && isLeftOf(line, ring[start]) == isLeftOf(line, ring[(start + count - 1) % count]))
@@ -131,7 +131,7 @@ std::vector<PlanRow> rowsBeside(const PassLine& lead, const PlanBounds& bounds, 
     return left;
 }
 
-/// Places at even shares of a line's length.
+/// Points at even fractions of a line's length.
 PlanRow resampled(const PassLine& line, std::size_t count) {
     std::vector<double> way{0.0};
     for (std::size_t i = 1; i < line.size(); ++i)
@@ -147,7 +147,7 @@ PlanRow resampled(const PassLine& line, std::size_t count) {
     return row;
 }
 
-/// Rows from one line to the next, blended between both, nowhere farther from each other than the step.
+/// Rows from each line to the next, blended between the two, nowhere farther apart than the step-over.
 std::vector<PlanRow> blendedRows(const std::vector<PassLine>& lines, double stepOver) {
     constexpr std::size_t places = 400;
     std::vector<PlanRow> leads;
@@ -197,7 +197,7 @@ Result<double> stepOverOf(const PassRequest& request, const Cutter& cutter) {
                      cutter.cornerRadius > 0.0
                          ? "less than the rounding of the tool's end, " + formatShortest(cutter.cornerRadius) + " mm"
                          : "a tool with a rounded end; give a step-over for this one"};
-    // Two circles of the rounding's radius, so far apart, leave a ridge of that height between them.
+    // Two circles of the corner radius at this distance leave a ridge of that height between them.
     return 2.0 * std::sqrt(request.scallop * (2.0 * cutter.cornerRadius - request.scallop));
 }
 

@@ -15,7 +15,7 @@ public:
     Borders(const std::vector<double>& room, int columns, int rows, double beyond)
         : room_(room), columns_(columns), rows_(rows), beyond_(beyond) {}
 
-    /// Rings in squares from the first place.
+    /// Ring coordinates are in squares from the first grid point.
     std::vector<PlanRing> rings() {
         for (int row = -1; row < rows_; ++row)
             for (int column = -1; column < columns_; ++column) cross(column, row);
@@ -40,7 +40,7 @@ private:
         return room_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
                      static_cast<std::size_t>(column)];
     }
-    /// An edge from a place to the next one along x, or along y.
+    /// Index of the edge from a point to the next one along x, or along y.
     std::int64_t edgeOf(int column, int row, bool upwards) const noexcept {
         return ((row + 1) * static_cast<std::int64_t>(columns_ + 2) + column + 1) * 2 + (upwards ? 1 : 0);
     }
@@ -58,7 +58,8 @@ private:
         const std::array<std::int64_t, 4> edges{edgeOf(column, row, false), edgeOf(column + 1, row, true),
                                                 edgeOf(column, row + 1, false), edgeOf(column, row, true)};
         for (std::size_t i = 0; i < 4; ++i) {
-            if (!(corners[i] <= 0.0 && corners[(i + 1) % 4] > 0.0)) continue; // from here on there is room
+            // the border begins here, with room after it
+            if (!(corners[i] <= 0.0 && corners[(i + 1) % 4] > 0.0)) continue;
             std::size_t last = (i + 1) % 4;
             while (corners[(last + 1) % 4] > 0.0) last = (last + 1) % 4;
             next_.emplace(edges[i], edges[last]);

@@ -8,9 +8,10 @@
 
 namespace burin {
 
-/// Borders of what is blocked, between places with room (> 0) and without: marching squares, with the blocked side to
-/// the left. Where two blocked corners of a square face each other they are taken as joined. Rings in squares from the
-/// first place. @param room columns x rows values; beyond them there is `beyond`, > 0
+/// The borders of what is blocked, between grid points with room (> 0) and without: marching squares, with the blocked
+/// side to the left. In a square where two blocked corners are diagonally opposite they count as joined. Ring
+/// coordinates are in squares from the first grid point. @param room columns x rows values; outside the grid the value
+/// is `beyond`, > 0
 std::vector<PlanRing> bordersOf(const std::vector<double>& room, int columns, int rows, double beyond);
 
 } // namespace burin

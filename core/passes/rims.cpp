@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rimSlope = 1.7;   // 60 degrees
 constexpr double rimShare = 0.5;   // of a rise, within an eighth of its length: a slope rises more evenly
-constexpr double leastRise = 0.05; // mm: a lower step holds no tool
+constexpr double leastRise = 0.05; // mm: a lower step does not hold the tool
 constexpr double leastPress = 0.2; // mm
 
 } // namespace
@@ -27,7 +27,7 @@ bool OperatorRims::isWall(glm::dvec2 from, double low, glm::dvec2 to, double hig
     constexpr int halvings = 3;
     if (!std::isfinite(low) || !std::isfinite(high)) return false;
     const double least = std::max(leastRise, rimShare * (high - low));
-    for (int i = 0; i < halvings && high - low >= least; ++i) { // on in the half that rises more
+    for (int i = 0; i < halvings && high - low >= least; ++i) { // continue in the half that rises more
         const glm::dvec2 middle = 0.5 * (from + to);
         const double height = reachedAt(middle);
         const bool upper = high - height > height - low;

@@ -14,20 +14,20 @@ namespace {
 constexpr double beyondStock = 1.0;  // mm between the cutter and the stock where a row begins
 constexpr double tolerance = 1e-6;   // mm
 constexpr double longestLink = 20.0; // mm within a level
-constexpr double liftCost = 60.0;    // mm of cutting that one lift is worth
+constexpr double liftCost = 60.0;    // mm of cutting that one retract is worth
 
-/// An interval of a row that one level cuts.
+/// An interval of a row that is cut on one level.
 struct Piece {
     double y = 0.0;
     double low = 0.0, high = 0.0; ///< mm, x of its ends
     bool done = false;
 };
 
-/// A way to begin a piece.
+/// A possible start of a piece.
 struct Entry {
     std::size_t piece = 0;
     bool atHigh = false;
-    std::vector<glm::dvec3> link; ///< within the level; empty: lift
+    std::vector<glm::dvec3> link; ///< within the level; empty: retract
     double cost = std::numeric_limits<double>::infinity();
 };
 
@@ -39,7 +39,7 @@ public:
         if (request_.levelDepth <= 0.0) request_.levelDepth = 1.25 * tool.cutter.diameter;
         finishingDepth_ = request_.finishingDepth;
         if (tool.maximumDepthOfCut > 0.0) finishingDepth_ = std::min(finishingDepth_, tool.maximumDepthOfCut);
-        // The field's own error and a hair more: the hand should pass by the part, not be dragged along it.
+        // The error of the field and a little more: the hand should pass the part, not be dragged along it.
         keep_ = request_.allowance + field.errorBound() + 0.02 * tool.cutter.radius();
     }
 
@@ -69,7 +69,8 @@ private:
         return result;
     }
 
-    /// Under a level the ball leaves stock that rises towards its rim; what stands within the shank must not reach it.
+    /// Below a level, a ball leaves stock that rises towards its rim; stock within the width of the shank must not
+    /// reach it.
     double deepest() const {
         const Cutter& cutter = tool_.cutter;
         const double shank = std::min(0.5 * cutter.shankDiameter + lateralMargin(cutter), cutter.radius());
@@ -96,20 +97,20 @@ private:
         findNearby();
     }
 
-    /// How often the flutes' length fits between the top of the stock and a level.
+    /// How many flute lengths fit between the top of the stock and a level.
     std::size_t tier(double level) const {
         const double depth = heights_.stock().high.z - level - tolerance;
         return static_cast<std::size_t>(std::max(0.0, std::floor(depth / usableFlutes(tool_.cutter))));
     }
 
-    /// Clearance from the part. Below a wall higher than the flutes the shank passes what the levels above have left
-    /// standing, so each such tier keeps a little further off.
+    /// Clearance from the part. Below a wall higher than the flutes, the shank passes what the levels above have left
+    /// standing, so each such tier keeps a little more distance.
     double keepAt(std::size_t tier) const {
         return keep_ + static_cast<double>(tier) * (lateralMargin(tool_.cutter) + trembleMargin(tool_.cutter));
     }
 
-    /// For each place, how deep the tool will go beside it, and how high the part holds it there: in its row and the
-    /// rows next to it, within a cutter's reach.
+    /// For each point, the lowest and the highest height that the tool reaches around it: in its row and the
+    /// neighbouring rows, within a cutter's reach.
     void findNearby() {
         const int around = static_cast<int>(std::ceil((tool_.cutter.radius() + beyondStock) / heights_.raster()));
         const int rowCount = static_cast<int>(rows_.size()), placeCount = static_cast<int>(places_.size());
@@ -126,8 +127,8 @@ private:
                     }
     }
 
-    /// Does a level cut at a place? Yes where the part lets the tool down to it, and the finishing passes could not
-    /// take what would be left, or the shank would meet it when the tool works beside it.
+    /// Whether a level cuts at a point: the part lets the tool down to it, and either the finishing passes could not
+    /// remove what would be left, or the shank would touch it when the tool works next to it.
     bool cuts(std::size_t row, std::size_t place, double level, double above) const {
         const std::size_t index = row * places_.size() + place;
         const double reached = reached_[tier(level)][index];
@@ -139,8 +140,9 @@ private:
         return floor || above - reached > finishingDepth || above - lowestNearby_[index] > tallest;
     }
 
-    /// Where a piece runs at a place of its row: on the row, or a little beside it where stock that no level above
-    /// could take stands so close that the tremor of a hand would touch it with the shank. NaN: nowhere.
+    /// The y coordinate of a piece at a point of its row: that of the row, or slightly beside it where stock that no
+    /// level above could remove stands so close that the shank would touch it because of the hand's tremor. NaN if
+    /// there is none.
     double clearOfShank(std::size_t row, std::size_t place, double level) const {
         const double x = places_[place], y = rows_[row], step = 0.5 * lateralMargin(tool_.cutter);
         for (const double aside : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
@@ -151,7 +153,7 @@ private:
         return std::numeric_limits<double>::quiet_NaN();
     }
 
-    /// Places of a row at which stock is left, and as far beside it as the cutter needs to come in from the side.
+    /// The points of a row at which stock is left, extended by what the cutter needs to enter from the side.
     std::vector<bool> worthwhile(std::size_t row, double level) const {
         std::vector<bool> worth(places_.size(), !request_.restOnly);
         if (!request_.restOnly) return worth;
@@ -219,7 +221,7 @@ private:
         Entry entry;
         entry.atHigh = atHigh;
         const double into = std::max(0.0, heights_.freeTip(end.x, end.y) - level);
-        if (writer_.empty()) { // the first piece of all: from the low corner
+        if (writer_.empty()) { // the very first piece: from the low corner
             entry.cost = glm::distance(glm::dvec2(end), glm::dvec2(places_.front(), rows_.front())) + 3.0 * into;
             return entry;
         }
@@ -243,14 +245,14 @@ private:
         return length;
     }
 
-    /// A way within the level to the end of a piece: straight, or back along both rows first, where the rows have
-    /// cleared room for the shank. Empty where there is none.
+    /// A path within the level to the end of a piece: straight, or first back along both rows, where they have cleared
+    /// room for the shank. Empty if there is none.
     std::vector<glm::dvec3> linkTo(const glm::dvec3& end, bool atHigh, const Piece& piece) const {
         const glm::dvec3& tip = writer_.tip();
         const bool sameLevel = std::abs(tip.z - end.z) <= tolerance;
         const bool straightDown = glm::distance(glm::dvec2(tip), glm::dvec2(end)) <= tolerance;
         if (!sameLevel && !straightDown) return {};
-        if (straightDown && writer_.depthAt(end) > plungeDepth) return {}; // down a ramp
+        if (straightDown && writer_.depthAt(end) > plungeDepth) return {}; // enters along a ramp
         if (std::vector<glm::dvec3> straight{end}; allows(straight)) return straight;
         const double inward = atHigh ? -1.0 : 1.0;
         if (!sameLevel || inward != cameFrom_) return {};
@@ -284,13 +286,13 @@ private:
     WorkpieceHeights& heights_;
     StrokeWriter writer_;
     double keep_ = 0.0;                        ///< mm of clearance
-    double finishingDepth_ = 0.0;              ///< mm, as far as the tool may cut
+    double finishingDepth_ = 0.0;              ///< mm, limited by the tool
     std::vector<double> rows_;                 ///< y
     std::vector<double> places_;               ///< x of the samples of a row
-    std::vector<std::vector<double>> reached_; ///< by tier, row and place: how far down the tip may go
-    std::vector<double> lowestNearby_;         ///< by row and place
-    std::vector<double> highestNearby_;        ///< by row and place
-    double cameFrom_ = 0.0;                    ///< from the end of the last piece, the direction along x back into it
+    std::vector<std::vector<double>> reached_; ///< by tier, row and point: how far down the tip may go
+    std::vector<double> lowestNearby_;         ///< by row and point
+    std::vector<double> highestNearby_;        ///< by row and point
+    double cameFrom_ = 0.0;                    ///< direction along x from the end of the last piece back into it
 };
 
 } // namespace

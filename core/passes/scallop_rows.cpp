@@ -14,10 +14,11 @@
 namespace burin {
 namespace {
 
-constexpr double leastUpwards = 0.2588; // of the way out of the part: 75 degrees
+constexpr double leastUpwards = 0.2588; // z of the unit vector out of the part: 75 degrees
 constexpr double mostSquares = 1500.0;  // along a side of the raster
-constexpr double gap = 0.58;            // of the step-over, from the middle between two rows to the next one
-constexpr double leastShare = 0.3;      // of the way of the tip: where it rolls round an edge it cuts next to nothing
+constexpr double gap = 0.58;            // of the step-over: distance from the middle between two rows to the next one
+// of the distance of the tips: where the tool rolls around an edge it cuts next to nothing
+constexpr double leastShare = 0.3;
 
 /// Rows at even distances on a surface of tips.
 class ScallopRows {
@@ -74,8 +75,8 @@ private:
         });
     }
 
-    /// A ball leaves a ridge of s·t / 8R between two rows whose tips are s apart and touch the part t apart, on plane,
-    /// convex and concave faces alike: the mean of both is what has to be even.
+    /// A ball leaves a ridge of s·t / 8R between two rows whose tips are s apart and whose contact points are t apart,
+    /// on plane, convex and concave faces alike: the geometric mean of both has to be even.
     double lengthBetween(std::size_t one, std::size_t other) const {
         const double tips = glm::distance(tips_[one], tips_[other]);
         if (!ball_) return tips;
@@ -96,8 +97,8 @@ private:
         return ring;
     }
 
-    /// Where rows bend sharply, or those from two sides meet, the next one is farther than a step: there a stretch of a
-    /// row half a step on fills the gap. @param ring half a step on
+    /// Fills gaps where rows bend sharply or rows from two sides meet, and the next row is therefore farther away than
+    /// a step: with part of a row half a step on. @param ring half a step on
     void addGaps(const PlanRing& ring, const std::vector<PlanRing>& next, std::vector<PlanRow>& rows) const {
         std::vector<char> lacks(ring.size(), 0);
         for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -123,7 +124,7 @@ private:
             return false;
         });
     }
-    /// By how much the distance grows a mm in plan at most; of a ridge its steeper side.
+    /// The largest increase of the distance per mm in plan; on a ridge that of the steeper side.
     double steepnessAt(const glm::dvec2& place) const {
         const glm::dvec2 at = (place - bounds_.low) / edge_;
         const int column = std::clamp(static_cast<int>(std::lround(at.x)), 1, surface_.columns - 2);
@@ -135,7 +136,7 @@ private:
         return std::hypot(x, y) / edge_;
     }
 
-    /// The nearest row next, closed ones begun where they are nearest.
+    /// Orders the rows by nearest neighbour; closed ones begin at their nearest point.
     static std::vector<PlanRow> inOrder(std::vector<PlanRow> rows) {
         std::vector<PlanRow> ordered;
         while (!rows.empty()) {
@@ -172,8 +173,8 @@ private:
     PlanBounds bounds_;
     double edge_ = 0.0; // mm
     SurfaceRaster surface_;
-    std::vector<glm::dvec3> tips_, touched_; // mm, by place
-    std::vector<double> distance_;           // mm, by place
+    std::vector<glm::dvec3> tips_, touched_; // mm, by point
+    std::vector<double> distance_;           // mm, by point
 };
 
 } // namespace

@@ -21,7 +21,7 @@ constexpr double enteringDistance = 1.0; // mm beside the part
 constexpr int corrections = 12;
 constexpr std::size_t mostOutlinePoints = 20'000;
 
-/// A place of an outline, and the direction out of the part there; both at one height.
+/// A point of an outline, and the direction out of the part there; both at one height.
 struct OutlinePoint {
     glm::dvec2 place{0.0}, outwards{0.0};
 };
@@ -32,7 +32,7 @@ public:
     Outline(const ClearanceField& field, double height, double allowance, double step)
         : field_(field), height_(height), allowance_(allowance), step_(step) {}
 
-    /// Once round; empty where there is none, or it can't be followed.
+    /// Once around; empty if there is no outline, or it cannot be followed.
     std::vector<OutlinePoint> follow(const Box& stock, double radius) const;
 
 private:
@@ -45,7 +45,7 @@ private:
     double height_, allowance_, step_;
 };
 
-/// The nearest place on the outline, by Newton's method.
+/// The nearest point on the outline, by Newton's method.
 std::optional<OutlinePoint> Outline::corrected(glm::dvec2 place) const {
     for (int i = 0; i < corrections; ++i) {
         const FieldSample sample = field_.at(at(place));
@@ -74,7 +74,7 @@ std::vector<OutlinePoint> Outline::follow(const Box& stock, double radius) const
         const OutlinePoint& here = outline.back();
         const glm::dvec2 forward(-here.outwards.y, here.outwards.x);
         const std::optional<OutlinePoint> next = corrected(here.place + step_ * forward);
-        if (!next || glm::length(next->place - here.place) < 0.05 * step_) return {}; // a corner it is caught in
+        if (!next || glm::length(next->place - here.place) < 0.05 * step_) return {}; // caught in a corner
         outline.push_back(*next);
         if (outline.size() > 4 && glm::length(next->place - first->place) < step_) {
             outline.push_back(*first);
@@ -96,7 +96,7 @@ Result<void> checkContours(const Tool& tool, const ContourRequest& request) {
     return checkSpeeds(request.speeds);
 }
 
-/// One coordinate of a scribble: sines that together stay within -1 … 1.
+/// One coordinate of a scribble: sines whose sum stays within -1 … 1.
 class Wander {
 public:
     Wander(SeededRandom& random, double slowest) {
@@ -159,7 +159,7 @@ Result<std::vector<IntentPoint>> planScribble(const ScribbleRequest& request) {
     if (const Result<void> good = checkAbove({{"seconds", request.seconds}, {"speed", request.speed}}); !good)
         return good.error();
     const glm::dvec3 half = 0.5 * request.region.size();
-    // A sine's mean speed is four amplitudes a period; slower for a larger region.
+    // The mean speed of a sine is four amplitudes per period; periods are longer for a larger region.
     const double slowest = std::max(1.6, 4.0 * glm::length(half) / request.speed);
     SeededRandom random(request.seed);
     const std::array<Wander, 3> wander{Wander(random, slowest), Wander(random, slowest), Wander(random, slowest)};

@@ -10,7 +10,7 @@
 namespace burin {
 
 namespace {
-constexpr double approach = 1.0;    // mm above stock at which coming down gets slow
+constexpr double approach = 1.0;    // mm above stock at which the descent becomes slow
 constexpr double longestLeg = 30.0; // mm of a ramp
 constexpr int mostTurns = 8;        // of a ramp
 } // namespace
@@ -47,7 +47,7 @@ void StrokeWriter::rampTo(const glm::dvec3& tip) {
 }
 
 double StrokeWriter::depthAt(const glm::dvec3& tip) const noexcept {
-    // Beside a wall that it has cut the raster leaves stock at the edge of the tool.
+    // Beside a wall that it has cut, the raster leaves stock at the edge of the tool.
     const double stock = heights_->freeTip(tip.x, tip.y, heights_->raster());
     return std::max(0.0, std::min(travelLevel(), stock) - tip.z);
 }
@@ -62,7 +62,8 @@ void StrokeWriter::rampInto(const glm::dvec3& entry, const glm::dvec3& other) {
         rampTo(surface);
     else
         enterAt(surface, surface);
-    // Whole turns, so that it ends where the stroke begins. A short interval takes many, or it gets steep.
+    // Whole turns, so that the ramp ends where the stroke begins. A short interval needs many turns, or the ramp gets
+    // steep.
     const double leg = std::min(length, longestLeg);
     const glm::dvec3 far = glm::mix(entry, other, leg / length);
     const int turns = std::clamp(static_cast<int>(std::ceil(0.5 * depth / (rampSlope * leg))), 1, mostTurns);

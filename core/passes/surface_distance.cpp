@@ -14,7 +14,7 @@ namespace burin {
 namespace {
 
 constexpr double farAway = std::numeric_limits<double>::infinity();
-/// Neighbours in turn: each with the next makes a triangle.
+/// Neighbours in order: each forms a triangle with the next one.
 constexpr std::array<std::pair<int, int>, 8> turns{
     {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
@@ -40,7 +40,7 @@ public:
                     reach(*next, nearest(column + right, row + up));
         }
         for (double& distance : distance_)
-            if (distance == farAway) distance = 0.0; // beside the surface
+            if (distance == farAway) distance = 0.0; // outside the surface
         return std::move(distance_);
     }
 
@@ -61,7 +61,8 @@ private:
         open_.emplace(distance, place);
     }
 
-    /// By way of the triangles around a place whose other corners are fixed, or of one of their sides.
+    /// The shortest distance through the triangles around a point whose other corners are fixed, or along one of their
+    /// sides.
     double nearest(int column, int row) const {
         const std::size_t place = surface_.indexOf(column, row);
         double least = farAway;
@@ -80,7 +81,8 @@ private:
         const auto place = at(column, row);
         return place && fixed_[*place] ? place : std::nullopt;
     }
-    /// A straight front that passes both corners of a triangle, where it comes through the side between them.
+    /// The distance by a straight front that passes both corners of a triangle, if it comes through the side between
+    /// them.
     double across(std::size_t one, std::size_t other, std::size_t place, double first) const {
         const double side = length_(one, other), second = length_(other, place);
         const double slope = (distance_[other] - distance_[one]) / side;

@@ -15,7 +15,7 @@
 namespace burin {
 namespace {
 
-constexpr double coarsest = 0.2;   // mm between places of a line that is engraved
+constexpr double coarsest = 0.2;   // mm between points of an engraved line
 constexpr double tolerance = 1e-6; // mm
 
 class RowPlanner {
@@ -55,7 +55,7 @@ private:
         return scallopRows(trace_, stepOver_, ground_.coarseness, ball, progress_);
     }
 
-    /// Joins a row to the ones before it, there and back.
+    /// Joins a row to the previous ones, to and fro.
     void addRow(std::vector<TipLine> row) {
         if (row.empty()) return;
         const auto distanceTo = [&](const glm::dvec3& tip) {
@@ -73,7 +73,8 @@ private:
         }
     }
 
-    /// Goes on the part to where the next row begins, if that is no farther than rows are apart where it is steep.
+    /// Joins along the part to the start of the next row, if that is no farther away than rows are apart on steep
+    /// faces.
     bool joins(const glm::dvec3& from, const glm::dvec3& to) {
         const double way = glm::distance(glm::dvec2(from), glm::dvec2(to));
         if (way > 2.5 * stepOver_ || glm::distance(from, to) > 2.0 * ground_.tool.cutter.diameter) return false;
@@ -134,7 +135,7 @@ Result<PlannedPass> planEngraving(const PassRequest& request, const PassGround& 
     TipDrop drop(ground.part, tool, request.allowance, top - request.depth);
     PlannedPass planned;
     for (const PassLine& line : request.lines) {
-        TipLine lowest; // where the part holds the tool up it goes on the part
+        TipLine lowest; // where the part stops the tool, the line follows the part
         for (std::size_t i = 1; i < line.size(); ++i) {
             const glm::dvec2 from(line[i - 1]), to(line[i]);
             const int steps = free ? 1 : std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / coarsest)));

@@ -11,27 +11,27 @@
 
 namespace burin {
 
-/// Rows of parallel, radial, spiral and flow over a region's bounds, in the order in which they are milled.
-/// @param stepOver mm, between rows, > 0
+/// The rows of parallel, radial, spiral and flow over the bounds of a region, in milling order.
+/// @param stepOver distance between rows, mm, > 0
 std::vector<PlanRow> rowsOf(const PassRequest& request, const PlanBounds& bounds, double stepOver);
 
-/// Rows of scallop: each as far from the one before as asked, measured on the part, from the border of the area
-/// inwards. What is steeper than 75 degrees is left to a waterline. Cancelled, rows are missing.
-/// @param stepOver mm, > 0 @param coarseness of the raster, see PassGround @param ball the tool ends in one: ridges are
-/// as high on curved faces as on a plane
+/// The rows of scallop: the distance between neighbours is the requested one, measured on the part, from the border of
+/// the area inwards. Faces steeper than 75 degrees are left to a waterline. When cancelled, rows are missing.
+/// @param stepOver mm, > 0 @param coarseness of the raster, see PassGround @param ball whether the tool has a ball end:
+/// its ridges then have the same height on curved faces as on a plane
 std::vector<PlanRow> scallopRows(const SurfaceTrace& trace, double stepOver, double coarseness, bool ball,
                                  Progress& progress);
 
-/// The step between rows of a request: its own, or that of a scallop by a ball or the rounding of an edge, or a
-/// fifteenth of the diameter. Errors: argumentInvalid (a scallop of a tool with a sharp edge, or higher than its
-/// rounding).
+/// The step-over of a request: the stated one, or the one that gives the requested scallop height with a ball or corner
+/// radius, or a fifteenth of the diameter. Errors: argumentInvalid (a scallop height for a tool with a sharp edge, or
+/// above its corner radius).
 Result<double> stepOverOf(const PassRequest& request, const Cutter& cutter);
 
-/// Parallel, radial, spiral, flow and scallop: rows as SurfaceTrace lays them. Neighbouring rows are joined on the
-/// part. Errors: argumentInvalid, cancelled.
+/// Parallel, radial, spiral, flow and scallop: rows projected onto the part by SurfaceTrace. Neighbouring rows are
+/// joined along the part. Errors: argumentInvalid, cancelled.
 Result<PlannedPass> planRows(const PassRequest& request, const PassGround& ground, Progress& progress);
 
-/// Pencil: along the concave edges of the part, where the tool touches it in two places.
+/// Pencil: along the concave edges of the part, where the tool touches it at two points.
 /// Errors: argumentInvalid, cancelled.
 Result<PlannedPass> planPencil(const PassRequest& request, const PassGround& ground, Progress& progress);
 
@@ -43,8 +43,8 @@ Result<PlannedPass> planRest(const PassRequest& request, const PassGround& groun
 /// Errors: argumentInvalid, cancelled.
 Result<PlannedPass> planEngraving(const PassRequest& request, const PassGround& ground, Progress& progress);
 
-/// Waterline: along the part at one height after the other, the part to the right of the tool. Each place is exact on
-/// the part's triangles. Errors: argumentInvalid, cancelled.
+/// Waterline: along the part at one height after the other, with the part to the right of the tool. Each point is exact
+/// on the triangles of the part. Errors: argumentInvalid, cancelled.
 Result<PlannedPass> planWaterlines(const PassRequest& request, const PassGround& ground, Progress& progress);
 
 } // namespace burin

@@ -11,10 +11,11 @@
 namespace burin {
 namespace {
 
-constexpr double coarsestTrace = 0.2;   // mm between places of a row
-constexpr double chordError = 0.002;    // mm between a row and the part's surface of tips, at the middle of two places
-constexpr double closest = 0.02;        // mm between places
-constexpr double straightWithin = 5e-4; // mm: places that a straight way passes as near as that are left out
+constexpr double coarsestTrace = 0.2; // mm between points of a row
+// mm between a row and the part's surface of tips, in the middle between two points
+constexpr double chordError = 0.002;
+constexpr double closest = 0.02;        // mm between points
+constexpr double straightWithin = 5e-4; // mm: points this close to a straight segment are left out
 constexpr double traceTolerance = 1e-6; // mm
 
 } // namespace
@@ -22,7 +23,7 @@ constexpr double traceTolerance = 1e-6; // mm
 bool isRest(const WorkpieceHeights& heights, const PassGround& ground, const glm::dvec3& tip) noexcept {
     const StandingStock& standing = ground.standing;
     if (!(heights.freeTip(tip.x, tip.y) > tip.z + WorkpieceHeights::leastRest)) return false;
-    if (standing.thickness.empty()) return true; // nothing is milled yet
+    if (standing.thickness.empty()) return true; // nothing has been milled yet
     const double radius = ground.tool.cutter.radius();
     const glm::dvec2 middle =
         (glm::dvec2(tip) - standing.low) / standing.edge - 0.5; // in squares, from centre to centre
@@ -64,7 +65,7 @@ PlanBounds SurfaceTrace::bounds() const {
     return {glm::dvec2(part.low) - reach, glm::dvec2(part.high) + reach};
 }
 
-/// Takes places one by one, and keeps those that are wanted and possible.
+/// Receives points one by one, and keeps those that are requested and possible.
 class SurfaceTrace::Stretches {
 public:
     Stretches(const SurfaceTrace& trace, TipDrop& probe, double& leftOut)
@@ -120,7 +121,7 @@ std::vector<TipLine> SurfaceTrace::along(const PlanRow& row, double& leftOut) co
     return stretches.taken();
 }
 
-/// Adds places where the straight way between two leaves the part's surface of tips.
+/// Adds points where the segment between two deviates from the part's surface of tips.
 void SurfaceTrace::between(const SurfacePlace& first, const SurfacePlace& last, TipDrop& probe,
                            const std::function<void(const SurfacePlace&)>& add) const {
     const glm::dvec2 from(first.tip), to(last.tip);
@@ -134,7 +135,7 @@ void SurfaceTrace::between(const SurfacePlace& first, const SurfacePlace& last, 
 }
 
 SurfacePlace SurfaceTrace::at(const glm::dvec2& place, TipDrop& probe) const {
-    // The field leads quickly to just above: what it says, less its error there, is never more than there is.
+    // The field leads quickly to just above the part: its clearance less its error is never more than the real one.
     const auto surelySpare = [&](double z) {
         const glm::dvec3 tip(place, z);
         return ground_.field.at(tip).clearance - ground_.field.errorBoundAt(tip) - request_.allowance;
@@ -170,7 +171,7 @@ TipLine straightened(const TipLine& line) {
     if (line.size() < 3) return line;
     TipLine kept{line.front()};
     std::size_t from = 0;
-    constexpr std::size_t longest = 400; // places
+    constexpr std::size_t longest = 400; // points
     for (std::size_t i = 2; i < line.size(); ++i) {
         const glm::dvec3 along = line[i] - line[from];
         const double length = glm::length(along);

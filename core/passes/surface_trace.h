@@ -15,35 +15,37 @@ namespace burin {
 /// A row in plan, mm.
 using PlanRow = std::vector<glm::dvec2>;
 
-/// A place of the surface of tips.
+/// A point of the surface of tips.
 struct SurfacePlace {
     glm::dvec3 tip{0.0}; ///< mm
-    bool onPart = false; ///< the part holds it up; else it is at the lowest height
+    bool onPart = false; ///< the part stops the tip; otherwise it is at the lowest height
 };
 
-/// Lays rows onto the part of a pass: the tool comes straight down at every place, exact on the part's triangles, with
-/// a place at every 0.2 mm at most, closer where the way between two would leave the part by more than 0.002 mm.
-/// Beside the part it goes on at the lowest height, where stock is left. Any number of threads, with a probe each.
+/// Projects rows onto the part of a pass: the tool comes straight down at every point, exact on the triangles of the
+/// part. Points are at most 0.2 mm apart, closer where the segment between two of them would deviate from the part by
+/// more than 0.002 mm. Beside the part the row continues at the lowest height, where stock is left. Usable from any
+/// number of threads, each with its own probe.
 class SurfaceTrace {
 public:
-    /// Keeps references to both, which outlive it.
+    /// Keeps references to both, which must outlive it.
     SurfaceTrace(const PassRequest& request, const PassGround& ground);
 
-    /// What lets the tool down in one thread.
+    /// The probe that lowers the tool, for one thread.
     TipDrop probe() const { return {ground_.part, pieces_, request_.allowance, bottom_}; }
     SurfacePlace at(const glm::dvec2& place, TipDrop& probe) const;
-    /// The request asks for it: its area, its slopes, what is left of the stock.
+    /// Whether the request asks for this point: its area, its slopes, the remaining stock.
     bool isWanted(const SurfacePlace& place, TipDrop& probe) const;
-    /// Nothing but the flutes meets stock, and these no more than they bear.
+    /// Whether only the flutes meet stock there, and no more of it than they can bear.
     bool isPossible(const SurfacePlace& place) const;
 
-    /// The stretches of a row that are wanted and possible. @param leftOut mm that were wanted alone are added to it
+    /// The parts of a row that are requested and possible. @param leftOut increased by the length, mm, that is
+    /// requested but not possible
     std::vector<TipLine> along(const PlanRow& row, double& leftOut) const;
 
-    /// The same of a line of tips that lie on the part.
+    /// The same for a line of tips that lie on the part.
     std::vector<TipLine> stretchesOf(const TipLine& line, double& leftOut) const;
 
-    /// The area of the request, or the part, and as far beside it as the tool touches it.
+    /// The area of the request, or the part, extended by the distance at which the tool still touches it.
     PlanBounds bounds() const;
 
 private:
@@ -59,11 +61,11 @@ private:
     double bottom_;
 };
 
-/// Whether the flutes at a tip would take away stock that is more than 0.1 mm high, as the workpiece's scanlines have
-/// it: what lies between two of them is not seen.
+/// Whether the flutes at a tip would remove stock more than 0.1 mm high, according to the scanlines of the workpiece;
+/// stock between two scanlines is not detected.
 bool isRest(const WorkpieceHeights& heights, const PassGround& ground, const glm::dvec3& tip) noexcept;
 
-/// Without the places that lie on the straight way between their neighbours, within 0.0005 mm.
+/// The line without the points that lie within 0.0005 mm of the segment between their neighbours.
 TipLine straightened(const TipLine& line);
 
 } // namespace burin

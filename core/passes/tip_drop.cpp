@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr double above = 0.02;       // mm of a tip over the part
+constexpr double above = 0.02;       // mm of a tip above the part
 constexpr double farthestLook = 1e3; // mm
 
 } // namespace
@@ -33,7 +33,7 @@ ToolClearance TipDrop::touch(const glm::dvec3& tip) {
 }
 
 glm::dvec2 touchedPlace(const ToolClearance& touch, const glm::dvec3& tip) noexcept {
-    constexpr double level = 0.99985; // of the way out of the part: one degree
+    constexpr double level = 0.99985; // z of the unit vector out of the part: one degree
     return glm::dvec2(touch.away.z > level ? tip : touch.meshPoint);
 }
 

@@ -10,22 +10,24 @@
 
 namespace burin {
 
-/// Lets an upright tool down onto a part, exact for the part's triangles: the lowest tip above which all is clear.
+/// Lowers an upright tool onto a part, exact for the triangles of the part: finds the lowest tip above which everything
+/// is clear.
 class TipDrop {
 public:
-    /// Keeps references to part and pieces, which outlive it. @param pieces of the tool, flutes first
-    /// @param distance mm, that the tool keeps from the part, >= 0 @param floor mm, the lowest tip
+    /// Keeps references to part and pieces, which must outlive it. @param pieces of the tool, flutes first
+    /// @param distance that the tool keeps from the part, mm, >= 0 @param floor height of the lowest tip, mm
     TipDrop(const MeshDistance& part, std::span<const RevolvedPiece> pieces, double distance, double floor);
 
-    /// mm, as lowestClear finds it; nothing where the tool touches nowhere above the floor. One thread.
-    /// @param from mm, a tip from which everything upwards is clear
+    /// The height of the tip, mm, as found by lowestClear; empty if the tool touches nothing above the floor. Not
+    /// thread-safe.
+    /// @param from height of a tip above which everything is clear, mm
     std::optional<double> at(const glm::dvec2& place, double from);
     std::optional<double> at(const glm::dvec2& place) { return at(place, top_); }
 
     /// What the tool touches at a tip.
     ToolClearance touch(const glm::dvec3& tip);
 
-    double top() const noexcept { return top_; } ///< mm: a tip this high has the whole part below it
+    double top() const noexcept { return top_; } ///< height of a tip that is above the whole part, mm
 
 private:
     double spareAt(const glm::dvec2& place, double z);
@@ -34,8 +36,8 @@ private:
     double distance_, floor_, top_;
 };
 
-/// The place in plan that a tool means at a tip: what it touches, where that is a slope; under its tip where it stands
-/// level, as a flat end touches there in many places. mm
+/// The point in plan that belongs to a tip, mm: the contact point on a slope; the point below the tip on a level face,
+/// where a flat end touches at many points.
 glm::dvec2 touchedPlace(const ToolClearance& touch, const glm::dvec3& tip) noexcept;
 
 } // namespace burin

@@ -13,7 +13,8 @@
 namespace burin {
 namespace {
 
-constexpr double sameHeight = 0.002; // mm: what lowestFeasibleHeight finds of a level face, within twice its tolerance
+// mm: spread of the heights that lowestFeasibleHeight finds on a level face, within twice its tolerance
+constexpr double sameHeight = 0.002;
 
 } // namespace
 
@@ -37,8 +38,8 @@ TipRaster::TipRaster(const ClearanceField& field, const PlanBounds& bounds, doub
     });
 }
 
-/// Where the part holds the tool up from above a height, how near the part is at that height says where its wall is;
-/// under an overhang that is no measure, and the border is in the middle of a square.
+/// Where the part stops the tool above a height, the distance of the part at that height gives the position of its
+/// wall. Under an overhang that distance is meaningless, and the border is in the middle of a square.
 std::vector<double> TipRaster::roomAt(double height) const {
     std::vector<double> room(reached_.size());
     parallelFor(0, rows_, [&](int row) {

@@ -10,18 +10,19 @@
 
 namespace burin {
 
-/// Where the tool may be at a height, from above: the heights down to which it can come straight down, on a raster.
+/// Where the tool may be at a height, seen from above: the heights down to which it can come straight down, on a
+/// raster.
 class TipRaster {
 public:
-    /// Keeps a reference to the field. Cancellable: what is not looked at yet can't be reached then.
-    /// @param keep mm, clearance from the part. @param edge mm, of a square. @param top, bottom mm, of tips
+    /// Keeps a reference to the field. Cancellable; points that were not examined then count as unreachable.
+    /// @param keep clearance from the part, mm @param edge edge of a square, mm @param top, bottom heights of tips, mm
     TipRaster(const ClearanceField& field, const PlanBounds& bounds, double edge, double keep, double top,
               double bottom, const Progress& progress);
 
-    /// Where the part keeps the tool from being at a height, mm; its border along walls is as exact as the field.
-    /// Beyond the raster nothing does.
+    /// The region from which the part keeps the tool at a height, mm; along walls its border is as exact as the field.
+    /// Nothing is blocked outside the raster.
     PlanRegion blockedAt(double height) const;
-    /// Heights at which the tool can stand on level faces of more than an area, mm²; falling.
+    /// The heights of level faces larger than `area`, mm², on which the tool can stand; in descending order.
     std::vector<double> levelFaces(double area) const;
 
 private:
@@ -34,7 +35,7 @@ private:
     const ClearanceField& field_;
     double edge_, keep_, bottom_;
     glm::dvec2 low_;
-    int columns_, rows_; ///< of places
+    int columns_, rows_; ///< of points
     std::vector<double> reached_;
 };
 

@@ -17,18 +17,19 @@ namespace {
 constexpr double contourChord = 0.002;    // mm between a contour and the surface of tips
 constexpr double contourPrecision = 1e-4; // mm of clearance
 constexpr double closestPlaces = 0.02;    // mm
-constexpr double leastSidewards = 0.05; // of the way out of the part: flatter than that there is no contour to speak of
-constexpr double coarsestRaster = 0.5;  // mm
-constexpr double beside = 1.0;          // mm beside the part that contours are looked for
+// horizontal component of the unit vector out of the part: flatter faces have no usable contour
+constexpr double leastSidewards = 0.05;
+constexpr double coarsestRaster = 0.5; // mm
+constexpr double beside = 1.0;         // mm beside the part in which contours are searched
 
-/// The contour of the surface of tips at one height, exact on the part's triangles. One thread.
+/// The contour of the surface of tips at one height, exact on the part's triangles. Not thread-safe.
 class ExactContour {
 public:
     ExactContour(const MeshDistance& part, std::span<const RevolvedPiece> tool, double allowance, double height)
         : asker_(part, tool), allowance_(allowance), height_(height) {}
 
-    /// The ring with its places moved onto the contour, and places between them where it bends. Nothing stands for a
-    /// place that finds none near: there is no way over it.
+    /// The ring with its points moved onto the contour, and further points where it bends. An empty entry stands for a
+    /// point without a contour nearby: the tool cannot pass it.
     std::vector<std::optional<glm::dvec2>> along(const PlanRing& ring) {
         std::vector<std::optional<glm::dvec2>> exact;
         for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -39,7 +40,7 @@ public:
         }
         return exact;
     }
-    /// What the tool touches at a place.
+    /// What the tool touches at a point.
     ToolClearance touch(const glm::dvec2& place) {
         return asker_.ask({place.x, place.y, height_}, allowance_ + 10.0, {});
     }
@@ -122,12 +123,12 @@ private:
         ExactContour contour(ground_.part, pieces_, request_.allowance, height);
         std::vector<LevelRun> runs;
         for (PlanRing ring : raster.blockedAt(height).rings) {
-            std::ranges::reverse(ring); // the room for the tool to the left, so that it climbs
+            std::ranges::reverse(ring); // the free region to the left, so that it climbs
             std::vector<glm::dvec2> places;
             std::vector<LevelPlace> work;
             bool breaksAtEnd = false;
             for (const std::optional<glm::dvec2>& place : contour.along(ring)) {
-                if (!place) { // no way over it
+                if (!place) { // the tool cannot pass it
                     if (work.empty())
                         breaksAtEnd = true;
                     else
@@ -165,7 +166,7 @@ private:
                    tip.z + usableFlutes(ground_.tool.cutter);
     }
 
-    /// Down along a wall as long as the next contour is near, then the highest of what is left.
+    /// Goes down along a wall as long as the next contour is near, then continues with the highest one left.
     void order(std::vector<std::vector<LevelRun>>& levels, double top, double step) {
         std::optional<glm::dvec2> tip;
         std::size_t level = 0, first = 0;
@@ -214,7 +215,7 @@ private:
         for (const glm::dvec2& place : run.places) planned_.strokes.back().emplace_back(place, height);
     }
 
-    /// Whether the straight way down from one contour to the next is short and keeps clear of the part.
+    /// Whether the straight move down from one contour to the next is short and keeps clear of the part.
     bool mayGo(const glm::dvec3& from, const glm::dvec3& to) const {
         constexpr double looks = 0.1; // mm
         const double length = glm::distance(from, to);

@@ -69,7 +69,7 @@ WorkpieceHeights::WorkpieceHeights(const Box& stock, const Cutter& cutter, doubl
 
 template <class Visit>
 void WorkpieceHeights::visitDisc(double x, double y, double radius, Visit&& visit) const noexcept {
-    const double u = (x - stock_.low.x) / cell_ - 0.5; // in cells, centres at whole numbers
+    const double u = (x - stock_.low.x) / cell_ - 0.5; // in cells, with centres at whole numbers
     const double v = (y - stock_.low.y) / cell_ - 0.5;
     const double reach = radius / cell_;
     if (u + reach < 0.0 || v + reach < 0.0 || u - reach > columns_ - 1.0 || v - reach > rows_ - 1.0) return;
@@ -119,7 +119,7 @@ void WorkpieceHeights::lowerTo(const StandingStock& standing) noexcept {
 
 void WorkpieceHeights::cut(const glm::dvec3& tip) noexcept {
     visitDisc(tip.x, tip.y, cutter_.radius() - trembleMargin(cutter_), [&](std::size_t index, double distance) {
-        // Stock that stands higher than the flutes reach is undercut at most; its top stays.
+        // Stock that is higher than the flutes reach is only undercut; its top stays.
         if (heights_[index] <= tip.z + usableFlutes(cutter_))
             heights_[index] = std::min(heights_[index], tip.z + riseAt(distance));
     });
@@ -147,7 +147,7 @@ double WorkpieceHeights::freeTip(double x, double y, double inset) const noexcep
 double WorkpieceHeights::safeHeight(const glm::dvec3& tip, double further) const noexcept {
     double safe = tip.z;
     for (const Relief& relief : reliefs_)
-        if (stock_.high.z - relief.height > safe) // else even untouched stock would not reach it
+        if (stock_.high.z - relief.height > safe) // otherwise even untouched stock would not reach it
             safe = std::max(safe, highestWithin(tip.x, tip.y, relief.radius + further) - relief.height);
     return safe;
 }

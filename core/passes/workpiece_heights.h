@@ -12,70 +12,73 @@
 
 namespace burin {
 
-/// Where a tip that comes straight down at (x, y) is stopped by the part, mm: the lowest height from which everything
-/// up to `top` has clearance >= allowance. `bottom` where nothing stops it, +infinity where it can't even be at `top`.
-/// Marches by the clearance itself, so that it passes no wall, and ends within 1 µm.
+/// The height at which the part stops a tip that comes straight down at (x, y), mm: the lowest height from which
+/// everything up to `top` has clearance >= allowance. `bottom` if nothing stops it, +infinity if the tip can't even be
+/// at `top`. Marches in steps of the clearance itself, so that it skips no wall, and ends within 1 µm.
 double lowestFeasibleHeight(const ClearanceField& field, double x, double y, double allowance, double top,
                             double bottom) noexcept;
 
-/// How deep below standing stock the operator takes a cutter, mm: the flutes less a margin.
+/// How deep below standing stock the operator uses a cutter, mm: the flute length less a margin.
 double usableFlutes(const Cutter& cutter) noexcept;
 
-/// How far beside standing stock the operator keeps shank and holder, mm: a hand has tremor and rounds its corners.
+/// The horizontal distance that the operator keeps between standing stock and shank or holder, mm: a hand has tremor
+/// and rounds its corners.
 double lateralMargin(const Cutter& cutter) noexcept;
 
-/// How much narrower than the cutter the operator takes a cut to be, mm: the hand's tremor misses some of its edge.
+/// How much narrower than the cutter the operator assumes a cut to be, mm: because of the hand's tremor the edge does
+/// not cut everywhere.
 double trembleMargin(const Cutter& cutter) noexcept;
 
-/// How high stock stands on squares of one size, where something has been milled already.
+/// The height of the standing stock on squares of one size, if something has been milled already.
 struct StandingStock {
     glm::dvec2 low{0.0}; ///< mm, corner of the first square
     double edge = 0.0;   ///< mm
     int columns = 0, rows = 0;
-    std::vector<double> heights;     ///< mm, row by row along x; WorkpieceHeights::nothing: none. Empty: not known
-    std::vector<double> thickness{}; ///< mm of what stands highest, down to the part or the air below it
+    std::vector<double> heights;     ///< mm, row by row along x; WorkpieceHeights::nothing: no stock. Empty: not known
+    std::vector<double> thickness{}; ///< mm of the topmost stock, down to the part or the air below it
 
-    /// The highest on the squares that a rectangle touches, mm; `nothing` beside them.
+    /// The greatest height on the squares that a rectangle touches, mm; `nothing` outside the squares.
     double highestIn(const glm::dvec2& from, const glm::dvec2& to) const noexcept;
 };
 
-/// What the operator sees of the workpiece while planning: how high the stock stands, on a raster. It knows no overhang
-/// and no part. Stock outside the raster does not exist.
+/// What the operator sees of the workpiece while planning: a height map of the stock. It knows neither overhangs nor
+/// the part. There is no stock outside the raster.
 class WorkpieceHeights {
 public:
     static constexpr double nothing = -1e300; ///< height where there is no stock
 
-    /// A box of stock, not empty. The raster is a sixth of the cutter's radius wide, at most 0.5 mm; wider where the
-    /// stock is so large that it would take more than four million cells. @param coarseness times that width, >= 1
+    /// A box of stock, not empty. The raster spacing is a sixth of the cutter's radius, at most 0.5 mm; larger for
+    /// stock so large that it would need more than four million cells. @param coarseness factor for the spacing, >= 1
     WorkpieceHeights(const Box& stock, const Cutter& cutter, double coarseness = 1.0);
 
-    /// Nothing stands higher than this any more.
+    /// Lowers all heights to those of `standing` where they are higher.
     void lowerTo(const StandingStock& standing) noexcept;
-    /// The flutes at this tip surely take away what stands in them, but for the margin for tremor at their edge.
+    /// Removes what the flutes at this tip are certain to cut: all stock within them except for the tremor margin at
+    /// their edge.
     void cut(const glm::dvec3& tip) noexcept;
-    /// A straight move, by tips no further apart than the raster.
+    /// The same along a straight move, at tips no farther apart than the raster spacing.
     void cut(const glm::dvec3& from, const glm::dvec3& to) noexcept;
 
-    /// Highest stock within `radius` of (x, y), mm; `nothing` where there is none.
+    /// Greatest height of stock within `radius` of (x, y), mm; `nothing` if there is none.
     double highestWithin(double x, double y, double radius) const noexcept;
     /// Lowest tip at (x, y) at which the flutes touch no stock; `nothing` beside the stock.
-    /// @param inset mm: as if the cutter were so much narrower to each side
+    /// @param inset mm by which the radius of the cutter is reduced
     double freeTip(double x, double y, double inset = 0.0) const noexcept;
-    /// Whether the flutes at this tip would take away more than `leastRest`.
+    /// Whether the flutes at this tip would remove more than `leastRest`.
     bool hasRest(const glm::dvec3& tip) const noexcept { return freeTip(tip.x, tip.y, cell_) > tip.z + leastRest; }
-    static constexpr double leastRest = 0.1; ///< mm; less is what step-overs and voxels leave
-    /// Lowest height, not below the tip's, at which shank and holder, each with the lateral margin, keep above the
+    static constexpr double leastRest = 0.1; ///< mm; step-overs and voxels leave less than this
+    /// Lowest height, not below the tip's, at which shank and holder, each with the lateral margin, stay above the
     /// stock.
-    /// @param further mm that the tip may be beside where it is meant to be, beyond the margin.
+    /// @param further horizontal deviation of the tip from its intended position, beyond the margin, mm
     double safeHeight(const glm::dvec3& tip, double further = 0.0) const noexcept;
-    /// How far the cutter's surface rises above its tip at a distance from the axis within its radius, mm.
+    /// Height of the cutter's surface above its tip at a distance from the axis within its radius, mm.
     double riseAt(double distance) const noexcept;
 
     const Box& stock() const noexcept { return stock_; }
     double raster() const noexcept { return cell_; } ///< mm
 
 private:
-    /// A part of the tool that must not touch stock: its lower face.
+    /// A part of the tool that must not touch stock, by its lower face.
     struct Relief {
         double height = 0.0; ///< mm above the tip
         double radius = 0.0; ///< mm

@@ -13,24 +13,25 @@
 namespace burin {
 namespace {
 
-/// What two versions of one bend may differ by, as their chords begin elsewhere.
+/// Difference between two versions of one bend that is tolerated, as their chords begin at different points.
 constexpr double turnSlack = 6.0 * pi / 180.0; // rad
-/// The recorded stroke is asked over so much more than the window at either side: a bend may lie a little elsewhere.
+/// The recorded stroke is evaluated over a window enlarged by this share on either side, as a bend may be slightly
+/// shifted.
 constexpr double marginShare = 0.25;
 constexpr int mostRounds = 12;
 
-/// Stretches of a stroke, by its course.
+/// Intervals of a stroke, by its course.
 class Stretches {
 public:
     explicit Stretches(std::span<const double> course) : course_(course) {}
 
-    /// The sum over the points within `half` mm of one of them.
+    /// The sum over all points within `half` mm of a point.
     template <class Sum>
     Sum within(const std::vector<Sum>& sums, std::size_t point, double half) const {
         const auto [first, last] = around(point, half);
         return first == 0 ? sums[last] : sums[last] - sums[first - 1];
     }
-    /// First and last point within `half` mm of one of them.
+    /// First and last point within `half` mm of a point.
     std::pair<std::size_t, std::size_t> around(std::size_t point, double half) const {
         const auto first = std::lower_bound(course_.begin(), course_.end(), course_[point] - half);
         const auto last = std::upper_bound(course_.begin(), course_.end(), course_[point] + half);
@@ -42,16 +43,16 @@ private:
     std::span<const double> course_; // mm
 };
 
-/// How much of the smoothing stays at each point.
+/// Share of the smoothing that is kept at each point.
 class Shares {
 public:
     Shares(std::span<const double> course, double ramp) : course_(course), ramp_(ramp), shares_(course.size(), 1.0) {}
 
-    /// Nothing stays of it near any of the points, all of it one ramp farther on.
-    /// @param marked as many as points @return whether anything changed
+    /// Reduces the share to zero within `reach` of each marked point, rising to one over the next `ramp_`.
+    /// @param marked one per point @return whether anything changed
     bool takeFrom(const std::vector<bool>& marked, double reach) {
         bool changed = false;
-        double last = -1e300; // the course at the last marked one
+        double last = -1e300; // course at the last marked point
         const auto lower = [&](std::size_t i, double distance) {
             const double share = glm::smoothstep(reach, reach + ramp_, distance);
             if (share >= shares_[i]) return;
@@ -81,7 +82,7 @@ private:
 
 namespace {
 
-/// Those between single points count as well: where two curves meet in a corner nearly as acute as a back-step.
+/// Counts single points as well: where two curves meet in a corner nearly as acute as a back-step.
 void countMovesThatStepBack(std::span<const StrokePoint> points, std::vector<std::size_t>& backSteps) {
     constexpr double standing = 1e-6; // mm
     std::vector<std::size_t> apart;
@@ -137,7 +138,7 @@ void AddedTurns::undo(std::vector<glm::dvec3>& smoothed, const Progress& progres
         for (std::size_t i = 0; i < smoothed.size(); ++i)
             smoothed[i] = glm::mix(recorded_[i].pose.tip, wanted[i], shares[i]);
         std::vector<bool> marked = in(smoothed, progress);
-        if (round == mostRounds) marked.assign(marked.size(), true); // nothing is smoothed rather than badly
+        if (round == mostRounds) marked.assign(marked.size(), true); // rather no smoothing than a bad one
         if (!shares.takeFrom(marked, 0.5 * limits_.window)) return;
     }
 }

@@ -10,32 +10,33 @@
 
 namespace burin {
 
-/// The turns and back-steps of a stroke, summed up to each of its points.
+/// The turns and back-steps of a stroke, accumulated up to each of its points.
 struct TurnCount {
     std::vector<double> turns; ///< rad
     std::vector<std::size_t> backSteps;
 
-    /// @param detail mm: what is left out of the moves that turns are counted at
+    /// @param detail mm, tolerance to which the stroke is simplified before its turns are counted
     TurnCount(std::span<const StrokePoint> points, double detail, const Progress& progress);
 };
 
 struct TurnLimits {
-    double window = 0.0; ///< mm of the course that turns are counted over
-    double detail = 0.0; ///< mm: bends that stay within it are none
+    double window = 0.0; ///< mm of the course over which turns are counted
+    double detail = 0.0; ///< mm: bends within this tolerance do not count
 };
 
-/// Smoothing takes turns away; where it adds some, a stiff curve that is drawn around a corner swings before and behind
-/// it, and the recorded stroke is the smoother one.
+/// Smoothing is meant to remove turns. Where it adds some, a stiff curve that is drawn around a corner swings before
+/// and behind it, and the recorded stroke is the smoother one.
 class AddedTurns {
 public:
-    /// Keeps references to both. @param course mm, of each point, never falling
+    /// Keeps references to both. @param course mm, of each point, non-decreasing
     AddedTurns(std::span<const StrokePoint> recorded, std::span<const double> course, const TurnLimits& limits,
                const Progress& progress);
 
-    /// The middles of all stretches as long as a window in which the smoothed stroke turns more than the recorded one
-    /// does, or steps back more often. @param smoothed the tips, mm, point by point
+    /// Marks the middle of every interval as long as the window in which the smoothed stroke turns more, or steps back
+    /// more often, than the recorded one. @param smoothed the tips, mm, point by point
     std::vector<bool> in(std::span<const glm::dvec3> smoothed, const Progress& progress) const;
-    /// There `smoothed` becomes what was recorded, blended over a window on either side, until no such stretch is left.
+    /// There `smoothed` becomes the recording again, blended over a window on either side, until no such interval
+    /// remains.
     void undo(std::vector<glm::dvec3>& smoothed, const Progress& progress) const;
 
 private:

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// The farthest that an edit moved the path.
+/// The largest distance by which an edit moved the path.
 struct Deviation {
     double distance = 0.0; ///< mm
     glm::dvec3 place{0.0}; ///< mm, setup frame
@@ -20,11 +20,12 @@ struct Deviation {
     void include(const Deviation& other) noexcept { include(other.distance, other.place); }
 };
 
-/// Errors: argumentInvalid (a cut-off that a stroke's sampling can't tell). @param cutOff Hz
+/// Errors: argumentInvalid (a cut-off too high for the sampling of a stroke). @param cutOff Hz
 Result<void> checkCutOff(double cutOff, const PathUnderEdit& state);
 
-/// The farthest that any stroke moved; each stroke is changed by itself, all of them in parallel, none any more once
-/// the work is cancelled. @param change what an edit does to a stroke, and how far that moves it
+/// Applies a change to each stroke by itself, in parallel, and returns the largest distance by which any stroke moved.
+/// Once the work is cancelled, no further stroke is changed.
+/// @param change changes one stroke and returns how far it moved
 Deviation changeEach(PathUnderEdit& state, const Progress& progress,
                      const std::function<Deviation(PathStroke&)>& change);
 

@@ -11,7 +11,7 @@ namespace burin {
 namespace {
 
 constexpr double widestChord = pi / 3.0;
-/// Ends so near to each other could be one place for a control, and the arc a full turn, in its figures.
+/// Ends nearer to each other than this, in increments, could coincide for a control, and the arc become a full turn.
 constexpr double fewestFigures = 16.0;
 
 /// Coordinates in the plane of an arc and along its axis.
@@ -25,8 +25,8 @@ double cross(const glm::dvec2& a, const glm::dvec2& b) noexcept {
     return a.x * b.y - a.y * b.x;
 }
 
-/// Where on the bisector of both ends the centre lies, as a multiple of the chord turned left; nothing for points in a
-/// line.
+/// The position of the centre on the bisector of both ends, as a multiple of the chord rotated to the left; empty for
+/// collinear points.
 std::optional<double> centreOnBisector(std::span<const StrokePoint> points, const PlaneOfArc& plane) {
     const glm::dvec2 from = plane.of(points.front().pose.tip), to = plane.of(points.back().pose.tip);
     const glm::dvec2 middle = 0.5 * (from + to), chord = to - from;
@@ -43,8 +43,8 @@ std::optional<double> centreOnBisector(std::span<const StrokePoint> points, cons
     return 0.5 * sum / square;
 }
 
-/// Moves a centre along the bisector until the points outside the arc lie as far from it as those inside: what counts
-/// is the farthest. The apex of the arc goes by half of the difference.
+/// Moves a centre along the bisector until the points outside the arc lie as far from it as those inside (minimising
+/// the largest distance). The apex of the arc moves by half of the difference.
 double evenedOut(double part, std::span<const StrokePoint> points, const PlaneOfArc& plane) {
     constexpr int rounds = 3;
     const glm::dvec2 from = plane.of(points.front().pose.tip), to = plane.of(points.back().pose.tip), chord = to - from;
@@ -67,7 +67,7 @@ double evenedOut(double part, std::span<const StrokePoint> points, const PlaneOf
     return part;
 }
 
-/// How far the polyline and the arc lie apart; nothing where the points don't go round it in order.
+/// The distance between polyline and arc; empty if the points don't follow the arc in order.
 std::optional<Deviation> deviationOf(std::span<const StrokePoint> points, const Arc& arc, const ArcTurn& turn) {
     const PlaneOfArc plane(arc.axis);
     const glm::dvec2 centre = plane.of(arc.centre);

@@ -8,10 +8,10 @@
 
 namespace burin {
 
-/// Whether a place lies in an area (even-odd rule).
+/// Whether a point lies in an area (even-odd rule).
 bool holds(const Area& area, const glm::dvec3& place) noexcept;
 
-/// Where a straight move goes through the border of an area, as shares of the move, rising, both ends left out.
+/// Where a straight move crosses the border of an area, as fractions of the move, ascending, both ends excluded.
 std::vector<double> crossings(const Area& area, const glm::dvec3& from, const glm::dvec3& to);
 
 } // namespace burin

@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// What every area has.
+/// The parameters that every area has.
 inline constexpr std::tuple areaFields{
     places("outline_mm", &Area::outline, 3.0,
            {BURIN_TEXT("EditParameterTexts", "Outline"),

@@ -10,12 +10,12 @@
 namespace burin {
 namespace {
 
-/// What is looked at together on either side of a back-step: so far, and so many points.
+/// Extent of the window on either side of a back-step: largest distance and largest number of points.
 constexpr double reach = 3.0 * longestBackStep; // mm
 constexpr std::size_t mostPoints = 24;
 
-/// How far a move leaves a line of moves, mm; never understated. Exact where both ends are nearest to one of them, else
-/// halved until that hardly counts. Stops early beyond `limit`.
+/// The distance by which a move leaves a polyline, mm; never understated. Exact where both ends are nearest to the same
+/// segment, else halved until the error hardly counts. Stops early beyond `limit`.
 double farthestOf(const glm::dvec3& from, const glm::dvec3& to, std::span<const glm::dvec3> line, double limit,
                   int halvings = 6) {
     double least = std::numeric_limits<double>::infinity(), nearFrom = least, nearTo = least;
@@ -38,16 +38,17 @@ public:
     BackStepDropper(std::span<const StrokePoint> points, double tolerance, const ShortcutTest& allowed)
         : points_(points), tolerance_(tolerance), allowed_(allowed) {}
 
-    /// @return the indices that stay
+    /// @return the remaining indices
     std::vector<std::size_t> dropFrom(const std::vector<std::size_t>& kept, const Progress& progress) {
-        // Points wait in reverse order: taking one, and putting some back to be looked at again, shifts no others.
+        // Pending points are in reverse order, so that taking one, or putting some back for another check, moves no
+        // others.
         std::vector<std::size_t> waiting(kept.rbegin(), kept.rend()), done;
         while (!waiting.empty() && !progress.cancelled()) {
             done.push_back(waiting.back());
             waiting.pop_back();
             if (done.size() < 3 || !stepsBack(done[done.size() - 3], done[done.size() - 2], done.back())) continue;
             const std::size_t turn = done[done.size() - 2];
-            const std::size_t before = 1 + countNear(turn, done.rbegin() + 1, done.rend()); // the point behind it, too
+            const std::size_t before = 1 + countNear(turn, done.rbegin() + 1, done.rend()); // with the point behind it
             const std::size_t behind = countNear(turn, waiting.rbegin(), waiting.rend());
             std::vector<std::size_t> window(done.end() - static_cast<std::ptrdiff_t>(before), done.end());
             window.insert(window.end(), waiting.rbegin(), waiting.rbegin() + static_cast<std::ptrdiff_t>(behind));
@@ -67,7 +68,7 @@ private:
                isBackStep(points_[from].pose.tip, points_[at].pose.tip, points_[to].pose.tip);
     }
 
-    /// Points that are looked at, and one beyond: a move that comes from afar counts as well.
+    /// The number of points in the window, and one beyond: a move that comes from outside counts as well.
     template <class Iterator>
     std::size_t countNear(std::size_t turn, Iterator at, Iterator end) const {
         std::size_t count = 0;
@@ -78,8 +79,8 @@ private:
         return count;
     }
 
-    /// One straight move takes the place of several: the one after which the fewest back-steps are left.
-    /// @return false where none is near enough to what it replaces, or is not allowed
+    /// Replaces several moves by one straight move: the one that leaves the fewest back-steps.
+    /// @return false if none is near enough to the moves that it replaces, or none is allowed
     bool shorten(std::vector<std::size_t>& window) {
         const std::size_t size = window.size();
         std::vector<std::size_t> turnsBefore(size + 1, 0); // back-steps at points with a lower index
@@ -111,8 +112,9 @@ private:
         return true;
     }
 
-    /// How far the path and what it becomes lie apart where one move takes the place of those between two points of a
-    /// window. The moves on either side are held against it as well: what was left out of them may rely on what goes.
+    /// The distance between the path and its replacement if one move replaces those between two points of a window. The
+    /// moves on either side are compared as well: points that were left out of them may rely on points that are removed
+    /// now.
     Deviation deviationOf(const std::vector<std::size_t>& window, std::size_t from, std::size_t to) const {
         const std::size_t first = from - std::min<std::size_t>(from, 1), last = std::min(to + 1, window.size() - 1);
         std::vector<glm::dvec3> before, after;

@@ -20,7 +20,8 @@ public:
     /// @param row at least `column`, by less than `width`
     void add(std::size_t row, std::size_t column, double value) noexcept { rows_[row][row - column] += value; }
 
-    /// Solves for each coordinate; `right` becomes the answer, the matrix its factors (LDLᵀ). Once only.
+    /// Solves for each coordinate; `right` becomes the solution, the matrix its factors (LDLᵀ). May be called once
+    /// only.
     void solve(std::vector<glm::dvec3>& right) noexcept;
 
 private:

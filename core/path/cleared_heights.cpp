@@ -57,7 +57,7 @@ ClearedHeights::Range ClearedHeights::range(double centre, double radius, int ax
     const double low = (centre - radius - stock_.low[axis]) / edge_,
                  high = (centre + radius - stock_.low[axis]) / edge_;
     const long count = axis == 0 ? countX_ : countY_;
-    // Clamped before the change of type: a tip may be far away.
+    // Clamped before the conversion: a tip may be far away.
     return {static_cast<long>(std::clamp(std::floor(low), 0.0, static_cast<double>(count))),
             static_cast<long>(std::clamp(std::floor(high), -1.0, static_cast<double>(count - 1)))};
 }
@@ -90,7 +90,7 @@ void ClearedHeights::cutAt(const glm::dvec3& tip) {
             const double x = stock_.low.x + static_cast<double>(i) * edge_ - tip.x;
             const double farX = std::max(std::abs(x), std::abs(x + edge_));
             const double far = std::hypot(farX, farY);
-            // From the top down. Above a piece nothing is cut, so material there would stay.
+            // From the top down: above a piece nothing is cut, so material there stays.
             for (std::size_t piece = flutes.size(); piece-- > 0;) {
                 const auto heights = heightsAt(flutes[piece], far);
                 if (heights && tip.z + heights->high >= now) now = std::min(now, tip.z + heights->low);

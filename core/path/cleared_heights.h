@@ -12,36 +12,36 @@
 
 namespace burin {
 
-/// Above which height each little square of the stock is known to be empty, because flutes went there. Conservative on
-/// both sides: a square is lowered only by what the flutes surely swept over all of it, and a tool is held up by the
-/// highest square that it may touch. Beside the stock nothing holds a tool up.
+/// Height map (z-map) of the stock: for each grid square the height above which it is known to be empty, because flutes
+/// have passed there. Conservative on both sides: a square is lowered only by what the flutes certainly swept over all
+/// of it, and a tool is supported by the highest square that it may touch. Outside the stock nothing supports a tool.
 class ClearedHeights {
 public:
-    /// @param pieces     of the tool, upright, flutes first, from below
-    /// @param fluteCount how many of them are flutes, > 0
+    /// @param pieces of the tool, upright, in order from below, flutes first
+    /// @param fluteCount number of pieces that are flutes, > 0
     ClearedHeights(const Box& stock, std::span<const RevolvedPiece> pieces, std::size_t fluteCount);
 
-    /// What another map of the same stock knows to be empty is empty here too; its squares may be larger or smaller.
+    /// Takes over what another map of the same stock knows to be empty; its squares may be larger or smaller.
     void include(const ClearedHeights& before);
 
-    /// The flutes went straight from one tip to another.
+    /// Records that the flutes moved straight from one tip position to another.
     void cut(const glm::dvec3& from, const glm::dvec3& to);
     /// The same along an arc.
     void cut(const Arc& arc);
 
-    /// The lowest tip above (x, y) at which the whole tool is in empty space, mm; very low beside the stock.
+    /// The lowest tip above (x, y) at which the whole tool is in empty space, mm; very low outside the stock.
     double freeHeight(double x, double y) const { return restingHeight(x, y, pieces_, stock_.low.z - 1e3); }
-    /// The same for flutes, shank and holder no farther than `radius` from the axis, mm.
+    /// The same for the parts of flutes, shank and holder within `radius` of the axis, mm.
     double freeHeightWithin(double radius, double x, double y) const {
         return restingHeight(x, y, pieces_, stock_.low.z - 1e3, 0.0, radius);
     }
-    /// The same all along a straight way in plan; the squares that the tool passes between two looks are held to be as
-    /// near as half of the way between them.
+    /// The same all along a straight move in plan. Between two samples the squares are taken to be nearer by half of
+    /// the distance between the samples.
     double freeHeight(const glm::dvec3& from, const glm::dvec3& to) const;
-    /// Above which height it is empty there, mm; very low beside the stock.
+    /// The height above which the stock is empty at a point, mm; very low outside the stock.
     double heightAt(const glm::dvec3& place) const;
-    /// How far the flutes have to rise from a tip until what is above them is empty, so that they cut nothing farther
-    /// up: the height of the tip then, mm. Above more than their own length of stock only a neck has been.
+    /// The height to which the tip has to rise, mm, until everything above the flutes is empty, so that they cut
+    /// nothing higher up. In stock deeper than the flutes are long, only a neck has been above them.
     double risenHeight(const glm::dvec3& tip) const;
     /// Whether shank and holder are in empty space.
     bool shankIsFree(const glm::dvec3& tip) const {
@@ -50,8 +50,8 @@ public:
 
 private:
     void cutAt(const glm::dvec3& tip);
-    /// The lowest tip, not below `floor`, at which the pieces are in empty space, also where it is aside by `slack`;
-    /// what is farther than `radius` from the axis does not count.
+    /// The lowest tip, not below `floor`, at which the pieces are in empty space, even if displaced sideways by
+    /// `slack`; what is farther than `radius` from the axis is ignored.
     double restingHeight(double x, double y, std::span<const RevolvedPiece> pieces, double floor, double slack = 0.0,
                          double radius = std::numeric_limits<double>::infinity()) const;
     /// Indices of the squares that a circle may touch, along one axis.

@@ -21,7 +21,7 @@ Result<Deviation> apply(const CutOut& edit, PathUnderEdit& state, const PathCont
         }
     }
     state.strokes = std::move(left);
-    return Deviation{}; // what is left lies where it was
+    return Deviation{}; // the remaining strokes are unchanged
 }
 
 } // namespace burin

@@ -6,8 +6,9 @@
 
 namespace burin {
 
-/// Adds a point behind those of a stroke, and before it as many on the straight way to it that none are farther apart
-/// than `apart`, mm, > 0. They belong to the move that ends at the point, and to the moment that it begins at.
+/// Appends a point to those of a stroke, and before it as many points on the straight move to it as are needed for a
+/// spacing of at most `apart`, mm, > 0. They belong to the move that ends at the point, and to the moment at which it
+/// begins.
 void addDivided(std::vector<StrokePoint>& points, const StrokePoint& point, double apart);
 
 } // namespace burin

@@ -9,21 +9,21 @@
 
 namespace burin {
 
-/// Whether a parameter may be drawn in plan: places, and where the plane of a mirror stands.
+/// Whether a parameter may be drawn in plan: points, or the position of a mirror plane.
 bool isDrawn(const EditParameters& parameters, std::string_view key);
 
-/// Gives a parameter that may be drawn what was drawn. A mirror's plane stands along the way from the first place to
-/// the last, in the direction of X or Y that it is nearer to, through their middle; it stays where they are less than a
-/// millimetre apart.
+/// Sets a parameter from what was drawn. A mirror plane becomes parallel to the line from the first point to the last,
+/// snapped to whichever of X and Y is nearer, and passes through the middle of that line; it is unchanged if the two
+/// points are less than a millimetre apart.
 void setDrawn(EditParameters& parameters, std::string_view key, const std::vector<glm::dvec3>& places);
 
 /// A parameter of one of some edits.
 struct DrawnField {
-    std::size_t edit = 0; ///< place among the edits
+    std::size_t edit = 0; ///< index among the edits
     std::string key;
     friend bool operator==(const DrawnField&, const DrawnField&) = default;
 };
-/// The one of the last edit that is on and has one that may be drawn.
+/// The drawable parameter of the last enabled edit that has one.
 std::optional<DrawnField> lastDrawn(const std::vector<Edit>& edits);
 
 } // namespace burin

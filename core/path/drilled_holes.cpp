@@ -28,9 +28,9 @@ PathPoint rapidTo(const PathPoint& point) {
 } // namespace
 
 void plungeAndReturn(std::vector<PathPoint>& points, double approach) {
-    std::map<std::pair<double, double>, double> bottoms; // mm, by place
+    std::map<std::pair<double, double>, double> bottoms; // mm, by position in plan
     std::vector<PathPoint> hastened;
-    bool fromRapid = false; // the tool came to this place by a rapid and has moved plumb since
+    bool fromRapid = false; // the tool came to this position by a rapid and has moved vertically since
     for (const PathPoint& point : points) {
         if (hastened.empty() || point.kind == MoveKind::rapid || !isPlumb(hastened.back(), point)) {
             fromRapid = point.kind == MoveKind::rapid;
@@ -52,7 +52,7 @@ void plungeAndReturn(std::vector<PathPoint>& points, double approach) {
         if (fromRapid && to < from) bottoms[place] = std::min(to, drilled ? bottom->second : to);
         if (to == hastened.back().pose.tip.z) continue;
         hastened.push_back(point);
-        // It cuts with its point alone, which feeds by engagement don't know.
+        // It cuts with its point only, which feed optimisation does not model.
         if (to < from) hastened.back().kind = MoveKind::plunge;
     }
     points = std::move(hastened);

@@ -8,9 +8,11 @@
 
 namespace burin {
 
-/// Makes plunges of a drill's moves straight down, and rapids of what it does in a hole that it has drilled: up to the
-/// height that the link goes on at, and down again to `approach` above the hole's bottom. Only plumb moves in a hole
-/// that the tool came down into from a rapid count, so nothing but the hole is passed. @param approach mm, > 0
+/// Turns the downward moves of a drill into plunges, and its moves within a hole that it has already drilled into
+/// rapids: up to the height at which the link continues, and down again to `approach` above the bottom of the hole.
+/// Only vertical moves in a hole that the tool entered by a rapid from above qualify, so that nothing but the hole is
+/// passed.
+/// @param approach mm, > 0
 void plungeAndReturn(std::vector<PathPoint>& points, double approach);
 
 } // namespace burin

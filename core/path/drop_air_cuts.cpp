@@ -18,10 +18,10 @@ double lengthOf(const std::vector<StrokePoint>& points, std::size_t first, std::
     return sum;
 }
 
-/// The parts of a stroke that are left, cut where it ran through air for too long.
+/// Splits a stroke where it ran through air for too long, and keeps the remaining parts.
 void cutUp(const PathStroke& stroke, double shortest, std::vector<PathStroke>& left) {
     const std::vector<StrokePoint>& points = stroke.points;
-    if (std::ranges::none_of(points, works)) return; // nothing in it needs to be reached
+    if (std::ranges::none_of(points, works)) return; // nothing in it has to be machined
     PathStroke part = stroke;
     part.points.clear();
     const auto finish = [&] {
@@ -35,7 +35,7 @@ void cutUp(const PathStroke& stroke, double shortest, std::vector<PathStroke>& l
         }
         std::size_t end = i;
         while (end < points.size() && !works(points[end])) ++end;
-        // Work at `end` was done on the way from the point before it, which therefore stays.
+        // Work at `end` was done on the move from the point before it, which therefore stays.
         const std::size_t from = i > 0 ? i - 1 : i, to = end - 1;
         if (lengthOf(points, from, to) > shortest) {
             finish();
@@ -55,7 +55,7 @@ Result<Deviation> apply(const DropAirCuts& edit, PathUnderEdit& state, const Pat
     std::vector<PathStroke> left;
     for (const PathStroke& stroke : state.strokes) cutUp(stroke, edit.shortest, left);
     state.strokes = std::move(left);
-    return Deviation{}; // what is left lies where it was
+    return Deviation{}; // the remaining strokes are unchanged
 }
 
 } // namespace burin

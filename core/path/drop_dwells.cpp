@@ -10,12 +10,13 @@
 namespace burin {
 namespace {
 
-/// Speed is measured over this time, so that tremor about one place, whose period it is, does not count as travel.
+/// Speed is measured over this time, one period of tremor, so that tremor about a fixed position does not count as
+/// motion.
 constexpr double speedWindow = 0.1; // s
-/// A tip that creeps farther than this from the last one kept is kept too: the path's shape stays.
+/// A slowly moving tip keeps a point at each of these distances from the last one kept, so that the path's shape stays.
 constexpr double creep = 0.05; // mm
 
-/// Which points the tool stands still at, by the way it makes around each of them.
+/// Points at which the tool stands still, by the length of the motion around each of them.
 std::vector<bool> slowPoints(const PathStroke& stroke, double speed) {
     const std::vector<StrokePoint>& points = stroke.points;
     const auto half = static_cast<std::size_t>(std::max(1.0, std::round(0.5 * speedWindow / stroke.tickPeriod)));

@@ -17,7 +17,7 @@ Error invalid(const EditField& field, std::string value, std::string allowed) {
     return Error{ErrorCode::argumentInvalid, std::string(field.key), std::move(value), std::move(allowed)};
 }
 
-/// Checks one parameter, by what it is.
+/// Checks one parameter by the type of its value.
 struct CheckField {
     const EditField& field;
 
@@ -59,7 +59,7 @@ struct CheckField {
     }
 };
 
-/// Whether leads were of the earlier version; they are no more.
+/// Whether a lead was of the earlier version; updates it.
 bool isEarlier(LeadDirection& direction) {
     return std::exchange(direction, LeadDirection::recording) == LeadDirection::firstMove;
 }

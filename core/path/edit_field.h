@@ -7,10 +7,11 @@
 #include <array>
 #include <cstddef>
 
-/// How a row of the table describes a parameter, by what it is. Each describes it (`of`) and takes a value (`set`).
+/// Descriptions of a parameter in a row of the table, one class per kind of value. Each describes the parameter (`of`)
+/// and sets its value (`set`).
 namespace burin {
 
-/// Coordinates of places and vectors stay within this, mm.
+/// Limit for the coordinates of points and vectors, mm.
 inline constexpr double farthestPlace = 1e5;
 
 template <class T>
@@ -29,14 +30,14 @@ constexpr NumberField<T> number(std::string_view key, double T::*member, double 
                                 const FieldWords& words) {
     return {key, words, member, low, high, false};
 }
-/// A number that counts; kept as the others are.
+/// An integral number; stored as the others are.
 template <class T>
 constexpr NumberField<T> count(std::string_view key, double T::*member, double low, double high,
                                const FieldWords& words) {
     return {key, words, member, low, high, true};
 }
 
-/// A switch, a moment, a stretch, a place or places: what needs no more than its key.
+/// A switch, a moment, an interval, a point or points: anything that needs no more than its key.
 template <class T, class Member>
 struct PlainField {
     std::string_view key;
@@ -64,14 +65,14 @@ template <class T>
 constexpr PlainField<T, glm::dvec3> place(std::string_view key, glm::dvec3 T::*member, const FieldWords& words) {
     return {key, words, member, -farthestPlace, farthestPlace};
 }
-/// @param fewest so many places, or none
+/// @param fewest least number of points, unless there are none
 template <class T>
 constexpr PlainField<T, std::vector<glm::dvec3>> places(std::string_view key, std::vector<glm::dvec3> T::*member,
                                                         double fewest, const FieldWords& words) {
     return {key, words, member, fewest, 10000.0};
 }
 
-/// One of an enumeration's names, in its order.
+/// One of the names of an enumeration, in its order.
 template <class T, class Enumeration, std::size_t size>
 struct ChoiceField {
     std::string_view key;

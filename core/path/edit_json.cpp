@@ -38,7 +38,7 @@ struct Write {
     }
 };
 
-/// The members of an object, all whole numbers, and no others. @return false where the object is another
+/// Reads the members of an object: integers with these names and no others. @return false for any other object
 bool readNumbers(const Json& object, std::initializer_list<std::pair<std::string_view, std::int64_t*>> members) {
     if (!object.is_object()) return false;
     for (const auto& [key, value] : object.items()) {
@@ -58,7 +58,7 @@ bool readPlace(const Json& list, glm::dvec3& place) {
     return true;
 }
 
-/// Reads what a parameter's first value is of. @return what is allowed, where the text is something else
+/// Reads a value of the parameter's type. @return what is allowed, if the text is something else
 struct Read {
     const EditField& field;
     const Json& json;
@@ -117,13 +117,13 @@ struct Read {
     }
 };
 
-/// What an edit meant before it had all of its parameters: older projects state no more.
+/// Sets parameters that older projects do not state to the behaviour of the edit before it had them.
 void makeEarliest(EditParameters& parameters) {
     if (auto* in = std::get_if<LeadIn>(&parameters)) in->direction = LeadDirection::firstMove;
     if (auto* out = std::get_if<LeadOut>(&parameters)) out->direction = LeadDirection::firstMove;
 }
 
-/// Earlier versions wrote what a level is kept at without its unit.
+/// Earlier versions wrote the target of feed optimisation without its unit.
 bool isKey(const EditField& field, std::string_view key) {
     return field.key == key || (key == "target" && (field.key == "target_n" || field.key == "target_mm3_s"));
 }
@@ -132,7 +132,7 @@ bool isName(const EditField& field) {
     return std::holds_alternative<std::string_view>(field.value);
 }
 
-/// Fills the parameters that the object states: its names (`names`), or all the rest, which may depend on them.
+/// Sets the parameters that the object states: its choices (`names`), or all others, which may depend on them.
 Result<void> read(Edit& edit, const Json& object, bool names) {
     const std::vector<EditField> fields = fieldsOf(edit.parameters);
     for (const auto& [key, json] : object.items()) {

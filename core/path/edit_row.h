@@ -7,12 +7,12 @@
 
 namespace burin {
 
-/// The row of a kind of edit, in the table of edits (edit_rows.h): `traits`, and `fields`, a tuple of what
-/// edit_field.h makes.
+/// The row of a kind of edit in the table of edits (edit_rows.h): `traits`, and `fields`, a tuple of objects made by
+/// the functions of edit_field.h.
 template <class T>
 struct EditRow;
 
-// Words of parameters that several kinds have.
+// Texts of parameters that several kinds have.
 inline constexpr FieldWords strokesToEdit{
     BURIN_TEXT("EditParameterTexts", "Applies to"),
     BURIN_TEXT("EditParameterTexts", "Strokes to edit. Select them in the view first")};

@@ -7,7 +7,7 @@
 #include "core/path/recording_edit_rows.h"
 #include "core/path/surface_edit_rows.h"
 
-/// The table of all kinds of edits, a row each: id, title, step, what it does to the path's guarantees, and its
-/// parameters with their ranges and the words that the user reads. Files, validation, the order and the user interface
-/// read it here. A new kind: its parameters, its `apply` and its name in the list in one of the ..._edits.h, its row in
-/// the file beside, and what it does in a source of its own.
+/// The table of all kinds of edits, one row each: id, title, step, effect on the path's guarantees, and parameters with
+/// their ranges and user-visible texts. Files, validation, the order of edits and the user interface read this table.
+/// A new kind needs its parameters, its `apply` and its name in the list in one of the ..._edits.h, its row in the
+/// matching ..._edit_rows.h, and its implementation in a source file of its own.

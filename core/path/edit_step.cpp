@@ -23,7 +23,7 @@ Error unguarded(const EditTraits& entering, const EditTraits& relying) {
 
 Result<void> checkOrder(std::span<const Edit> edits) {
     std::vector<const EditTraits*> before;
-    const EditTraits* entering = nullptr; // what may have led the path into the part
+    const EditTraits* entering = nullptr; // edit that may have led the path into the part
     for (const Edit& edit : edits) {
         if (!edit.enabled) continue;
         if (Result<void> valid = validate(edit); !valid) return valid;

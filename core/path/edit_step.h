@@ -10,45 +10,46 @@
 
 namespace burin {
 
-/// Edits that rely on one another come in these steps; within a step any order goes. Time is lost with thinning,
-/// straight moves with arcs, strokes with linking.
+/// Edits that rely on one another come in these steps; within a step any order is allowed. Timing is lost by
+/// simplification, straight moves by arc fitting, separate strokes by linking.
 enum class EditStep : std::uint8_t {
-    recording, ///< what the hand did, tick by tick
-    surface,   ///< held against the part, thinned
+    recording, ///< the recorded motion, tick by tick
+    surface,   ///< kept out of the part, simplified
     curves,    ///< arcs instead of lines
-    ends,      ///< ways into strokes and out of them
+    ends,      ///< lead-ins and lead-outs
     links,     ///< one path instead of strokes
-    feed,      ///< feeds and speed by the tables
-    tuning     ///< feeds that depend on the place
+    feed,      ///< feeds and spindle speed from the tables
+    tuning     ///< feeds that depend on the position
 };
 
-/// What edits are about, as a user looks for them.
+/// The topics under which a user looks for edits.
 enum class EditGroup : std::uint8_t {
-    strokes,     ///< leaving some out, cutting and joining them
-    arrangement, ///< their order, direction, place and number
+    strokes,     ///< omitting, cutting and joining them
+    arrangement, ///< their order, direction, position and number
     places,      ///< drawn by hand
-    smoothing,   ///< smoother, or of fewer moves
-    surface,     ///< against the part
-    links,       ///< ways into strokes, out of them and between them
+    smoothing,   ///< smoother, or with fewer moves
+    surface,     ///< relative to the part
+    links,       ///< lead-ins, lead-outs, and links between strokes
     feeds
 };
 
-/// What is known of a kind of edit, besides its parameters.
+/// Properties of a kind of edit, besides its parameters.
 struct EditTraits {
     std::string_view id;
     TextId title;
     EditGroup group = EditGroup::strokes;
     EditStep step = EditStep::recording;
-    bool once = false;         ///< no second one in a path
-    bool approximates = false; ///< what it moves the path by is an error, and counts in the budget
+    bool once = false;         ///< may occur only once in a path
+    bool approximates = false; ///< its deviation is an error and counts in the error budget
     bool mayEnter = false;     ///< may lead the path into the part
-    bool holdsOut = false;     ///< keeps the allowance, whatever was before
-    bool superseded = false;   ///< an earlier version, kept for the paths that have it: see `updated`
+    bool holdsOut = false;     ///< ensures the allowance, whatever came before
+    bool superseded = false;   ///< an earlier version, kept for the paths that contain it: see `updated`
 };
 const EditTraits& traitsOf(const EditParameters& parameters);
 
-/// Whether edits may follow each other so: by their steps, none twice that goes only once, and those that may lead the
-/// path into the part followed by one that holds it out before anything that relies on it (arcs, links).
+/// Whether edits may follow each other in this order: steps ascend, a kind that may occur only once does, and edits
+/// that may lead the path into the part are followed by one that keeps it out before any edit that relies on it (arcs,
+/// links).
 /// Errors: editMisplaced, editRepeated, editUnguarded; those of validate.
 Result<void> checkOrder(std::span<const Edit> edits);
 

@@ -13,17 +13,17 @@
 
 namespace burin {
 
-/// A moment of the hand, or of a planner's moves. Edits name places of a path by it, as an index would mean something
-/// else as soon as an edit before them changed. Copies that an edit made keep the moments of what they were copied
-/// from, and are meant as well.
+/// A moment of the recording, or of a planner's moves. Edits identify points of a path by moments, as an index would
+/// refer to another point as soon as an edit before them changed. Copies made by an edit keep the moments of their
+/// originals, and are included.
 struct Moment {
     std::int64_t source = 0; ///< PathSource::id; 0: none
-    std::int64_t tick = 0;   ///< within the take; of generated moves GeneratedPoint::moment
+    std::int64_t tick = 0;   ///< within the take; for generated moves, GeneratedPoint::moment
 
     friend bool operator==(const Moment&, const Moment&) = default;
 };
 
-/// What the hand, or a planner, did from one moment of a source to another, both included.
+/// The interval of a source, a hand's or a planner's, from one moment to another, both included.
 struct SourceStretch {
     std::int64_t source = 0;                                                 ///< PathSource::id; 0: everything
     std::int64_t first = 0, last = std::numeric_limits<std::int64_t>::max(); ///< ticks
@@ -36,8 +36,8 @@ struct SourceStretch {
 
 /// A region: a polygon in plan, between two heights.
 struct Area {
-    std::vector<glm::dvec3> outline; ///< mm, setup frame, closed by itself; heights have no meaning. Fewer than three
-                                     ///< corners: nowhere
+    std::vector<glm::dvec3> outline; ///< mm, setup frame, implicitly closed; heights are ignored. Fewer than three
+                                     ///< corners: an empty area
     double low = -1e4, high = 1e4;   ///< mm, setup frame
 
     friend bool operator==(const Area&, const Area&) = default;
@@ -48,10 +48,10 @@ struct Deviation;
 struct PathContext;
 struct PathUnderEdit;
 
-/// What `apply` says of an edit: how far the path went from what it was. Each kind has such a function, in the file of
-/// its name. It changes the path's state in place. Strokes stay in their order; each edit treats a stroke by itself, so
-/// they run in parallel and give the same result with any number of threads. Errors: argumentInvalid, cancelled, and
-/// what each one states.
+/// Result of `apply`: how far the edit moved the path. Each kind has such a function, in the file of its name. It
+/// changes the path's state in place. Strokes stay in their order; each edit treats a stroke by itself, so strokes are
+/// processed in parallel with the same result for any number of threads. Errors: argumentInvalid, cancelled, and those
+/// stated for each function.
 using EditResult = Result<Deviation>;
 
 /// A group of kinds of edits.

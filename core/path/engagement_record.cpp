@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-/// Ends of the stretches of a move, with the share of the move that each ends at.
+/// Ends of the intervals of a move, with the fraction of the move at which each ends.
 std::vector<std::pair<glm::dvec3, double>> stretchesOf(const glm::dvec3& from, const PathPoint& to, double sampling) {
     std::vector<std::pair<glm::dvec3, double>> ends;
     if (!to.arc) {
@@ -32,7 +32,7 @@ std::vector<std::pair<glm::dvec3, double>> stretchesOf(const glm::dvec3& from, c
     return ends;
 }
 
-/// Steps short enough for the smooth figures of MaterialRemoval, in voxels.
+/// Steps short enough for the smooth values of MaterialRemoval, in voxels.
 constexpr double longestStep = 0.25;
 
 void add(MetStretch& met, const CutResult& cut) {
@@ -49,7 +49,7 @@ void add(MetStretch& met, const CutResult& cut) {
     if (cut.engagement.area > 0.0) met.engagement = cut.engagement;
 }
 
-/// @return false where the memory is used up
+/// @return false if the memory is used up
 bool cutStretch(MaterialRemoval& removal, RunVolume& stock, MetStretch& met, RecordGrain grain) {
     const double step = longestStep * stock.grid().edge();
     const auto steps = grain == RecordGrain::coarse ? 1 : static_cast<int>(std::max(1.0, std::ceil(met.length / step)));

@@ -17,25 +17,26 @@
 namespace burin {
 namespace {
 
-/// Material that a tool may meet straight from above: what a trembling hand and the voxels leave, mm.
+/// Depth of material that a tool may meet straight from above: left by tremor and by the voxels, mm.
 constexpr double leastDepth = 0.15;
-/// Of the radius: what stands no farther in is a wall that the flutes skim on their way down, at most 5 % of the tool's
-/// section. More than half of that is what the squares of the height map add to every wall that was cut.
+/// Share of the radius: material that reaches no farther in (at most 5 % of the tool's section) is a wall that the
+/// flutes skim on their way down. More than half of that is added by the squares of the height map to every wall that
+/// was cut.
 constexpr double skimmedRim = 0.2;
-constexpr double usualAngle = 3.0 * pi / 180.0; // where neither edit nor material state one
+constexpr double usualAngle = 3.0 * pi / 180.0; // if neither edit nor material states one
 constexpr double longestLeg = 30.0;             // mm of a ramp
 constexpr int mostTurns = 8;                    // of a ramp
-constexpr double helixShare = 0.4;              // of the diameter: radius of a helix, which leaves no core
-/// Between the material and where ramp or helix begin, mm.
+constexpr double helixShare = 0.4;              // share of the diameter: radius of a helix, which leaves no core
+/// Distance between the material and the start of a ramp or helix, mm.
 constexpr double gap = 0.05;
 
-/// A stroke's beginning is fit for a ramp as long as it is nearly level itself.
+/// Whether a stroke's beginning is level enough for a ramp.
 bool isLevel(double rise, double along) noexcept {
     constexpr double steepest = 0.25, tremor = 0.05; // mm
     return std::abs(rise) <= steepest * along + tremor;
 }
 
-/// Arcs about another axis than Z as chords: raised evenly they would be arcs no more.
+/// Replaces arcs about another axis than Z by chords: raised evenly they would no longer be arcs.
 PathStroke raisable(const PathStroke& stroke) {
     constexpr double chord = 0.0005; // mm
     PathStroke chords = stroke;
@@ -58,7 +59,7 @@ PathStroke raisable(const PathStroke& stroke) {
     return chords;
 }
 
-/// The last point of the steep descent that a stroke begins with; 0: it begins with none.
+/// The last point of the steep descent at the beginning of a stroke; 0 if there is none.
 std::size_t endOfDescent(const PathStroke& stroke) {
     std::size_t end = 0;
     double across = 0.0;
@@ -82,7 +83,7 @@ PathStroke from(const PathStroke& stroke, std::size_t point) {
 } // namespace
 
 void beginAtBottom(PathStroke& stroke) {
-    constexpr double straight = 0.02; // mm beside its top: what smoothing makes of a plumb descent
+    constexpr double straight = 0.02; // mm aside from its top: deviation of a smoothed vertical descent
     const glm::dvec3& top = stroke.points.front().pose.tip;
     std::size_t bottom = 0;
     while (bottom + 1 < stroke.points.size()) {
@@ -91,7 +92,7 @@ void beginAtBottom(PathStroke& stroke) {
         if (!down || std::hypot(next.pose.tip.x - top.x, next.pose.tip.y - top.y) > straight) break;
         ++bottom;
     }
-    if (bottom + 1 == stroke.points.size()) return; // it goes nowhere else
+    if (bottom + 1 == stroke.points.size()) return; // the stroke is only a descent
     stroke.points.erase(stroke.points.begin(), stroke.points.begin() + static_cast<std::ptrdiff_t>(bottom));
     stroke.points.front().arc.reset();
 }
@@ -116,7 +117,7 @@ double EntryPlanner::depthAt(const glm::dvec3& tip, bool all) const {
     const ClearedHeights& cleared = room_.cleared();
     const double free = all ? cleared.freeHeight(tip.x, tip.y)
                             : cleared.freeHeightWithin((0.5 - 0.5 * skimmedRim) * diameter_, tip.x, tip.y);
-    const double known = free - tip.z; // never too little
+    const double known = free - tip.z; // never understated
     return known <= leastDepth || watch_ == nullptr ? known : std::min(known, watch_->depthAt(tip, known));
 }
 
@@ -124,7 +125,7 @@ bool EntryPlanner::plunges(const glm::dvec3& from, const glm::dvec3& to) const {
     constexpr double look = 0.25; // mm
     if (!on_ || from.z - to.z <= slope_ * std::hypot(to.x - from.x, to.y - from.y) + leastDepth) return false;
     const int looks = static_cast<int>(std::ceil(glm::distance(from, to) / look));
-    for (int i = 1; i <= looks; ++i) // a rib may stand between two places that are free
+    for (int i = 1; i <= looks; ++i) // a rib may stand between two free points
         if (depthAt(glm::mix(from, to, static_cast<double>(i) / looks)) > leastDepth) return true;
     return false;
 }
@@ -138,7 +139,7 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
     if (!on_) return std::nullopt;
     Entry entry{EntryForm::plunge, first, {}, depthAt(stroke.points[first].pose.tip)};
     if (first == 0) {
-        // A hand that plunges: the bottom is reached first, then all of the stroke is made from its start.
+        // A plunge by the hand: the bottom is reached first, then all of the stroke is made from its start.
         const std::size_t bottom = endOfDescent(stroke);
         PathStroke end = stroke;
         end.points = {stroke.points[bottom]};
@@ -184,7 +185,7 @@ std::optional<EntryPlanner::Entry> EntryPlanner::into(const PathStroke& stroke, 
     return entry;
 }
 
-/// The first point, from one on, over which nothing stands, and from which the stroke can be gone back along without a
+/// The first point, from `from` on, without material above it, from which the stroke can be followed back without a
 /// plunge.
 std::optional<std::size_t> EntryPlanner::freePoint(const PathStroke& stroke, std::size_t from) const {
     const std::vector<StrokePoint>& points = stroke.points;
@@ -198,7 +199,7 @@ std::optional<std::size_t> EntryPlanner::freePoint(const PathStroke& stroke, std
     return std::nullopt;
 }
 
-/// To and fro along the stroke's beginning, as often as the slope asks for.
+/// Back and forth along the stroke's beginning, as often as the slope requires.
 std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double height, RampEnd end) const {
     constexpr double looks = 0.05; // mm
     PathStroke line = raisable(stroke);
@@ -228,7 +229,7 @@ std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double
     double at = 0.0;
     for (int leg = 0; leg < 2 * turns; ++leg) {
         const PathStroke& part = leg % 2 == 0 ? forth : back;
-        const std::vector<StrokeStep> ends = stepsOf(part, 2.0 * longestLeg); // one a move
+        const std::vector<StrokeStep> ends = stepsOf(part, 2.0 * longestLeg); // one per move
         for (std::size_t i = leg == 0 ? 0 : 1; i < ends.size(); ++i) {
             way.push_back(part.points[i]);
             way.back().pose.tip.z += height * std::max(0.0, 1.0 - (at + ends[i].at) / whole);
@@ -245,8 +246,8 @@ std::vector<StrokePoint> EntryPlanner::rampInto(const PathStroke& stroke, double
     return finder.isClear(way, stroke.required) ? way : std::vector<StrokePoint>();
 }
 
-/// To and fro on a level line from the stroke's beginning, in whichever direction there is room: along a wall that
-/// keeps a helix away.
+/// Back and forth on a level line from the stroke's beginning, in any direction with enough room: along a wall that
+/// leaves no room for a helix.
 std::vector<StrokePoint> EntryPlanner::rampBeside(const PathStroke& stroke, const glm::dvec3& next) const {
     constexpr int directions = 16;
     constexpr double look = 0.25; // mm
@@ -260,14 +261,14 @@ std::vector<StrokePoint> EntryPlanner::rampBeside(const PathStroke& stroke, cons
             double depth = 0.0;
             for (const StrokeStep& step : stepsOf(line, look)) depth = std::max(depth, depthAt(step.tip, true));
             std::vector<StrokePoint> way = rampInto(line, depth + gap, RampEnd::passes);
-            // The last leg comes down, too: that may turn it by the degree that makes a back-step.
+            // The last leg descends, too, which may add the last degree that makes its turn a back-step.
             if (way.size() < 2 || isBackStep(way[way.size() - 2].pose.tip, way.back().pose.tip, next)) continue;
             if (clearsShank(way)) return way;
         }
     return {};
 }
 
-/// It begins beside the stroke, where more material may stand than over the stroke's beginning.
+/// The helix begins beside the stroke, where there may be more material than above the stroke's beginning.
 std::vector<StrokePoint> EntryPlanner::helixInto(const PathStroke& stroke, double depth) const {
     for (int attempt = 0; attempt < 2; ++attempt) {
         LeadShape shape{LeadIn::Form::helix, helixShare * diameter_, depth + gap, std::atan(slope_)};
@@ -282,7 +283,7 @@ std::vector<StrokePoint> EntryPlanner::helixInto(const PathStroke& stroke, doubl
     return {};
 }
 
-/// Whether shank and holder stay in empty space, tried in the stock itself.
+/// Whether shank and holder stay in empty space, tested in the stock itself.
 bool EntryPlanner::clearsShank(const std::vector<StrokePoint>& way) const {
     const double lowest =
         std::ranges::min(way, {}, [](const StrokePoint& point) { return point.pose.tip.z; }).pose.tip.z;

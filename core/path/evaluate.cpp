@@ -32,7 +32,7 @@ Result<EditReport> applyOne(const Edit& edit, PathUnderEdit& state, const PathCo
     return report;
 }
 
-/// Why nothing is left of a path.
+/// The error for a path without remaining points, with its cause.
 Error nothingLeft(const std::string& name, const std::vector<EditReport>& reports) {
     const auto last = std::ranges::find_if(reports.rbegin(), reports.rend(),
                                            [](const EditReport& report) { return !report.omissions.empty(); });

@@ -27,63 +27,65 @@ namespace burin {
 class ClearedHeights;
 struct SourceStrokes;
 
-/// Gets a stock for a while and may cut it; what it cuts is forgotten afterwards.
+/// Receives a stock on loan and may cut it; its changes are discarded afterwards.
 using StockUse = std::function<Result<void>(RunVolume& stock)>;
 
-/// What evaluating edits needs to know besides the recording.
+/// What evaluating edits needs besides the recording.
 struct PathContext {
     const MeshDistance* part = nullptr; ///< chord <= 0.005 mm
     Tool tool;
     CuttingConditions conditions; ///< in the stock's material
-    /// By property, in a stock of several materials that are milled; those of no such material are zero. Empty: one.
+    /// By property, for a stock of several materials that are milled; entries of other properties are zero. Empty: one
+    /// material.
     std::vector<CuttingConditions> materialConditions{};
-    Coolant advisedCoolant = Coolant::off; ///< by the material
+    Coolant advisedCoolant = Coolant::off; ///< for the material
     MachineProfile machine;
     Box stock;                            ///< mm, setup frame
-    std::vector<ObstacleSolid> obstacles; ///< links keep clear of those that are on
+    std::vector<ObstacleSolid> obstacles; ///< links keep clear of those that are enabled
     double tickPeriod = 0.001;            ///< s
-    /// Lends the stock as it is before this path, which the path is cut out of again for feeds by engagement; may be
-    /// empty. It may call what it is given more than once, and what that gave last counts.
+    /// Lends the stock as it is before this path, out of which the path is cut again for feed optimisation; may be
+    /// empty. It may call its argument more than once; the result of the last call counts.
     std::function<Result<void>(const StockUse& use, Progress&)> lendStock{};
-    /// What the paths before this one have cleared of the stock; null: there are none.
+    /// What the paths before this one have cleared of the stock; null if there are none.
     std::shared_ptr<const ClearedHeights> cleared{};
-    glm::dvec3 workOffset{0.0}; ///< mm, program zero in the setup frame: where a control rounds figures
+    glm::dvec3 workOffset{0.0}; ///< mm, program zero in the setup frame; a control rounds coordinates relative to it
 };
 
-/// What one edit did.
+/// The effect of one edit.
 struct EditReport {
     std::string edit; ///< its id
     std::size_t pointsBefore = 0, pointsAfter = 0;
-    double largestDeviation = 0.0;    ///< mm, between the path before and after, at the worst place (never understated)
+    double largestDeviation = 0.0;    ///< mm, between the path before and after, at the worst point (never understated)
     glm::dvec3 worstPlace{0.0};       ///< mm, setup frame
-    std::vector<Omission> omissions;  ///< what it left out as it can't be made
-    double lengthBefore = 0.0;        ///< mm of strokes that it had before it, where it may leave out any; else 0
-    std::vector<StrokeEntry> entries; ///< of strokes that begin in material, where links look after them
+    std::vector<Omission> omissions;  ///< parts that it left out because they cannot be machined
+    double lengthBefore = 0.0;        ///< mm of strokes before it, if the edit may leave out any; else 0
+    std::vector<StrokeEntry> entries; ///< of strokes that begin in material, if links plan their entries
 };
 
 struct EvaluatedPath {
     Path path;
     std::vector<EditReport> reports;
-    std::vector<MillingStretch> sides; ///< in order; none where nobody asked for them (milling_side.h)
-    /// What the stock is cleared of behind this path and all before it; null where nobody asked for it (milling_side.h)
+    std::vector<MillingStretch> sides; ///< in order; empty unless requested (milling_side.h)
+    /// The stock cleared by this path and all before it; null unless requested (milling_side.h)
     std::shared_ptr<const ClearedHeights> cleared;
-    /// The paths that it was evaluated to come after, in the order in which they are milled; another order, or one of
-    /// them changed, makes it another path.
+    /// The paths before this one in milling order at the time of its evaluation. If the order changes, or one of them
+    /// does, this path has to be evaluated again.
     std::vector<std::shared_ptr<const EvaluatedPath>> after;
-    double errorBudget = 0.0; ///< mm, sum of the deviations of the edits that approximate what was before them
+    double errorBudget = 0.0; ///< mm, sum of the deviations of the edits that approximate the path before them
 };
 
-/// Sources in order, each edit in order; edits that are not enabled are skipped. The order has to keep what the
-/// edits promise: they come by their steps (edit_step.h), and what may have led the path into the part is followed by
-/// an edit that holds it out before it is linked. Stretches with shank contact, with the spindle off, or that were
-/// taken back are never part of a path. Without Link each stroke is reached by a straight rapid move, which only a
-/// drawing may use. Any thread; the work is shared among all cores, the result does not depend on them. Cost: 300,000
-/// ticks on 360,000 triangles in about 8 s on two cores. Cancellable. Errors: pathEmpty, argumentInvalid (a source
-/// of another tool), pathGouges (all of it had to be left out; place: where, detail: remedyOf the reason), cancelled.
-/// @param sources moved from, where it may be: hours of strokes are not held twice
+/// Evaluates a path: sources in order, then each edit in order; edits that are not enabled are skipped. The order has
+/// to preserve the guarantees of the edits: they come by their steps (edit_step.h), and an edit that may lead the path
+/// into the part is followed by one that keeps it out before the path is linked. Intervals with shank contact, with the
+/// spindle off, or that were undone are never part of a path. Without Link each stroke is reached by a straight rapid
+/// move, which is suitable for drawings only. Thread-safe; the work is shared among all cores, and the result does not
+/// depend on their number. Cost: 300,000 ticks on 360,000 triangles in about 8 s on two cores. Cancellable.
+/// Errors: pathEmpty, argumentInvalid (a source of another tool), pathGouges (all of the path had to be left out;
+/// place: where, detail: remedyOf the reason), cancelled.
+/// @param sources moved from where possible, so that hours of strokes are not held twice
 Result<EvaluatedPath> evaluate(const std::string& name, std::vector<SourceStrokes> sources,
                                const std::vector<Edit>& edits, const PathContext& context, Progress& progress);
-/// The same of takes in memory. Errors: also those of StrokeReader.
+/// The same for takes in memory. Errors: also those of StrokeReader.
 Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>& takes, const std::vector<Edit>& edits,
                                const PathContext& context, Progress& progress);
 

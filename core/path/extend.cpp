@@ -8,10 +8,10 @@
 namespace burin {
 namespace {
 
-constexpr double direction = 1.0;     // mm of a stroke that say which way it goes: less would be the hand's tremor
+constexpr double direction = 1.0;     // mm of a stroke that determine its direction: less would follow tremor
 constexpr double farthestApart = 0.2; // mm between new points
 
-/// Adds so much before the start.
+/// Adds this length before the start.
 void extendStart(std::vector<StrokePoint>& points, double length) {
     if (!(length > 0.0) || points.size() < 2) return;
     const StrokePoint start = points.front();
@@ -28,7 +28,7 @@ void extendStart(std::vector<StrokePoint>& points, double length) {
         added[i].removes = added[i].onBoundary = false;
         added[i].arc.reset();
     }
-    points.front().removes = points.front().onBoundary = false; // of the motion that now ends there
+    points.front().removes = points.front().onBoundary = false; // flags of the motion that now ends there
     points.insert(points.begin(), added.begin(), added.end());
 }
 
@@ -42,7 +42,7 @@ Result<Deviation> apply(const Extend& edit, PathUnderEdit& state, const PathCont
         extendStart(back.points, edit.atEnd);
         stroke = reversed(back);
     }
-    return Deviation{}; // what was there lies where it was
+    return Deviation{}; // existing points are unchanged
 }
 
 } // namespace burin

@@ -10,12 +10,12 @@
 namespace burin {
 namespace {
 
-/// Divides moves, one stretch after the other.
+/// Divides moves, one interval after the other.
 class Divider {
 public:
     Divider(const std::vector<PathPoint>& points, double leastChange) : points_(points), leastChange_(leastChange) {}
 
-    /// @param speed 1/min; nothing: the move keeps its own
+    /// @param speed 1/min; empty: the move keeps its own
     void add(const MetStretch& met, double feed, std::optional<double> speed) {
         const bool isArc = points_[met.move].arc.has_value();
         const bool alike = std::max(high_, feed) <= (1.0 + leastChange_) * std::min(low_, feed) && speed == speed_;
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// The block that is open.
+    /// Finishes the open block.
     void finish() {
         if (!open_) return;
         PathPoint point = points_[move_];
@@ -51,7 +51,7 @@ private:
         open_ = false;
         if (ends_) ++next_;
     }
-    /// Moves that keep what they have.
+    /// Copies moves that keep their feed.
     void copyUpTo(std::size_t move) {
         while (next_ < move) divided_.push_back(points_[next_++]);
         move_ = move;
@@ -87,7 +87,7 @@ std::vector<double> leastOfNeighbours(const std::vector<MetStretch>& record, con
         least[i] = std::min(least[i], points[record[i].move].feed * shareOf(other));
     };
     for (std::size_t i = 0; i + 1 < feeds.size(); ++i) {
-        if (record[i + 1].from != record[i].to || !isCut(i) || !isCut(i + 1)) continue; // a rapid lies between
+        if (record[i + 1].from != record[i].to || !isCut(i) || !isCut(i + 1)) continue; // there is a rapid between them
         follow(i, i + 1);
         follow(i + 1, i);
     }

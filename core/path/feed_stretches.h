@@ -6,18 +6,18 @@
 
 namespace burin {
 
-/// Moves with a feed for each stretch: a line is divided where its stretches ask for feeds that differ by too much, and
-/// keeps the least of what one block's stretches ask for. An arc has one
-/// feed and one speed.
-/// @param record stretches of the points' moves, in order @param feeds mm/min, one a stretch
-/// @param leastChange share by which feeds of one block may differ
-/// @param speeds 1/min of the spindle, one a stretch, and of one block the same; empty: the moves keep theirs
+/// The moves with a feed for each interval: a line is divided where the feeds of its intervals differ by too much; a
+/// block gets the least feed of its intervals. An arc has one feed and one speed.
+/// @param record intervals of the points' moves, in order @param feeds mm/min, one per interval
+/// @param leastChange relative difference up to which feeds share a block
+/// @param speeds 1/min of the spindle, one per interval, constant within a block; empty: the moves keep theirs
 std::vector<PathPoint> withFeeds(const std::vector<PathPoint>& points, const std::vector<MetStretch>& record,
                                  const std::vector<double>& feeds, double leastChange,
                                  const std::vector<double>& speeds = {});
 
-/// An interval's volume is off by a layer of voxels, and what comes next may be harder: an interval comes down by as
-/// much as its neighbours do. Only moves that cut; across rapids nothing is passed on.
+/// Reduces the feed of each interval by the same factor as that of its neighbours, if theirs is lower: the volume of an
+/// interval is off by a layer of voxels, and the next material may be harder. Applies to cutting moves only; nothing is
+/// passed on across rapids.
 std::vector<double> leastOfNeighbours(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points,
                                       const std::vector<double>& feeds);
 

@@ -16,9 +16,9 @@
 namespace burin {
 namespace {
 
-/// An arc has to stand for so many moves at least.
+/// The least number of moves that an arc has to replace.
 constexpr std::size_t fewestMoves = 3;
-/// Of the tolerance, what back-steps may be taken out by.
+/// Share of the tolerance by which back-steps may be removed.
 constexpr double backStepShare = 0.5;
 
 /// A line or an arc to one of a stroke's points.
@@ -33,13 +33,13 @@ public:
     Fitter(const ArcFitRules& rules, const PartGuard& guard, const PathStroke& stroke)
         : rules_(rules), guard_(guard), required_(stroke.required), points_(stroke.points) {}
 
-    /// What stands for the points from `first` to `last`, both included.
+    /// The primitives that replace the points from `first` to `last`, both included.
     std::vector<Primitive> fit(std::size_t first, std::size_t last, const Progress& progress) const {
         std::vector<Primitive> primitives;
         while (first < last && !progress.cancelled()) {
             Primitive best = longest(first, first + 1, last, [&](std::size_t end) { return line(first, end); });
             for (const int axis : axesOfArcs()) {
-                const std::size_t nearest = std::max(first + fewestMoves, best.end + 1); // an arc has to get farther
+                const std::size_t nearest = std::max(first + fewestMoves, best.end + 1); // an arc has to reach farther
                 const auto make = [&](std::size_t end) { return arcTo(first, end, axis); };
                 const Primitive arc = longest(first, firstArc(first, nearest, last, make), last, make);
                 if (arc.end > best.end) best = arc;
@@ -53,7 +53,7 @@ public:
 private:
     using Found = std::optional<Primitive>;
 
-    /// None where the control takes no arcs.
+    /// Empty if the control has no arcs.
     std::span<const int> axesOfArcs() const noexcept {
         static constexpr std::array axes{2, 1, 0};
         return std::span(axes).first(rules_.largestSweep > 0.0 ? axes.size() : 0);
@@ -63,8 +63,8 @@ private:
         return std::span(points_).subspan(first, end - first + 1);
     }
 
-    /// The farthest primitive that is possible: twice as far as long as that goes, then halving what is between. None
-    /// where the nearest is not possible. What no rule forbids is held against the part.
+    /// The farthest primitive that is possible: the distance is doubled as long as that works, then bisected. Empty if
+    /// not even the nearest is possible. Primitives that obey the rules are checked against the part.
     template <class Make>
     Primitive longest(std::size_t first, std::size_t nearest, std::size_t last, const Make& make) const {
         Primitive best;
@@ -82,11 +82,11 @@ private:
         return best;
     }
 
-    /// Where to look for the farthest arc from: one to a trembling stroke's next points often passes none of them,
-    /// where one to some points farther on does.
+    /// The point from which to search for the farthest arc: with tremor, an arc to one of the next points often passes
+    /// none of them, whereas one to a later point does.
     template <class Make>
     std::size_t firstArc(std::size_t first, std::size_t nearest, std::size_t last, const Make& make) const {
-        constexpr std::size_t least = 6; // points that are tried, beside as many as it is far
+        constexpr std::size_t least = 6; // points that are tried, in addition to as many as the distance to it
         if (nearest > last) return nearest;
         for (std::size_t end = std::min(last, nearest + least + (nearest - first)); end > nearest; --end) {
             const Found found = make(end);
@@ -113,7 +113,7 @@ private:
     }
 
     bool isClear(std::size_t first, const Primitive& primitive) const {
-        if (primitive.end == first + 1) return true; // the move that was there
+        if (primitive.end == first + 1) return true; // the original move
         const glm::dvec3 &from = points_[first].pose.tip, &to = points_[primitive.end].pose.tip;
         if (!primitive.arc) return guard_.isClear(from, to, required_, defaultSampling);
         const PathArc& arc = *primitive.arc;
@@ -126,7 +126,7 @@ private:
     const std::vector<StrokePoint>& points_;
 };
 
-/// Stretches that threads share: groups of points, and no arc that is there already within one.
+/// Intervals that threads share: groups of points, and no existing arc within one.
 std::vector<std::pair<std::size_t, std::size_t>> groupsOf(const std::vector<StrokePoint>& points) {
     std::vector<std::pair<std::size_t, std::size_t>> groups;
     std::size_t first = 0;
@@ -139,7 +139,7 @@ std::vector<std::pair<std::size_t, std::size_t>> groupsOf(const std::vector<Stro
     return groups;
 }
 
-/// Back-steps go first, as no arc and no line is fitted across one; what is left of the tolerance is the fit's.
+/// Removes back-steps first, as no arc and no line is fitted across one; the rest of the tolerance is left for the fit.
 Deviation dropBackSteps(PathStroke& stroke, double tolerance, const PartGuard& guard, const Progress& progress) {
     const auto staysClear = [&](const glm::dvec3& from, const glm::dvec3& to) {
         return !progress.cancelled() && guard.isClear(from, to, stroke.required, defaultSampling);
@@ -151,17 +151,17 @@ Deviation dropBackSteps(PathStroke& stroke, double tolerance, const PartGuard& g
     return dropped;
 }
 
-/// The direction in which the tool leaves the start of a move, or comes to its end; null where it goes nowhere.
+/// The direction in which the tool leaves the start of a move, or arrives at its end; null if it does not move.
 glm::dvec3 headingOf(const glm::dvec3& from, const StrokePoint& to, bool atEnd) {
-    constexpr double share = 1e-3; // of the arc: it is its own tangent there but for a thousandth of a radian or two
+    constexpr double share = 1e-3; // of the arc: such a chord is within one or two mrad of the tangent
     if (!to.arc) return to.pose.tip - from;
     const Arc arc{from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
     const ArcTurn turn = turnOf(arc);
     return atEnd ? to.pose.tip - placeOn(arc, turn, 1.0 - share) : placeOn(arc, turn, share) - from;
 }
 
-/// Whether the tool is nearly sent forth and back where two moves meet, arcs among them: the first chord of a small arc
-/// has turned on by some degrees.
+/// Whether the corner between two moves is nearly a back-step, arcs included: the first chord of a small arc has
+/// already turned by some degrees.
 bool stepsBack(const glm::dvec3& from, const StrokePoint& at, const StrokePoint& to) {
     constexpr double nearlyBack = backStepTurn - 15.0 * pi / 180.0;
     if (std::min(lengthTo(at, from), lengthTo(to, at.pose.tip)) >= longestBackStep) return false;
@@ -169,9 +169,8 @@ bool stepsBack(const glm::dvec3& from, const StrokePoint& at, const StrokePoint&
     return glm::dot(in, out) < std::cos(nearlyBack) * glm::length(in) * glm::length(out);
 }
 
-/// An arc that was fitted where the tool is sent forth and back becomes lines again, of which linking can leave points
-/// out; so does one that leaves no more than a short move up to where the tool turns back. @return whether there was
-/// one
+/// Turns an arc that was fitted at a back-step into lines again, of which linking can leave points out; also an arc
+/// that leaves no more than a short move up to the point where the tool turns back. @return whether there was one
 bool straightenBackSteps(std::vector<Primitive>& whole, const std::vector<StrokePoint>& points, const Fitter& lines,
                          const Progress& progress) {
     const auto startOf = [&](std::size_t i) { return i == 0 ? std::size_t{0} : whole[i - 1].end; };
@@ -189,7 +188,7 @@ bool straightenBackSteps(std::vector<Primitive>& whole, const std::vector<Stroke
     for (std::size_t i = 0; i + 1 < whole.size(); ++i) {
         if (!stepsBack(points[startOf(i)].pose.tip, madeOf(i), madeOf(i + 1))) continue;
         for (const std::size_t arc : {i, i + 1, i - 1, i + 2}) {
-            if (arc >= whole.size() || !isFitted(arc)) continue; // of the first move the one before is none
+            if (arc >= whole.size() || !isFitted(arc)) continue; // the first move has no move before it
             const bool leavesAShortMove = (arc == i - 1 && isShort(i)) || (arc == i + 2 && isShort(i + 1));
             if (arc != i && arc != i + 1 && !leavesAShortMove) continue;
             any = straight[arc] = true;
@@ -240,7 +239,7 @@ Deviation fitStroke(PathStroke& stroke, ArcFitRules rules, const PartGuard& guar
     }
     keepOnly(stroke.points, kept);
     for (std::size_t i = 0; i < arcs.size(); ++i) stroke.points[i].arc = arcs[i];
-    // One after the other: their sum bounds what they did together.
+    // Both happened in sequence, so their sum bounds the total deviation.
     return {deviation.distance + dropped.distance, deviation.distance > 0.0 ? deviation.place : dropped.place};
 }
 

@@ -12,9 +12,9 @@
 namespace burin {
 namespace {
 
-/// The direction is that of the chord of so much of the motion: more than tremor and short moves, less than a corner.
+/// The direction is that of the chord over this length: longer than tremor and short moves, shorter than a corner.
 constexpr double chord = 1.0; // mm
-/// Edits that approximate stay well within this; what lies farther from the hand was moved on purpose.
+/// Edits that approximate stay well within this; a point farther from the hand was moved on purpose.
 constexpr double nearEnough = 0.5; // mm
 
 std::optional<HandStart> startWith(const glm::dvec3& tip, const glm::dvec3& later) {
@@ -24,7 +24,7 @@ std::optional<HandStart> startWith(const glm::dvec3& tip, const glm::dvec3& late
     return HandStart{tip, level / length};
 }
 
-/// The first point of the stroke that is so far from its start, or the last one.
+/// The first point of the stroke at least `chord` from its start, or the last one.
 const StrokePoint& laterPoint(const PathStroke& stroke) {
     const glm::dvec3& tip = stroke.points.front().pose.tip;
     const auto far = [&](const StrokePoint& point) { return glm::distance(point.pose.tip, tip) >= chord; };
@@ -41,7 +41,7 @@ std::optional<HandStart> ownStartOf(const PathStroke& stroke) {
     return startWith(tip, found == steps.end() ? steps.back().tip : found->tip);
 }
 
-/// Where the hand was at a tick. @param next the first mark that is not before it
+/// The position of the hand at a tick. @param next the first mark that is not before it
 glm::dvec3 tipAt(std::span<const HandMark> marks, std::size_t next, std::int64_t tick) {
     const HandMark& behind = marks[next];
     if (next == 0 || behind.tick == tick) return behind.tip;

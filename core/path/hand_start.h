@@ -8,14 +8,14 @@
 
 namespace burin {
 
-/// Where the hand was when a stroke begins, and where it went from there.
+/// The position of the hand when a stroke begins, and its direction of motion.
 struct HandStart {
     glm::dvec3 tip{0.0};       ///< mm, setup frame
-    glm::dvec3 direction{0.0}; ///< level, of unit length
+    glm::dvec3 direction{0.0}; ///< horizontal, unit length
 };
 
-/// Of the recording, which no edit changes, as long as the stroke lies where the hand was; of a stroke that was moved,
-/// turned or copied, its own, over the same length. Nothing where it goes straight up or down.
+/// Taken from the recording, which no edit changes, as long as the stroke lies where the hand was; for a stroke that
+/// was moved, rotated or copied, from the stroke itself, over the same length. Empty if it goes straight up or down.
 std::optional<HandStart> startOf(const PathStroke& stroke, const PathUnderEdit& state);
 
 } // namespace burin

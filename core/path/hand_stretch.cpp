@@ -24,11 +24,11 @@ PathPoint pointBetween(const PathPoint& from, const PathPoint& to, std::int64_t 
     return point;
 }
 
-/// Ends of a stretch that a move passes between its own, in the order in which it does.
+/// Ends of an interval that a move passes between its own ends, in the order in which it passes them.
 std::vector<std::int64_t> endsPassed(const PathPoint& from, const PathPoint& to, const SourceStretch& stretch) {
     std::vector<std::int64_t> passed;
     if (!hasMoment(from) || !hasMoment(to) || from.source != to.source || stretch.source != from.source) return passed;
-    if (to.kind == MoveKind::rapid) return passed; // across what the path leaves out
+    if (to.kind == MoveKind::rapid) return passed; // across a part that the path leaves out
     const auto [low, high] = std::minmax(from.sample, to.sample);
     for (const std::int64_t tick : {stretch.first, stretch.last})
         if (low < tick && tick < high && (passed.empty() || passed.back() != tick)) passed.push_back(tick);
@@ -62,7 +62,7 @@ bool leadsThrough(const Moment& from, const Moment& to, const SourceStretch& str
 
 std::vector<std::vector<PathPoint>> pointsOf(const Path& path, const SourceStretch& stretch) {
     std::vector<std::vector<PathPoint>> chains;
-    bool goesOn = false; // what lies between two stretches is in neither
+    bool goesOn = false; // anything between two intervals is in neither
     const auto add = [&](const PathPoint& point) {
         if (!goesOn) chains.emplace_back();
         chains.back().push_back(point);

@@ -23,7 +23,7 @@ void addMarks(std::vector<HandMark>& marks, const PathStroke& stroke) {
 HandTrail::HandTrail(std::span<const SourceStrokes> sources) {
     for (const SourceStrokes& each : sources) {
         std::vector<HandMark>& marks = marks_[each.info.source.id];
-        if (!marks.empty()) continue; // a source that the path has twice
+        if (!marks.empty()) continue; // the path contains this source twice
         for (const PathStroke& stroke : each.strokes) addMarks(marks, stroke);
         marks.shrink_to_fit();
     }

@@ -13,22 +13,22 @@ namespace burin {
 
 struct SourceStrokes;
 
-/// A place that the hand came by.
+/// A position that the hand passed.
 struct HandMark {
     std::int64_t tick = 0;
     glm::dvec3 tip{0.0}; ///< mm, setup frame
 };
 
-/// Where the hand went in each take, and a planner in its moves, which no edit changes: what an edit may go by long
-/// after the strokes were changed. Between two marks it never was farther than `spacing` from the first of them; an
-/// hour of milling takes some tens of MB.
+/// The motion of the hand in each take, and of a planner's moves, unaffected by edits: a reference that edits can use
+/// long after the strokes were changed. Between two marks the motion was never farther than `spacing` from the first of
+/// them; an hour of milling takes some tens of MB.
 class HandTrail {
 public:
     static constexpr double spacing = 0.05; ///< mm
 
     explicit HandTrail(std::span<const SourceStrokes> sources);
 
-    /// Marks of a source by their ticks; empty where there is none.
+    /// Marks of a source, ordered by tick; empty if there are none.
     std::span<const HandMark> of(std::int64_t source) const;
 
 private:

@@ -9,12 +9,12 @@
 namespace burin {
 namespace {
 
-/// Takes from the end of a run what is not on the path any more.
+/// Removes points from the end of a run that no longer belong to the path.
 class HeldRunEnd {
 public:
     explicit HeldRunEnd(std::vector<Held>& points) : points_(points), path_(points) {}
 
-    /// @return what there was of the path between the end and the break
+    /// @return the part of the path between the new end and the break
     std::vector<Held> settle() {
         constexpr double undisturbed = 0.01; // mm, hardly more than the clearance
         std::size_t kept = points_.size();
@@ -37,12 +37,13 @@ private:
 
     double aside(std::size_t index) const { return glm::distance(path_[index].point.pose.tip, path_[index].origin); }
 
-    /// Whether a point is on the path; it then comes from where it got to.
+    /// Whether a point is on the path farther along than the points before; its origin then becomes that point of the
+    /// path.
     bool advances(std::size_t index) {
         const glm::dvec3& tip = points_[index].point.pose.tip;
         Place nearest;
         double least = farthestAside;
-        // It was pushed to there from somewhere near: beyond its own place on the path no farther than that.
+        // It was pushed there from near by: search beyond its own point of the path no farther than that distance.
         double beyond = 2.0 * aside(index) + farthestAside;
         for (std::size_t i = at_.segment; i + 1 < path_.size() && beyond >= 0.0; ++i) {
             const glm::dvec3 &from = path_[i].origin, way = path_[i + 1].origin - from;
@@ -61,7 +62,7 @@ private:
     }
 
     std::vector<Held>& points_;
-    std::vector<Held> path_; ///< as it was before
+    std::vector<Held> path_; ///< as it was before the edit
     Place at_;               ///< how far along it the run gets
 };
 
@@ -78,14 +79,14 @@ std::vector<Held> settleStart(std::vector<Held>& points) {
     return lost;
 }
 
-/// Goes on behind the last point along a gap, in ever shorter steps where it gets narrow; the gap gets shorter.
-/// @param beyond where the path goes on behind the gap; null: nowhere
+/// Extends a run behind its last point along a gap, in ever shorter steps where it gets narrow; the gap gets shorter.
+/// @param beyond where the path continues behind the gap; null: nowhere
 void followInto(std::vector<Held>& gap, std::vector<Held>& points, const Held* beyond, const FollowPath& follow) {
     constexpr double shortest = 0.01; // mm
     std::vector<Held> path{points.back()};
     path.insert(path.end(), gap.begin(), gap.end());
     if (beyond != nullptr) path.push_back(*beyond);
-    const std::size_t ends = gap.size() + 1; // of what is the gap's
+    const std::size_t ends = gap.size() + 1; // end of the gap's points
     std::size_t i = 0;
     for (bool goesOn = true; goesOn && i + 1 < path.size(); i += goesOn ? 1 : 0) {
         const glm::dvec3 &from = path[i].origin, &to = path[i + 1].origin;
@@ -118,7 +119,7 @@ void followBack(std::vector<Held>& gap, std::vector<Held>& points, const Held* b
     std::ranges::reverse(gap);
 }
 
-/// Runs that have points; each is told all that is lost before it, the last one what is lost behind it.
+/// Runs that have points; each gets all losses before it, the last one also those behind it.
 std::vector<HeldRun> withoutEmpty(std::vector<HeldRun>& runs) {
     std::vector<HeldRun> left;
     std::vector<Held> lost;

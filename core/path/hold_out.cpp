@@ -15,32 +15,32 @@
 namespace burin {
 namespace {
 
-/// Points that carry no shape are dropped first: fewer to hold out, and no farther apart from the path than this, mm.
+/// Points that carry no shape are dropped first: fewer points to push, with the path within this distance, mm.
 constexpr double thinning = 0.002;
-/// Stretches between fixed points that threads share.
+/// Number of moves per piece of work that threads share.
 constexpr std::size_t pieceLength = 500;
-/// Where a move is this short and still enters, it is led over the obstacle instead of around it, mm.
+/// A move shorter than this that still enters is led over the obstacle instead of around it, mm.
 constexpr double shortestMove = 0.02;
-/// Halvings of a move after which the same happens.
+/// The same happens after this many halvings of a move.
 constexpr int deepest = 16;
-/// Closes the gap of rounding between the aim and what the next query answers, mm.
+/// Compensates for rounding between the aim and the result of the next query, mm.
 constexpr double surplus = 1e-6;
 
-/// Points are pushed a little farther than moves have to stay away: else the arc of a convex part would take ever more
-/// points to go around.
+/// Points are pushed slightly farther than moves have to stay away: otherwise an arc around a convex part would need
+/// ever more points.
 double requiredBetween(const HoldOut& edit, double allowance) {
     return allowance + std::min(0.25 * edit.clearance, 0.001);
 }
 
-/// What strokes of a tool keep from the part, mm: a drill fits its hole, whose facets lie inside it.
+/// The distance that strokes of a tool keep from the part, mm: a drill fits its hole, whose facets lie inside it.
 double heldAllowance(const PathStroke& stroke, const Tool& tool) noexcept {
     return stroke.allowance - (tool.cutter.type == CutterType::drill ? drillFit : 0.0);
 }
 
-/// Held points one after the other.
+/// Consecutive held points.
 struct Chain {
     std::vector<Held> points;
-    std::vector<std::size_t> breaks; ///< of the points, those that no clear motion leads to from the one before
+    std::vector<std::size_t> breaks; ///< indices of points that no clear motion reaches from the point before
 };
 
 class Holder {
@@ -51,9 +51,9 @@ public:
         , aim_(allowance + edit.clearance)
         , required_(requiredBetween(edit, allowance)) {}
 
-    /// Moves the tip out along the way that gains clearance fastest, or up where that leads nowhere.
+    /// Moves the tip out along the gradient of the clearance, or up where that does not help.
     void push(glm::dvec3& tip) const {
-        constexpr int attempts = 30; // in a groove each wall takes back a part of what the other one gained
+        constexpr int attempts = 30; // in a groove each wall cancels part of what the other one gained
         glm::dvec3 place = tip;
         for (int i = 0; i < attempts; ++i) {
             const ToolClearance found = guard_.clearance(place, aim_ + surplus);
@@ -66,8 +66,8 @@ public:
         lift(tip);
     }
 
-    /// Adds to a chain what has to stand between two held points so that each move is clear, both ends left out. Where
-    /// nothing helps the chain is broken, in as short an interval as there is.
+    /// Adds the points to a chain that are needed between two held points so that each move is clear, both ends
+    /// excluded. If nothing helps, the chain is broken, in as short an interval as possible.
     void bridge(const Held& from, const Held& to, Chain& chain, int depth = 0) const {
         const auto dip = guard_.deepestDip(from.point.pose.tip, to.point.pose.tip, required_, sampling_);
         if (!dip) return;
@@ -76,7 +76,7 @@ public:
             if (!leadOver(from, to, chain.points)) chain.breaks.push_back(chain.points.size());
             return;
         }
-        // Near an end the dip is split in the middle, else the halves would not get shorter.
+        // Near an end the dip is split more towards the middle, otherwise the halves would not get shorter.
         const double part = std::clamp(dip->part, 0.1, 0.9);
         Held middle;
         middle.point = from.point;
@@ -89,7 +89,7 @@ public:
         bridge(middle, to, chain, depth + 1);
     }
 
-    /// The tip that is held out beside a place of the path, where it is near, not behind, and a clear move leads there.
+    /// The pushed-out tip for a point of the path, if it is near, not behind, and reached by a clear move.
     /// @param along unit, of the path
     std::optional<glm::dvec3> follow(const glm::dvec3& from, const glm::dvec3& place, const glm::dvec3& along) const {
         constexpr double behind = 0.02; // mm
@@ -139,11 +139,11 @@ private:
 
     const PartGuard& guard_;
     double sampling_;
-    double aim_;      // mm, of points that had to be pushed
-    double required_; // mm, of every place of every move
+    double aim_;      // mm, for points that had to be pushed
+    double required_; // mm, for every point of every move
 };
 
-/// A stretch of one stroke: from one of its points to another, both included.
+/// An interval of one stroke: from one of its points to another, both included.
 struct Piece {
     std::size_t stroke = 0, first = 0, last = 0;
     Chain chain; ///< all held points behind the first one
@@ -165,8 +165,8 @@ void hold(Piece& piece, const std::vector<Held>& points, const Holder& holder) {
     }
 }
 
-/// Runs of a stroke that was broken become strokes; what is between them, and what is too short to be worth a link, is
-/// left out.
+/// Turns the runs of a broken stroke into strokes; gaps between them, and runs too short to be worth a link, are
+/// reported as left out.
 class Breaker {
 public:
     Breaker(PathUnderEdit& state, double shortest) : state_(state), shortest_(shortest) {}
@@ -193,7 +193,7 @@ public:
         return strokes;
     }
 
-    Deviation pushed; ///< of what is kept
+    Deviation pushed; ///< of the parts that are kept
 
 private:
     static StrokePoint atOrigin(const Held& held) {
@@ -282,7 +282,7 @@ Result<Deviation> apply(const HoldOut& edit, PathUnderEdit& state, const PathCon
         std::ranges::move(breaker.strokesOf(state.strokes[s], runs[s]), std::back_inserter(held));
     }
     state.strokes = std::move(held);
-    // Both happened one after the other, so their sum bounds what they did together.
+    // Both happened in sequence, so their sum bounds the total deviation.
     const Deviation& pushed = breaker.pushed;
     return Deviation{thinned.distance + pushed.distance, pushed.distance > 0.0 ? pushed.place : thinned.place};
 }

@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-/// Distance of two points of a stroke near one of its ends, mm.
+/// Spacing of the points of a stroke near one of its ends, mm.
 double stepNear(const std::vector<StrokePoint>& points, bool atEnd) {
     constexpr std::size_t looked = 10;
     const std::size_t count = std::min(looked, points.size() - 1);
@@ -29,7 +29,7 @@ void append(PathStroke& stroke, const PathStroke& next) {
         StrokePoint between;
         between.pose.tip = glm::mix(end.pose.tip, start.pose.tip, static_cast<double>(i) / static_cast<double>(count));
         between.sample = end.sample;
-        between.removes = true; // what it meets it cuts: no air
+        between.removes = true; // it cuts any material that it meets: not an air cut
         stroke.points.push_back(between);
     }
     stroke.points.insert(stroke.points.end(), next.points.begin(), next.points.end());

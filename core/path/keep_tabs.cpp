@@ -14,14 +14,14 @@ namespace {
 const double flank = std::tan(30.0 * pi / 180.0);
 constexpr double finest = 0.2; // mm between points over a tab
 
-/// One place, and how high the tip goes there.
+/// The position of a tab, and the height of the tip over it.
 class Tab {
 public:
-    /// @param half mm in plan to where the tip is fully lifted
+    /// @param half mm in plan within which the tip is fully lifted
     Tab(const glm::dvec3& place, double half, double height)
         : place_(place), half_(half), height_(height), reach_(half + height / flank) {}
 
-    /// The lowest point of any stroke over the tab is what it stands on.
+    /// The tab stands on the lowest point of any stroke over it.
     void standOn(const glm::dvec3& tip) {
         if (distanceTo(tip) <= half_) floor_ = std::min(floor_.value_or(tip.z), tip.z);
     }
@@ -29,7 +29,7 @@ public:
         const double beyond = std::max(0.0, distanceTo(tip) - half_);
         return floor_ ? std::max(tip.z, *floor_ + height_ - flank * beyond) : tip.z;
     }
-    /// Whether a straight move comes so near that some of it may have to be lifted.
+    /// Whether a straight move comes so near that part of it may have to be lifted.
     bool meets(const glm::dvec3& from, const glm::dvec3& to) const {
         const glm::dvec2 way(to - from), start(place_ - from);
         const double square = glm::dot(way, way);
@@ -45,7 +45,7 @@ private:
     std::optional<double> floor_;  ///< mm
 };
 
-/// With points close enough where a tab has to be gone over; those that the hand made stay.
+/// Inserts points closely enough where a tab has to be crossed; the recorded points stay.
 std::vector<StrokePoint> divided(const std::vector<StrokePoint>& points, const std::vector<Tab>& tabs) {
     std::vector<StrokePoint> result;
     for (const StrokePoint& point : points) {
@@ -64,10 +64,10 @@ std::vector<StrokePoint> divided(const std::vector<StrokePoint>& points, const s
 
 Result<Deviation> apply(const KeepTabs& edit, PathUnderEdit& state, const PathContext& context, Progress&) {
     std::vector<Tab> tabs;
-    // The cutter takes half of its width from both sides.
+    // The cutter removes half of its width on both sides.
     const double half = 0.5 * (edit.width + context.tool.cutter.diameter);
     for (const glm::dvec3& place : edit.places) tabs.emplace_back(place, half, edit.height);
-    // What a tab stands on is asked of whole moves: a long one may pass its place without a point near it.
+    // The floor of a tab is found from whole moves: a long one may pass the tab without a point near it.
     for (Tab& tab : tabs)
         for (const PathStroke& stroke : state.strokes)
             for (std::size_t i = 0; i < stroke.points.size(); ++i) {
@@ -87,7 +87,7 @@ Result<Deviation> apply(const KeepTabs& edit, PathUnderEdit& state, const PathCo
                 point.onBoundary = false;
             }
     }
-    return Deviation{}; // it is where the user wants it
+    return Deviation{}; // changed on purpose
 }
 
 } // namespace burin

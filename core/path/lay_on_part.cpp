@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-constexpr double layThinning = 0.002; // mm, of points between which there is no shape, before they are laid on the part
+constexpr double layThinning = 0.002; // mm, of points that carry no shape, before they are projected onto the part
 
 } // namespace
 

@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-/// The direction in which a stroke sets off, level and of unit length; zero where it goes straight up or down.
+/// The direction in which a stroke starts, horizontal and of unit length; zero if it goes straight up or down.
 glm::dvec3 directionAtStart(const PathStroke& stroke) {
     const StrokePoint &first = stroke.points[0], &second = stroke.points[1];
     glm::dvec3 way = second.pose.tip - first.pose.tip;
@@ -26,11 +26,11 @@ glm::dvec3 directionAtStart(const PathStroke& stroke) {
 
 constexpr std::array shares{1.0, 0.5, 0.25}; // of a lead's size, in the order in which they are tried
 
-/// A stroke's own direction, turned no farther from that of the hand than a short first move may be turned by chance.
-/// @param own level, of unit length or zero
+/// A stroke's own direction, limited to the angle from the hand's by which a short first move may deviate by chance.
+/// @param own horizontal, of unit length or zero
 glm::dvec3 heldTo(const glm::dvec3& hand, const glm::dvec3& own) {
     constexpr double farthest = 60.0 * pi / 180.0;
-    const double turn = std::atan2(hand.x * own.y - hand.y * own.x, glm::dot(hand, own)); // 0 where there is none
+    const double turn = std::atan2(hand.x * own.y - hand.y * own.x, glm::dot(hand, own)); // 0 if there is none
     if (own != glm::dvec3(0.0) && std::abs(turn) <= farthest) return own;
     const double by = std::clamp(turn, -farthest, farthest), cosine = std::cos(by), sine = std::sin(by);
     return {cosine * hand.x - sine * hand.y, sine * hand.x + cosine * hand.y, 0.0};
@@ -39,7 +39,7 @@ glm::dvec3 heldTo(const glm::dvec3& hand, const glm::dvec3& own) {
 StrokePoint pointAt(const glm::dvec3& tip) {
     StrokePoint point;
     point.pose.tip = tip;
-    point.removes = true; // what it meets it cuts
+    point.removes = true; // it cuts any material that it meets
     return point;
 }
 
@@ -51,7 +51,7 @@ LeadFinder::LeadFinder(const LeadShape& shape, const PartGuard& guard, const Pat
         if (obstacle.on) obstacles_.emplace_back(PartGuard(*obstacle.surface, context.tool), obstacle.margin);
 }
 
-/// The side on which a lead has room where the hand began; left where it has on both, or on none.
+/// The side on which a lead has room at the start of the recording; left if it has on both, or on none.
 double LeadFinder::sideAt(const HandStart& start, double required) const {
     constexpr double slack = 0.1; // mm, by which a hand may be nearer to the part than the edited stroke
     for (const double share : shares)
@@ -74,7 +74,7 @@ std::vector<StrokePoint> LeadFinder::into(const PathStroke& stroke, const HandSt
         for (StrokePoint& point : way) point.sample = stroke.points.front().sample;
         return way;
     };
-    // By the recording a smaller one on the same side comes before one on the other.
+    // By the recording, a smaller size on the same side comes before the other side.
     if (recorded != nullptr) {
         for (const double side : {first, -first})
             for (const double share : shares)
@@ -103,7 +103,7 @@ std::vector<StrokePoint> LeadFinder::made(const glm::dvec3& end, const glm::dvec
         way.back().arc = turn;
         return way;
     }
-    // Half turns, so that no control takes one for nothing.
+    // Half turns, as a control may take a full turn for no motion at all.
     const double halfTurn = pi * size * std::tan(shape_.angle);
     const auto halves = static_cast<int>(std::max(1.0, std::ceil(shape_.height / halfTurn)));
     for (int i = halves; i >= 0; --i) {

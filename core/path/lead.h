@@ -10,26 +10,26 @@
 
 namespace burin {
 
-/// The wanted form of a way into a stroke.
+/// The requested form of a lead-in.
 struct LeadShape {
     LeadIn::Form form = LeadIn::Form::arc;
     double size = 0.0, height = 0.0; ///< mm
     double angle = 0.0;              ///< rad
-    double smallestShare = 0.25;     ///< of the size, that is tried at last
+    double smallestShare = 0.25;     ///< of the size; the smallest that is tried
 };
 
-/// Finds ways that end in a place with a direction, clear of the part and of what stands around.
+/// Finds lead-ins that end at a point in a given direction, clear of the part and of obstacles.
 class LeadFinder {
 public:
     /// Keeps a reference to the guard.
     LeadFinder(const LeadShape& shape, const PartGuard& guard, const PathContext& context);
 
-    /// Where the way begins and where its moves end, the last in the start of the stroke; nothing where none is clear,
-    /// or where the stroke starts straight up or down.
-    /// @param recorded the hand's own beginning of the stroke, for directions by the recording; null: not known
+    /// The start of the lead-in and the ends of its moves, the last at the start of the stroke; empty if none is clear,
+    /// or if the stroke starts straight up or down.
+    /// @param recorded the recorded beginning of the stroke, for directions by the recording; null: not known
     std::vector<StrokePoint> into(const PathStroke& stroke, const HandStart* recorded = nullptr) const;
 
-    /// Whether moves keep the tool as far from the part, and by their margins from obstacles. @param required mm
+    /// Whether moves keep the required distance from the part, and the margins of obstacles. @param required mm
     bool isClear(const std::vector<StrokePoint>& way, double required) const;
 
 private:

@@ -17,10 +17,10 @@ Result<Deviation> apply(const LeadIn& edit, PathUnderEdit& state, const PathCont
         const std::optional<HandStart> start = byHand ? startOf(stroke, state) : std::nullopt;
         const std::vector<StrokePoint> way = finder.into(stroke, start ? &*start : nullptr);
         if (way.empty()) return;
-        stroke.points.front().arc = way.back().arc; // the stroke's own start ends the way
+        stroke.points.front().arc = way.back().arc; // the stroke's own start is the end of the lead-in
         stroke.points.insert(stroke.points.begin(), way.begin(), way.end() - 1);
     });
-    return Deviation{}; // the stroke lies where it was
+    return Deviation{}; // the stroke itself is unchanged
 }
 
 } // namespace burin

@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// A way into the stroke gone backwards.
+/// A lead-in of the reversed stroke.
 Result<Deviation> apply(const LeadOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     const Result<PartGuard> guard = PartGuard::of(context);
     if (!guard) return guard.error();
@@ -23,7 +23,7 @@ Result<Deviation> apply(const LeadOut& edit, PathUnderEdit& state, const PathCon
         back.points.insert(back.points.begin(), way.begin(), way.end() - 1);
         state.strokes[i] = reversed(back);
     });
-    return Deviation{}; // the stroke lies where it was
+    return Deviation{}; // the stroke itself is unchanged
 }
 
 } // namespace burin

@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-/// What is aimed at, as a function of the feed.
+/// The target quantity as a function of the feed.
 class Load {
 public:
     /// @param fluteSpeed mm/s. @param spindleSpeed 1/min
@@ -34,7 +34,8 @@ public:
         return force_ ? forceIn(met, period) : met.reported / period;
     }
 
-    /// The feed between both at which the load is as wanted, or the spindle does what it can; both rise with the feed.
+    /// The highest feed between both limits with a load up to `wanted` that spindle and tool bear; both loads rise with
+    /// the feed.
     double feedFor(const MetStretch& met, double wanted, double low, double high) const {
         const auto allowed = [&](double feed) { return at(met, feed) <= wanted && isBorne(met, feed); };
         if (allowed(high)) return high;
@@ -50,7 +51,7 @@ private:
     double forceIn(const MetStretch& met, double period) const {
         return cuttingForce(met.cut(), coefficients_, tool_, ToolPose{met.from}, ToolPose{met.to}, period).tangential;
     }
-    /// By spindle and tool.
+    /// Whether spindle and tool bear the load.
     bool isBorne(const MetStretch& met, double feed) const {
         if (!(met.length > 0.0) || !(met.reported > 0.0)) return true;
         constexpr double millimetresPerMetre = 1000.0;
@@ -68,16 +69,16 @@ private:
     double fluteSpeed_;   ///< mm/s
     double spindlePower_; ///< W; 0: not stated
     ToolBeam beam_;
-    double stress_; ///< N/mm² that the tool bears; 0: not stated
+    double stress_; ///< N/mm², limit of the tool's stress; 0: not stated
 };
 
-/// What is allowed while the spindle turns at one speed.
+/// The limits at one spindle speed.
 struct Turning {
     Load load;
-    double low = 0.0, high = 0.0; ///< mm/min, that chips and machine allow
+    double low = 0.0, high = 0.0; ///< mm/min, allowed by chip load and machine
 };
 
-/// Makes and keeps what is allowed at each speed.
+/// Computes and caches the limits for each spindle speed.
 class Turnings {
 public:
     Turnings(const LevelFeed& edit, const PathContext& context, const PropertyList& materials)
@@ -97,7 +98,7 @@ public:
 private:
     Turning make(double speed) const {
         const CuttingConditions& conditions = context_.conditions;
-        const double teeth = speed * context_.tool.fluteCount; // a minute
+        const double teeth = speed * context_.tool.fluteCount; // per minute
         const double limit = context_.machine.maximumFeed > 0.0 ? context_.machine.maximumFeed : 1e9;
         const double thickest = context_.tool.maximumChipLoad > 0.0
                                     ? std::min(edit_.largestChip, context_.tool.maximumChipLoad)
@@ -110,10 +111,10 @@ private:
     const LevelFeed& edit_;
     const PathContext& context_;
     const PropertyList& materials_;
-    std::map<double, Turning> kept_; ///< by 1/min
+    std::map<double, Turning> kept_; ///< key: 1/min
 };
 
-/// 1/min by stretch, as the path turns it, whatever the tables say.
+/// Spindle speed per interval, as the path states it, 1/min, whatever the tables say.
 std::vector<double> speedsOf(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points,
                              double pathSpeed) {
     std::vector<SpindleStretch> stretches;
@@ -127,7 +128,7 @@ std::vector<double> speedsOf(const std::vector<MetStretch>& record, const std::v
     return sureSpeeds(stretches, told, spindleStartTime);
 }
 
-/// Over time, where the path cuts at the feeds that it has.
+/// Average over time of the path's cutting moves at their present feeds.
 double meanLoad(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points,
                 const std::vector<double>& speeds, Turnings& turnings) {
     double sum = 0.0, time = 0.0;
@@ -142,11 +143,11 @@ double meanLoad(const std::vector<MetStretch>& record, const std::vector<PathPoi
     return time > 0.0 ? sum / time : 0.0;
 }
 
-/// No stretch is faster than the next one allows: v² = v'² + 2 a s.
+/// No interval is faster than the next one allows: v² = v'² + 2 a s.
 void slowDownInTime(const std::vector<MetStretch>& record, double acceleration, std::vector<double>& feeds) {
     if (!(acceleration > 0.0)) return;
     for (std::size_t i = feeds.size() - 1; i-- > 0;) {
-        if (record[i + 1].from != record[i].to) continue; // a rapid lies between
+        if (record[i + 1].from != record[i].to) continue; // there is a rapid between them
         const double next = feeds[i + 1] / 60.0;
         feeds[i] = std::min(feeds[i], 60.0 * std::sqrt(next * next + 2.0 * acceleration * record[i].length));
     }

@@ -26,7 +26,7 @@ Result<Deviation> apply(const LiftArea& edit, PathUnderEdit& state, const PathCo
         }
         stroke.points = std::move(lifted);
     }
-    return Deviation{}; // it is where the user wants it
+    return Deviation{}; // changed on purpose
 }
 
 } // namespace burin

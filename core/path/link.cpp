@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-/// Above the stock, the part, every tip, and what stands there, but for what hangs above all of them.
+/// A height above the stock, the part, every tip, and all obstacles except those that are entirely above these.
 double safeHeightOf(const Link& edit, const PathUnderEdit& state, const PathContext& context, const PartGuard& guard) {
     double height = std::max(context.stock.high.z, guard.top()) + edit.clearanceAbove;
     for (const PathStroke& stroke : state.strokes) {
@@ -28,7 +28,7 @@ double safeHeightOf(const Link& edit, const PathUnderEdit& state, const PathCont
     return height;
 }
 
-/// Strokes with what it takes to string them together.
+/// Strokes with the data needed to link them.
 struct LinkTask {
     const Link& edit;
     const PartGuard& guard;
@@ -36,10 +36,10 @@ struct LinkTask {
     double safeHeight; // mm
     const std::vector<PathStroke>& strokes;
     std::vector<StrokeAccess> accesses{};
-    Deviation deviation{}; ///< of what linking leaves out
+    Deviation deviation{}; ///< by points that linking leaves out
 };
 
-/// @param watch null: nothing stands that shank or holder could touch, or no stock is known
+/// @param watch null: shank and holder can touch nothing, or no stock is known
 Result<void> linkAll(LinkTask& task, ShankWatch* watch, PathUnderEdit& state, Progress& progress) {
     LinkRoom room(task.edit, task.guard, task.context, task.safeHeight);
     const EntryPlanner planner(task.edit, room, task.guard, task.context, watch);
@@ -56,7 +56,7 @@ Result<void> linkAll(LinkTask& task, ShankWatch* watch, PathUnderEdit& state, Pr
     return {};
 }
 
-/// With an eye on the stock where the tool goes deeper than its flutes are long.
+/// Links while watching the stock, for tools that go deeper than their flutes are long.
 Result<void> linkWatched(LinkTask& task, PathUnderEdit& state, Progress& progress) {
     const auto inStock = [&](RunVolume& stock) -> Result<void> {
         ShankWatch watch(stock, task.context.tool.cutter);

@@ -75,7 +75,7 @@ std::vector<glm::dvec3> LinkRoom::rounded(const std::vector<glm::dvec3>& way) co
     return smooth;
 }
 
-/// Rapids from place to place that stay above what is left, and clear of part and obstacles.
+/// Whether rapids along these points stay above the remaining stock, and clear of part and obstacles.
 bool LinkRoom::mayPass(const std::vector<glm::dvec3>& places) const {
     for (std::size_t i = 1; i < places.size(); ++i) {
         const double height = std::min(places[i - 1].z, places[i].z);
@@ -85,14 +85,14 @@ bool LinkRoom::mayPass(const std::vector<glm::dvec3>& places) const {
     return true;
 }
 
-/// Clear of the part, and of obstacles by their margins.
+/// Whether a move is clear of the part, and of obstacles by their margins.
 bool LinkRoom::isClear(const glm::dvec3& from, const glm::dvec3& to) const {
     return guard_.isClear(from, to, 0.0, defaultSampling) && std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
                return obstacle.first.isClear(from, to, obstacle.second, defaultSampling);
            });
 }
 
-/// The same between a stroke and a place above it: the stroke's own clearance is no obstacle to leaving.
+/// The same between a stroke and a point above it: the stroke's own clearance does not prevent leaving it.
 bool LinkRoom::isClearAbove(const glm::dvec3& tip, double height) const {
     const auto passes = [&](const PartGuard& guard, double distance) {
         const double required = std::min(distance, guard.clearance(tip, distance + 1.0).clearance) - touchTolerance;
@@ -103,13 +103,13 @@ bool LinkRoom::isClearAbove(const glm::dvec3& tip, double height) const {
            });
 }
 
-/// Whether the tool may go straight on at a height, above what is left, clear of part and obstacles.
+/// Whether the tool may go straight across at a height, above the remaining stock, clear of part and obstacles.
 bool LinkRoom::isClearAcross(const glm::dvec2& from, const glm::dvec2& to, double height) const {
     const glm::dvec3 start(from, height), end(to, height);
     return cleared_.freeHeight(start, end) + approach_ <= height && isClear(start, end);
 }
 
-/// Above what is left, and farther than `spare` from part and obstacles' margins, mm.
+/// Whether a tip is above the remaining stock, and farther than `spare` from the part and from obstacles' margins, mm.
 bool LinkRoom::isFree(const glm::dvec3& tip, double spare) const {
     return cleared_.freeHeight(tip.x, tip.y) + approach_ <= tip.z && guard_.clearance(tip, spare).clearance >= spare &&
            std::ranges::all_of(obstacles_, [&](const auto& obstacle) {
@@ -128,7 +128,7 @@ LinkRoute LinkRoom::wayTo(const glm::dvec3& from, const glm::dvec3& to) const {
     return clear ? LinkRoute{height, {}} : around(from, to);
 }
 
-/// The shortest way, at one of some heights, round what stands there; else over everything.
+/// The shortest route, at one of several heights, around obstacles; else over everything.
 LinkRoute LinkRoom::around(const glm::dvec3& from, const glm::dvec3& to) const {
     constexpr int levels = 4;
     LinkRoute best{safeHeight_, {}};
@@ -156,7 +156,7 @@ LinkRoute LinkRoom::around(const glm::dvec3& from, const glm::dvec3& to) const {
             at = corner;
         }
         if (length >= shortest) continue;
-        corners.pop_back(); // over the entry
+        corners.pop_back(); // the one over the entry
         shortest = length;
         best = {height, std::move(corners)};
     }

@@ -37,7 +37,7 @@ void Linker::add(const PathStroke& stroke, const StrokeAccess& access) {
         leaveOut(stroke, OmissionReason::plunge);
 }
 
-/// Straight from the last point, or from above: then the last stroke is left.
+/// Starts a piece straight from the last point, or from above, after leaving the last stroke.
 std::optional<Linker::Piece> Linker::begin(const PathStroke& stroke, const StrokeAccess& access) {
     Piece piece{&stroke, access, false, {}};
     const glm::dvec3& start = stroke.points.front().pose.tip;
@@ -62,12 +62,12 @@ void Linker::enterFromAbove(Piece& piece) const {
         return;
     }
     piece.way = swingIn(stroke, piece.access.entry);
-    // Where the stroke begins the material may be gone, and beside it still be there.
+    // At the start of the stroke the material may be cleared, but not beside it.
     if (piece.way.size() > 1 && planner_.meetsMaterial(piece.way))
         piece.way.erase(piece.way.begin(), piece.way.end() - 1);
 }
 
-/// Whether the tool turns at the stroke's beginning, and has no room to.
+/// Whether the tool turns at the stroke's beginning without enough room.
 bool Linker::stepsBack(const Piece& piece) const {
     if (piece.access.entry == 0) return piece.entry && piece.entry->stepsBack;
     const std::vector<StrokePoint>& corners = piece.stroke->points;
@@ -88,7 +88,7 @@ void Linker::begunLonger(Piece& piece) {
     leftOut.include(deviation);
 }
 
-/// Straight from the last point the tool would be sent forth and back by next to nothing.
+/// Whether joining straight from the last point would make a back-step.
 bool Linker::joinsWithBackStep(const PathStroke& stroke) const {
     std::vector<glm::dvec3> places;
     const auto add = [&](const glm::dvec3& place) {
@@ -127,7 +127,7 @@ void Linker::leave() {
     if (points.back().pose.tip.z < room_.safeHeight()) go({tip.x, tip.y, room_.safeHeight()}, MoveKind::rapid);
 }
 
-/// All moves come by here.
+/// All moves are added here.
 void Linker::make(const PathPoint& point) {
     if (watch_ != nullptr && !rehearsed_ && !points.empty() && point.kind != MoveKind::rapid) {
         const glm::dvec3& from = points.back().pose.tip;
@@ -139,7 +139,7 @@ void Linker::make(const PathPoint& point) {
     points.push_back(point);
 }
 
-/// Where the tool turns at an end of a stroke that is gone back along, beyond it.
+/// The point beyond an end of a stroke at which the tool turns to follow the stroke back.
 std::optional<glm::dvec3> Linker::turnAt(const PathStroke& stroke, std::size_t end, std::size_t before) const {
     const glm::dvec3& tip = stroke.points[end].pose.tip;
     const std::optional<glm::dvec3> beyond = turnBeyond(tip, stroke.points[before].pose.tip);
@@ -155,7 +155,7 @@ void Linker::turn(const PathStroke& stroke, std::size_t end, std::size_t before)
     }
 }
 
-/// To where the last stroke can be left, and on from its end.
+/// Goes to where the last stroke can be left, and leaves it tangentially.
 void Linker::depart() {
     if (!back_.empty()) turn(*back_.front().first, back_.front().second + 1, back_.front().second);
     for (const auto& [stroke, index] : back_) cut(*stroke, index, turnedBack(stroke->points[index + 1].arc));
@@ -163,7 +163,7 @@ void Linker::depart() {
     swingOut();
 }
 
-/// On from the end of a stroke and up, at the feed.
+/// From the end of a stroke on and up, at the feed.
 void Linker::swingOut() {
     if (points.size() < 2 || points.back().kind != MoveKind::cut || points.back().arc) return;
     const glm::dvec3 tip = points.back().pose.tip;
@@ -174,7 +174,7 @@ void Linker::swingOut() {
     }
 }
 
-/// From above to where a stroke is entered; that point alone where it is entered straight down.
+/// From above to the entry of a stroke; only the entry point if it is entered straight down.
 std::vector<StrokePoint> Linker::swingIn(const PathStroke& stroke, std::size_t entry) const {
     const glm::dvec3& tip = stroke.points[entry].pose.tip;
     std::vector<glm::dvec3> places{tip};
@@ -185,13 +185,13 @@ std::vector<StrokePoint> Linker::swingIn(const PathStroke& stroke, std::size_t e
     return way;
 }
 
-/// A little up, which is made at the feed; and on as long as the flutes cut on it.
+/// The end of the first, feed-controlled part of a retraction: `approach` up, and farther as long as the flutes cut.
 glm::dvec3 Linker::lift(double height) const {
     const glm::dvec3& tip = points.back().pose.tip;
     return {tip.x, tip.y, std::min(std::max(tip.z + room_.approach(), room_.cleared().risenHeight(tip)), height)};
 }
 
-/// Up, across, and rapidly down to the approach above what is left over an entry.
+/// Up, across, and down as a rapid to `approach` above the remaining stock at an entry.
 void Linker::travel(const LinkRoute& route, const glm::dvec3& entry) {
     std::vector<glm::dvec3> rapids;
     if (!points.empty()) {
@@ -209,14 +209,14 @@ void Linker::travel(const LinkRoute& route, const glm::dvec3& entry) {
     for (std::size_t i = first; i < rapids.size(); ++i) go(rapids[i], MoveKind::rapid);
 }
 
-/// To a point of a stroke, along the arc or straight.
+/// Cuts to a point of a stroke, along the arc or straight.
 void Linker::cut(const PathStroke& stroke, std::size_t index, const std::optional<PathArc>& arc) {
     const StrokePoint& point = stroke.points[index];
     clear(point.pose.tip, arc);
     make({point.pose, MoveKind::cut, 0.0, stroke.source, point.sample, arc});
 }
 
-/// The height map learns that the flutes go there.
+/// Records in the height map that the flutes go there.
 void Linker::clear(const glm::dvec3& tip, const std::optional<PathArc>& arc) {
     const glm::dvec3 from = points.empty() ? tip : points.back().pose.tip;
     if (arc)
@@ -225,7 +225,7 @@ void Linker::clear(const glm::dvec3& tip, const std::optional<PathArc>& arc) {
         room_.cleared().cut(from, tip);
 }
 
-/// To the stroke's first point: straight down, or on the planned way.
+/// Goes to the stroke's first point: straight down, or on the planned entry.
 void Linker::enter(const Piece& piece) {
     const PathStroke& stroke = *piece.stroke;
     const StrokePoint& entry = stroke.points[piece.access.entry];

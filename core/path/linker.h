@@ -18,41 +18,41 @@
 
 namespace burin {
 
-/// Strings strokes together, with rapids between them. What can't be reached, and what would take shank or holder into
-/// material, is left out: the tool retracts before it, and goes on behind it.
+/// Joins strokes to one path, with rapids between them. Parts that cannot be reached, and parts that would take shank
+/// or holder into material, are left out: the tool retracts before such a part and continues behind it.
 class Linker {
 public:
     /// Keeps references to all of them. @param watch of the stock before the path; null: there is none to touch
     Linker(LinkRoom& room, const PartGuard& guard, const PathContext& context, const EntryPlanner& planner,
            ShankWatch* watch);
 
-    /// @param stroke of at least one point, which has to stay as it is until the last one was added
+    /// @param stroke of at least one point; has to stay unchanged until the last stroke was added
     void add(const PathStroke& stroke, const StrokeAccess& access);
-    /// Up to where nothing stands, behind the last one.
+    /// Retracts behind the last stroke to the height above everything.
     void leave();
 
     std::vector<PathPoint> points;
     std::vector<Omission> omissions;
     std::vector<StrokeEntry> entries;
-    Deviation leftOut; ///< of points that would have sent the tool forth and back
+    Deviation leftOut; ///< of points left out because they would have caused back-steps
 
 private:
-    /// What is strung on next, and how it is entered.
+    /// The next part to append, and how it is entered.
     struct Piece {
         const PathStroke* stroke = nullptr;
         StrokeAccess access;
-        bool joined = false;                        ///< straight from the last point
-        std::vector<StrokePoint> way;               ///< from above to where it is entered
+        bool joined = false;                        ///< reached straight from the last point
+        std::vector<StrokePoint> way;               ///< from above to the point where it is entered
         std::optional<EntryPlanner::Entry> entry{}; ///< in material
-        bool longer = false;                        ///< `withLongStart`
+        bool longer = false;                        ///< has a longer first move, by `withLongStart`
     };
-    /// How far a piece can be made.
+    /// How much of a piece can be machined.
     struct Rehearsal {
         std::size_t reached = 0; ///< the last step that is clear
         std::optional<ToolSection> touching{};
     };
 
-    /// Nothing where the stroke can only be plunged into, and the tool must not.
+    /// Empty if the stroke can only be entered by a plunge, and the tool must not plunge.
     std::optional<Piece> begin(const PathStroke& stroke, const StrokeAccess& access);
     void enterFromAbove(Piece& piece) const;
     bool stepsBack(const Piece& piece) const;
@@ -87,10 +87,10 @@ private:
     ShankWatch* watch_;
     double stockTop_, shortestKept_;                              // mm
     double lastRequired_ = 0.0;                                   // mm from the part, of the stroke before
-    bool mustLift_ = false;                                       // something was left out since
-    bool rehearsed_ = false;                                      // the watch has cut what is made now
-    std::deque<PathStroke> pieces_;                               // of strokes that are not whole
-    std::vector<std::pair<const PathStroke*, std::size_t>> back_; // back to where the last stroke can be left
+    bool mustLift_ = false;                                       // something was left out since the last stroke
+    bool rehearsed_ = false;                                      // the watch has already cut the present moves
+    std::deque<PathStroke> pieces_;                               // parts of strokes that are not appended completely
+    std::vector<std::pair<const PathStroke*, std::size_t>> back_; // points back to where the last stroke can be left
 };
 
 } // namespace burin

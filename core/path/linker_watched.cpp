@@ -15,14 +15,14 @@ OmissionReason reasonOf(ToolSection touching) {
 
 } // namespace
 
-/// Whether shank or holder come down to where stock may be left.
+/// Whether shank or holder come down to where stock may remain.
 bool Linker::mayTouch(const PathStroke& stroke) const {
     return watch_ != nullptr && std::ranges::any_of(stroke.points, [&](const StrokePoint& point) {
                return point.pose.tip.z + watch_->lowestGuard() < stockTop_;
            });
 }
 
-/// A piece is strung on as far as it is clear; the next one begins where the tool may stand for a while again.
+/// Appends a piece as far as it is clear; the next one begins where the tool is clear again over a sufficient length.
 void Linker::addWatched(const PathStroke& stroke, const StrokeAccess& access) {
     const std::vector<StrokeStep> steps = stepsOf(stroke, watch_->step());
     const std::size_t last = steps.size() - 1;
@@ -60,7 +60,7 @@ void Linker::addWatched(const PathStroke& stroke, const StrokeAccess& access) {
     }
 }
 
-/// @return the step that it was made up to; 0: nothing was worth it, and the stock is as it was
+/// @return the last step that was made; 0: nothing was worth making, and the stock is unchanged
 std::size_t Linker::appendUntilContact(const PathStroke& whole, const Piece& piece, std::span<const StrokeStep> steps,
                                        const Rehearsal& rehearsal) {
     const StrokeStep &first = steps.front(), &last = steps[rehearsal.reached];
@@ -84,7 +84,7 @@ std::size_t Linker::appendUntilContact(const PathStroke& whole, const Piece& pie
     return 0;
 }
 
-/// Makes a piece in the stock alone, until shank or holder would touch something.
+/// Simulates a piece in the stock only, until shank or holder would touch something.
 Linker::Rehearsal Linker::rehearse(const Piece& piece, std::span<const StrokeStep> steps) {
     Rehearsal rehearsal;
     rehearsal.touching = rehearseEntry(piece);
@@ -97,7 +97,7 @@ Linker::Rehearsal Linker::rehearse(const Piece& piece, std::span<const StrokeSte
     return rehearsal;
 }
 
-/// The same of the motion to the piece's first point.
+/// The same for the motion to the piece's first point.
 std::optional<ToolSection> Linker::rehearseEntry(const Piece& piece) {
     const PathStroke& stroke = *piece.stroke;
     if (piece.joined) return watch_->cutClear(points.back().pose.tip, stroke.points.front().pose.tip);
@@ -125,7 +125,7 @@ std::optional<ToolSection> Linker::rehearseEntry(const Piece& piece) {
     return std::nullopt;
 }
 
-/// From where on the tool may stand in what is left now, for as long as a piece has to be.
+/// The first step from which the tool is clear in the remaining stock, over the least length of a piece.
 std::optional<std::size_t> Linker::clearFrom(const std::vector<StrokeStep>& steps, std::size_t first) {
     std::optional<std::size_t> start;
     for (std::size_t i = first; i < steps.size(); ++i) {

@@ -14,7 +14,7 @@ std::optional<glm::dvec3> Lowering::alongAxis(const glm::dvec3& tip) const {
     const auto spareAt = [&](double z) {
         return guard_.clearance({tip.x, tip.y, z}, distance_ + 1e3).clearance - distance_;
     };
-    constexpr double above = 0.02; // mm of a tip over the part
+    constexpr double above = 0.02; // mm, height of a tip above the part
     const std::optional<double> height =
         lowestClear(spareAt, std::max(guard_.top() + distance_ + above, floor_), floor_);
     if (!height) return {};
@@ -48,7 +48,7 @@ std::vector<PathStroke> lowered(const PathStroke& stroke, const Lowering& loweri
         begins = !tips[i];
         if (begins) continue;
         places[i].pose.tip = *tips[i];
-        places[i].removes = places[i].onBoundary = true; // it lies on the part: no air
+        places[i].removes = places[i].onBoundary = true; // it lies on the part: not an air cut
         strokes.back().points.push_back(places[i]);
     }
     return strokes;

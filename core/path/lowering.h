@@ -11,14 +11,14 @@
 
 namespace burin {
 
-/// Brings a tool to where it touches the part, grown by a distance.
+/// Moves a tool until it touches the part, grown by a distance.
 class Lowering {
 public:
     /// Keeps a reference to the guard. @param distance mm, from the part @param floor mm, the lowest tip
     Lowering(const PartGuard& guard, double distance, double floor, LayOnPart::Along along)
         : guard_(guard), distance_(distance), floor_(floor), along_(along) {}
 
-    /// Nothing where the tool touches nowhere.
+    /// Empty if the tool touches nowhere.
     std::optional<glm::dvec3> bring(const glm::dvec3& tip) const {
         return along_ == LayOnPart::Along::axis ? alongAxis(tip) : alongNormal(tip);
     }
@@ -32,7 +32,7 @@ private:
     LayOnPart::Along along_;
 };
 
-/// The strokes that a stroke becomes on the part, with a point at every `sampling` mm at least.
+/// The strokes that a stroke becomes on the part, with points at most `sampling` mm apart.
 std::vector<PathStroke> lowered(const PathStroke& stroke, const Lowering& lowering, double sampling,
                                 const Progress& progress);
 

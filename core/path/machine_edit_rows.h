@@ -90,7 +90,7 @@ struct EditRow<SetFeed> {
                            "of, within the limits of machine and tool; links are fed from the tables, but no faster "
                            "than the moves that they join")})};
 };
-/// What a level of engagement is kept at: what that is, the goal says, and so does the key.
+/// The target of feed optimisation; its unit, and so its key, depends on the goal.
 struct LevelTarget {
     EditField of(const LevelFeed& edit) const {
         const bool removal = edit.goal == LevelFeed::Goal::removal;

@@ -6,48 +6,50 @@
 
 namespace burin {
 
-// Edits that make strokes one path of a machine: links, then feeds.
+// Edits that turn strokes into one machine path: links, then feeds.
 
-/// Joins the stretches: retract, at the feed as long as the flutes may cut on the way up, then rapidly, to
-/// `clearanceAbove` over the top of the stock and of what stands there, rapid across, rapid down to `approach` above
-/// what is left at the entry, plunge. What is left is known from a conservative height map of the strokes before. Ends
-/// no farther apart than the cutter's diameter are joined straight at the cutting feed, where that keeps the allowance
-/// and shank and holder stay in empty space. Under an overhang the tool leaves along the way it came. Instead of over
-/// everything it may travel at the lowest height at which the whole tool, on its straight way across, stays `approach`
-/// above what the height map says is left, and clear of part and obstacles; a machine whose axes run independently goes
-/// askew over everything all the same. Where the straight way is not clear so low, it may go round what stands there,
-/// at the height and on the way that are shortest of some that were looked at, where that is shorter than over
-/// everything. Corners between rapid moves may be rounded, inside, by arcs in chords, as far as what is inside stays
-/// clear in the same way; and level strokes are then left, and entered, tangent to them by a quarter of a circle at the
-/// feed, where that keeps what the stroke keeps. A stroke that begins in material may be entered by a ramp: to and fro
-/// along its own beginning, so that nothing is removed that it leaves; a helix beside it where it is too short and
-/// there is room; straight down at the plunge feed where neither is clear and the tool may.
+/// Links the strokes: retract, at the feed as long as the flutes may cut on the way up, then as a rapid, to
+/// `clearanceAbove` over the top of the stock and of everything on it; rapid across; rapid down to `approach` above the
+/// remaining stock at the entry; plunge. The remaining stock is known from a conservative height map of the strokes
+/// before. Ends no farther apart than the cutter's diameter are joined straight at the cutting feed, where that keeps
+/// the allowance and shank and holder stay in empty space. Under an overhang the tool retraces its path to leave.
+/// Instead of going over everything, the tool may travel at the lowest height at which, on the straight line across,
+/// the whole tool stays `approach` above the remaining stock according to the height map, and clear of part and
+/// obstacles; a machine whose axes run independently still goes over everything on diagonal moves. Where the straight
+/// line is not clear at that height, the tool may go around obstacles, on the shortest of the routes and heights that
+/// were examined, if that is shorter than going over everything. Corners between rapids may be rounded, on the inside,
+/// by arcs in chords, as far as the arc is clear in the same sense; level strokes are then also left and entered by a
+/// tangent quarter of a circle at the feed, where that keeps the stroke's distances. A stroke that begins in material
+/// may be entered by a ramp: back and forth along its own beginning, so that nothing is removed that the stroke keeps;
+/// by a helix beside it where the stroke is too short and there is room; straight down at the plunge feed where neither
+/// is clear and the tool may plunge.
 struct Link {
     enum class Travel { safe, lowest, around };
     enum class Entry { plunge, ramp };
     double clearanceAbove = 5.0; ///< mm
     double approach = 1.0;       ///< mm
     Travel travel = Travel::safe;
-    double rounding = 0.0; ///< mm of either move that a rounded corner takes, and radius of quarters, at most; 0: sharp
+    double rounding = 0.0; ///< mm of either move that a rounded corner takes, and largest radius of quarters; 0: sharp
     Entry entry = Entry::plunge;
-    double rampAngle = 0.0; ///< rad, of ramps and helices, at most; 0: by material and tool
+    double rampAngle = 0.0; ///< rad, largest angle of ramps and helices; 0: by material and tool
 };
 /// Errors: those of PathContext::lendStock.
 EditResult apply(const Link& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Feed, plunge feed, spindle speed and coolant from tool, material and machine. Plunges, and moves that go down by
-/// more than 45°, get the plunge feed; ramps half of the feed, but go down no faster than a plunge. Another spindle
-/// speed keeps the chip load, so feeds go with it; both stay within what tool and machine can do. The material's advice
-/// for a coolant that the machine lacks is left aside, a coolant that was asked for by name is refused then.
+/// Sets feed, plunge feed, spindle speed and coolant from tool, material and machine. Plunges, and moves that descend
+/// at more than 45°, get the plunge feed; ramps get half of the feed, but descend no faster than a plunge. Another
+/// spindle speed keeps the chip load, so feeds change with it; both stay within the limits of tool and machine. The
+/// coolant advised for the material is ignored if the machine lacks it; a coolant that was requested by name is then
+/// refused.
 struct SetFeed {
     enum class Cooling { advised, off, mist, flood };
     enum class Spindle {
-        one,       ///< speed for the path: the least that any material on it allows
-        byMaterial ///< speed for each: it changes at the borders (spindleSchedule)
+        one,       ///< one speed for the path: the lowest of what its materials allow
+        byMaterial ///< a speed for each material: it changes at the borders (spindleSchedule)
     };
     enum class Feeds {
         tables, ///< of tool and material
-        program ///< as a program states them that the path is made of; the tables' where none does
+        program ///< as stated by the program that the path is made from; those of the tables where there is none
     };
     double speedFactor = 1.0; ///< of the tables' (or the program's) spindle speed
     double feedFactor = 1.0;  ///< of the tables' (or the program's) chip load
@@ -57,34 +59,33 @@ struct SetFeed {
 };
 EditResult apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Feeds by what the tool meets: the path is cut again out of the stock as the paths before it leave it, and each
-/// stretch of a straight cutting move gets the feed at which the tangential force, or the removal rate, is what is
-/// aimed at. Arcs get one feed, the least that one of their stretches asks for; plunges keep theirs. Feeds stay within
-/// the chip loads and the machine's limit, never need more than its acceleration to come down in time, nor (but for the
-/// smallest chip) more than the limits of spindle and tool where they are stated: power and torque, the tool's bending
-/// stress and its chip. They change where they differ by more than `leastChange`, to the lower one. `limits` keeps the
-/// feeds that there are and only brings them down for these limits; without a stock, or where nothing is stated, it
-/// changes nothing.
+/// Feed optimisation by engagement: the path is cut again out of the stock as the paths before it leave it, and each
+/// interval of a straight cutting move gets the feed at which the tangential force, or the removal rate, has its target
+/// value. Arcs get one feed, the least of their intervals; plunges keep theirs. Feeds stay within the chip loads and
+/// the machine's limit, never need more than its acceleration to slow down in time, and (except for the smallest chip)
+/// never exceed the limits of spindle and tool where they are stated: power and torque, the tool's bending stress and
+/// its chip load. Feeds change where they differ by more than `leastChange`, to the lower one. `limits` keeps the
+/// present feeds and only reduces them to these limits; without a stock, or if no limit is stated, it changes nothing.
 struct LevelFeed {
     enum class Goal { force, removal, limits };
     Goal goal = Goal::force;
-    double target = 0.0; ///< N or mm³/s; 0: the mean over time that the path has where it cuts
-    double smallestChip = 0.005, largestChip = 0.2; ///< mm a tooth
-    double leastChange = 0.1;                       ///< of the feed
-    double sampling = 0.5;                          ///< mm of a move between looks
+    double target = 0.0;                            ///< N or mm³/s; 0: the time average over the path's cutting moves
+    double smallestChip = 0.005, largestChip = 0.2; ///< mm per tooth
+    double leastChange = 0.1;                       ///< relative change of the feed
+    double sampling = 0.5;                          ///< mm of a move between samples
 };
 /// Errors: argumentInvalid (no stock, no feeds yet), those of PathContext::lendStock.
 EditResult apply(const LevelFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Feeds in an area are multiplied by a factor; the machine's limit holds. Lines are split at its border; an arc counts
-/// where its middle lies.
+/// Multiplies feeds in an area by a factor; the machine's limit holds. Lines are split at the border of the area; an
+/// arc is inside if its middle is.
 struct AreaFeed : Area {
     double factor = 0.5;
 };
 EditResult apply(const AreaFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Feeds of strokes, or of a part of them, are multiplied by a factor; the machine's limit holds. A move counts where
-/// the moment at which it ends does; what links strokes has none.
+/// Multiplies feeds of strokes, or of a part of them, by a factor; the machine's limit holds. A move is included if the
+/// moment at which it ends is; links between strokes have no moments.
 struct ScaleFeed {
     SourceStretch stretch;
     double factor = 0.5;

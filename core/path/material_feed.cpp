@@ -14,10 +14,10 @@ namespace burin {
 namespace {
 
 constexpr double sampling = 0.5;     // mm, as LevelFeed's
-constexpr double leastChange = 0.02; // share
-constexpr double crumb = 1e-3;       // of what a stretch removes: a border that rounds to the other side
+constexpr double leastChange = 0.02; // relative
+constexpr double crumb = 1e-3;       // share of the removed volume: rounding at a border
 
-/// Whether a stretch mills a material, and not a crumb of it.
+/// Calls `use` for each material that an interval mills, except for traces caused by rounding.
 template <class Use>
 void forEachMaterial(const MetStretch& met, const Use& use) {
     double all = 0.0;
@@ -26,14 +26,14 @@ void forEachMaterial(const MetStretch& met, const Use& use) {
         if (material.volume > crumb * all) use(material.property);
 }
 
-/// By how much a stretch's feeds differ from those of the one material, cutting and plunging; at a lower spindle speed
-/// the chip stays as thick.
+/// The ratio of an interval's feeds to those of the one material, for cuts and plunges; a lower spindle speed keeps the
+/// chip load.
 class Shares {
 public:
     Shares(const std::vector<CuttingConditions>& conditions, const CuttingConditions& one)
         : conditions_(conditions), one_(one) {}
 
-    /// 1/min, the most that what is met allows; infinite where nothing is met.
+    /// Highest speed that the materials of an interval allow, 1/min; infinite if there are none.
     double fastest(const MetStretch& met) const {
         double least = std::numeric_limits<double>::infinity();
         forEachMaterial(met, [&](PropertyIndex material) {
@@ -42,7 +42,7 @@ public:
         return least;
     }
 
-    /// At a spindle speed, 1/min. Infinite where nothing is met.
+    /// The ratio at a spindle speed, 1/min. Infinite if the interval meets no material.
     double of(const MetStretch& met, MoveKind kind, double spindleSpeed) const {
         double least = std::numeric_limits<double>::infinity();
         forEachMaterial(met, [&](PropertyIndex material) {
@@ -60,7 +60,7 @@ private:
     const CuttingConditions& one_;
 };
 
-/// The least that any material on the path allows, everywhere; infinite where it meets none.
+/// The lowest of the speeds that the materials on the path allow, everywhere; infinite if there are none.
 SpindleSpeeds oneSpeed(const std::vector<MetStretch>& record, const Shares& shares) {
     double least = std::numeric_limits<double>::infinity();
     for (const MetStretch& met : record) least = std::min(least, shares.fastest(met));
@@ -80,7 +80,7 @@ SpindleSpeeds speedsByMaterial(const std::vector<MetStretch>& record, const std:
     return spindleSchedule(stretches, spindleStartTime);
 }
 
-/// Air takes what comes next, or at the end what came last.
+/// Intervals in air take the value of the next interval in material, at the end that of the last one.
 void fillAir(std::vector<double>& shares) {
     const auto isMet = [](double share) { return share < std::numeric_limits<double>::infinity(); };
     double next = 0.0;
@@ -113,7 +113,7 @@ Result<void> feedByMaterial(PathUnderEdit& state, const PathContext& context,
     const SpindleSpeeds speeds =
         spindle == SetFeed::Spindle::one ? oneSpeed(record, shares) : speedsByMaterial(record, state.points, shares);
     const double first = speeds.sureOf.empty() ? std::numeric_limits<double>::infinity() : speeds.sureOf.front();
-    if (std::isinf(first)) return {}; // it meets nothing
+    if (std::isinf(first)) return {}; // it meets no material
     std::vector<double> share;
     for (std::size_t i = 0; i < record.size(); ++i)
         share.push_back(shares.of(record[i], state.points[record[i].move].kind, speeds.sureOf[i]));
@@ -124,7 +124,7 @@ Result<void> feedByMaterial(PathUnderEdit& state, const PathContext& context,
         asked.push_back(std::min(most, share[i] * state.points[record[i].move].feed));
     state.points =
         withFeeds(state.points, record, leastOfNeighbours(record, state.points, asked), leastChange, speeds.told);
-    state.spindleSpeed = first; // with which the first cut begins
+    state.spindleSpeed = first; // the speed of the first cut
     return {};
 }
 

@@ -11,12 +11,13 @@
 namespace burin {
 namespace {
 
-constexpr double flattest = 1e-6; // mm in plan: less is straight up or down
-/// Stock is looked for so far beside the axis and ahead of it, in radii: just beyond what the flutes cover already.
+constexpr double flattest = 1e-6; // mm in plan: shorter moves are straight up or down
+/// Position, beside the axis and ahead of it, at which stock is looked for, in radii: just beyond the area of the
+/// flutes.
 constexpr double beside = 0.95, ahead = 0.45;
-/// Stock that stands no higher above the flutes than this is not cut by their side, mm.
+/// Stock that is no higher above the flutes' edge than this is not cut by their side, mm.
 constexpr double least = 0.02;
-/// The part lies beside the tool when its direction is at least so much across the motion (sine).
+/// The part is beside the tool if the sine of the angle between its direction and the motion is at least this.
 constexpr double across = 0.25;
 
 MillingSide sideOf(bool left, bool right) {
@@ -24,7 +25,7 @@ MillingSide sideOf(bool left, bool right) {
     return right ? MillingSide::climb : MillingSide::conventional;
 }
 
-/// Looks at one move after the other, and cuts it.
+/// Evaluates the moves in order, and cuts each out of the height map.
 class SideFinder {
 public:
     SideFinder(const PathContext& context, const PartGuard& guard)

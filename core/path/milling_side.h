@@ -16,13 +16,14 @@ struct MilledSides {
     std::shared_ptr<const ClearedHeights> cleared; ///< what this path and those before it clear; never null
 };
 
-/// Which it is along a path: by the stock that is left on either side of the flutes, known from the height map that
-/// links use; where that stands on both sides or on none, by the side on which the part is nearest, within a radius of
-/// the tool. Rapids and moves straight up or down are neither. `Reverse` (recording_edits.h) changes it. Cancellable.
+/// Determines climb or conventional milling along a path: by the remaining stock on either side of the flutes, known
+/// from the height map that links use; where there is stock on both sides or on neither, by the side on which the part
+/// is nearest, within a radius of the tool. Rapids and moves straight up or down are neither. `Reverse`
+/// (recording_edits.h) changes the side. Cancellable.
 /// Errors: argumentInvalid (no part, no stock), cancelled.
 Result<MilledSides> millingSides(const Path& path, const PathContext& context, Progress& progress);
 
-/// mm that a path cuts on either side, by MillingSide.
+/// The lengths that a path cuts on either side, mm, indexed by MillingSide.
 std::array<double, 3> lengthsBySide(const Path& path, const std::vector<MillingStretch>& stretches);
 
 } // namespace burin

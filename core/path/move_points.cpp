@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-/// How far along the stroke each point is from the nearest one of the stretch, mm.
+/// The distance along the stroke from each point to the nearest one of the interval, mm.
 std::vector<double> distancesAlong(const SourceStretch& stretch, const PathStroke& stroke) {
     const std::vector<StrokePoint>& points = stroke.points;
     std::vector<double> distances(points.size(), std::numeric_limits<double>::infinity());
@@ -27,7 +27,7 @@ std::vector<double> distancesAlong(const SourceStretch& stretch, const PathStrok
     return distances;
 }
 
-/// Along the part, as far from it as the tool was. Far from the part there is no surface to follow.
+/// Moves along the part, at constant distance from it. Far from the part there is no surface to follow.
 glm::dvec3 movedOnSurface(const glm::dvec3& tip, const glm::dvec3& by, const PartGuard& guard) {
     constexpr double farthest = 10.0;  // mm from the part
     constexpr double precision = 1e-4; // mm
@@ -67,7 +67,7 @@ Result<Deviation> apply(const MovePoints& edit, PathUnderEdit& state, const Path
             tip = guard ? movedOnSurface(tip, weight * edit.by, *guard) : tip + weight * edit.by;
         }
     }
-    return Deviation{}; // it is where the user wants it
+    return Deviation{}; // changed on purpose
 }
 
 } // namespace burin

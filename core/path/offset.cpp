@@ -23,7 +23,7 @@ Result<Deviation> apply(const Offset& edit, PathUnderEdit& state, const PathCont
             strokes.push_back({from.source, from.allowance, from.required, from.tickPeriod, std::move(points)});
     }
     state.strokes = std::move(strokes);
-    return Deviation{}; // it is where the user wants it
+    return Deviation{}; // changed on purpose
 }
 
 } // namespace burin

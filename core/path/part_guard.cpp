@@ -29,14 +29,14 @@ std::optional<PartGuard::Dip> PartGuard::deepestDip(const glm::dvec3& from, cons
 
 namespace {
 
-/// Between two samples both edges of tool and part may be sharp, and a corner is cut. It is looked for down to this,
-/// mm.
+/// Between two samples, both tool and part may have a sharp edge, and a corner is cut. Samples are refined down to this
+/// distance, mm.
 constexpr double finestGap = 0.001;
 constexpr double cornerTolerance = 2e-5; // mm
 
 } // namespace
 
-/// Walks along one move.
+/// Samples the clearance along one move.
 class PartGuard::Scan {
 public:
     Scan(const PartGuard& guard, const glm::dvec3& from, const glm::dvec3& to, double required, bool firstIsEnough)
@@ -78,14 +78,14 @@ private:
         return {at, found.clearance, length_ > 0.0 ? glm::dot(found.away, way_) / length_ : 0.0};
     }
 
-    /// Distance from a convex body is a convex function, so it lies above its tangents: where they meet is the least
-    /// that it can be. Only where that is too little a place between is looked at.
+    /// The distance from a convex body is a convex function, so it lies above its tangents: their intersection is its
+    /// lower bound. A point between is sampled only if that is too low.
     void between(const Place& a, const Place& b) {
         const double gap = b.at - a.at;
         if (gap < finestGap || (dip_ && firstIsEnough_)) return;
         if (a.clearance < required_ || b.clearance < required_) return; // known already
-        if (a.clearance + b.clearance - 2.0 * required_ >= gap) return; // by the way alone
-        if (a.slope >= b.slope) return;                                 // no valley between
+        if (a.clearance + b.clearance - 2.0 * required_ >= gap) return; // by the length of the move alone
+        if (a.slope >= b.slope) return;                                 // no minimum between
         const double meeting = (b.clearance - a.clearance + a.slope * a.at - b.slope * b.at) / (a.slope - b.slope);
         const double least = a.clearance + a.slope * (std::clamp(meeting, a.at, b.at) - a.at);
         if (least >= required_ - cornerTolerance) return;

@@ -11,36 +11,36 @@
 
 namespace burin {
 
-/// The whole tool, upright, against the part. Any number of threads may ask.
+/// Distance queries for the whole upright tool against the part. Thread-safe.
 class PartGuard {
 public:
     /// Keeps a reference to the part.
     PartGuard(const MeshDistance& part, const Tool& tool);
-    /// The same of some pieces alone.
+    /// The same for some pieces alone.
     PartGuard(const MeshDistance& part, std::vector<RevolvedPiece> pieces);
 
-    /// Errors: argumentInvalid, when the context has no part.
+    /// Errors: argumentInvalid, if the context has no part.
     static Result<PartGuard> of(const PathContext& context);
 
     ToolClearance clearance(const glm::dvec3& tip, double within) const;
 
-    /// Where a straight move comes nearest to the part, among those of its places that are nearer than allowed.
+    /// The point at which a straight move comes nearest to the part, among its points that are nearer than allowed.
     struct Dip {
-        double part = 0.0;      ///< of the move, 0 … 1
+        double part = 0.0;      ///< fraction of the move, 0 … 1
         double clearance = 0.0; ///< mm
     };
-    /// Looks at both ends and every `sampling` mm or less between them. Places that can't be nearer than `required`
-    /// because the tool was far enough away a little before are skipped: clearance changes by no more than the way.
-    /// Corners that a move may cut between two samples are looked at more closely.
+    /// Samples both ends and points between them at most `sampling` mm apart. Points that can't be nearer than
+    /// `required`, because the tool was far enough away just before, are skipped: clearance changes by no more than the
+    /// tool moves. Corners that a move may cut between two samples are sampled more finely.
     std::optional<Dip> deepestDip(const glm::dvec3& from, const glm::dvec3& to, double required, double sampling) const;
     bool isClear(const glm::dvec3& from, const glm::dvec3& to, double required, double sampling) const {
         return !scan(from, to, required, sampling, true);
     }
 
-    /// The same along an arc, held against the part grown by the 0.0005 mm that chords leave it by.
+    /// The same along an arc; the required distance is increased by the 0.0005 mm by which chords leave it.
     bool isClear(const Arc& arc, double required, double sampling) const;
 
-    /// A tip this high has the whole part below it, mm.
+    /// A tip at this height has the whole part below it, mm.
     double top() const noexcept { return top_; }
     const std::vector<RevolvedPiece>& pieces() const noexcept { return pieces_; }
 
@@ -54,7 +54,7 @@ private:
     double top_;
 };
 
-/// Sampling of the moves that Burin checks without being told another, mm.
+/// Sampling distance of the checks that Burin makes unless another one is given, mm.
 inline constexpr double defaultSampling = 0.1;
 
 } // namespace burin

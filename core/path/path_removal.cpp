@@ -38,7 +38,7 @@ Result<void> cutMoves(const Path& path, MaterialRemoval& removal, RunVolume& sto
 Result<void> cutPath(const Path& path, const Cutter& cutter, RunVolume& stock, Progress& progress) {
     MaterialRemoval removal(cutter, stock.grid(), Writing::deferred);
     Result<void> done = cutMoves(path, removal, stock, progress);
-    // Also where it was given up: memory that was set aside goes back to the stock.
+    // Also after an interruption: reserved memory is returned to the stock.
     const bool full = removal.settle(stock).outOfMemory;
     if (done && full) return fullMemory(stock);
     return done;

@@ -9,8 +9,8 @@
 
 namespace burin {
 
-/// Takes what a path sweeps out of a stock. Rapids cut nothing; arcs are gone in chords that leave them by a fiftieth
-/// of a voxel at most. Errors: volumeOutOfMemory, cancelled; part of it is cut then.
+/// Removes the swept volume of a path from a stock. Rapids cut nothing; arcs are followed in chords that leave them by
+/// a fiftieth of a voxel at most. Errors: volumeOutOfMemory, cancelled; the stock is then partly cut.
 Result<void> cutPath(const Path& path, const Cutter& cutter, RunVolume& stock, Progress& progress);
 
 } // namespace burin

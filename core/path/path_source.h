@@ -12,8 +12,8 @@
 
 namespace burin {
 
-/// Something that a path is made of, by its id: a take has a number above 0, generated moves have one below, so that a
-/// moment names either by one number.
+/// Identifies a source of a path: a take has an id above 0, generated moves have one below, so that a moment identifies
+/// either by one number.
 struct PathSource {
     std::int64_t id = 0; ///< TakeInfo::id or GeneratedMoves::id
 
@@ -30,11 +30,11 @@ std::vector<PathSource> sourcesOf(std::span<const std::int64_t> takes);
 struct SourceInfo {
     PathSource source;
     std::string toolId;
-    double allowance = 0.0;  ///< mm that it leaves on the part
-    double tickPeriod = 0.0; ///< s of the hand's time; 0: it has none
+    double allowance = 0.0;  ///< mm of stock that it leaves on the part
+    double tickPeriod = 0.0; ///< s between its samples; 0: it has no timing
 };
 
-/// As messages and comments of programs name it: "take 3", "pass 1".
+/// Its name in messages and in comments of programs: "take 3", "pass 1".
 std::string nameOf(PathSource source);
 
 SourceInfo sourceOf(const TakeInfo& take);

@@ -18,7 +18,7 @@ SplinePosition splinePosition(std::size_t cell, double share) noexcept {
 }
 
 double PenalisedSpline::penaltyFor(double cutOffPeriod, double gap) noexcept {
-    // Gain 1 / (1 + (f / fc)⁶) asks for a penalty of (2 pi fc)⁻⁶ on the third derivative.
+    // The gain 1 / (1 + (f / fc)⁶) requires a penalty of (2 pi fc)⁻⁶ on the third derivative.
     return std::pow(cutOffPeriod / (2.0 * pi), 6.0) * std::pow(gap, -5.0);
 }
 

@@ -11,13 +11,13 @@
 namespace burin {
 namespace {
 
-/// What the polyline is thinned by first, and what chords of rounded corners leave them by, mm.
+/// Tolerance for simplifying the polyline, and for the chords of rounded corners, mm.
 constexpr double planChordTolerance = 0.001;
-/// Places of the raw curve are looked at this far apart, mm: a loop that is smaller may stay.
+/// Spacing of the checked points of the raw curve, mm: a smaller loop may stay.
 constexpr double sampling = 0.05;
-/// A place nearer to the polyline than its distance by more than this is part of a loop, mm.
+/// A point that is nearer to the polyline than its distance by more than this belongs to a loop, mm.
 constexpr double slack = 1e-6;
-/// Ends of a loop that was left out meet within this, else the curve can't go on there, mm.
+/// The ends of a removed loop meet within this, else the curve is interrupted there, mm.
 constexpr double meeting = 0.01;
 
 double distanceInPlan(const glm::dvec3& place, std::span<const StrokePoint> line) {
@@ -29,7 +29,7 @@ double distanceInPlan(const glm::dvec3& place, std::span<const StrokePoint> line
     return nearest;
 }
 
-/// Every move shifted aside, corners on the outside rounded, loops still in it.
+/// The shifted moves, outside corners rounded, loops not yet removed.
 class RawOffset {
 public:
     RawOffset(std::span<const StrokePoint> points, double distance) : distance_(distance) {
@@ -56,7 +56,7 @@ public:
 private:
     void shift(StrokePoint point, const glm::dvec3& side) {
         point.pose.tip += distance_ * side;
-        point.removes = true; // new ground: no air
+        point.removes = true; // unknown material: not an air cut
         point.onBoundary = false;
         places.push_back(point);
     }
@@ -76,7 +76,7 @@ private:
     glm::dvec3 side_{0.0};
 };
 
-/// The last place before a loop, or the first behind it.
+/// The last point before a loop, or the first behind it.
 StrokePoint border(StrokePoint good, const StrokePoint& bad, std::span<const StrokePoint> line, double least) {
     double in = 0.0, out = 1.0;
     const glm::dvec3 from = good.pose.tip;

@@ -9,8 +9,9 @@
 
 namespace burin {
 
-/// The curve beside a polyline in plan, as Offset (surface_edits.h) has it: in pieces where it can't go on, in the
-/// direction of the polyline. Corners on the outside are rounded. Cost: its points times those of the polyline.
+/// The offset curve of a polyline in plan, as described at Offset (surface_edits.h): in several pieces where it cannot
+/// continue, in the direction of the polyline. Outside corners are rounded. Cost: its points times those of the
+/// polyline.
 /// @param distance mm, to the left; 0 gives the polyline
 std::vector<std::vector<StrokePoint>> offsetInPlan(std::span<const StrokePoint> points, double distance);
 

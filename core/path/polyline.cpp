@@ -11,7 +11,7 @@ std::vector<std::size_t> simplify(std::span<const StrokePoint> points, double to
     std::vector<std::size_t> kept;
     if (points.empty()) return kept;
     kept.push_back(0);
-    std::vector<std::size_t> ends; // of the ranges that wait, nearest last
+    std::vector<std::size_t> ends; // of the pending ranges, nearest last
     if (points.size() > 1) ends.push_back(points.size() - 1);
     while (!ends.empty()) {
         const std::size_t first = kept.back(), last = ends.back();

@@ -6,39 +6,40 @@
 
 namespace burin {
 
-// Edits of what the hand did, in any order. Points stay a tick apart, so that filters in time may follow any of them.
+// Edits of the recorded motion, in any order. Points stay one tick apart, so that filters in time may follow any of
+// them.
 
-/// Leaves out stretches that removed nothing, unless the boundary held the tool (a finishing pass over finished stock
-/// is work, not air) or the stretch is shorter than `shortest`. A stroke in which nothing was done at all goes as well.
+/// Leaves out parts that removed nothing, unless the boundary held the tool (a finishing pass over finished stock is
+/// work, not air) or the part is shorter than `shortest`. A stroke that did nothing at all is left out as well.
 struct DropAirCuts {
     double shortest = 3.0; ///< mm
 };
 EditResult apply(const DropAirCuts& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Leaves out samples while the tip stays slower than `speed` for longer than `time` and removes nothing. A tip that
-/// creeps keeps a point every 0.05 mm, so that the shape stays.
+/// Leaves out samples while the tip stays slower than `speed` for longer than `time` and removes nothing. A slowly
+/// moving tip keeps a point every 0.05 mm, so that the shape is preserved.
 struct DropDwells {
     double speed = 1.0; ///< mm/s
     double time = 0.15; ///< s
 };
 EditResult apply(const DropDwells& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Smooths the shape of strokes and leaves the law of time: a cubic spline by the stroke's own length, with a penalty
-/// on its third derivative (P-spline), leaves 1 / (1 + (wavelength / w)⁶) of what has the wavelength w across the
-/// stroke. Tremor along it is no shape: steps back of less than half of the wavelength go. Each point lies within
-/// `tolerance` of the curve, and the curve within `tolerance` of the stroke, so that corners stay where the tube
-/// demands it.
+/// Smooths the shape of strokes and keeps their timing: a cubic spline over the arc length of the stroke, with a
+/// penalty on its third derivative (P-spline), has the gain 1 / (1 + (wavelength / w)⁶) for the wavelength w across the
+/// stroke. Tremor along the stroke does not belong to the shape: steps back of less than half of the wavelength are
+/// removed. Each point lies within `tolerance` of the curve, and the curve within `tolerance` of the stroke, so that
+/// corners stay where the tolerance requires it.
 struct SmoothShape {
     double wavelength = 3.0; ///< mm, the cut-off
     double tolerance = 0.03; ///< mm
 };
 EditResult apply(const SmoothShape& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-// Smoothing in time, as paths made by earlier versions have it: where the hand stops and goes on, it may step back.
+// Smoothing in time, as used by paths of earlier versions: where the hand stops and goes on, it may step back.
 
-/// Zero-phase low pass in time (forward-backward Butterworth, second order), cut-off in Hz, held within `tolerance` of
-/// the recorded tips. Steps of an encoder are taken out first, so that holding the tolerance does not bring them back.
-/// Never across a gap.
+/// Zero-phase low pass in time (forward-backward Butterworth, second order), cut-off in Hz, kept within `tolerance` of
+/// the recorded tips. Steps of an encoder are removed first, so that clamping to the tolerance does not reintroduce
+/// them. Never filters across a gap.
 struct Smooth {
     double cutOff = 5.0;     ///< Hz
     double tolerance = 0.03; ///< mm
@@ -46,66 +47,67 @@ struct Smooth {
 EditResult apply(const Smooth& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Zero-phase smoothing by a cubic spline in time with evenly spaced knots and a penalty on its third derivative
-/// (P-spline): leaves 1 / (1 + (f / cut-off)⁶) of a frequency f. Where it would leave the recording by more than
-/// `tolerance`, it is drawn to it there, so that corners stay where the tube demands it; every place of one lies within
-/// `tolerance` of the other.
+/// (P-spline): its gain is 1 / (1 + (f / cut-off)⁶) for a frequency f. Where it would deviate from the recording by
+/// more than `tolerance`, it is pulled towards it, so that corners stay where the tolerance requires it; every point of
+/// either lies within `tolerance` of the other.
 struct SmoothSpline {
     double cutOff = 5.0;     ///< Hz
     double tolerance = 0.03; ///< mm
 };
 EditResult apply(const SmoothSpline& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-// The following mean the strokes that have a moment in their stretch, whole, unless they say otherwise. No stretch:
-// all strokes.
+// Unless stated otherwise, the following edits apply to all of each stroke that has a moment in their interval. Without
+// an interval: to all strokes.
 
-/// Leaves a stretch out. The stroke ends before it and a new one begins behind it.
+/// Deletes part of the path. The stroke ends before it and a new one begins behind it.
 struct CutOut {
     SourceStretch stretch;
 };
 EditResult apply(const CutOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Makes strokes shorter, along their way. One that has no length left goes.
+/// Shortens strokes, measured along the path. Strokes that have no length left are dropped.
 struct Trim {
     SourceStretch stretch;
     double fromStart = 0.0, fromEnd = 0.0; ///< mm
 };
 EditResult apply(const Trim& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Makes strokes longer, straight on as they begin and end (over their first and last millimetre). The new points are
-/// as far apart as those beside them; they cut nothing that is known, and a later edit keeps them off the part.
+/// Extends strokes straight on in the direction in which they begin and end (over their first and last millimetre). The
+/// new points are as far apart as those next to them; they remove no known material, and a later edit keeps them out of
+/// the part.
 struct Extend {
     SourceStretch stretch;
     double atStart = 0.0, atEnd = 2.0; ///< mm
 };
 EditResult apply(const Extend& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Makes two strokes of one; both have the point.
+/// Splits a stroke in two; both have the point.
 struct Split {
     Moment at;
 };
 EditResult apply(const Split& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Joins strokes of one take that follow each other by a straight way, where their ends are no farther apart than
-/// `longest`. The way gets points as far apart as those around it.
+/// Joins consecutive strokes of one take by a straight move, where their ends are no farther apart than `longest`. The
+/// move gets points as far apart as those around it.
 struct Join {
     SourceStretch stretch;
     double longest = 5.0; ///< mm
 };
 EditResult apply(const Join& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Moves the stroke that has a moment to before the stroke that has another one; no such: to the end.
+/// Moves the stroke that has one moment before the stroke that has the other; to the end if there is no such stroke.
 struct Reorder {
     Moment stroke, before;
 };
 EditResult apply(const Reorder& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Turns strokes round: climb becomes conventional, and the other way round.
+/// Reverses strokes: climb becomes conventional, and vice versa.
 struct Reverse {
     SourceStretch stretch;
 };
 EditResult apply(const Reverse& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Mirrors strokes at an upright plane: climb becomes conventional.
+/// Mirrors strokes at a vertical plane: climb becomes conventional.
 struct Mirror {
     enum class Across { x, y };
     SourceStretch stretch;
@@ -115,7 +117,7 @@ struct Mirror {
 };
 EditResult apply(const Mirror& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Turns strokes about an upright axis.
+/// Rotates strokes about a vertical axis.
 struct Rotate {
     SourceStretch stretch;
     glm::dvec3 centre{0.0}; ///< mm
@@ -123,8 +125,8 @@ struct Rotate {
 };
 EditResult apply(const Rotate& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Copies strokes: the k-th copy is turned by k times `turn` about an upright axis, then moved by k times `step`. All
-/// copies come behind the strokes that are there.
+/// Copies strokes: the k-th copy is rotated by k times `turn` about a vertical axis, then moved by k times `step`. All
+/// copies come after the existing strokes.
 struct Array {
     SourceStretch stretch;
     glm::dvec3 step{10.0, 0.0, 0.0}; ///< mm
@@ -134,8 +136,9 @@ struct Array {
 };
 EditResult apply(const Array& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Moves the points of a stretch, and those along the stroke up to `falloff` beyond, ever less (cosine). On the surface
-/// only what goes along the part counts, and the tool ends as far from it as it was.
+/// Moves the points of an interval, and those along the stroke up to `falloff` beyond it, with decreasing displacement
+/// (cosine). On the surface only the component along the part is applied, and the tool keeps its distance from the
+/// part.
 struct MovePoints {
     enum class Along { free, surface };
     SourceStretch stretch;
@@ -143,35 +146,35 @@ struct MovePoints {
     double falloff = 5.0; ///< mm
     Along along = Along::free;
 
-    /// How much of `by` a point takes that lies so far along the stroke from those that are meant, mm.
+    /// The fraction of `by` that a point gets at this distance along the stroke from the points of the interval, mm.
     double shareAt(double way) const noexcept;
 };
 EditResult apply(const MovePoints& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Puts places in a stretch's stead, in its time and straight from one to the next.
+/// Replaces an interval by points, with its timing and straight moves between them.
 struct ReplaceStretch {
     SourceStretch stretch;
     std::vector<glm::dvec3> places; ///< mm; none: nothing is replaced
 };
-/// Errors: argumentInvalid, where the path has no such stretch.
+/// Errors: argumentInvalid, if the path has no such interval.
 EditResult apply(const ReplaceStretch& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Leaves out what lies in an area, cut off exactly at its border.
+/// Deletes what lies in an area, cut off exactly at its border.
 struct RemoveArea : Area {};
 EditResult apply(const RemoveArea& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Lifts what lies in an area, up and down at its border.
+/// Retracts within an area, straight up and down at its border.
 struct LiftArea : Area {
     double lift = 1.0; ///< mm
 };
 EditResult apply(const LiftArea& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Leaves tabs between part and stock: where the tip passes a place in plan it goes over a tab that is `width` wide in
-/// every direction and `height` high above the lowest point of any stroke there, up and down at 30°. All strokes that
-/// pass do so, whatever their level, so that none cuts a tab that another one has left.
+/// Leaves holding tabs between part and stock: where the tip passes one of the points in plan, it goes over a tab that
+/// is `width` wide in every direction and `height` high above the lowest point of any stroke there, up and down at 30°.
+/// All strokes that pass do so, at any level, so that none cuts a tab that another one has left.
 struct KeepTabs {
-    std::vector<glm::dvec3> places; ///< mm, setup frame; heights have no meaning. None: no tabs
-    double width = 5.0;             ///< mm, of what is left between the cutter's sides
+    std::vector<glm::dvec3> places; ///< mm, setup frame; heights are ignored. Empty: no tabs
+    double width = 5.0;             ///< mm, of the tab between the cutter's sides
     double height = 1.0;            ///< mm
 };
 EditResult apply(const KeepTabs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);

@@ -16,7 +16,7 @@ Result<Deviation> apply(const RemoveArea& edit, PathUnderEdit& state, const Path
             part.points.clear();
         };
         for (std::size_t i = 0; i < divided.points.size(); ++i) {
-            if (i > 0 && divided.inside[i]) finish(); // the move goes; the next one begins where it ended
+            if (i > 0 && divided.inside[i]) finish(); // the move is deleted; the next one begins where it ended
             part.points.push_back(divided.points[i]);
         }
         const bool isPoint = divided.points.size() == 1;
@@ -26,7 +26,7 @@ Result<Deviation> apply(const RemoveArea& edit, PathUnderEdit& state, const Path
             finish();
     }
     state.strokes = std::move(left);
-    return Deviation{}; // what is left lies where it was
+    return Deviation{}; // the remaining strokes are unchanged
 }
 
 } // namespace burin

@@ -8,8 +8,7 @@
 namespace burin {
 namespace {
 
-/// Points along straight lines from place to place, all places among them, about `count` in all and evenly far apart
-/// where that goes.
+/// Points along straight lines through all given points, about `count` in total, evenly spaced as far as possible.
 std::vector<StrokePoint> pointsAlong(const std::vector<glm::dvec3>& places, std::size_t count, std::int64_t first,
                                      std::int64_t last) {
     double length = 0.0;
@@ -18,7 +17,7 @@ std::vector<StrokePoint> pointsAlong(const std::vector<glm::dvec3>& places, std:
     const auto add = [&](const glm::dvec3& tip) {
         StrokePoint point;
         point.pose.tip = tip;
-        point.removes = true; // the user wants it: no air
+        point.removes = true; // requested by the user: not an air cut
         points.push_back(point);
     };
     add(places.front());
@@ -28,14 +27,14 @@ std::vector<StrokePoint> pointsAlong(const std::vector<glm::dvec3>& places, std:
         for (std::size_t k = 1; k <= moves; ++k)
             add(glm::mix(places[i - 1], places[i], static_cast<double>(k) / static_cast<double>(moves)));
     }
-    for (std::size_t i = 0; i < points.size(); ++i) // the hand's moments, evenly
+    for (std::size_t i = 0; i < points.size(); ++i) // the hand's moments, evenly distributed
         points[i].sample = first + static_cast<std::int64_t>(
                                        std::llround(static_cast<double>(last - first) * static_cast<double>(i) /
                                                     static_cast<double>(std::max<std::size_t>(1, points.size() - 1))));
     return points;
 }
 
-/// @return whether the stroke has the stretch
+/// @return whether the stroke has the interval
 bool replace(PathStroke& stroke, const ReplaceStretch& edit) {
     std::vector<StrokePoint>& points = stroke.points;
     const auto inside = [&](const StrokePoint& point) { return contains(edit.stretch, stroke, point); };
@@ -57,7 +56,7 @@ Result<Deviation> apply(const ReplaceStretch& edit, PathUnderEdit& state, const 
     if (!found)
         return Error{ErrorCode::argumentInvalid, "stretch", "take " + std::to_string(edit.stretch.source),
                      "moments that the path still has"};
-    return Deviation{}; // it is where the user wants it
+    return Deviation{}; // changed on purpose
 }
 
 } // namespace burin

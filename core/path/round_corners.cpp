@@ -13,7 +13,7 @@ namespace {
 
 constexpr double sharpest = 170.0 * pi / 180.0; // turn
 constexpr double chordTolerance = 0.001;        // mm, of a parabola's chords
-/// So often half of the distance from the corner is tried where the part is in the way.
+/// Number of halvings of the distance from the corner that are tried if the part is in the way.
 constexpr int attempts = 3;
 
 /// A corner and its legs.
@@ -23,10 +23,10 @@ struct Corner {
     double longestLeg = 0.0;   ///< mm
 };
 
-/// What stands in a corner's place: moves that begin on the one leg and end on the other.
+/// The replacement of a corner: moves that begin on one leg and end on the other.
 struct Rounding {
     glm::dvec3 start{0.0};
-    std::vector<StrokePoint> points; ///< where its moves end
+    std::vector<StrokePoint> points; ///< ends of its moves
     double distance = 0.0;           ///< mm from the corner
 };
 
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    /// In one of the three planes: along its axis neither move goes.
+    /// An arc in one of the three planes, if neither move has a component along its axis.
     std::optional<Rounding> arc(const Corner& corner, const StrokePoint& point, double distance) const {
         const auto isLevel = [&](int axis) {
             return std::max(std::abs(corner.in[axis]), std::abs(corner.out[axis])) < 1e-9;
@@ -136,7 +136,7 @@ Deviation roundStroke(PathStroke& stroke, const Rounder& rounder) {
         if (!rounding) continue;
         rounded.back().pose.tip = rounding->start;
         rounded.insert(rounded.end(), rounding->points.begin(), rounding->points.end());
-        deviation.include(rounding->distance + chordTolerance, corner->place); // a centre on figures moves it by less
+        deviation.include(rounding->distance + chordTolerance, corner->place); // moving to the grid changes it by less
     }
     rounded.push_back(stroke.points.back());
     stroke.points = std::move(rounded);

@@ -13,12 +13,12 @@
 namespace burin {
 namespace {
 
-/// Steeper than 45° downwards a tool cuts with its end, which is what the plunge feed is for.
+/// On descents steeper than 45° a tool cuts with its end, for which the plunge feed is intended.
 bool goesDownSteeply(const glm::dvec3& from, const glm::dvec3& to) noexcept {
     return from.z - to.z > std::hypot(to.x - from.x, to.y - from.y);
 }
 
-/// Whether a move does so anywhere; of an arc, chords of 5° at most are asked.
+/// Whether any part of a move does so; an arc is checked in chords of 5° at most.
 bool goesDownSteeply(const glm::dvec3& from, const PathPoint& to) {
     if (!to.arc) return goesDownSteeply(from, to.pose.tip);
     constexpr double finestTurn = 5.0 * pi / 180.0;
@@ -32,13 +32,13 @@ bool goesDownSteeply(const glm::dvec3& from, const PathPoint& to) {
     return false;
 }
 
-/// Ramps cut as a slot does, though less deep: half of the feed, and no faster down than a plunge.
+/// Ramps cut like a slot, though less deep: half of the feed, and no faster downwards than a plunge.
 double rampFeed(const glm::dvec3& from, const PathPoint& to, double cutting, double plunging) {
     const double down = from.z - to.pose.tip.z, fastest = std::max(plunging, 0.5 * cutting);
     return down > 0.0 ? std::min(fastest, plunging * lengthOf(from, to) / down) : fastest;
 }
 
-/// The tables' conditions as the user wants them, within what tool and machine can do.
+/// The conditions of the tables with the user's factors, within the limits of tool and machine.
 CuttingConditions wantedConditions(CuttingConditions wanted, const SetFeed& edit, const PathContext& context) {
     double fastest = wanted.spindleSpeed * edit.speedFactor;
     for (const double limit : {context.machine.maximumSpindleSpeed, context.tool.maximumSpindleSpeed})
@@ -51,7 +51,7 @@ CuttingConditions wantedConditions(CuttingConditions wanted, const SetFeed& edit
     return wanted;
 }
 
-/// Gives moves what their program states, within what tool and machine can do.
+/// Gives moves the feeds and speeds that their program states, within the limits of tool and machine.
 class StatedMoves {
 public:
     StatedMoves(const SetFeed& edit, PathUnderEdit& state, const PathContext& context)
@@ -97,13 +97,14 @@ private:
         for (const double limit : {context_.machine.maximumSpindleSpeed, context_.tool.maximumSpindleSpeed})
             if (limit > 0.0) fastest = std::min(fastest, limit);
         speed = fastest;
-        // The chip load stays where the spindle can't turn as fast.
+        // The chip load is kept if the spindle cannot turn as fast.
         const double share = turns ? fastest / stated.spindleSpeed : edit_.speedFactor;
         point.feed = stated.feed * share * edit_.feedFactor;
         if (context_.machine.maximumFeed > 0.0) point.feed = std::min(point.feed, context_.machine.maximumFeed);
     }
 
-    /// Moves that links made turn as those that they lead to, or, behind the last, come from.
+    /// Moves made by links get the speed of the move that they lead to, or, behind the last, of the one that they come
+    /// from.
     void spreadSpeeds() {
         double next = 0.0;
         const auto fill = [&](std::size_t i) {
@@ -120,7 +121,8 @@ private:
             state_.points[i].spindleSpeed = speeds_[i] != state_.spindleSpeed ? speeds_[i] : 0.0;
     }
 
-    /// Nor are they fed faster than those: who chose a careful feed did not mean a table's for the way there and back.
+    /// Nor are links faster than these moves: a user who chose a careful feed did not mean to approach at that of a
+    /// table.
     void limitLinks() {
         double next = 0.0;
         const auto limit = [&](std::size_t i) {
@@ -138,8 +140,8 @@ private:
     const SetFeed& edit_;
     PathUnderEdit& state_;
     const PathContext& context_;
-    std::vector<double> speeds_; ///< 1/min by point; 0: not known yet, and of rapids
-    std::vector<bool> stated_;   ///< by point: its program states its feed
+    std::vector<double> speeds_; ///< 1/min per point; 0: not known yet, and for rapids
+    std::vector<bool> stated_;   ///< per point: its program states its feed
 };
 
 Result<Coolant> wantedCoolant(SetFeed::Cooling cooling, const PathContext& context) {

@@ -9,10 +9,10 @@
 namespace burin {
 namespace {
 
-/// Of a voxel: less than the contact's own tolerance of a quarter.
+/// In voxels; less than the contact's own tolerance of a quarter.
 constexpr double stepShare = 0.125, marginShare = 1.0 / 16.0;
 constexpr double largestMargin = 0.02; // mm
-/// Of a voxel, by which chords may leave an arc.
+/// In voxels, by which chords may leave an arc.
 constexpr double chordShare = 0.02;
 
 std::vector<RevolvedPiece> grownGuards(const Cutter& cutter, std::size_t fluteCount, double margin) {
@@ -31,7 +31,7 @@ std::vector<RevolvedPiece> grownGuards(const Cutter& cutter, std::size_t fluteCo
     return grown;
 }
 
-/// The flutes and all above them, a little narrower than they are.
+/// The flutes and a column above them, slightly narrower than they are.
 std::vector<RevolvedPiece> columnOf(const Cutter& cutter, double inset, double height) {
     std::vector<RevolvedPiece> column = flutePieces(cutter);
     const double least = std::min(inset, 0.2 * cutter.radius());
@@ -105,7 +105,7 @@ std::optional<ToolSection> ShankWatch::cutClear(const glm::dvec3& from, const gl
 }
 
 ShankWatch::~ShankWatch() {
-    settle(); // memory that was set aside goes back to the stock
+    settle(); // reserved memory is returned to the stock
 }
 
 void ShankWatch::settle() {
@@ -115,7 +115,7 @@ void ShankWatch::settle() {
 void ShankWatch::cut(const glm::dvec3& from, const glm::dvec3& to) {
     const CutResult cut = removal_.cut(stock_, from, to);
     outOfMemory_ = cut.outOfMemory || outOfMemory_;
-    if (cut.putOff) settle(); // looks between cuts see all of them
+    if (cut.putOff) settle(); // queries between cuts have to see all of them
 }
 
 void ShankWatch::cut(const Arc& arc) {

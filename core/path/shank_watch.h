@@ -12,10 +12,10 @@
 
 namespace burin {
 
-/// The stock as a path leaves it so far, which says before each step of it whether shank or holder would enter what is
-/// left of stock and part. Both are taken to be a little larger than they are (0.02 mm and a sixteenth of a voxel at
-/// most, no wider than the flutes where they are narrower), as numbers of a program are rounded. Thread: the stock's
-/// writer.
+/// The stock as a path leaves it so far. Reports before each step of the path whether shank or holder would enter the
+/// remaining stock or the part. Both are taken to be slightly larger than they are (0.02 mm and a sixteenth of a voxel
+/// at most, no wider than the flutes where they are narrower), as the coordinates of a program are rounded. Thread: the
+/// writer of the stock.
 class ShankWatch {
 public:
     /// Keeps a reference to the stock, which it cuts.
@@ -24,28 +24,29 @@ public:
     ShankWatch(const ShankWatch&) = delete;
     ShankWatch& operator=(const ShankWatch&) = delete;
 
-    /// mm: a move is to be looked at in steps no longer than this.
+    /// The largest step in which moves have to be checked, mm.
     double step() const noexcept { return step_; }
-    /// How far above the tip shank and holder begin, mm.
+    /// Height above the tip at which shank and holder begin, mm.
     double lowestGuard() const noexcept { return lowestGuard_; }
-    /// What would touch something here. Asked before the flutes have cut there; a step is so short that what
-    /// they would have cleared for the shank on it lies within the tolerance of the contact.
+    /// The section of the tool that would touch something at a tip; empty if none. Call it before the flutes have cut
+    /// there; a step is so short that the material that they would have cleared for the shank lies within the tolerance
+    /// of the contact.
     std::optional<ToolSection> contactAt(const glm::dvec3& tip);
     /// The same at all points of a straight move, which is cut as far as it is clear.
     std::optional<ToolSection> cutClear(const glm::dvec3& from, const glm::dvec3& to);
-    /// How far the tool has to rise from a tip until no stock stands in the way of its flutes from above, mm, to 0.02.
-    /// Shapes that voxels give a wall that the same flutes have cut count as none.
-    /// @param most mm: higher nothing stands
+    /// The height by which the tool has to rise from a tip until no stock blocks its flutes from above, mm, to 0.02.
+    /// Surface steps that the voxels give a wall cut by the same flutes do not count.
+    /// @param most mm: no stock is higher
     double depthAt(const glm::dvec3& tip, double most);
-    /// The flutes take what they sweep.
+    /// Removes the swept volume of the flutes.
     void cut(const glm::dvec3& from, const glm::dvec3& to);
     void cut(const Arc& arc);
 
-    /// Keeps the stock as it is; `goBack` brings it back to that.
+    /// Saves the state of the stock; `goBack` restores it.
     void keep();
     void goBack();
 
-    /// The reserved memory of the stock is used up: answers since then are worthless.
+    /// Whether the reserved memory of the stock is used up: results since then are invalid.
     bool outOfMemory() const noexcept { return outOfMemory_; }
 
 private:
@@ -53,7 +54,7 @@ private:
 
     RunVolume& stock_;
     const Cutter& cutter_;
-    std::vector<RevolvedPiece> pieces_; ///< shank and holder grown
+    std::vector<RevolvedPiece> pieces_; ///< enlarged shank and holder
     std::size_t fluteCount_;
     double step_, lowestGuard_; // mm
     MaterialRemoval removal_;

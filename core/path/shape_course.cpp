@@ -10,7 +10,7 @@
 namespace burin {
 namespace {
 
-/// Along the chord between two points of a stroke, mm from the first of them, each between 0 and the chord's length.
+/// Projections of points of a stroke onto its chord, mm from the first point, each between 0 and the chord's length.
 std::vector<double> alongChord(std::span<const StrokePoint> points) {
     const glm::dvec3 from = points.front().pose.tip, chord = points.back().pose.tip - from;
     const double length = glm::length(chord);
@@ -78,7 +78,7 @@ std::vector<double> shapeCourse(std::span<const StrokePoint> points, double chor
     if (points.size() < 2) return course;
     const std::vector<std::size_t> corners = simplifyInGroups(
         points, chord, [](const glm::dvec3&, const glm::dvec3&) { return true; }, progress);
-    // A chord along which the hand turned back is three; the nearest of those that wait stands last.
+    // A chord along which the hand turned back is split in three; the nearest of the pending ones is last.
     std::vector<std::size_t> ends(corners.rbegin(), corners.rend());
     ends.pop_back();
     std::size_t first = 0;

@@ -10,7 +10,7 @@
 namespace burin {
 namespace {
 
-/// Weights, mm of the course: what a point that leaves the tube counts at least, and at most.
+/// Weights, mm of the course: lower and upper limit for a point that leaves the tube.
 constexpr double leastWeight = 1e-3, mostWeight = 1e6;
 
 } // namespace
@@ -58,7 +58,7 @@ void ShapeFit::add(double course, const glm::dvec3& tip, double weight) {
     weights_.push_back(weight);
 }
 
-/// Lengths along the curve that a first, coarse course led to.
+/// Lengths along a curve that was fitted with a first, coarse course.
 std::vector<double> courseAlong(const ShapeFit& fit, std::span<const StrokePoint> points) {
     std::vector<double> course(points.size(), 0.0);
     double length = 0.0;

@@ -10,24 +10,24 @@
 
 namespace burin {
 
-/// A curve by its own length, fitted to a stroke's points and to the moves between them. They count by the progress of
-/// the course without tremor: a hand that rests says hardly more about the shape than one that passes, and within a
-/// wave of tremor all points count alike. By their own length those would count more where tremor hurries the hand on,
-/// and the mean of a wave would not be its middle.
+/// A curve over its own arc length, fitted to a stroke's points and to the moves between them. They are weighted by the
+/// progress of the course without tremor: a resting hand says hardly more about the shape than one that passes, and
+/// within a wave of tremor all points have the same weight. Weighted by their own length, points would count more where
+/// tremor speeds the hand up, and the mean of a wave would not be its middle.
 class ShapeFit {
 public:
-    /// @param course mm, of each point, never falling; the first is 0 @param wavelength cut-off, mm
+    /// @param course mm, of each point, non-decreasing; the first is 0 @param wavelength cut-off, mm
     /// @param gap between knots, mm
     ShapeFit(std::span<const StrokePoint> points, std::span<const double> course, double wavelength, double gap);
 
     void fit() { spline_.fit(at_, tips_, weights_); }
-    /// The curve at a point's length, mm.
+    /// The point of the curve at the course of a point, mm.
     glm::dvec3 tip(std::size_t point) const noexcept { return spline_.at(at_[pointAt_[point]]); }
-    /// Unit; zero where the curve stands.
+    /// Unit length; zero where the curve does not advance.
     glm::dvec3 direction(std::size_t point) const noexcept;
-    /// A point counts so many times as much as before.
+    /// Multiplies the weight of a point.
     void weigh(std::size_t point, double times) noexcept;
-    /// The curve goes through a point.
+    /// Makes the curve pass through a point.
     void pin(std::size_t point) noexcept;
 
 private:
@@ -35,13 +35,14 @@ private:
 
     double gap_; // mm
     PenalisedSpline spline_;
-    std::vector<SplinePosition> at_; // of the points and of what stands between them
+    std::vector<SplinePosition> at_; // of the points and of the samples between them
     std::vector<double> shares_, weights_;
     std::vector<glm::dvec3> tips_;
     std::vector<std::size_t> pointAt_;
 };
 
-/// Lengths along a curve that a first, coarse course led to: mm, one a point, never falling; the first is 0.
+/// Lengths along a curve that was fitted with a first, coarse course: mm, one per point, non-decreasing; the first is
+/// 0.
 std::vector<double> courseAlong(const ShapeFit& fit, std::span<const StrokePoint> points);
 
 } // namespace burin

@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-/// So often points outside of the tube get more weight.
+/// How often the weight of points outside the tube is increased.
 constexpr int tubeRounds = 16;
 constexpr double tubeAim = 0.97; // share of the tolerance
 
@@ -16,7 +16,7 @@ constexpr double tubeAim = 0.97; // share of the tolerance
 ShapeTube::ShapeTube(std::vector<glm::dvec3> tips, double tolerance, double reach)
     : tips_(std::move(tips)), curve_(tips_, reach), tolerance_(tolerance), reach_(reach) {}
 
-/// How far each point is from the other curve, mm; what is within the tolerance may be anything up to it.
+/// The distance of each point from the other curve, mm; within the tolerance any value up to it.
 std::vector<double> ShapeTube::offsets(std::span<const glm::dvec3> smoothed) const {
     const StrokeCurve other(smoothed, reach_);
     std::vector<double> offsets(tips_.size(), 0.0);

@@ -9,19 +9,19 @@
 
 namespace burin {
 
-/// A stroke and the tube around it: both the recorded points and the curve's stay in it. Along the curve the law of
-/// time may differ; that is no deviation.
+/// A stroke and the tube of the tolerance around it: both the recorded points and those of the curve have to stay in
+/// it. The timing along the curve may differ; that is no deviation.
 class ShapeTube {
 public:
-    /// @param tips mm, recorded @param tolerance mm @param reach mm along the curve that the law of time may differ by
+    /// @param tips mm, recorded @param tolerance mm @param reach mm along the curve by which the timing may differ
     ShapeTube(std::vector<glm::dvec3> tips, double tolerance, double reach);
 
-    /// Draws the fit into the tube by giving weight to points that are outside of it, and asks it at each point.
-    /// @return mm, as many as points; some may still be outside
+    /// Pulls the fit into the tube by increasing the weight of points outside it, and evaluates it at each point.
+    /// @return mm, one per point; some may still be outside
     std::vector<glm::dvec3> drawIn(ShapeFit& fit, const Progress& progress) const;
-    /// Which points are outside, or have a recorded point outside of the other curve.
+    /// Which points are outside, or have a recorded point outside the tube of the other curve.
     std::vector<bool> outside(std::span<const glm::dvec3> smoothed) const;
-    /// What could not be drawn into the tube stays as it was recorded.
+    /// Restores the recording where the curve could not be pulled into the tube.
     void restoreOutside(std::vector<glm::dvec3>& smoothed, const Progress& progress) const;
 
 private:

@@ -27,7 +27,7 @@ struct LowPass {
         a2 = (1.0 - root * k + k * k) * scale;
     }
 
-    /// In place, starting as if the first value had stood there for ever.
+    /// In place, starting as if all values before had equalled the first one.
     template <class Iterator>
     void run(Iterator at, Iterator end) const {
         if (at == end) return;
@@ -46,7 +46,7 @@ struct LowPass {
 std::vector<glm::dvec3> lowPassed(const PathStroke& stroke, double cutOff) {
     const std::vector<StrokePoint>& points = stroke.points;
     const double cutOffPart = cutOff * stroke.tickPeriod;
-    // The impulse response has died down to 1e-5 of its peak after 3 periods of the cut-off.
+    // The impulse response has decayed to 1e-5 of its peak after 3 periods of the cut-off.
     const std::size_t padding = std::min(points.size() - 1, static_cast<std::size_t>(std::ceil(3.0 / cutOffPart)));
     const glm::dvec3 front = points.front().pose.tip, back = points.back().pose.tip;
     std::vector<glm::dvec3> tips;
@@ -62,15 +62,15 @@ std::vector<glm::dvec3> lowPassed(const PathStroke& stroke, double cutOff) {
     return tips;
 }
 
-/// Cut-off, as a multiple of the edit's, of the filter that takes away what no hand does: steps of an encoder. Tremor
-/// (8 … 12 Hz) passes it.
+/// Cut-off, as a multiple of the edit's, of the filter that removes what cannot be hand motion: steps of an encoder.
+/// Tremor (8 … 12 Hz) passes it.
 constexpr double steadyingFactor = 8.0;
-/// Share of the tolerance that the hand's own motion may be moved by; the rest is for the encoder's steps.
+/// Share of the tolerance by which the hand's own motion may be changed; the remainder is for the encoder's steps.
 constexpr double motionShare = 0.6;
 
-/// Holding the low-passed tips within the tolerance of the *recorded* ones would bring the encoder's steps back
-/// wherever the tolerance is used up. They are held within a share of it of the steadied tips, which are smooth
-/// themselves, and only what is still too far from the recorded ones is cut off.
+/// Clamping the low-passed tips to the tolerance around the *recorded* ones would reintroduce the encoder's steps
+/// wherever the tolerance is used up. They are clamped to a share of it around the steadied tips, which are smooth
+/// themselves, and only then to the tolerance around the recorded ones.
 Deviation smooth(PathStroke& stroke, const Smooth& edit) {
     Deviation deviation;
     if (stroke.points.size() < 3 || !stroke.inTime()) return deviation;

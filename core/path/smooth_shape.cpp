@@ -14,18 +14,18 @@
 namespace burin {
 namespace {
 
-/// Gaps between knots: so many in a wavelength of the cut-off, or so many tolerances long.
+/// Distance between knots: this fraction of the cut-off wavelength, or this multiple of the tolerance.
 constexpr double knotsInWavelength = 40.0, knotsInTolerance = 4.0;
-/// Steps back of less than this share of the wavelength, and chords that the shape bends away from by less than the
-/// other one, say nothing of the shape.
+/// Steps back of less than the first share of the wavelength, and deviations from chords of less than the second, do
+/// not belong to the shape.
 constexpr double slackShare = 0.5, chordShare = 0.1;
-/// Bends that stay within this share of the tolerance are none.
+/// Bends within this share of the tolerance do not count.
 constexpr double bendShare = 0.1;
-/// Where the curve can't follow, it is cut at the sharpest corner near by, so often.
+/// How often the curve is split at the sharpest corner near by where it cannot follow.
 constexpr int cornerRounds = 6;
 constexpr double corner = 20.0 * pi / 180.0, cornerLeg = 0.05; // rad; share of the wavelength
-/// No curve of this wavelength follows what turns so much without swinging before and behind it. Shorter legs are
-/// those of a hand that hesitates.
+/// No curve of this wavelength follows such a sharp turn without swinging before and behind it. Shorter legs are those
+/// of a hesitating hand.
 constexpr double sharpCorner = 50.0 * pi / 180.0, sharpCornerLeg = 0.15; // rad; share of the wavelength
 
 /// The recorded points' own tips, mm.
@@ -35,7 +35,7 @@ std::vector<glm::dvec3> tipsOf(std::span<const StrokePoint> points) {
     return tips;
 }
 
-/// Smooths a stroke in pieces: a curve for each stretch between two corners, through both of them.
+/// Smooths a stroke in pieces: a curve for each interval between two corners, through both of them.
 class StrokeSmoother {
 public:
     StrokeSmoother(const PathStroke& stroke, const SmoothShape& edit, const Progress& progress)
@@ -43,11 +43,11 @@ public:
         , recorded_(tipsOf(points_))
         , wavelength_(edit.wavelength)
         , tolerance_(edit.tolerance)
-        // Knots are dense enough to go round corners where the tube demands it.
+        // Knots are dense enough to follow corners where the tube requires it.
         , gap_(std::min(edit.wavelength / knotsInWavelength, knotsInTolerance * edit.tolerance))
         , progress_(progress) {}
 
-    /// The tips, mm, point by point; nothing where the stroke is too short to have a shape, or the work was cancelled.
+    /// The tips, mm, point by point; empty if the stroke is too short to have a shape, or the work was cancelled.
     std::vector<glm::dvec3> smoothed() {
         if (!findCourse()) return {};
         const AddedTurns added(points_, course_, {wavelength_, bendShare * tolerance_}, progress_);
@@ -71,9 +71,9 @@ public:
     std::span<const glm::dvec3> recorded() const noexcept { return recorded_; }
 
 private:
-    double shortest() const noexcept { return 4.0 * gap_; } // mm: less says nothing of a shape
+    double shortest() const noexcept { return 4.0 * gap_; } // mm: a shorter stroke has no shape
 
-    /// How far along its own shape the stroke is at each point. False: it has none.
+    /// Computes the progress of the stroke along its own shape at each point. @return false if it has no shape
     bool findCourse() {
         course_ = shapeCourse(points_, chordShare * wavelength_, slackShare * wavelength_, progress_);
         if (progress_.cancelled() || tolerance_ <= 0.0 || course_.empty() || course_.back() < shortest()) return false;
@@ -85,7 +85,7 @@ private:
         return course_.back() >= shortest();
     }
 
-    /// The pieces that a new corner begins or ends.
+    /// Fits the pieces that a new corner begins or ends.
     void fitBetween(const std::vector<std::size_t>& corners, const std::vector<std::size_t>& before) {
         const std::size_t last = points_.size() - 1;
         const auto isEnd = [&](std::size_t point) { return point == 0 || point == last; };
@@ -96,7 +96,7 @@ private:
         }
     }
 
-    /// @param free whether the curve may end elsewhere than the piece does
+    /// @param freeStart, freeEnd whether the curve may end elsewhere than the piece does
     void fitPiece(std::size_t first, std::size_t last, bool freeStart, bool freeEnd) {
         const std::size_t count = last - first + 1;
         const auto points = std::span(points_).subspan(first, count);
@@ -123,7 +123,7 @@ private:
     const Progress& progress_;
     std::vector<double> course_;       // mm, of each point
     std::vector<glm::dvec3> smoothed_; // mm
-    std::vector<bool> outside_;        // what could not be drawn into the tube
+    std::vector<bool> outside_;        // points that could not be pulled into the tube
 };
 
 Deviation smooth(PathStroke& stroke, const SmoothShape& edit, const Progress& progress) {

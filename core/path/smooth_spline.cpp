@@ -13,11 +13,11 @@
 namespace burin {
 namespace {
 
-/// Knots in a period of the cut-off: dense enough to go round corners where the tube demands it.
+/// Knots in a period of the cut-off: dense enough to follow corners where the tube requires it.
 constexpr double knotsPerPeriod = 40.0;
-/// So often points that left the tube get more weight. What is still outside then is put onto its wall.
+/// How often the weight of points outside the tube is increased. Points that are still outside are put onto its wall.
 constexpr int rounds = 16;
-/// Aimed at, as a share of the tolerance.
+/// Target, as a share of the tolerance.
 constexpr double aim = 0.97;
 constexpr double heaviest = 1e7;
 
@@ -53,7 +53,7 @@ private:
     std::optional<PenalisedSpline> spline_;
 };
 
-/// Both polylines have a corner at each tick, so that no place of one is farther from the other than the ticks are.
+/// Both polylines have a corner at each tick, so that the distance of the ticks bounds the distance of any two points.
 Deviation smooth(PathStroke& stroke, const SmoothSpline& edit, const Progress& progress) {
     Deviation deviation;
     std::vector<StrokePoint>& points = stroke.points;

@@ -13,7 +13,7 @@ namespace {
 using Speeds = std::span<double>;
 using Stretches = std::span<const SpindleStretch>;
 
-/// What meets nothing takes what comes next in its cut, or at the end what came last.
+/// Intervals without material take the speed of the next one in their cut, at the end that of the last one.
 void fillAir(Speeds speeds, double otherwise) {
     for (std::size_t i = speeds.size() - 1; i-- > 0;)
         if (std::isinf(speeds[i])) speeds[i] = speeds[i + 1];
@@ -21,8 +21,8 @@ void fillAir(Speeds speeds, double otherwise) {
         if (std::isinf(speeds[i])) speeds[i] = i > 0 ? speeds[i - 1] : otherwise;
 }
 
-/// By stretch, the least of its value and of those that end less than a time before it begins. The queue holds what
-/// may still be the least, in rising order.
+/// For each interval, the least of its value and of those that end less than `time` before it begins. The queue holds
+/// the candidates for the minimum, in ascending order.
 template <class Seconds>
 void leastWithin(Speeds values, const Seconds& seconds, double time) {
     struct Past {
@@ -39,7 +39,7 @@ void leastWithin(Speeds values, const Seconds& seconds, double time) {
     }
 }
 
-/// As slow as whatever comes within a time.
+/// Limits each speed to the lowest one that follows within `time`.
 void slowDownInTime(Stretches cut, Speeds told, double time) {
     std::ranges::reverse(told);
     leastWithin(
@@ -47,8 +47,8 @@ void slowDownInTime(Stretches cut, Speeds told, double time) {
     std::ranges::reverse(told);
 }
 
-/// A spindle on its way down is told no other speed: it goes to the lowest that comes within a time at once, as who is
-/// told anew may get there later.
+/// A spindle that slows down gets no intermediate command: it goes at once to the lowest speed that follows within
+/// `time`, as a new command may delay its arrival.
 void fallAtOnce(Stretches cut, Speeds told, double time) {
     for (std::size_t i = 1; i < told.size(); ++i) {
         if (told[i] >= told[i - 1]) continue;
@@ -61,7 +61,7 @@ void fallAtOnce(Stretches cut, Speeds told, double time) {
     }
 }
 
-/// A speed that is raised for less than a time is not raised. One pass; false: nothing was left to do.
+/// Removes raises of the speed that last for less than `time`. One pass; returns false if there was nothing to do.
 bool dropShortRaises(Stretches cut, Speeds told, double time) {
     bool changed = false;
     for (std::size_t begin = 0, end = 0; begin < told.size(); begin = end) {
@@ -77,7 +77,7 @@ bool dropShortRaises(Stretches cut, Speeds told, double time) {
     return changed;
 }
 
-/// Calls `use(first, end)` for every cut: stretches that go on from each other.
+/// Calls `use(first, end)` for every cut: a sequence of joined intervals.
 template <class Use>
 void forEachCut(Stretches stretches, const Use& use) {
     for (std::size_t begin = 0, end = 0; begin < stretches.size(); begin = end) {

@@ -7,26 +7,28 @@
 
 namespace burin {
 
-/// A stretch of a path, as its spindle sees it.
+/// An interval of a path, as far as it concerns the spindle.
 struct SpindleStretch {
-    double fastest = 0.0; ///< 1/min that what it meets allows; infinite: it meets nothing
-    double seconds = 0.0; ///< that it takes at the feed for that speed
-    bool joined = false;  ///< it goes on where the one before it ended, without leaving the cut
+    double fastest = 0.0; ///< 1/min allowed by the material that it meets; infinite: it meets none
+    double seconds = 0.0; ///< duration at the feed for that speed
+    bool joined = false;  ///< it continues from the end of the interval before, without leaving the cut
 };
 
-/// When a spindle that takes its time changes its speed.
+/// Programmed and guaranteed speeds of a spindle that takes time to change its speed.
 struct SpindleSpeeds {
-    std::vector<double> told;   ///< 1/min by stretch, as the program says
-    std::vector<double> sureOf; ///< 1/min by stretch, that the spindle has at least: what feeds may count on
+    std::vector<double> told;   ///< 1/min per interval, as programmed
+    std::vector<double> sureOf; ///< 1/min per interval, guaranteed lower bound of the actual speed: feeds rely on it
 };
 
-/// Never faster than a stretch allows, and told so early that the spindle has come down by then; what is slower on the
-/// way there is taken as if it lasted. A speed is raised only where it lasts for longer than the spindle needs for it;
-/// until it is there, feeds count on the old one. Between cuts the spindle has all the time that it needs.
-/// @param startTime s that a change of speed takes, at most; >= 0
+/// Speeds are never faster than an interval allows, and are commanded early enough that the spindle has slowed down by
+/// then; a short interval of lower speed on the way is treated as if it lasted. A speed is raised only where it lasts
+/// for longer than the spindle needs for the change; until it is reached, feeds rely on the old one. Between cuts the
+/// spindle has all the time that it needs.
+/// @param startTime s, longest duration of a change of speed; >= 0
 SpindleSpeeds spindleSchedule(std::span<const SpindleStretch> stretches, double startTime);
 
-/// 1/min by stretch, that a spindle which was told `told` has at least: `sureOf` of a schedule.
+/// Guaranteed lower bound of the actual speed in each interval for the programmed speeds `told`, 1/min: `sureOf` of a
+/// schedule.
 std::vector<double> sureSpeeds(std::span<const SpindleStretch> stretches, std::span<const double> told,
                                double startTime);
 

@@ -18,8 +18,8 @@ std::optional<StatedFeed> StatedFeeds::between(const Moment& from, const Moment&
     if (source == stated_.end() || to.tick < 0) return std::nullopt;
     const std::vector<StatedFeed>& all = source->second;
     const bool within = from.source == to.source && from.tick >= 0;
-    // Points that an edit put between two moments have the earlier one: from such a point, or to it, the motion that
-    // is stated ends at the next moment.
+    // Points that an edit inserted between two moments have the earlier one: from such a point, or to it, the stated
+    // motion ends at the next moment.
     const std::int64_t first = within ? std::min(from.tick, to.tick) + 1 : to.tick;
     const std::int64_t last = within ? std::max({from.tick, to.tick, first}) : to.tick;
     std::optional<StatedFeed> least;

@@ -14,26 +14,26 @@ namespace burin {
 
 struct SourceStrokes;
 
-/// What a program states of the motion that ends at a moment of its source.
+/// Feed and speed that a program states for the motion ending at a moment of its source.
 struct StatedFeed {
     std::int64_t moment = 0;
     double feed = 0.0;         ///< mm/min, above 0
     double spindleSpeed = 0.0; ///< 1/min; 0: not stated
 };
 
-/// What the programs among a path's sources state of their motions, whatever edits made of these.
+/// The feeds stated by the programs among a path's sources, independent of edits.
 class StatedFeeds {
 public:
     explicit StatedFeeds(std::span<const SourceStrokes> sources);
 
     bool empty() const noexcept { return stated_.empty(); }
     bool holds(std::int64_t source) const { return stated_.contains(source); }
-    /// Of a motion from one moment to another: where an edit made one motion of several, the least feed of them.
-    /// Nothing: none is stated.
+    /// The feed for a motion from one moment to another: if an edit merged several motions into one, the least of their
+    /// feeds. Empty if none is stated.
     std::optional<StatedFeed> between(const Moment& from, const Moment& to) const;
 
 private:
-    std::map<std::int64_t, std::vector<StatedFeed>> stated_; ///< by source; moments rise
+    std::map<std::int64_t, std::vector<StatedFeed>> stated_; ///< by source; moments ascend
 };
 
 } // namespace burin

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-/// The strokes that are the guide; they leave the path.
+/// Returns the strokes that form the guide and removes them from the path.
 std::vector<PathStroke> takeGuide(const StepOverRows& edit, PathUnderEdit& state, const PathContext& context) {
     std::vector<PathStroke> guide, others;
     if (!edit.guide.empty()) {
@@ -66,7 +66,7 @@ Result<Deviation> apply(const StepOverRows& edit, PathUnderEdit& state, const Pa
     onto.allowance = edit.allowance;
     const Result<Deviation> laid = apply(onto, rows, context, progress);
     if (!laid) return laid.error();
-    const Result<Deviation> held = apply(HoldOut{}, state, context, progress); // what was there besides
+    const Result<Deviation> held = apply(HoldOut{}, state, context, progress); // for the other strokes
     if (!held) return held.error();
     for (PathStroke& row : rows.strokes) state.strokes.push_back(std::move(row));
     Deviation deviation = *held;

@@ -12,21 +12,21 @@
 namespace burin {
 namespace {
 
-/// A few ticks that the recorder lost don't tear a stroke apart.
+/// A few ticks lost by the recorder don't split a stroke.
 constexpr std::uint64_t longestGap = 5; // ticks
-/// A tip that is faster than any hand was moved by something else (another mapping): the way between is not work.
-constexpr double fastestHand = 2000.0; // mm/s, estimate; over the time that passed, missed ticks among it
-/// Shank or holder touched something, or the tool only moved.
+/// A tip faster than any hand was moved by something else (another mapping); the move between is not part of the work.
+constexpr double fastestHand = 2000.0; // mm/s, estimate; over the elapsed time, including missed ticks
+/// Shank or holder touched something, or the spindle stood still.
 constexpr std::uint32_t notWork = sampleShankContact | sampleSpindleOff;
 
 bool removes(const Sample& sample) noexcept {
     return std::ranges::any_of(sample.removed, [](const RemovedMaterial& m) { return m.property != 0 && m.units > 0; });
 }
 
-/// Of the longest stand of the loop that a stroke goes on over, 0.1 s at 1 kHz; a longer one counts as one as long.
+/// The longest delay of the loop across which a stroke continues, 0.1 s at 1 kHz; a longer one counts as this.
 constexpr std::int64_t mostFilled = 100; // points
 
-/// The tool went straight from the last point to this one: what holds of its end holds of all places on the way.
+/// The tool went straight from the last point to this one: the flags of the end apply to all points of the move.
 void fillUp(std::vector<StrokePoint>& points, const StrokePoint& to, std::int64_t missing) {
     const StrokePoint from = points.back();
     for (std::int64_t i = 1; i <= missing; ++i) {
@@ -39,7 +39,7 @@ void fillUp(std::vector<StrokePoint>& points, const StrokePoint& to, std::int64_
     }
 }
 
-/// A take in memory may not say.
+/// A take in memory may not state it.
 double periodOf(const TakeInfo& info) noexcept {
     return info.tickPeriod > 0.0 ? info.tickPeriod : TakeInfo{}.tickPeriod;
 }
@@ -59,7 +59,7 @@ bool holds(const PathStroke& stroke, const Moment& moment) noexcept {
 PathStroke reversed(const PathStroke& stroke) {
     PathStroke back = stroke;
     std::ranges::reverse(back.points);
-    for (std::size_t i = back.points.size(); i-- > 1;) { // what a motion is stays with it
+    for (std::size_t i = back.points.size(); i-- > 1;) { // properties of a motion stay with it
         back.points[i].arc = back.points[i - 1].arc;
         back.points[i].removes = back.points[i - 1].removes;
         back.points[i].onBoundary = back.points[i - 1].onBoundary;
@@ -83,7 +83,7 @@ void StrokeReader::EvenTicks::begin(const Sample& sample) noexcept {
 }
 
 std::int64_t StrokeReader::EvenTicks::missingBefore(const Sample& sample) noexcept {
-    constexpr double farthest = 1e12; // periods; what a damaged clock says may be anything
+    constexpr double farthest = 1e12; // periods; a damaged clock may report anything
     const double ticks = static_cast<double>(sample.tick - tick_), periods = (sample.time - time_) / period_;
     const auto place = static_cast<std::int64_t>(std::round(std::min(std::max(ticks, periods), farthest)));
     const std::int64_t missing = std::clamp<std::int64_t>(place - last_ - 1, 0, mostFilled);

@@ -22,95 +22,93 @@ namespace burin {
 
 class HandTrail;
 
-/// A place of a stretch under edit.
+/// A point of a stroke under edit.
 struct StrokePoint {
-    ToolPose pose; ///< setup frame
-    std::int64_t sample =
-        0; ///< Moment::tick within the source; of the moment before, for points that an edit put between two
-    bool removes = false;         ///< the motion that ends here took material away
+    ToolPose pose;                ///< setup frame
+    std::int64_t sample = 0;      ///< Moment::tick in the source; for points that an edit inserted, of the one before
+    bool removes = false;         ///< the motion that ends here removed material
     bool onBoundary = false;      ///< the part held the tool here
-    std::optional<PathArc> arc{}; ///< of the motion that ends here; nothing: straight
+    std::optional<PathArc> arc{}; ///< of the motion that ends here; empty: straight
 };
 
-/// A stretch of one source without a gap: the tool goes from point to point in straight lines, until edits fit arcs.
+/// An interval of one source without a gap: the tool goes from point to point in straight lines, until edits fit arcs.
 struct PathStroke {
-    std::int64_t source = 0; ///< PathSource::id; 0: an edit made it of nothing
+    std::int64_t source = 0; ///< PathSource::id; 0: created by an edit
     double allowance = 0.0;  ///< mm, of the source
-    double required =
-        0.0; ///< mm that later edits keep the tool from the part by: the allowance, or what HoldOut reached
-    /// s between the points, as long as no edit thinned them; 0: they are a planner's, which have no time of their own,
-    /// and edits that go by the hand's time leave them as they are.
+    double required = 0.0; ///< mm that later edits keep between tool and part: the allowance, or what HoldOut achieved
+    /// s between the points, as long as no edit thinned them; 0: generated moves, which have no timing and are left
+    /// unchanged by edits that depend on it.
     double tickPeriod = 0.001;
     std::vector<StrokePoint> points;
 
     bool inTime() const noexcept { return tickPeriod > 0.0; }
 };
 
-/// Whether a point of a stroke was made in a stretch of the hand.
+/// Whether a point of a stroke was made in an interval of a source.
 inline bool contains(const SourceStretch& stretch, const PathStroke& stroke, const StrokePoint& point) noexcept {
     return stretch.contains({stroke.source, point.sample});
 }
-/// Whether any of its points was.
+/// Whether any of its points was made in the interval.
 bool touches(const SourceStretch& stretch, const PathStroke& stroke) noexcept;
-/// Whether a stroke goes through a moment.
+/// Whether the range of a stroke's moments contains a moment.
 bool holds(const PathStroke& stroke, const Moment& moment) noexcept;
 
-/// The stroke gone the other way: what a motion did, and its arc, stay with it, though it ends at its other end then.
+/// The stroke in the opposite direction: flags and arc of a motion stay with it, though it then ends at its other end.
 PathStroke reversed(const PathStroke& stroke);
 
-/// A path between two edits: strokes until they are linked, points from then on. Edits are for upright tools: all its
-/// poses have `uprightAxis`, which its sources are held to before it is made.
+/// A path between two edits: strokes until they are linked, points from then on. Edits support upright tools only: all
+/// poses have `uprightAxis`, which is checked when the sources are read.
 struct PathUnderEdit {
     std::vector<PathStroke> strokes;
-    std::vector<PathPoint> points; ///< what Link made of the strokes
+    std::vector<PathPoint> points; ///< created by Link from the strokes
     bool linked = false;
     double spindleSpeed = 0.0; ///< 1/min; 0: not decided yet
     Coolant coolant = Coolant::off;
     double leastFeed = 0.0;                    ///< mm/min, as Path::leastFeed
-    std::shared_ptr<const HandTrail> hand;     ///< that it was made of; nothing: not known
-    std::shared_ptr<const StatedFeeds> stated; ///< by programs that it was made of; nothing: none is known
-    bool rampsIn = false;                      ///< its links go down ramps, which have a feed of their own
+    std::shared_ptr<const HandTrail> hand;     ///< of its sources; null: not known
+    std::shared_ptr<const StatedFeeds> stated; ///< stated by programs among its sources; null: none is known
+    bool rampsIn = false;                      ///< its links descend by ramps, which have their own feed
     std::vector<StrokeEntry> entries;          ///< into material, by the edit that is applied now
     std::vector<Omission> omissions;           ///< by the edit that is applied now
-    double lengthBefore = 0.0; ///< mm of its strokes, those parts among them, where it may leave out any
+    double lengthBefore = 0.0; ///< mm of its strokes including those parts, if the edit may leave out any
 
     std::size_t count() const noexcept;
 };
 
-/// What a path is made of out of one of its sources.
+/// The part of a path that comes from one of its sources.
 struct SourceStrokes {
     SourceInfo info;
     std::vector<PathStroke> strokes;
-    std::vector<StatedFeed> stated{}; ///< of a program; moments rise
+    std::vector<StatedFeed> stated{}; ///< by a program; moments ascend
 };
 
-/// The strokes of a planner's, or a program's, moves. Errors: notSupported (an axis that is not +Z).
+/// The strokes of generated moves or of a program's moves. Errors: notSupported (an axis that is not +Z).
 Result<SourceStrokes> strokesOf(const GeneratedMoves& moves);
 
-/// Makes the strokes of a take while its samples are read in their order: the proxy's tip at every tick. Where the loop
-/// came late, points on the straight way that the tool went are put between, up to 100, so that points stay a tick
-/// apart in time. A stretch in which shank or holder touched something, in which the spindle stood, or which was taken
-/// back, is left out. A new stroke begins there, where more than a few ticks are missing, and where the tip went faster
-/// than a hand can.
+/// Makes the strokes of a take while its samples are read in order: the proxy's tip at every tick. Where the loop was
+/// late, up to 100 points are interpolated on the straight line that the tool moved along, so that points stay one tick
+/// apart in time. Intervals in which shank or holder touched something, in which the spindle stood still, or which were
+/// undone, are left out. A new stroke begins there, where more than a few ticks are missing, and where the tip moved
+/// faster than a hand can.
 class StrokeReader {
 public:
     explicit StrokeReader(const TakeOutline& take);
     StrokeReader(const StrokeReader&) = delete;
     StrokeReader& operator=(const StrokeReader&) = delete;
 
-    /// @param next samples, behind those of the call before. Errors: notSupported (an axis that is not +Z).
+    /// @param next samples, following those of the previous call. Errors: notSupported (an axis that is not +Z).
     Result<void> add(std::span<const Sample> next);
-    /// Of all that was added; once.
+    /// The strokes of all samples that were added; call it once only.
     SourceStrokes finish();
 
 private:
-    /// Tells how many points are missing between two samples, for them to be as far apart in time as filters take them
-    /// to be: a loop that comes late has one tick for several periods.
+    /// Counts the points missing between two samples, so that points have the spacing in time that filters assume: in a
+    /// late loop one tick lasts for several periods.
     class EvenTicks {
     public:
         explicit EvenTicks(double period) : period_(period) {}
         void begin(const Sample& sample) noexcept;
-        /// Counted from the first sample and not from the last one, so that odds of a period don't add up.
+        /// Counted from the first sample and not from the last one, so that fractions of a period don't accumulate.
         std::int64_t missingBefore(const Sample& sample) noexcept;
 
     private:
@@ -129,10 +127,10 @@ private:
     std::uint64_t lastTick_ = 0, index_ = 0;
     double lastTime_ = 0.0;
 };
-/// The same of a take in memory.
+/// The same for a take in memory.
 Result<SourceStrokes> recordedStrokes(const Take& take);
 
-/// The points of a state: its linked points, or the strokes one behind the other, each reached by a rapid move.
+/// The points of a state: its linked points, or the strokes one after the other, each reached by a rapid move.
 std::vector<PathPoint> pointsOf(const PathUnderEdit& state);
 
 } // namespace burin

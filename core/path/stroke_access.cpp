@@ -11,7 +11,7 @@ namespace {
 
 bool isFreeAbove(const PartGuard& guard, const glm::dvec3& tip, double height) {
     constexpr double sampling = 0.25; // mm
-    // A path that was not held out of the part may start inside; its own depth is no obstacle to leaving.
+    // A path that was not kept out of the part may start inside; its own depth does not prevent leaving it.
     const double required = std::min(0.0, guard.clearance(tip, 1.0).clearance) - touchTolerance;
     return guard.isClear(tip, {tip.x, tip.y, height}, required, sampling);
 }

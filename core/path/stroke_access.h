@@ -9,14 +9,14 @@
 
 namespace burin {
 
-/// Which points of a stroke the tool can get to from above, and leave upwards. On a part without undercuts these are
+/// The points of a stroke that the tool can reach from above, and leave upwards. On a part without undercuts these are
 /// its ends; under an overhang the tool goes back along the stroke until the way up is free.
 struct StrokeAccess {
     std::size_t entry = 0, exit = 0;
     bool found = false;
 };
 
-/// @param height mm, of a tip above everything. Any thread.
+/// @param height mm, of a tip above everything. Thread-safe.
 StrokeAccess accessOf(const PathStroke& stroke, const PartGuard& guard, double height);
 
 } // namespace burin

@@ -7,8 +7,8 @@
 
 namespace burin {
 
-/// A stroke with points where it goes through an area's border, and for each point whether the move that ends there
-/// lies in the area; for the first one, whether it does itself.
+/// A stroke with points inserted where it crosses an area's border, and for each point whether the move that ends there
+/// lies in the area; for the first one, whether the point itself does.
 struct DividedStroke {
     std::vector<StrokePoint> points;
     std::vector<bool> inside;

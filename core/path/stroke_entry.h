@@ -11,10 +11,10 @@
 
 namespace burin {
 
-/// How the tool goes down to a stroke that begins in material.
+/// How the tool descends to a stroke that begins in material.
 enum class EntryForm : std::uint8_t {
-    plunge, ///< straight down, as there is room for nothing else
-    ramp,   ///< to and fro along the beginning of the stroke
+    plunge, ///< straight down, as there is no room for the others
+    ramp,   ///< back and forth along the beginning of the stroke
     helix,  ///< in turns beside the stroke
 };
 /// Stable id, for JSON: "plunge", "ramp", "helix".
@@ -22,13 +22,13 @@ constexpr const char* idOf(EntryForm form) noexcept {
     return form == EntryForm::plunge ? "plunge" : form == EntryForm::ramp ? "ramp" : "helix";
 }
 
-/// What a link did where a stroke begins in material.
+/// The entry that a link made where a stroke begins in material.
 struct StrokeEntry {
     EntryForm form = EntryForm::plunge;
     std::int64_t source = 0;  ///< PathSource::id
     std::int64_t sample = -1; ///< Moment::tick
-    glm::dvec3 tip{0.0};      ///< mm, setup frame, where it ends
-    double depth = 0.0;       ///< mm of material above that
+    glm::dvec3 tip{0.0};      ///< mm, setup frame, end of the entry
+    double depth = 0.0;       ///< mm of material above the tip
 };
 
 inline std::size_t countOf(std::span<const StrokeEntry> entries, EntryForm form) {

@@ -77,7 +77,7 @@ double lengthOf(const PathStroke& stroke) {
 }
 
 Omission omissionOf(const PathStroke& stroke, OmissionReason reason) {
-    constexpr double chord = 0.02; // mm, for the eye
+    constexpr double chord = 0.02; // mm, for display
     const auto [first, last] = std::ranges::minmax(stroke.points, {}, &StrokePoint::sample);
     Omission part{reason, stroke.source, first.sample, last.sample, {stroke.points.front().pose.tip}, lengthOf(stroke)};
     std::vector<glm::dvec3> ends;

@@ -12,13 +12,13 @@ bool roughs(const ToolPass& pass) noexcept {
     return pass.allowance > 0.0;
 }
 
-/// Whether neither has to come before the other for its own sake.
+/// Whether no rule puts either of them first.
 bool isSameRank(const ToolPass& a, const ToolPass& b) noexcept {
     return roughs(a) == roughs(b) && a.diameter == b.diameter;
 }
 
-/// Puts the passes of one rank together by tool, in the order in which tools come up, but for the one in the spindle
-/// first and, so that the next rank may begin with it, one that it has as well last.
+/// Groups the passes of one rank by tool, in the order in which tools occur, except that the tool in the spindle comes
+/// first and a tool that the next rank uses as well comes last, so that the next rank may begin with it.
 class Rank {
 public:
     Rank(std::span<const ToolPass> passes, std::span<std::size_t> order) : passes_(passes), order_(order) {
@@ -28,7 +28,7 @@ public:
 
     bool has(const std::string& tool) const { return std::ranges::find(tools_, tool) != tools_.end(); }
 
-    /// @return the tool that is in the spindle behind it
+    /// @return the tool in the spindle after it
     std::string arrange(const std::string& inSpindle, const Rank* next) {
         const auto first = std::ranges::find(tools_, inSpindle);
         const bool begins = first != tools_.end();

@@ -7,7 +7,7 @@
 namespace burin {
 namespace {
 
-/// Takes so much of the way off the start.
+/// Removes this length from the start.
 void trimStart(std::vector<StrokePoint>& points, double length) {
     if (!(length > 0.0)) return;
     std::size_t i = 1;
@@ -36,14 +36,14 @@ Result<Deviation> apply(const Trim& edit, PathUnderEdit& state, const PathContex
         std::ranges::reverse(stroke.points);
         const StrokePoint last = stroke.points.empty() ? StrokePoint{} : stroke.points.front();
         trimStart(stroke.points, edit.fromEnd);
-        if (!stroke.points.empty() && edit.fromEnd > 0.0) { // what was done on the way to the new end, it does
+        if (!stroke.points.empty() && edit.fromEnd > 0.0) { // the flags of the move to the new end apply to it
             stroke.points.front().removes = stroke.points.front().removes || last.removes;
             stroke.points.front().onBoundary = stroke.points.front().onBoundary || last.onBoundary;
         }
         std::ranges::reverse(stroke.points);
     }
     std::erase_if(state.strokes, [](const PathStroke& stroke) { return stroke.points.empty(); });
-    return Deviation{}; // what is left lies where it was
+    return Deviation{}; // the remaining strokes are unchanged
 }
 
 } // namespace burin

@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// A turn about an upright axis.
+/// A rotation about a vertical axis.
 class UprightTurn {
 public:
     /// @param angle rad, anticlockwise seen from above

@@ -27,7 +27,7 @@ glm::dvec2 WayRound::placeOf(const Cell& cell) const noexcept {
 bool WayRound::search(const Cell& start, const Cell& goal, double longest, const IsFree& isFree,
                       Parents& parents) const {
     struct Open {
-        double least; ///< mm from start to goal by this place, at least
+        double least; ///< mm, lower bound of the length from start to goal through this point
         double cost;  ///< mm from the start
         Cell cell;
         bool operator<(const Open& other) const noexcept { return least > other.least; }
@@ -41,7 +41,7 @@ bool WayRound::search(const Cell& start, const Cell& goal, double longest, const
         open.pop();
         if (top.cell == goal) return true;
         if (top.least > longest) return false;
-        if (top.cost > costs[top.cell]) continue; // a shorter way was found since
+        if (top.cost > costs[top.cell]) continue; // a shorter route was found since
         for (std::int32_t dy = -1; dy <= 1; ++dy)
             for (std::int32_t dx = -1; dx <= 1; ++dx) {
                 const Cell next{top.cell.x + dx, top.cell.y + dy};
@@ -51,7 +51,7 @@ bool WayRound::search(const Cell& start, const Cell& goal, double longest, const
                 const auto [known, isNew] = costs.try_emplace(next, cost);
                 if (!isNew && known->second <= cost) continue;
                 if (isNew && !(next == goal) && !isFree(placeOf(next))) {
-                    known->second = 0.0; // never better: nobody comes back
+                    known->second = 0.0; // never improved: the search does not return to it
                     continue;
                 }
                 known->second = cost;
@@ -75,7 +75,7 @@ std::vector<glm::dvec2> WayRound::find(const glm::dvec2& from, const glm::dvec2&
     places.push_back(placeOf(start));
     std::reverse(places.begin(), places.end());
 
-    // Taut: from each corner to the farthest place that is seen from it, found by halving.
+    // Drawn taut: from each corner to the farthest point visible from it, found by bisection.
     std::vector<glm::dvec2> corners;
     glm::dvec2 at = from;
     double length = 0.0;

@@ -11,20 +11,21 @@
 
 namespace burin {
 
-/// Looks for ways of a tip at one height, round what stands there: the shortest over the places of a square grid and
-/// their eight neighbours (A*: P. Hart, N. Nilsson, B. Raphael, A formal basis for the heuristic determination of
-/// minimum cost paths, 1968), then drawn taut. Places are asked for when a way comes to them.
+/// Finds routes of a tip at one height around obstacles: the shortest over the points of a square grid and their eight
+/// neighbours (A*: P. Hart, N. Nilsson, B. Raphael, A formal basis for the heuristic determination of minimum cost
+/// paths, 1968), then drawn taut. Points are checked only when the search reaches them.
 class WayRound {
 public:
-    /// Whether a tip may be at a place; of a straight way: whether it may go it. The height is theirs to know.
+    /// Whether a tip may be at a point, and whether it may go along a straight line. The height is known to the
+    /// callbacks.
     using IsFree = std::function<bool(const glm::dvec2&)>;
     using IsClear = std::function<bool(const glm::dvec2& from, const glm::dvec2& to)>;
 
-    /// @param area where ways may lead, mm  @param step mm between places of the grid
+    /// @param area where routes may lead, mm @param step mm between points of the grid
     WayRound(const Box& area, double step);
 
-    /// The corners of a way behind `from`, ending in `to`; none where there is no way, or only one longer than
-    /// `longest` mm. Every straight stretch of it is clear.
+    /// The corners of a route behind `from`, ending in `to`; empty if there is no route, or only one longer than
+    /// `longest` mm. Every straight segment of it is clear.
     std::vector<glm::dvec2> find(const glm::dvec2& from, const glm::dvec2& to, double longest, const IsFree& isFree,
                                  const IsClear& isClear) const;
 

@@ -9,11 +9,11 @@
 
 namespace burin {
 
-// Sets of samples of a take as ranges that rise and stand apart from each other.
+// Sets of samples of a take as rising ranges that do not touch.
 
-/// What is in one of them at least; they may be in any order and overlap. Empty ones are left out.
+/// The union of the ranges, which may be in any order and overlap. Empty ones are dropped.
 std::vector<SampleRange> joined(std::vector<SampleRange> ranges);
-/// @param ranges rising, apart
+/// @param ranges  rising, not touching
 std::vector<SampleRange> without(std::span<const SampleRange> ranges, const SampleRange& gone);
 
 } // namespace burin

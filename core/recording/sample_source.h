@@ -10,9 +10,9 @@
 
 namespace burin {
 
-/// Gets some thousands of samples of a take at a time, in their order; its first error ends the visit.
+/// Receives the samples of a take in order, some thousands at a time; its first error ends the visit.
 using SampleVisitor = std::function<Result<void>(std::span<const Sample>)>;
-/// Has all samples of a take visited, as often as it is called. Errors: its own, and those of the visitor.
+/// Visits all samples of a take, each time it is called. Errors: its own, and those of the visitor.
 using SampleSource = std::function<Result<void>(const SampleVisitor& visit)>;
 
 } // namespace burin

@@ -9,13 +9,13 @@
 
 namespace burin {
 
-/// Counts the strokes of a recording that stand: intervals with the spindle turning that were not taken back.
+/// Counts the valid strokes of a recording: intervals with the spindle turning that were not undone.
 class StrokeCounter {
 public:
-    /// @param undone of the take; outlives the counter
+    /// @param undone  ranges of the take; must outlive the counter
     explicit StrokeCounter(std::span<const SampleRange> undone) noexcept : undone_(undone) {}
 
-    /// @param next samples, behind those of the call before
+    /// @param next  samples that follow those of the previous call
     void add(std::span<const Sample> next) noexcept {
         for (const Sample& sample : next) {
             const bool cutting = !undone_.holds(index_++) && (sample.flags & sampleSpindleOff) == 0;

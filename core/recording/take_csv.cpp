@@ -29,7 +29,7 @@ void append(std::string& text, const glm::dvec3& vector) {
     for (int axis = 0; axis < 3; ++axis) append(text, vector[axis]);
 }
 
-/// RFC 4180: a material of the user's own may be called anything.
+/// RFC 4180: a user-defined material may have any name.
 std::string quotedForCsv(const std::string& field) {
     if (field.find_first_of(",\"\r\n") == std::string::npos) return field;
     std::string quoted = "\"";
@@ -95,7 +95,7 @@ namespace {
 
 using AppendSample = std::function<void(std::string& text, const Sample& sample)>;
 
-/// A heading, and what `append` makes of each sample.
+/// Writes a heading, and what `append` makes of each sample.
 Result<void> writeSamples(const std::filesystem::path& file, std::string text, const SampleSource& take,
                           const AppendSample& append) {
     Result<StagedFile> staged = StagedFile::begin(file);
@@ -114,7 +114,7 @@ Result<void> writeSamples(const std::filesystem::path& file, std::string text, c
 } // namespace
 
 Result<void> writeTakeCsv(const std::filesystem::path& file, const SampleSource& take, const MaterialIds& materials) {
-    RemovedProperties removed; // known once all samples were seen
+    RemovedProperties removed; // known once all samples have been visited
     Result<void> seen = take([&removed](std::span<const Sample> samples) -> Result<void> {
         removed.add(samples);
         return {};

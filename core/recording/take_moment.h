@@ -7,8 +7,8 @@
 
 namespace burin {
 
-/// A moment of a setup's recordings: all takes before this one are over, and so are its first `samples` samples. Takes
-/// are in the order of their numbers.
+/// A moment in a setup's recordings: after all takes before this one, and after the first `samples` samples of this
+/// take. Takes are ordered by their ids.
 struct TakeMoment {
     std::int64_t take = 0; ///< 0: before the first one
     std::uint64_t samples = 0;

@@ -8,11 +8,11 @@
 
 namespace burin {
 
-/// mm from the setup's origin that a tool's tip can have in a recording or in a planner's moves; machines travel a
-/// tenth of it, and what is worked out from places far beyond overflows.
+/// Largest coordinate of a tool's tip in a recording or in a planner's moves, mm from the setup's origin; the travel of
+/// machines is a tenth of it, and calculations with positions far beyond would overflow.
 inline constexpr double farthestTip = 1e6;
 
-/// Whether a tool can have stood so: within `farthestTip`, its axis of unit length (within 0.001).
+/// Whether the pose is possible for a tool: within `farthestTip`, with an axis of unit length (within 0.001).
 inline bool isToolPlace(const ToolPose& pose) noexcept {
     const auto reached = [](double coordinate) { return std::abs(coordinate) <= farthestTip; };
     return reached(pose.tip.x) && reached(pose.tip.y) && reached(pose.tip.z) &&

@@ -44,7 +44,7 @@ std::optional<std::uint32_t> parseButtons(std::string_view text) {
     return value;
 }
 
-/// The columns that both kinds of trace have. The quaternion's length is not looked at.
+/// Parses the columns that both kinds of trace have. The quaternion's length is not checked.
 Result<StylusState> parsePose(const Fields& fields, const std::string& origin, std::size_t number) {
     std::array<double, fieldCount - 1> values{};
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -64,7 +64,7 @@ Result<StylusState> parsePose(const Fields& fields, const std::string& origin, s
     return state;
 }
 
-/// @param count of fields, which tells the kind of trace
+/// @param count  of fields, which determines the kind of trace
 Result<StylusState> parseReading(std::string_view line, std::size_t count, const std::string& origin,
                                  std::size_t number) {
     const std::optional<Fields> fields = split(line, count);
@@ -117,13 +117,13 @@ void appendTick(std::string& text, const StylusState& state) {
         told.valid = false;
     }
     if (!std::isfinite(told.time)) told.time = 0.0;
-    // Whatever is not above 0 is the same fault to a tick.
+    // For a tick, every value that is not above 0 is the same fault.
     if (!std::isfinite(told.period) || told.period <= 0.0) told.period = -1.0;
     appendPose(text, told);
     text += ',';
     text += formatShortest(told.period);
     text += told.valid ? ",1," : ",0,";
-    // What is no number says nothing, as to a tick.
+    // A value that is not finite means unknown, as it does to a tick.
     text += formatShortest(told.motorHeat > 0.0 && std::isfinite(told.motorHeat) ? told.motorHeat : 0.0);
     text += '\n';
 }

@@ -21,7 +21,7 @@ namespace burin {
 
 namespace {
 
-/// Calls `use` with each line of a stream, without its end, until `use` gives an error.
+/// Calls `use` with each line of a stream, without its line end, until `use` returns an error.
 Result<void> forEachLine(std::ifstream& stream, const std::filesystem::path& file,
                          const std::function<Result<void>(std::string_view)>& use) {
     constexpr std::size_t step = 1u << 18; // bytes read at once
@@ -34,7 +34,7 @@ Result<void> forEachLine(std::ifstream& stream, const std::filesystem::path& fil
         if (stream.bad()) return readError(file, errno);
         text.resize(kept + static_cast<std::size_t>(stream.gcount()));
         more = !stream.eof();
-        const std::size_t last = std::string_view(text).substr(kept).rfind('\n'); // what was kept has none
+        const std::size_t last = std::string_view(text).substr(kept).rfind('\n'); // the kept text has none
         const std::size_t end = !more ? text.size() : last == std::string_view::npos ? 0 : kept + last + 1;
         for (std::string_view rest = std::string_view(text).substr(0, end); !rest.empty();)
             if (Result<void> used = use(takeLine(rest)); !used) return used;
@@ -63,7 +63,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// A thread of its own reads the file ahead.
+/// A separate thread reads ahead in the file.
 class FiledReadings final : public TracePlayback {
 public:
     FiledReadings(std::filesystem::path file, std::ifstream stream, const TraceExtent& extent)
@@ -78,7 +78,7 @@ public:
         errno = 0;
         if (!stream_.seekg(0)) return readError(file_, errno);
         for (StylusState rest; ahead_.pop({&rest, 1}) > 0;) {
-        } // of an earlier playback
+        } // left over from an earlier playback
         outcome_ = {};
         ended_.store(false, std::memory_order_relaxed);
         reader_ = std::jthread([this](const std::stop_token& stop) {
@@ -89,7 +89,7 @@ public:
     }
     bool next(StylusState& reading) noexcept override {
         for (;;) {
-            const bool ended = ended_.load(std::memory_order_acquire); // before the look at what is left
+            const bool ended = ended_.load(std::memory_order_acquire); // before looking for remaining readings
             if (ahead_.pop({&reading, 1}) > 0) return true;
             if (ended) return false;
             std::this_thread::sleep_for(std::chrono::microseconds(50));
@@ -131,9 +131,9 @@ private:
     static constexpr std::size_t capacity = 16384; // readings
 
     const std::filesystem::path file_;
-    std::ifstream stream_; ///< the reader's while it runs
+    std::ifstream stream_; ///< used only by the reader while it runs
     Ring<StylusState> ahead_{capacity};
-    Result<void> outcome_; ///< the reader's until it ended
+    Result<void> outcome_; ///< written by the reader until it has ended
     std::atomic<bool> ended_{false};
     std::jthread reader_; // last: it uses the above
 };
@@ -155,7 +155,7 @@ std::unique_ptr<TracePlayback> playbackOf(std::vector<StylusState> readings) {
 
 Result<OpenedTrace> openTrace(const std::filesystem::path& file) {
     std::error_code unknown;
-    if (!std::filesystem::is_regular_file(file, unknown)) { // what is read once is gone
+    if (!std::filesystem::is_regular_file(file, unknown)) { // can be read only once
         Result<Trace> trace = readTrace(file);
         if (!trace) return std::move(trace).error();
         return OpenedTrace{playbackOf(std::move(trace->readings)), std::move(trace->changes)};

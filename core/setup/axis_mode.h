@@ -6,10 +6,10 @@
 
 namespace burin {
 
-/// What the tool's axis does while it mills.
+/// How the tool axis is oriented while milling.
 struct AxisMode {
-    bool free = false;                   ///< it follows the stylus; else it stands (three axes, or 3+2)
-    glm::dvec3 direction{0.0, 0.0, 1.0}; ///< unit, setup frame, towards the holder: where it stands
+    bool free = false;                   ///< follows the stylus; otherwise fixed (three axes, or 3+2)
+    glm::dvec3 direction{0.0, 0.0, 1.0}; ///< of a fixed axis: unit, setup frame, towards the holder
 };
 
 } // namespace burin

@@ -9,14 +9,14 @@
 
 namespace burin {
 
-/// What an imported solid is in a setup.
+/// The role of an imported solid in a setup.
 enum class BodyRole : std::uint8_t {
-    part,            ///< to be made: nothing may cut it
-    stock,           ///< raw material, of a stock that is made of solids
-    insert,          ///< within the stock, of a material of its own; it is cut
-    protectedInsert, ///< within the stock, of a material of its own; nothing may cut it
+    part,            ///< the finished part: protected from cutting
+    stock,           ///< raw material, for a stock that is made of solids
+    insert,          ///< within the stock, with its own material; can be cut
+    protectedInsert, ///< within the stock, with its own material; protected from cutting
     fixture,         ///< holds the stock: the tool stays clear of it
-    ignored          ///< it is not there
+    ignored          ///< treated as absent
 };
 inline constexpr std::array bodyRoles{BodyRole::part,    BodyRole::stock,  BodyRole::insert, BodyRole::protectedInsert,
                                       BodyRole::fixture, BodyRole::ignored};
@@ -25,11 +25,11 @@ inline constexpr std::array bodyRoles{BodyRole::part,    BodyRole::stock,  BodyR
 std::string_view idOf(BodyRole role) noexcept;
 std::optional<BodyRole> bodyRoleFromId(std::string_view id) noexcept;
 
-/// The tool is held at its surface, and no cut takes any of it.
+/// Whether the tool is stopped at the body's surface and no cut removes any of the body.
 constexpr bool isProtected(BodyRole role) noexcept {
     return role == BodyRole::part || role == BodyRole::protectedInsert;
 }
-/// It fills voxels of the workpiece besides the raw material.
+/// Whether the body fills voxels of the workpiece in addition to the raw material.
 constexpr bool isEmbedded(BodyRole role) noexcept {
     return isProtected(role) || role == BodyRole::insert;
 }

@@ -9,7 +9,7 @@
 namespace burin {
 
 struct CylinderShape {
-    glm::dvec3 base{0.0};           ///< mm, middle of the lower face, setup frame
+    glm::dvec3 base{0.0};           ///< mm, centre of the lower face, setup frame
     glm::dvec3 axis{0.0, 0.0, 1.0}; ///< unit
     double radius = 0.0;            ///< mm, > 0
     double height = 0.0;            ///< mm, > 0
@@ -17,7 +17,7 @@ struct CylinderShape {
     friend bool operator==(const CylinderShape&, const CylinderShape&) = default;
 };
 
-/// The smallest box around it, mm.
+/// Returns the smallest axis-aligned box around the cylinder, mm.
 Box boxAround(const CylinderShape& cylinder);
 
 } // namespace burin

@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// A stretch of a line, by its parameter.
+/// An interval of a line's parameter.
 struct Stretch {
     double from = -std::numeric_limits<double>::infinity();
     double to = std::numeric_limits<double>::infinity();
@@ -22,7 +22,8 @@ struct Stretch {
     }
 };
 
-/// Where from + t · way, both relative to the base, lies between the end faces.
+/// Clips the interval to where from + t · way, both relative to the base, lies between the end faces. Returns false if
+/// nowhere.
 bool cutToEnds(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way, Stretch& stretch) {
     const double rise = glm::dot(way, cylinder.axis), start = glm::dot(from, cylinder.axis);
     if (rise == 0.0) return start >= 0.0 && start <= cylinder.height;
@@ -31,13 +32,13 @@ bool cutToEnds(const CylinderShape& cylinder, const glm::dvec3& from, const glm:
     return true;
 }
 
-/// And within the radius.
+/// Clips the interval to where the line lies within the radius. Returns false if nowhere.
 bool cutToSide(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way, Stretch& stretch) {
     const glm::dvec3 across = from - glm::dot(from, cylinder.axis) * cylinder.axis;
     const glm::dvec3 slope = way - glm::dot(way, cylinder.axis) * cylinder.axis;
     const double a = glm::dot(slope, slope), b = glm::dot(across, slope);
     const double c = glm::dot(across, across) - cylinder.radius * cylinder.radius;
-    constexpr double parallel = 1e-24; // of unit vectors: a line that never leaves the radius
+    constexpr double parallel = 1e-24; // of unit vectors: the line is parallel to the axis
     if (a < parallel) return c <= 0.0;
     const double discriminant = b * b - a * c;
     if (discriminant <= 0.0) return false;

@@ -7,9 +7,9 @@
 
 namespace burin {
 
-/// Fills what a cylinder holds of a volume, whichever way its axis lies. Exact: where a scanline's centre enters and
-/// leaves it, to 1/256 voxel. Writer's thread, not for the haptic loop.
-/// @return false: out of reserved memory; some scanlines are filled already
+/// Fills the part of a volume that lies inside a cylinder of any orientation. The points where a scanline's centre line
+/// enters and leaves the cylinder are exact to 1/256 voxel. Call on the writer's thread, not on the haptic thread.
+/// @return false if the reserved memory is exhausted; some scanlines are then already filled
 bool fillCylinder(RunVolume& volume, const CylinderShape& cylinder, PropertyIndex property);
 
 } // namespace burin

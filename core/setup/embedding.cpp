@@ -21,7 +21,7 @@ namespace {
 
 constexpr double roundingOfBoxes = 1e-6; // mm
 
-/// mm by which a box reaches out of another.
+/// Returns the distance by which a box protrudes from another, mm.
 double beyond(const Box& box, const Box& outer) {
     double most = 0.0;
     for (int axis = 0; axis < 3; ++axis)
@@ -38,7 +38,7 @@ Result<void> requireInside(const Model& model, const Setup& setup) {
     return {};
 }
 
-/// What was odd about a body by itself.
+/// Returns the findings about a body on its own.
 std::vector<EmbeddingFinding> findingsOf(const Body& body, const VoxelisationReport& report) {
     using Kind = EmbeddingFinding::Kind;
     std::vector<EmbeddingFinding> findings;
@@ -51,7 +51,7 @@ std::vector<EmbeddingFinding> findingsOf(const Body& body, const VoxelisationRep
                             .openEdges = report.openEdges,
                             .rims = report.holes,
                             .place = report.throughHoles.place});
-    else if (body.openEdges > 0 && report.clean()) // slits that closed
+    else if (body.openEdges > 0 && report.clean()) // closed slits
         findings.push_back({.kind = Kind::unseenOpening, .openEdges = body.openEdges});
     add(Kind::turnedFaces, report.turnedFaces);
     add(Kind::insideOut, report.insideOut);
@@ -62,7 +62,7 @@ std::vector<EmbeddingFinding> findingsOf(const Body& body, const VoxelisationRep
     return findings;
 }
 
-/// And about it among the others that are protected.
+/// Adds the findings about a body, including its overlaps with other protected bodies.
 void note(const Model& model, std::size_t body, const Setup& setup, const VoxelisationReport& report,
           EmbeddedSetup& embedded) {
     std::vector<EmbeddingFinding> findings = findingsOf(model.bodies[body], report);
@@ -80,12 +80,12 @@ void note(const Model& model, std::size_t body, const Setup& setup, const Voxeli
     }
 }
 
-/// A box is as it is said; of another form, what it holds is known once it is filled: the part must not stand out of
-/// it, where nothing would be left to mill it of.
+/// Checks that the part does not protrude from the stock, as there would be no material to mill it from. A box stock
+/// was checked before; the extent of a stock of another form is only known once it is filled.
 Result<void> requireStockAround(const Model& model, std::size_t body, const Setup& setup,
                                 const VoxelisationReport& report, const RunVolume& workpiece) {
     if (setup.form == StockForm::box || !isProtected(roleOf(setup, body))) return {};
-    // What meshes of curved faces that lie on each other may differ by; a volume is no finer than half a voxel.
+    // The largest deviation between the meshes of coincident curved faces; a volume is no finer than half a voxel.
     const double skin = setup.form == StockForm::file ? 0.5 * setup.voxel : 0.02; // mm
     const double out = static_cast<double>(report.replaced.units[airProperty]) * workpiece.grid().unitVolume();
     if (out <= skin * model.bodies[body].area) return {};
@@ -98,7 +98,7 @@ Result<void> requireVoxels(const Model& model, std::size_t body, const Setup& se
                  "a body that a scanline meets; smaller voxels may help"};
 }
 
-/// Inserts first, then what is protected: it has the place.
+/// Fills inserts first, then the protected bodies, which take precedence.
 Result<void> fillBodies(const Model& model, const Setup& setup, EmbeddedSetup& embedded, Progress& progress) {
     std::vector<BodyMesh> meshes;
     std::vector<std::size_t> bodies;
@@ -124,7 +124,7 @@ Error outOfReserve(const RunVolume& volume) {
     return {ErrorCode::volumeOutOfMemory, std::to_string(volume.reservedBytes()), {}, {}};
 }
 
-/// The stock's own runs, with the entries that stand for its materials here.
+/// Returns the stock's own runs, with its materials mapped to the entries of the setup's list.
 Result<RunVolume> ownRuns(const StockVolume& stock, const SetupMaterials& materials, Progress& progress) {
     const Result<RunVolume> unpacked = stock.unpack(progress);
     if (!unpacked) return unpacked.error();
@@ -136,7 +136,7 @@ Result<RunVolume> ownRuns(const StockVolume& stock, const SetupMaterials& materi
 
 Result<void> fillStock(const Model& model, const Setup& setup, EmbeddedSetup& embedded, Progress& progress) {
     RunVolume& workpiece = embedded.workpiece;
-    if (setup.form == StockForm::file) return {}; // stands
+    if (setup.form == StockForm::file) return {}; // already filled
     if (setup.form == StockForm::box)
         return BoxStock(setup.stock).fill(workpiece, embedded.stockProperty) ? Result<void>() : outOfReserve(workpiece);
     if (setup.form == StockForm::cylinder)
@@ -155,7 +155,7 @@ RegionGrading gradingOf(const MaterialRegion& region, const GradedMaterial& grad
             graded.grading.high(), graded.entries,      graded.error()};
 }
 
-/// In their order: the later layer has the place.
+/// Fills the layers in their order: the later layer takes precedence.
 Result<void> fillRegions(const Setup& setup, const SetupMaterials& materials, EmbeddedSetup& embedded) {
     for (std::size_t i = 0; i < setup.regions.size(); ++i) {
         const MaterialRegion& region = setup.regions[i];
@@ -182,7 +182,7 @@ void measure(EmbeddedSetup& embedded) {
     embedded.stockVolume = static_cast<double>(stock) * workpiece.grid().unitVolume();
 }
 
-/// A stock from a file as it is; the grid of another filled with air.
+/// Returns a stock from a file as it is; for other forms, a grid filled with air.
 Result<RunVolume> emptyOrOwn(const Setup& setup, const EmbeddingSize& size, const SetupMaterials& materials,
                              Progress& progress) {
     if (setup.form == StockForm::file) return ownRuns(*setup.volume, materials, progress);

@@ -8,9 +8,10 @@
 
 namespace burin {
 
-/// How a part is turned for one of its faces to look along a direction: a plane by its outward normal, a cylinder or
-/// cone by its axis, which lies along the direction or against it, whichever is the shorter turn.
-/// @param through mm: what stays where it is. Errors: argumentInvalid (a face that is neither).
+/// Returns the rotation of a part that makes one of its faces point along a direction: a plane by its outward normal, a
+/// cylinder or cone by its axis, which is made parallel or antiparallel to the direction, whichever needs the smaller
+/// rotation.
+/// @param through mm: the fixed point of the rotation. Errors: argumentInvalid (a face of another kind).
 Result<Placement> alignedFace(const PartFace& face, const glm::dvec3& direction, const glm::dvec3& through);
 
 } // namespace burin

@@ -17,7 +17,7 @@ namespace burin {
 
 namespace {
 
-/// One thread's own: muParser keeps the variables and the stack of an evaluation in the parser.
+/// Belongs to one thread: muParser keeps the variables and the stack of an evaluation in the parser.
 class Evaluator {
 public:
     explicit Evaluator(const std::string& text) {
@@ -52,7 +52,7 @@ public:
     explicit Parsed(std::string text) : text_(std::move(text)) {}
 
     double at(const glm::dvec3& place) const {
-        // Each thread keeps the evaluator of the formula that it used last: a volume is graded by one after the other.
+        // Each thread keeps the evaluator of its most recent formula: a volume is graded by one formula after another.
         thread_local std::uint64_t number = 0;
         thread_local std::optional<Evaluator> evaluator;
         if (number != number_ || !evaluator) {
@@ -63,7 +63,7 @@ public:
         try {
             return evaluator->at(place);
         } catch (const mu::Parser::exception_type&) {
-            return std::numeric_limits<double>::quiet_NaN(); // a function that refuses its argument
+            return std::numeric_limits<double>::quiet_NaN(); // a function that rejects its argument
         }
     }
 
@@ -82,13 +82,13 @@ Result<Formula> Formula::parse(const std::string& text) {
     try {
         Evaluator(text).at(glm::dvec3(0.0));
     } catch (const mu::Parser::exception_type& wrong) {
-        // A division by zero at the origin, say, is for whoever asks for a value there.
+        // A division by zero at the origin, for example, does not invalidate the formula; at() reports it.
         switch (wrong.GetCode()) {
         case mu::ecDIV_BY_ZERO:
         case mu::ecDOMAIN_ERROR:
             break;
         default:
-            return notAFormula(text, std::min(static_cast<std::size_t>(wrong.GetPos()), text.size())); // -1: nowhere
+            return notAFormula(text, std::min(static_cast<std::size_t>(wrong.GetPos()), text.size())); // -1: unknown
         }
     }
     return Formula(std::make_shared<const Parsed>(text));

@@ -11,16 +11,17 @@
 
 namespace burin {
 
-/// A number as a function of a place, as a user writes it: "0.4 + 0.02 * Z". muParser's grammar, with the variables X,
-/// Y and Z (or x, y, z), mm, setup frame. Copies share what was parsed.
+/// A number as a function of position, as written by a user: "0.4 + 0.02 * Z". muParser's grammar, with the variables
+/// X, Y and Z (or x, y, z), mm, setup frame. Copies share the parsed formula.
 class Formula {
 public:
     static constexpr std::size_t longest = 1000; ///< characters
 
-    /// Errors: argumentInvalid (place: the text; detail: what it may be made of, and where it is wrong).
+    /// Errors: argumentInvalid (place: the text; detail: what a formula may consist of, and the position of the error).
     static Result<Formula> parse(const std::string& text);
 
-    /// Not finite where the formula has no value: a division by zero, a root of what is negative. Any thread.
+    /// Returns the value at a point. Not finite where the formula has no value: a division by zero, a root of a
+    /// negative number. Thread-safe.
     double at(const glm::dvec3& place) const;
 
 private:

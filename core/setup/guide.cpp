@@ -10,7 +10,7 @@
 namespace burin {
 namespace {
 
-constexpr double steepest = 1.4; // rad, of lead and tilt: an axis in the surface mills nothing
+constexpr double steepest = 1.4; // rad, limit of lead and tilt: a tool axis parallel to the surface cannot mill
 
 Error invalid(const char* what, double value, const char* allowed) {
     return {ErrorCode::argumentInvalid, what, formatShortest(value), allowed};

@@ -9,7 +9,7 @@
 namespace burin {
 
 namespace {
-constexpr double unitRounding = 1e-15; // so near to 1 is what was divided by its length: again changes nothing
+constexpr double unitRounding = 1e-15; // a length this close to 1 is already normalised: it is not divided again
 }
 
 Result<GuideCurve> GuideCurve::make(std::vector<glm::dvec3> points, std::vector<glm::dvec3> tangents) {
@@ -19,7 +19,7 @@ Result<GuideCurve> GuideCurve::make(std::vector<glm::dvec3> points, std::vector<
     if (points.size() < 2 || tangents.size() != points.size())
         return invalid(points.size(), "two points or more, each with a tangent");
     for (std::size_t i = 0; i < points.size(); ++i) {
-        // Numbers whose squares overflow or vanish have no length, and so no direction.
+        // Vectors whose squares overflow or underflow have no usable length, and so no direction.
         const double chord = i > 0 ? glm::length(points[i] - points[i - 1]) : 1.0, length = glm::length(tangents[i]);
         if (!isFinite(points[i]) || !isFinite(tangents[i]) || !std::isfinite(chord) || !std::isfinite(length))
             return invalid(i, "finite coordinates");

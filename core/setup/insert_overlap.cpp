@@ -12,14 +12,14 @@ namespace burin {
 
 namespace {
 
-/// Cells along the longest side of what two boxes share: a shared thousandth of a body is well seen.
+/// Cells along the longest side of the intersection of two boxes; fine enough to resolve a shared thousandth of a body.
 constexpr double cellsAcross = 200.0;
 
 Box shared(const Box& one, const Box& other) {
     return {glm::max(one.low, other.low), glm::min(one.high, other.high)};
 }
 
-/// mm³ that both hold, to within the cells' error.
+/// Returns the volume that both bodies share, mm³, to the accuracy of the cells.
 Result<double> sharedVolume(const Body& one, const Body& other, Progress& progress) {
     const Box box = shared(one.box, other.box);
     const glm::dvec3 size = box.size();
@@ -46,7 +46,7 @@ Result<double> sharedVolume(const Body& one, const Body& other, Progress& progre
 } // namespace
 
 Result<void> requireInsertsApart(const Model& model, const Setup& setup, Progress& progress) {
-    constexpr double touching = 1e-3; // of the smaller
+    constexpr double touching = 1e-3; // share of the smaller insert
     for (std::size_t i = 0; i < model.bodies.size(); ++i)
         for (std::size_t earlier = 0; earlier < i; ++earlier) {
             if (roleOf(setup, i) != BodyRole::insert || roleOf(setup, earlier) != BodyRole::insert) continue;

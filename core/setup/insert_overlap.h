@@ -6,8 +6,8 @@
 
 namespace burin {
 
-/// Whether each place of a stock has one insert at most. Pairs whose boxes meet are voxelised by themselves; one that
-/// is off by less than a thousandth of the smaller insert counts as touching.
+/// Checks that no two inserts of a stock overlap. Each pair whose boxes intersect is voxelised on its own; a shared
+/// volume of at most a thousandth of the smaller insert counts as touching.
 /// Errors: argumentInvalid (both bodies and the volume that they share), those of voxelise().
 Result<void> requireInsertsApart(const Model& model, const Setup& setup, Progress& progress);
 

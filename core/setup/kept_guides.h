@@ -11,14 +11,14 @@
 
 namespace burin {
 
-/// Guides as a project keeps them, with the curves that they lead along.
+/// Guides as stored in a project, with the curves that they follow.
 struct KeptGuides {
     std::vector<Guide> guides;    ///< at most GuideSettings::capacity; each curve is one of `curves`
     std::uint32_t stepButton = 0; ///< as in GuideSettings
     std::vector<std::shared_ptr<const GuideCurve>> curves; ///< never null
 };
 
-/// As a loop is told of them. @param guides at most GuideSettings::capacity
+/// Returns the guides in the form that the loop takes. @param guides at most GuideSettings::capacity
 inline GuideSettings guideSettings(std::span<const Guide> guides, std::uint32_t stepButton) {
     GuideSettings settings;
     settings.stepButton = stepButton;

@@ -10,17 +10,17 @@
 
 namespace burin {
 
-/// How much of one material a volume holds; grades count as what they are a grade of.
+/// The amount of one material in a volume; grades are counted with their base material.
 struct MaterialAmount {
     std::string id, name;
     bool isProtected = false;
     double volume = 0.0;        ///< mm³
-    std::optional<double> mass; ///< g; none where the material states no density
+    std::optional<double> mass; ///< g; empty if the material states no density
 };
 
-/// In the order of the property list; what it holds nothing of is there with 0. Of graded densities each grade weighs
-/// its own.
-/// @param unitVolume mm³ of a run unit (Grid::unitVolume)
+/// Returns the amounts in the order of the property list; materials that do not occur are listed with 0. If the density
+/// is graded, each grade is weighed with its own density.
+/// @param unitVolume volume of a run unit, mm³ (Grid::unitVolume)
 std::vector<MaterialAmount> amountsOf(const PropertyList& list, const RunAmounts& amounts, double unitVolume);
 
 } // namespace burin

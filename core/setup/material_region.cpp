@@ -56,8 +56,8 @@ Result<void> check(const MaterialRegion& region) {
     return region.grade ? checkGrade(region, *region.grade) : Result<void>();
 }
 
-/// What a formula takes at the corners of the cells of a box, and a place where it takes nothing. A formula that rises
-/// or falls only within a cell, along each axis, takes nothing beyond.
+/// The range of a formula's values at the corners of the cells of a box, and a point where it is undefined. If the
+/// formula is monotonic along each axis within every cell, no value between the corners lies outside this range.
 class Range {
 public:
     Range(const Formula& formula, const Box& within, double step) : formula_(formula), within_(within), step_(step) {
@@ -84,8 +84,8 @@ private:
         Found found;
         for (int row = 0; row <= cells_.y; ++row)
             for (int column = 0; column <= cells_.x; ++column) {
-                // To the micrometre: where a formula divides by zero is a round number, and a box seldom begins with
-                // one.
+                // Rounded to the micrometre: a formula usually divides by zero at a round coordinate, and a box seldom
+                // starts at one.
                 const glm::dvec3 place =
                     glm::round(1e3 * glm::min(within_.low + step_ * glm::dvec3(column, row, layer), within_.high)) /
                     1e3;
@@ -103,7 +103,7 @@ private:
         const std::scoped_lock lock(mutex_);
         all_.low = std::min(all_.low, found.low);
         all_.high = std::max(all_.high, found.high);
-        // The lowest, so that the same formula names the same place however the work was shared.
+        // The lowest point, so that the result does not depend on how the work was divided among the threads.
         if (found.undefined && (!all_.undefined || found.undefined->z < all_.undefined->z))
             all_.undefined = found.undefined;
     }
@@ -116,14 +116,15 @@ private:
     Found all_;
 };
 
-/// The part of a box that a region may fill.
+/// Returns the part of a box that a region can fill.
 Box clipped(const MaterialRegion& region, Box box) {
     box.low[region.axis] = std::max(box.low[region.axis], region.from);
     box.high[region.axis] = std::min(box.high[region.axis], region.to);
     return box;
 }
 
-/// The force of a cut, the feed and the weight follow these: without one above 0 there is none.
+/// Checks the range of a value. The cutting force, the feed and the weight depend on some values, which have to be
+/// above 0.
 Result<void> checkRange(const MaterialRegion& region, double low, double high) {
     const std::string& name = region.grade->value;
     const bool positive = name == specificCuttingEnergy || name == density || name == kienzleForce ||

@@ -14,38 +14,39 @@
 
 namespace burin {
 
-/// How one value of a region's material changes from place to place.
+/// How one value of a region's material varies with position.
 struct RegionGrade {
     std::string value = std::string(specificCuttingEnergy); ///< name of the material's value
-    std::string formula; ///< of X, Y and Z, mm, setup frame, in the value's unit; empty: the table stands
+    std::string formula; ///< of X, Y and Z, mm, setup frame, in the value's unit; empty: the table applies
     int axis = 2;        ///< of the table: 0, 1, 2 for x, y, z
-    std::vector<Grading::Control> table; ///< along that axis: mm, setup frame, and the value there; rising
-    int entries = 8;                     ///< equally high bands that the values are sorted into, 1 … `maximumGrades`
+    std::vector<Grading::Control> table; ///< position along that axis (mm, setup frame, increasing) and value
+    int entries = 8; ///< bands of equal height that the values are sorted into, 1 … `maximumGrades`
 
     friend bool operator==(const RegionGrade& one, const RegionGrade& other);
 };
 inline constexpr int maximumGrades = 24;
 
-/// A layer of the stock, between two planes across an axis, that has a material of its own or a graded one. Where
-/// layers overlap the later in the list has the place; inserts have it before any layer, and the part before all.
+/// A layer of the stock, between two planes perpendicular to an axis, with its own or a graded material. Where layers
+/// overlap, the later one in the list takes precedence; inserts take precedence over layers, and the part over
+/// everything.
 struct MaterialRegion {
-    std::string name;                                       ///< not empty, each once in a setup
+    std::string name;                                       ///< not empty, unique in a setup
     std::string material;                                   ///< id
-    int axis = 2;                                           ///< that the planes stand across: 0, 1, 2 for x, y, z
-    double from = -std::numeric_limits<double>::infinity(); ///< mm, setup frame; infinite: no plane on that side
+    int axis = 2;                                           ///< normal of the planes: 0, 1, 2 for x, y, z
+    double from = -std::numeric_limits<double>::infinity(); ///< mm, setup frame; infinite: unbounded on that side
     double to = std::numeric_limits<double>::infinity();
-    std::optional<RegionGrade> grade; ///< none: one material throughout
+    std::optional<RegionGrade> grade; ///< empty: one material throughout
 
     friend bool operator==(const MaterialRegion&, const MaterialRegion&) = default;
 };
 
-/// What is wrong with regions by themselves, before any volume is made.
-/// Errors: argumentInvalid (subject: the region's name; place: what of it; detail: what is allowed).
+/// Checks regions on their own, before any volume is made.
+/// Errors: argumentInvalid (subject: the region's name; place: the offending field; detail: what is allowed).
 Result<void> checkRegions(const std::vector<MaterialRegion>& regions);
 
-/// The values of a grade, as a function of the place. `low` and `high` are what it takes within `within`, looked at
-/// at the corners of cells of `step`. Errors: those of checkRegions, argumentInvalid (a value that is not finite, with
-/// its place; one that does not change).
+/// Returns the values of a grade as a function of position. The result's `low` and `high` are the smallest and largest
+/// value within `within`, sampled at the corners of cells of edge `step`. Errors: those of checkRegions,
+/// argumentInvalid (a value that is not finite, with its position; a value that does not change).
 /// @param within mm, setup frame @param step mm
 Result<Grading> gradingOf(const MaterialRegion& region, const Box& within, double step);
 

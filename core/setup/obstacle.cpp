@@ -20,7 +20,7 @@ TriangleMesh meshOf(const Box& box) {
     return mesh;
 }
 
-/// A prism around the cylinder.
+/// Returns a prism circumscribed about the cylinder.
 TriangleMesh meshOf(const CylinderShape& cylinder) {
     const glm::dvec3 x = anyAcross(cylinder.axis), y = glm::cross(cylinder.axis, x);
     const double half = std::acos(cylinder.radius / (cylinder.radius + cylinderChord));
@@ -75,9 +75,9 @@ bool same(const TriangleMesh& one, const TriangleMesh& other) {
     return one.vertices == other.vertices && one.triangles == other.triangles;
 }
 
-/// What is wrong with a shape, and what is allowed instead.
+/// The error in a shape, and what is allowed instead.
 struct ShapeFault {
-    const char* what = nullptr; ///< null: nothing
+    const char* what = nullptr; ///< null: no error
     const char* allowed = nullptr;
 };
 

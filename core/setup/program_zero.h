@@ -11,38 +11,39 @@
 
 namespace burin {
 
-/// What program zero is placed on.
+/// What the position of program zero refers to.
 enum class ZeroReference : std::uint8_t {
     stock, ///< the box around the stock
-    part,  ///< the box around the bodies that nothing may cut
-    point  ///< a stated place: a vertex that was picked, or where a tool touched
+    part,  ///< the box around the protected bodies
+    point  ///< a given point: a picked vertex, or where a tool touched
 };
 inline constexpr std::array zeroReferences{ZeroReference::stock, ZeroReference::part, ZeroReference::point};
 /// Stable id, for files and the command line: "stock", "part", "point".
 std::string_view idOf(ZeroReference reference) noexcept;
 std::optional<ZeroReference> zeroReferenceFromId(std::string_view id) noexcept;
 
-/// Which place of a box along one axis.
+/// A position in a box along one axis.
 enum class BoxSide : std::uint8_t { low, middle, high };
 inline constexpr std::array boxSides{BoxSide::low, BoxSide::middle, BoxSide::high};
 /// Stable id: "low", "middle", "high".
 std::string_view idOf(BoxSide side) noexcept;
 std::optional<BoxSide> boxSideFromId(std::string_view id) noexcept;
 
-/// Corner, middle of an edge or face, or centre of a box, by its three sides.
+/// Returns a corner, the middle of an edge or face, or the centre of a box, selected by one side per axis.
 glm::dvec3 placeOn(const Box& box, const std::array<BoxSide, 3>& sides) noexcept;
 
-/// Where a setup's programs have their zero, and which work offset of the control holds it.
+/// The program zero of a setup, and the control's work offset that stores it.
 struct ProgramZero {
     int workOffset = 54; ///< as NcMotion::workOffset: 54 … 59, 591 … 593, 1000 + n
     ZeroReference on = ZeroReference::stock;
     std::array<BoxSide, 3> sides{BoxSide::middle, BoxSide::middle, BoxSide::high}; ///< of its box, along x, y, z
-    glm::dvec3 point{0.0};                                                         ///< mm, setup frame, of that kind
+    glm::dvec3 point{0.0};                                                         ///< mm, setup frame, for point
 
     friend bool operator==(const ProgramZero&, const ProgramZero&) = default;
 };
 
-/// A point goes along with the part; a place on a box is found anew.
+/// Returns the program zero of a moved part: a point moves with the part; a position on a box is kept, as it is
+/// determined again from the box.
 ProgramZero moved(ProgramZero zero, const Placement& by);
 
 } // namespace burin

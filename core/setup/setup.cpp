@@ -35,7 +35,7 @@ bool hasPart(const Model& model, const Setup& setup) {
     return false;
 }
 
-/// Of the bodies whose role a judge accepts.
+/// Returns the box around the bodies whose role `wanted` accepts.
 template <class Judge>
 Box boxOf(const Model& model, const Setup& setup, Judge wanted) {
     Box box;
@@ -44,7 +44,7 @@ Box boxOf(const Model& model, const Setup& setup, Judge wanted) {
     return box;
 }
 
-/// Round all embedded bodies, without margins: where it begins and ends along its axis, and how far they reach.
+/// The extent of a cylinder around all embedded bodies, without margins: its ends along its axis, and its radius.
 struct Reach {
     double from = std::numeric_limits<double>::infinity();
     double to = -std::numeric_limits<double>::infinity();
@@ -77,7 +77,7 @@ CylinderShape cylinderAround(const Model& model, const Setup& setup, const Box& 
     double side = 0.0;
     for (int axis = 0; axis < 3; ++axis)
         if (axis != along) side = std::max({side, setup.marginLow[axis], setup.marginHigh[axis]});
-    // Between its vertices a mesh may stand back behind the surface by its chord.
+    // Between its vertices, a mesh can lie behind the true surface by its chord error.
     const double chord = model.meshChord;
     cylinder.base = centre + (reach.from - chord - low - glm::dot(centre, cylinder.axis)) * cylinder.axis;
     cylinder.height = reach.to - reach.from + 2.0 * chord + low + high;
@@ -122,7 +122,7 @@ Result<void> placeForm(const Model& model, Setup& setup) {
     if (setup.form == StockForm::file) {
         if (!setup.volume) return invalid("form", "a file where one was read, a box, a cylinder or solids");
         const Grid& grid = setup.volume->grid();
-        if (!setup.leftBy) setup.stock = grid.box(); // else its faces are known better
+        if (!setup.leftBy) setup.stock = grid.box(); // otherwise its faces are known more exactly
         setup.voxel = grid.edge();
         setup.runs = grid.axis();
         setup.stockMaterial = setup.volume->materials()[setup.volume->mainMaterial()].id;
@@ -190,7 +190,7 @@ Result<EmbeddingSize> embeddingSize(const Setup& setup) {
         return invalid("stock", "a finite box");
     EmbeddingSize size;
     for (int axis = 0; axis < 3; ++axis) {
-        // A stock of a whole number of voxels must not gain one by the rounding of a division.
+        // Rounding errors of the division must not add a voxel to a stock of a whole number of voxels.
         const double voxels = std::max(1.0, std::ceil(setup.stock.size()[axis] / setup.voxel - 1e-6));
         if (voxels > Grid::maximumVoxelsPerAxis)
             return Error{ErrorCode::volumeTooLarge,
@@ -202,7 +202,7 @@ Result<EmbeddingSize> embeddingSize(const Setup& setup) {
     const Result<Grid> grid = Grid::make(setup.stock.low, setup.voxel, size.voxels, setup.runs);
     if (!grid) return grid.error();
     size.megabytes = static_cast<double>(RunVolume::defaultReserve(*grid)) / bytesPerMegabyte;
-    // The other half is for meshes, fields, pictures and the rest of the machine.
+    // The other half is reserved for meshes, fields, images and other programs.
     const double limit = 0.5 * static_cast<double>(availableMemory()) / bytesPerMegabyte;
     if (size.megabytes > limit)
         return Error{ErrorCode::volumeTooLarge, megabytes(size.megabytes), megabytes(limit), {}};

@@ -9,7 +9,7 @@ namespace burin {
 
 namespace {
 
-/// What is not a body (notes, where the file lay) comes along: messages name it.
+/// Copies everything except the bodies (notes, the path of the file): messages name it.
 Model withoutBodies(const Model& model) {
     Model other;
     other.sourceFile = model.sourceFile;

@@ -19,7 +19,7 @@ const Property* ofStock(const StockVolume& volume, const std::string& id) {
     return nullptr;
 }
 
-/// What the project keeps comes first, then what a stock from a file brings, then the library.
+/// Searches the project's materials first, then those of a stock from a file, then the library.
 Result<Property> materialOf(const std::string& id, const std::vector<Property>& known, const StockVolume* volume) {
     const auto found = std::ranges::find(known, id, &Property::id);
     if (found != known.end()) return *found;
@@ -27,7 +27,7 @@ Result<Property> materialOf(const std::string& id, const std::vector<Property>& 
     return own ? Result<Property>(*own) : loadMaterial(id);
 }
 
-/// Ids of a property list are unique; bodies of one name get numbers.
+/// Adds a property. Ids of a property list are unique; bodies with the same name are numbered.
 Result<PropertyIndex> addNumbered(PropertyList& list, Property property) {
     const std::string id = property.id;
     for (int number = 2; entryOf(list, property.id); ++number) property.id = id + " " + std::to_string(number);
@@ -69,7 +69,8 @@ public:
     SetupMaterials take() { return std::move(materials_); }
 
 private:
-    /// What there is none of in it is left out; a grade needs the material that it is a grade of.
+    /// Adds the materials of a stock from a file. Unused materials are left out, except the base material of a used
+    /// grade.
     Result<void> addVolume() {
         const PropertyList& list = volume_->materials();
         std::array<bool, 256> used{};
@@ -95,7 +96,7 @@ private:
         return own ? setup_.bodyMaterials[body] : setup_.stockMaterial;
     }
 
-    /// What can be milled can be felt: a material without a force would be cut like air.
+    /// Returns a material that can be milled. It must produce a cutting force: without one it would be cut like air.
     Result<Property> machinable(const std::string& id) const {
         Result<Property> material = materialOf(id, known_, volume_);
         if (!material) return material;
@@ -128,7 +129,7 @@ private:
         if (!material) return material.error();
         material->id += " (" + region.name + ")";
         material->name += " (" + region.name + ")";
-        if (region.grade->value == specificCuttingEnergy) { // Kienzle's law would stand in its place
+        if (region.grade->value == specificCuttingEnergy) { // Kienzle's law would override it
             material->values.erase(std::string(kienzleForce));
             material->values.erase(std::string(kienzleExponent));
         }

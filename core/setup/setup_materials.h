@@ -11,21 +11,21 @@
 
 namespace burin {
 
-/// The property list of a setup's workpiece, and which entry stands for what: air, the stock (all that a file brings),
-/// then the bodies, then the layers. What is protected has an entry of its own; machinable bodies and layers of one
-/// material share its entry, but a graded layer has one.
+/// The property list of a setup's workpiece, and the meaning of its entries: air, the stock (all materials of a stock
+/// from a file), then the bodies, then the layers. Each protected body has its own entry; machinable bodies and layers
+/// of one material share an entry, but a graded layer has its own.
 struct SetupMaterials {
     PropertyList list;
     PropertyIndex stock = airProperty;
-    std::array<PropertyIndex, 256> volume{}; ///< per entry of a stock from a file; air for what it has none of
-    std::vector<PropertyIndex> bodies;       ///< per body; air where it is not embedded
-    std::vector<PropertyIndex> regions;      ///< per layer; of a graded one what its grades belong to
+    std::array<PropertyIndex, 256> volume{};           ///< per entry of a stock from a file; air for unused entries
+    std::vector<PropertyIndex> bodies;                 ///< per body; air where it is not embedded
+    std::vector<PropertyIndex> regions;                ///< per layer; of a graded layer the base material of its grades
     std::vector<std::optional<GradedMaterial>> graded; ///< per layer
 };
 
-/// Errors: nameUnknown, resourceInvalid (a material); argumentInvalid (more materials than a list holds, one that is
-/// milled without a specific cutting energy or Kienzle force, those of gradingOf).
-/// @param known looked through by id before the library
+/// Errors: nameUnknown (a material); resourceInvalid (a material, or a machinable one without a specific cutting energy
+/// or Kienzle force); argumentInvalid (more materials than a list holds, those of gradingOf).
+/// @param known searched by id before the library
 Result<SetupMaterials> setupMaterials(const Model& model, const Setup& setup, const std::vector<Property>& known);
 
 } // namespace burin

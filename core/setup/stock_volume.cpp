@@ -17,7 +17,7 @@ Result<RunVolume> unpacked(const std::string& content, const std::string& name, 
     std::istringstream stream(content);
     Result<VolumeFileContent> file = readVolume(stream, name, progress);
     if (!file) return std::move(file).error();
-    // A loss would be air where there is material: the tool would go through it at full feed.
+    // Lost data would become air where there is material: the tool would move through it at full feed.
     if (std::optional<Error> damage = file->damage()) return std::move(*damage);
     return std::move(file->volume);
 }

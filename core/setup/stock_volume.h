@@ -11,16 +11,16 @@
 
 namespace burin {
 
-/// A stock that was given voxel by voxel: a scan, a casting, what another clamping left. Kept in the form of a volume
-/// file, as the project stores it. Immutable: any thread may read it.
+/// A stock that is given voxel by voxel: a scan, a casting, the stock left by another clamping. Kept in the form of a
+/// volume file, as the project stores it. Immutable and thread-safe.
 class StockVolume {
 public:
     using Shared = std::shared_ptr<const StockVolume>;
 
-    /// @param name of the file that it came from, for people
-    /// Errors: those of writeVolume, stockInvalid (nothing but air).
+    /// @param name of the file that it came from, for display
+    /// Errors: those of writeVolume, stockInvalid (only air).
     static Result<Shared> of(const VolumeSnapshot& volume, const std::string& name, Progress& progress);
-    /// @param content a volume file. Errors: those of readVolume, fileDamaged, stockInvalid (nothing but air).
+    /// @param content a volume file. Errors: those of readVolume, fileDamaged, stockInvalid (only air).
     static Result<Shared> read(std::string content, const std::string& name, Progress& progress);
 
     const std::string& name() const noexcept { return name_; }
@@ -29,10 +29,10 @@ public:
     const RunAmounts& amounts() const noexcept { return amounts_; } ///< by entry of `materials`
     const std::string& content() const noexcept { return content_; }
     std::uint64_t checksum() const noexcept { return checksum_; } ///< of the content
-    /// The entry that most of it is.
+    /// Returns the entry of the material with the largest amount.
     PropertyIndex mainMaterial() const noexcept;
 
-    /// Its runs, with the same property list. Errors: those of readVolume.
+    /// Returns the volume with its runs and the same property list. Errors: those of readVolume.
     Result<RunVolume> unpack(Progress& progress) const;
 
 private:

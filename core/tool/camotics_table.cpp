@@ -21,7 +21,7 @@ struct Form {
     std::string_view name;
     CutterType type;
 };
-/// The first of a type is what is written.
+/// For writing, the first entry of a type is used.
 constexpr std::array forms{Form{"cylindrical", CutterType::flat}, Form{"cylinder", CutterType::flat},
                            Form{"ballnose", CutterType::ball},    Form{"ball", CutterType::ball},
                            Form{"conical", CutterType::chamfer},  Form{"cone", CutterType::chamfer},
@@ -43,7 +43,7 @@ std::string textOf(const json& item, const char* key) {
     return text;
 }
 
-/// A cone of the whole length, which is all that is there.
+/// Sets a cone over the entire length, as the table contains nothing else.
 void shape(Cutter& cutter, double length, double tip) {
     cutter.tipDiameter = tip;
     cutter.taperAngle = std::atan2(0.5 * (cutter.diameter - tip), length);
@@ -80,7 +80,8 @@ std::optional<ReadTool> toolOf(const std::string& number, const json& item, cons
     return read;
 }
 
-/// The forms that a table has, with the length that it would give the flutes; nothing for others.
+/// Returns the entry of a tool, with the length that the table would give the flutes; empty for shapes that a table
+/// does not have.
 std::optional<json> itemOf(const Tool& tool) {
     const Cutter& cutter = tool.cutter;
     json item{{"units", "metric"},

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double degree = pi / 180.0;
 constexpr double usualTaper = 5.0 * degree, usualChamfer = 45.0 * degree, usualPoint = 59.0 * degree;
-constexpr double usualCorner = 0.25; // of half the diameter
+constexpr double usualCorner = 0.25; // share of the radius
 
 bool isCone(CutterType type) noexcept {
     return type == CutterType::taper || type == CutterType::taperBall || type == CutterType::drill ||
@@ -45,7 +45,7 @@ double fittedCorner(const Cutter& cutter) noexcept {
     return 0.0;
 }
 
-/// A rounding that its tip has no room for is left out; flutes reach to where the cone is as wide as the cutter.
+/// Removes a rounding that does not fit on the tip; extends the flutes to where the cone is as wide as the cutter.
 void fitCone(Cutter& cutter) {
     if (cutter.tipDiameter >= cutter.diameter) cutter.tipDiameter = 0.0;
     TaperForm form = taperForm(cutter);
@@ -83,7 +83,7 @@ Cutter fitted(Cutter cutter) {
     else if (!angleFits)
         cutter.taperAngle = usualAngle(cutter.type);
     if (cutter.type == CutterType::lollipop) {
-        constexpr double usualEnd = 0.9; // of the diameter
+        constexpr double usualEnd = 0.9; // share of the diameter
         if (cutter.fluteLength <= cutter.radius() || cutter.fluteLength >= cutter.diameter)
             cutter.fluteLength = usualEnd * cutter.diameter;
     } else if (cutter.type != CutterType::profile) {

@@ -6,15 +6,15 @@
 
 namespace burin {
 
-/// A value of a cutter that only some types have.
+/// A value of a cutter that not all types have.
 enum class CutterValue : std::uint8_t { diameter, cornerRadius, tipDiameter, taperAngle, fluteLength };
-/// The user decides it: neither left out by the type nor given by another value or by the profile.
+/// Whether the user can choose the value: the type has it, and it is not determined by another value or by the profile.
 bool isFree(CutterType type, CutterValue value) noexcept;
 
-/// The cutter with what its type leaves out set to 0, what it gives set to that, and what it needs and lacks, or can't
-/// be as it is, set to what is usual. Values that fit stay. Lengths that have to reach as far are made longer; nothing
-/// else grows.
-/// @param cutter diameters and lengths finite and > 0. @return valid but for a profile of another diameter
+/// Returns the cutter adapted to its type: values that the type does not have are set to 0, values that it determines
+/// are set to these, and values that are missing or impossible are set to usual ones. Valid values are kept. Lengths
+/// that are too short are extended; nothing else is enlarged.
+/// @param cutter diameters and lengths finite and > 0. @return valid except for a profile of another diameter
 Cutter fitted(Cutter cutter);
 
 } // namespace burin

@@ -13,7 +13,7 @@ namespace burin {
 
 namespace {
 
-constexpr double slack = 1e-6; // mm, of figures that a file states twice
+constexpr double slack = 1e-6; // mm, between values that a file states twice
 
 Error invalid(std::string key, double value, std::string allowed) {
     return {ErrorCode::argumentInvalid, std::move(key), formatShortest(value), std::move(allowed)};
@@ -28,7 +28,7 @@ bool hasFlatTip(CutterType type) noexcept {
     return type == CutterType::taper || type == CutterType::chamfer;
 }
 
-/// What a type does not use would be a slip of the author's.
+/// Checks that values which the type does not use are 0; others are probably an author's mistake.
 Result<void> validateUnused(const Cutter& cutter) {
     if (!hasFlatTip(cutter.type) && cutter.tipDiameter != 0.0)
         return invalid("cutter.tip_diameter_mm", cutter.tipDiameter, "left out: this type has none");
@@ -137,7 +137,7 @@ void addTaper(const Cutter& cutter, std::vector<RevolvedPiece>& pieces) {
     const TaperForm form = taperForm(cutter);
     if (form.arcEnd > 0.0)
         pieces.push_back(bulgingPiece(0.0, form.arcEnd, form.ringRadius, cutter.cornerRadius, cutter.cornerRadius));
-    // A cone that just reaches the end of the flutes may miss it by rounding: it is taken to reach it.
+    // A cone that just reaches the end of the flutes may miss it because of rounding: it is treated as reaching it.
     const bool hasCylinder = form.coneEnd < cutter.fluteLength - slack;
     const double end = hasCylinder ? form.coneEnd : cutter.fluteLength;
     if (form.arcEnd < end) pieces.push_back({form.arcEnd, end, form.arcEndRadius, cutter.radius(), 0.0});
@@ -148,7 +148,7 @@ void addHollowArc(const ProfileElement& arc, const glm::dvec2& from, std::vector
     const glm::dvec2 centre = arcCentre(arc, from);
     const double first = std::asin(std::clamp((from.y - centre.y) / arc.arcRadius, -1.0, 1.0));
     const double last = std::asin(std::clamp((arc.height - centre.y) / arc.arcRadius, -1.0, 1.0));
-    // A chord over the angle a stands off its arc by radius (1 - cos(a / 2)).
+    // A chord over the angle a deviates from its arc by radius (1 - cos(a / 2)).
     const double widest = 2.0 * std::acos(std::max(1.0 - profileChord / arc.arcRadius, 0.0));
     const int steps = std::max(1, static_cast<int>(std::ceil((last - first) / widest)));
     glm::dvec2 low = from;
@@ -170,7 +170,7 @@ void addProfile(const Cutter& cutter, std::vector<RevolvedPiece>& pieces) {
         } else if (element.arcRadius > 0.0) {
             const glm::dvec2 centre = arcCentre(element, from);
             pieces.push_back({from.y, to.y, from.x, to.x, 0.0, element.arcRadius, centre.x, centre.y});
-        } else if (to.y > from.y + slack) { // else a shoulder: the next element begins wider
+        } else if (to.y > from.y + slack) { // otherwise a shoulder: the next element begins wider
             pieces.push_back({from.y, to.y, from.x, to.x, 0.0});
         }
         from = to;
@@ -185,7 +185,7 @@ glm::dvec2 arcCentre(const ProfileElement& arc, const glm::dvec2& from) noexcept
     const glm::dvec2 outward = glm::dvec2(chord.y, -chord.x) / length;
     const double away = std::sqrt(std::max((arc.arcRadius - half) * (arc.arcRadius + half), 0.0));
     glm::dvec2 centre = 0.5 * (from + to) + (arc.hollow ? away : -away) * outward;
-    // A centre that is meant to lie on the axis makes a sphere, which has closed forms.
+    // A centre that should lie on the axis makes a sphere, which has closed forms.
     if (std::abs(centre.x) < 1e-9 * arc.arcRadius) centre.x = 0.0;
     return centre;
 }
@@ -193,7 +193,7 @@ glm::dvec2 arcCentre(const ProfileElement& arc, const glm::dvec2& from) noexcept
 TaperForm taperForm(const Cutter& cutter) noexcept {
     const double corner = cutter.cornerRadius, sine = std::sin(cutter.taperAngle), cosine = std::cos(cutter.taperAngle);
     TaperForm form;
-    // The rounding touches the level of the tip and the cone.
+    // The rounding is tangent to the plane of the tip and to the cone.
     if (cutter.type != CutterType::taperBall)
         form.ringRadius = 0.5 * cutter.tipDiameter - corner * (1.0 - sine) / cosine;
     form.arcEnd = corner * (1.0 - sine);

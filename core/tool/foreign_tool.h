@@ -8,24 +8,24 @@
 
 namespace burin {
 
-// What readers of other programs' tool libraries share.
+// Shared by the readers of other programs' tool libraries.
 
-/// Checks a tool that was put together as a file of Burin's own is checked, with its id made of its name.
-/// @param like lends the limits. Errors: resourceInvalid.
+/// Checks an assembled tool like one of Burin's own files; its id is made from its name.
+/// @param like provides the limits. Errors: resourceInvalid.
 Result<ReadTool> soundTool(ReadTool read, const std::string& origin, const Tool& like);
 
-/// A whole number, within what an int holds.
+/// Returns an integer, limited to the range of int.
 int wholeNumberOf(const nlohmann::json& value);
 
-/// Of a Fusion library. Errors: those of soundTool for all of its tools.
+/// Reads a Fusion library. Errors: those of soundTool for all of its tools.
 Result<ReadTools> readFusion(const nlohmann::json& library, const std::string& origin, const Tool& like);
-/// Of an object of CAMotics' tools by number.
+/// Reads a JSON object with CAMotics' tools by number.
 Result<ReadTools> readCamotics(const nlohmann::json& tools, const std::string& origin, const Tool& like);
-/// Whether it is such an object.
+/// Whether the JSON value is such an object.
 bool isCamoticsTable(const nlohmann::json& json);
-/// Of a LinuxCNC tool table. @param unit mm
+/// Reads a LinuxCNC tool table. @param unit mm
 Result<ReadTools> readLinuxcnc(std::string_view text, const std::string& origin, const Tool& like, double unit);
-/// Whether it may be one: a line begins with T and a number.
+/// Whether the text may be a LinuxCNC tool table: a line begins with T and a number.
 bool isLinuxcncTable(std::string_view text);
 
 } // namespace burin

@@ -23,7 +23,7 @@ using nlohmann::json;
 constexpr double degree = pi / 180.0;
 
 struct Shape {
-    std::string_view name; ///< in small letters
+    std::string_view name; ///< in lower case
     CutterType type;
 };
 constexpr std::array shapes{Shape{"endmill", CutterType::flat},      Shape{"ballend", CutterType::ball},
@@ -45,7 +45,7 @@ std::string smallLetters(std::string text) {
     return text;
 }
 
-/// Reads the values of a bit, and keeps the first fault.
+/// Reads the values of a bit, and keeps the first error.
 class BitReader {
 public:
     BitReader(const json& bit, std::string origin, const Tool& like)
@@ -70,7 +70,7 @@ public:
         if (fault_) return *fault_;
         tool.cutter = fitted(tool.cutter);
         tool.maximumDepthOfCut = std::min(tool.cutter.fluteLength, like_.maximumDepthOfCut);
-        // Within what a file of Burin's own may hold.
+        // The values must be valid in one of Burin's own files.
         if (Result<Tool> sound = toolFromJson(toJson(tool), origin_); !sound) return sound.error();
         return std::move(result_);
     }
@@ -131,7 +131,7 @@ private:
         readHeld();
     }
 
-    /// A bit says nothing of how it is held: a stick-out that is too short leaves the holder too low, never too high.
+    /// A bit does not state how it is held: a stick-out that is too short places the holder too low, never too high.
     void readHeld() {
         Cutter& cutter = result_.tool.cutter;
         if (const auto whole = length("Length")) cutter.stickOut = std::min(cutter.stickOut, *whole);
@@ -148,7 +148,7 @@ private:
         return nullptr;
     }
 
-    /// A number with a unit behind it; a bare one is in the first unit.
+    /// Returns a number followed by a unit; a number without unit is in the first unit.
     template <std::size_t size>
     std::optional<double> quantity(const char* key, const std::array<BitUnit, size>& units) {
         const json* written = value(key);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Fusion's tool library, as its files have it: one object for each tool, lengths in the unit that it states.
+// Fusion's tool library: its files contain one object for each tool, with lengths in the unit that the object states.
 #include "core/base/checksum.h"
 #include "core/base/clean_text.h"
 #include "core/base/units.h"
@@ -23,7 +23,7 @@ struct Form {
     std::string_view name;
     CutterType type;
 };
-/// The first of a type is what is written.
+/// For writing, the first entry of a type is used.
 constexpr std::array forms{Form{"ball end mill", CutterType::ball},
                            Form{"flat end mill", CutterType::flat},
                            Form{"bull nose end mill", CutterType::bullNose},
@@ -41,13 +41,13 @@ public:
     FusionReader(const json& item, const Tool& like)
         : item_(item), geometry_(part(item, "geometry")), like_(like), unit_(text("unit") == "inches" ? 25.4 : 1.0) {}
 
-    /// What it is called in messages.
+    /// Returns the tool's name for messages.
     std::string name() const {
         const std::string description = text("description"), product = text("product-id");
         return !description.empty() ? description : !product.empty() ? product : text("type");
     }
 
-    /// Nothing: a form that Burin does not have.
+    /// Empty for a shape that Burin does not have.
     std::optional<ReadTool> read() {
         const auto form = std::ranges::find(forms, text("type"), &Form::name);
         if (form == forms.end() || isTaperBall(form->type)) return std::nullopt;
@@ -89,7 +89,7 @@ private:
     }
     void note(std::string sentence) { result_.notes.push_back(std::move(sentence)); }
 
-    /// Where its ball goes over into the cone is stated in more than one way.
+    /// Whether the tool is a taper ball mill, for which files state the transition from ball to cone in different ways.
     bool isTaperBall(CutterType type) const {
         const double tip = number("DC").value_or(0.0), corner = number("RE").value_or(0.0);
         return type == CutterType::taper && corner > 0.0 && corner >= 0.499 * tip;
@@ -123,20 +123,20 @@ private:
         readShaft();
     }
 
-    /// rad, between axis and cone. A drill states the whole point, the others the half.
+    /// Returns the angle between axis and cone, rad. A drill states the full point angle, the others half of it.
     double angle(CutterType type) const {
         if (type == CutterType::drill) return number("SIG").value_or(118.0) * 0.5 * degree;
         return number("TA").value_or(0.0) * degree;
     }
 
-    /// Diameters of a taper are those of its tip; Burin's are those of its widest place.
+    /// The diameter of a taper is that of its tip; in Burin it is the largest one.
     void readTaper() {
         Cutter& cutter = result_.tool.cutter;
         cutter.tipDiameter = cutter.diameter;
         cutter.diameter += 2.0 * length("LCF").value_or(0.0) * std::tan(cutter.taperAngle);
     }
 
-    /// The widest of its steps stands for the shank: never narrower than it is.
+    /// The widest step of the shaft is used for the shank, so that it is never too narrow.
     void readShaft() {
         const json& shaft = part(item_, "shaft");
         const auto segments = shaft.find("segments");
@@ -181,7 +181,7 @@ private:
     ReadTool result_;
 };
 
-/// Of the same tool always the same.
+/// Returns a GUID that is always the same for the same tool.
 std::string guidOf(const Tool& tool) {
     constexpr std::array places{8, 4, 4, 4, 12};
     static constexpr std::string_view digits = "0123456789abcdef";
@@ -226,7 +226,7 @@ json geometryOf(const Tool& tool) {
     return geometry;
 }
 
-/// Whether Fusion has its form: a taper whose cone reaches as far as its flutes, and no rounded one.
+/// Whether Fusion has the shape: of tapers, only those whose cone reaches to the end of the flutes, and no taper ball.
 bool fits(const Cutter& cutter) {
     if (cutter.type == CutterType::profile || cutter.type == CutterType::taperBall) return false;
     if (cutter.type != CutterType::taper) return true;

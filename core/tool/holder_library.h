@@ -6,16 +6,17 @@
 
 namespace burin {
 
-/// What tools are held in: segments from its face upwards. A tool that is put into it has a copy of them.
+/// A tool holder: segments from its face upwards. A tool in this holder has a copy of them.
 struct Holder {
     std::string id, name;                ///< "er16-collet-chuck"; English
     std::string source;                  ///< where the dimensions come from
-    std::vector<HolderSegment> segments; ///< one at least
+    std::vector<HolderSegment> segments; ///< at least one
 };
 
-/// Holders that Burin is shipped with or the user added: holders/<id>.json. Errors: nameUnknown, resourceInvalid.
+/// Loads a holder that is shipped with Burin or was added by the user: holders/<id>.json. Errors: nameUnknown,
+/// resourceInvalid.
 Result<Holder> loadHolder(std::string_view id);
-/// Ids of all holders there are, sorted.
+/// Returns the ids of all holders, sorted.
 std::vector<std::string> holderIds();
 /// @param origin file name for messages. Errors: resourceInvalid.
 Result<Holder> holderFromJson(std::string_view text, const std::string& origin);

@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// Scanlines first … last along an axis across them; none when last < first.
+/// The scanlines first … last, counted along an axis perpendicular to them; empty if last < first.
 struct LineStretch {
     std::int32_t first = 0, last = -1;
 };

@@ -14,7 +14,7 @@ namespace burin {
 
 namespace {
 
-/// A line without its remark, as words, and the remark.
+/// A line, split into words and the comment.
 struct Line {
     std::vector<std::string> words;
     std::string remark;
@@ -29,7 +29,7 @@ Line lineOf(const std::string& text) {
     return line;
 }
 
-/// The number behind a letter; nothing: no such word, or no number.
+/// Returns the number after a letter; empty if there is no such word, or no number.
 std::optional<double> valueOf(const Line& line, char letter) {
     for (const std::string& word : line.words)
         if (std::toupper(static_cast<unsigned char>(word.front())) == letter) return parseNumber(word.substr(1));

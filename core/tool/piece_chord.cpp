@@ -11,14 +11,16 @@ namespace burin {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double smallestStep = 1e-11; // mm; where a line grazes, what is left is as long as the last step
-// By so much a line beside a face counts as in it: what roundings make of a metre.
+constexpr double smallestStep = 1e-11; // mm; for a grazing line, the remaining distance is as long as the last step
+// A line within this distance of a face counts as lying in it: the rounding error of a metre.
 constexpr double besideFace = 1e-12; // mm
-// By so much a line beside the outline counts as on it, touching the piece in a point. The chord is the root of the
-// distance to the outline: left to rounding, lines that touch would have chords of 1e-7 mm, or none, as it falls.
+// A line within this distance of the outline counts as lying on it, touching the piece in one point. The chord is the
+// root of the distance to the outline: otherwise touching lines would, depending on rounding, have chords of 1e-7 mm or
+// none.
 constexpr double besideOutline = 1e-12; // mm
-constexpr double grazingChord = 1e-4;   // mm, longer than any chord so near to the outline of a tool
-// Of the square of the axis' lean. Generators of a cone with less are along the lines: it is what roundings make.
+constexpr double grazingChord = 1e-4;   // mm, longer than any chord this close to the outline of a tool
+// Relative to the square of the sine of the axis' inclination. If it is less, a cone's generators are parallel to the
+// lines: the rest is rounding error.
 constexpr double leastOpening = 1e-15;
 
 bool clip(Span& span, double low, double high) noexcept {
@@ -27,7 +29,7 @@ bool clip(Span& span, double low, double high) noexcept {
     return span.low <= span.high;
 }
 
-/// Where low < offset + slope z < high.
+/// Clips to where low < offset + slope z < high.
 bool clipToSlab(Span& span, double slope, double offset, double low, double high) noexcept {
     if (slope == 0.0) return low < offset && offset < high;
     const double first = (low - offset) / slope, second = (high - offset) / slope;
@@ -68,7 +70,8 @@ std::optional<Span> PieceChord::along(double x, double y) const noexcept {
     return span;
 }
 
-/// A line across the axis may lie in the face in which two pieces of a stack meet: each has it then, or neither had.
+/// Clips to the end faces. A line perpendicular to the axis may lie in the face in which two pieces of a stack meet: it
+/// then belongs to both, as otherwise neither might have it.
 bool PieceChord::clipToFaces(const Line& line, Span& span) const noexcept {
     return clipToSlab(span, rise_, line.before * lean_, piece_.bottom - besideFace, piece_.top + besideFace);
 }
@@ -82,8 +85,8 @@ bool PieceChord::clipToCylinder(const Line& line, Span& span) const noexcept {
 
 /// Distance from the axis at z: sqrt(aside² + (z lean - before rise)²); radius of the cone: linear in z, not negative
 /// between the faces. Their squares are equal at the roots of A z² + 2 B z + C. The outline is two straight lines, on
-/// which aside is as long as `reach` over the root of A: so the discriminant is written, for in B² - A C all that tells
-/// a line that touches from one that does not would cancel.
+/// which aside is as long as `reach` over the root of A. The discriminant is written in this form, since in B² - A C
+/// everything that distinguishes a touching line from others would cancel.
 bool PieceChord::clipToCone(const Line& line, Span& span) const noexcept {
     const double across = line.before * rise_;
     const double radius = piece_.bottomRadius + widening_ * (line.before * lean_ - piece_.bottom);
@@ -103,7 +106,7 @@ bool PieceChord::clipToCone(const Line& line, Span& span) const noexcept {
     const double first = sum / a, second = sum == 0.0 ? first : c / sum;
     const double low = std::min(first, second), high = std::max(first, second);
     if (a >= 0.0) return clip(span, low, high);
-    return growth > 0.0 ? clip(span, high, infinity) : clip(span, -infinity, low); // the nappe that the piece is on
+    return growth > 0.0 ? clip(span, high, infinity) : clip(span, -infinity, low); // the nappe that contains the piece
 }
 
 bool PieceChord::clipToBall(const Line& line, double radius, Span& span) const noexcept {
@@ -153,7 +156,7 @@ bool PieceChord::enterRounding(const Line& line, bool low, bool high, Span& span
     return span.low <= span.high;
 }
 
-/// Moves z, if it lies outside of the rounding, on to its surface. False: there is none in that direction.
+/// Moves z onto the surface of the rounding if it lies outside. Returns false if there is no surface in that direction.
 bool PieceChord::advance(const Line& line, double direction, double& z) const noexcept {
     for (int step = 0; step < 64; ++step) {
         const auto [across, fromAxis, out, over, fromRing] = ringPlaceAt(line, z);

@@ -11,24 +11,24 @@
 
 namespace burin {
 
-/// What lines along Z meet of a standing piece with any axis. Closed forms for ball, cylinder and cone; the torus of a
-/// bull nose or a barrel by Newton's steps on its distance, which is convex along the line, so that steps from outside
-/// never pass the surface; exact to 1e-9 mm but for rounding.
+/// The intersection of lines along Z with a piece at rest whose axis has any direction. Closed forms for ball, cylinder
+/// and cone; the torus of a bull nose or a barrel by Newton steps on its distance, which is convex along the line, so
+/// that steps from outside never pass the surface; exact to 1e-9 mm except for rounding.
 class PieceChord {
 public:
     /// @param axis unit length
     PieceChord(const RevolvedPiece& piece, const glm::dvec3& axis) noexcept;
 
-    /// @param x, y of the line, mm from the tip. @return mm from the tip; nothing where the line misses the piece. One
-    /// that touches it in a point, to rounding, may have that point: low == high. Depends on the arguments alone. No
-    /// allocation.
+    /// @param x, y of the line, mm from the tip. @return mm from the tip; empty if the line misses the piece. A line
+    /// that touches it in one point, within rounding, may return that point: low == high. Depends only on the
+    /// arguments. Does not allocate.
     std::optional<Span> along(double x, double y) const noexcept;
 
 private:
-    /// A line in the frame of the plane that axis and lines span.
+    /// A line in the frame of the plane spanned by axis and lines.
     struct Line {
         double aside = 0.0;  ///< mm, between the line and the axis
-        double before = 0.0; ///< mm, along the lean of the axis
+        double before = 0.0; ///< mm, along the horizontal direction of the axis
     };
     double heightAt(const Line& line, double z) const noexcept { return line.before * lean_ + z * rise_; }
     bool clipToFaces(const Line& line, Span& span) const noexcept;
@@ -37,10 +37,10 @@ private:
     bool clipToBall(const Line& line, double radius, Span& span) const noexcept;
     bool clipToCorner(const Line& line, Span& span) const noexcept;
     bool clipToBulge(const Line& line, Span& span) const noexcept;
-    /// A place on a line as the rounding's ring sees it, mm.
+    /// A point on a line relative to the rounding's ring, mm.
     struct RingPlace {
-        double across = 0.0, fromAxis = 0.0; ///< from the axis, in the plane of axis and lines and in all
-        double out = 0.0, over = 0.0;        ///< beyond the ring's radius and over its height, where the piece is round
+        double across = 0.0, fromAxis = 0.0; ///< distance from the axis: in the plane of axis and lines, and in total
+        double out = 0.0, over = 0.0;        ///< beyond the ring's radius and above its height, if the piece is round
         double fromRing = 0.0;
     };
     inline RingPlace ringPlaceAt(const Line& line, double z) const noexcept;
@@ -48,14 +48,14 @@ private:
     bool enterRounding(const Line& line, bool low, bool high, Span& span) const noexcept;
 
     RevolvedPiece piece_;
-    glm::dvec2 direction_{1.0, 0.0};             ///< unit, in which the axis leans
+    glm::dvec2 direction_{1.0, 0.0};             ///< unit, horizontal direction of the axis
     double lean_ = 0.0;                          ///< sine of the angle between axis and lines
     double rise_ = 1.0;                          ///< its cosine
     double widening_ = 0.0;                      ///< mm/mm of a cone
     double tipRadius_ = 0.0;                     ///< mm, of that cone at the height of the tip
-    double opening_ = 0.0;                       ///< of the cone's outline: not positive where it has none
-    double openingRoot_ = 0.0;                   ///< its root
-    double outlineUnit_ = 0.0;                   ///< what a millimetre beside the cone's outline counts
+    double opening_ = 0.0;                       ///< of the cone's outline: not positive if it has none
+    double openingRoot_ = 0.0;                   ///< its square root
+    double outlineUnit_ = 0.0;                   ///< weight of a millimetre of distance from the cone's outline
     double roundRadius_ = 0.0;                   ///< mm, of corner or bulge
     double ringRadius_ = 0.0, ringHeight_ = 0.0; ///< mm, centre of that rounding
 };

@@ -16,12 +16,12 @@ struct ProfileDisc {
     double height = 0.0; ///< mm above the tip
 };
 
-/// The convex profile of a piece of a tool as geometry on directions wants it: the edges of its discs, the rounded part
+/// The convex profile of a piece of a tool for geometry based on directions: the edges of its discs, the rounded part
 /// and the straight side, each with the directions of its outward normals. Directions are given by the sine of their
-/// angle above the plane across the axis.
+/// angle above the plane perpendicular to the axis.
 class PieceProfile {
 public:
-    /// Arc of outward normals lowSine … highSine. A vertex has none.
+    /// An arc with outward normals lowSine … highSine. A vertex has none.
     struct Arc {
         double centreRadius = 0.0; ///< mm, from the axis; negative beyond it
         double centreHeight = 0.0; ///< mm above the tip
@@ -37,11 +37,11 @@ public:
 
     explicit PieceProfile(const RevolvedPiece& piece) noexcept;
 
-    /// Edges of all faces, from below.
+    /// Returns the edges of all faces, from below.
     std::span<const ProfileDisc> discs() const noexcept { return {discs_.data(), count_}; }
     const Arc& arc() const noexcept { return arc_; }
     const Side& side() const noexcept { return side_; }
-    /// The point of the profile that lies farthest in a direction. @param cosine >= 0
+    /// Returns the point of the profile that lies farthest in a direction. @param cosine >= 0
     ProfileDisc farthest(double sine, double cosine) const noexcept;
 
 private:

@@ -13,25 +13,26 @@ namespace burin {
 namespace {
 
 constexpr double sameHeight = 1e-9; // mm
-constexpr int fewestSlices = 512;   // at least, of the mesh's height
+constexpr int fewestSlices = 512;   // smallest number of slices over the mesh's height
 
 struct MeshEdge {
     glm::dvec3 low{0.0}, high{0.0}; ///< mm, low.z < high.z
-    /// Its distance from the axis, mm: convex in the height.
+    /// Returns the distance from the axis, mm: a convex function of the height.
     double radiusAt(double height) const noexcept {
         const double part = (height - low.z) / (high.z - low.z);
         return std::hypot(low.x + part * (high.x - low.x), low.y + part * (high.y - low.y));
     }
 };
 
-/// Stretch of heights in which no edge begins or ends, with the largest radius at its ends.
+/// An interval of heights in which no edge begins or ends, with the largest radius at its ends.
 struct Slice {
     double low = 0.0, high = 0.0;               ///< mm
-    double lowRadius = -1.0, highRadius = -1.0; ///< mm; below 0: nothing is there
+    double lowRadius = -1.0, highRadius = -1.0; ///< mm; below 0: empty
     double middle = -1.0;                       ///< mm, largest radius halfway
 };
 
-/// In a plane across the axis a triangle is a stretch, and farthest from the axis at one of its ends: edges are enough.
+/// Returns the edges that are not horizontal. The section of a triangle with a plane perpendicular to the axis is a
+/// line segment, farthest from the axis at one of its ends: edges are sufficient.
 std::vector<MeshEdge> risingEdges(const TriangleMesh& mesh) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
     for (const auto& [a, b, c] : mesh.triangles)
@@ -78,7 +79,7 @@ std::vector<Slice> slicesOf(const TriangleMesh& mesh) {
     return result;
 }
 
-/// Draws lines over slices, from below.
+/// Fits lines around slices, from below.
 class OuterLines {
 public:
     OuterLines(const std::vector<Slice>& slices, double tolerance) : slices_(slices), tolerance_(tolerance) {}
@@ -86,7 +87,7 @@ public:
     RevolutionEnvelope draw() {
         std::size_t first = 0;
         for (std::size_t i = 1; i <= slices_.size(); ++i) {
-            // Where the radius jumps, a line ends, whatever the tolerance.
+            // A line always ends where the radius jumps, regardless of the tolerance.
             if (i < slices_.size() && std::abs(slices_[i].lowRadius - slices_[i - 1].highRadius) <= 0.1 * tolerance_)
                 continue;
             cover(first, i);
@@ -96,8 +97,8 @@ public:
     }
 
 private:
-    /// mm, by which a line from the low end of a slice to the high end of another lies inside of what it shall hold, at
-    /// most, and outside.
+    /// Largest distances, mm, by which a line from the low end of a slice to the high end of another lies inside and
+    /// outside of the slices that it has to enclose.
     struct Fit {
         double inside = 0.0, outside = 0.0;
         std::size_t worst = 0;
@@ -132,7 +133,7 @@ private:
         const Slice &from = slices_[first], &to = slices_[end - 1];
         lineTo(from.lowRadius + found.inside, from.low);
         lineTo(to.highRadius + found.inside, to.high);
-        // Within a slice the radius is convex: its chord is at most twice as far off as halfway.
+        // Within a slice the radius is convex: the largest error of its chord is at most twice that in the middle.
         double within = 0.0;
         for (std::size_t i = first; i < end; ++i)
             within = std::max(within, slices_[i].lowRadius + slices_[i].highRadius - 2.0 * slices_[i].middle);

@@ -10,15 +10,16 @@
 
 namespace burin {
 
-/// A profile that holds what a mesh sweeps when it turns about Z.
+/// A profile that encloses the volume swept by a mesh rotating about Z.
 struct RevolutionEnvelope {
-    std::vector<ProfileElement> profile; ///< from (0, 0), straight lines alone
+    std::vector<ProfileElement> profile; ///< from (0, 0), only straight lines
     double widest = 0.0;                 ///< mm, its largest radius
-    double excess = 0.0; ///< mm, by which its radius is at most more than that of what the mesh sweeps; never less
+    double excess = 0.0;                 ///< mm, largest excess of its radius over the swept volume; never smaller
 };
 
-/// The least such profile, but for lines that are left out where the others stand at most `tolerance` away from the
-/// axis: what is found clear of it is clear of the mesh. A hollow tip is filled, as profiles never fall.
+/// Returns the smallest such profile, simplified by leaving out lines as long as the others are at most `tolerance`
+/// farther from the axis: anything clear of it is clear of the mesh. A hollow tip is filled, as the heights of a
+/// profile never decrease.
 /// @param mesh mm, closed; its lowest vertex at height 0
 /// @param tolerance mm, > 0
 /// Errors: argumentInvalid (a mesh without height, or with a gap between two heights). Allocates.

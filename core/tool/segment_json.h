@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// Adds the segments of a list in a tool's or a holder's file; what is wrong fails `from`.
+/// Adds the segments of a list in a tool's or a holder's file; an error makes `from` fail.
 inline void readSegments(JsonObject& from, std::string_view key, std::vector<HolderSegment>& segments) {
     using tool_range::length;
     from.objects(key, [&](JsonObject& segment) {

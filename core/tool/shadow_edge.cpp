@@ -14,16 +14,16 @@ namespace burin {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// A disc that is seen from the side within this is a line without width: its neighbours say all there is to say.
+// A disc that is seen edge-on within this is a line without width: its neighbours contain the same information.
 constexpr double leastWidth = 1e-12;
-// Seen from the side within this, a rounding's ring is a line: angles would not tell its places, and with them their
-// depths, from each other. What that moves is less than a millionth of a millimetre a metre from the tip.
+// Seen edge-on within this, a rounding's ring is a line: angles would not distinguish its points, nor their depths. The
+// resulting error is less than a millionth of a millimetre at a metre from the tip.
 constexpr double leastOpening = 1e-9;
-// Two arcs that meet leave no place between them to rounding, nor do the sides of two pieces of a stack, nor does a
-// ball that has nothing beyond its pole.
+// Tolerance that closes gaps due to rounding: between two arcs that meet, between the sides of two pieces of a stack,
+// and at the pole of a ball.
 constexpr double joint = 1e-12; // mm
 
-/// An axis (unit length) that lies in the view's plane but for rounding is put there.
+/// Returns the axis (unit length); one that lies in the view's plane except for rounding is moved exactly into it.
 glm::dvec3 inView(const glm::dvec3& axis) noexcept {
     return {axis.x, axis.y, std::abs(axis.z) < leastOpening ? 0.0 : axis.z};
 }
@@ -44,12 +44,13 @@ ShadowEdge::ShadowEdge(const PieceProfile& profile, const glm::dvec3& axis) noex
     if (profile_.arc().radius > 0.0 && profile_.arc().centreRadius != 0.0) addArcs();
 }
 
-/// The side's outermost lines: where its normal, which has a given height over the axis, is square to the depth.
+/// Adds the side's outermost lines: where its normal, which has a given component along the axis, is perpendicular to
+/// the depth.
 void ShadowEdge::addSides() noexcept {
     const PieceProfile::Side& side = profile_.side();
     if (!(tilt_ > 0.0)) return;
     const double alongAxis = side.sine / tilt_;
-    if (!(std::abs(alongAxis) <= 1.0)) return; // one end's shadow holds the other's
+    if (!(std::abs(alongAxis) <= 1.0)) return; // one end's shadow contains the other's
     const double beside = std::sqrt((1.0 - alongAxis) * (1.0 + alongAxis));
     for (const double sign : {-1.0, 1.0}) {
         const glm::dvec2 normal = alongAxis * along_ + sign * beside * glm::dvec2(-along_.y, along_.x);
@@ -62,7 +63,7 @@ void ShadowEdge::addSides() noexcept {
     }
 }
 
-/// On either side of the axis' shadow the outline's normals that the rounding has, as far as they point down.
+/// Adds, on either side of the projected axis, the outline's normals that the rounding has, as far as they point down.
 void ShadowEdge::addArcs() noexcept {
     const double tilt = std::max(tilt_, std::numeric_limits<double>::min());
     const double axisAngle = std::atan2(along_.y, along_.x);
@@ -81,12 +82,13 @@ void ShadowEdge::addArcs() noexcept {
     }
 }
 
-/// Where the outline of the torus has the normal (sine, -cosine): the ring's ellipse, offset by the rounding.
+/// Returns the point of the torus' outline with the normal (sine, -cosine): on the ring's ellipse, offset by the
+/// rounding.
 ShadowEdge::ArcPoint ShadowEdge::onArc(double sine, double cosine, double sign) const noexcept {
     const PieceProfile::Arc& arc = profile_.arc();
     const glm::dvec2 normal(sine, -cosine), across(-along_.y, along_.x);
     const double alongAxis = glm::dot(normal, along_), beside = glm::dot(normal, across);
-    const double flat = axis_.z * axis_.z; // the ring's shadow is an ellipse of this ratio, squared
+    const double flat = axis_.z * axis_.z; // squared axis ratio of the ellipse that is the ring's shadow
     const double outwardLength = std::sqrt(beside * beside + flat * alongAxis * alongAxis);
     glm::dvec3 outward(sign * across, 0.0);
     double ringCurvature = 0.0;
@@ -100,7 +102,7 @@ ShadowEdge::ArcPoint ShadowEdge::onArc(double sine, double cosine, double sign) 
 
 ShadowEdge::Point ShadowEdge::lowestOnArc(const Arc& arc, double across) const noexcept {
     double low = arc.low, high = arc.high;
-    // As if it were a circle: the sine grows evenly on the way across.
+    // Start value as for a circle: the sine is linear in the position across.
     const double part = (across - arc.acrossLow) / std::max(arc.acrossHigh - arc.acrossLow, 1e-300);
     const double sineLow = std::sin(low), sineHigh = std::sin(high);
     double angle = std::clamp(std::asin(std::clamp(sineLow + part * (sineHigh - sineLow), -1.0, 1.0)), low, high);
@@ -139,7 +141,7 @@ void ShadowEdge::lowestOnBall(double across, Point& best) const noexcept {
     const double square = (arc.radius - x) * (arc.radius + x);
     if (!(square >= 0.0)) return;
     const double root = std::sqrt(square);
-    const double over = x * axis_.x - root * axis_.y; // mm, over the plane across the axis through the centre
+    const double over = x * axis_.x - root * axis_.y; // mm, above the plane through the centre across the axis
     if (over < arc.lowSine * arc.radius - joint || over > arc.highSine * arc.radius + joint) return;
     const double up = arc.centreHeight * axis_.y - root;
     if (up < best.up) best = {up, arc.centreHeight * axis_.z};

@@ -11,28 +11,28 @@
 
 namespace burin {
 
-/// Lower edge of the shadow that a piece throws along the depth of a view. The view's frame is right-handed: x across,
-/// y up, z depth. The shadow is the convex hull of the discs' ellipses, of the straight side's two outermost lines and
-/// of the rounding's outline; each of these that reaches a place gives a candidate that lies in the shadow, and the
-/// lowest of them is the edge. Closed forms, but for a torus: Newton's steps in a bracket, then along the tangent, so
-/// that the result is never above the edge's tangent and within 1e-10 mm of the edge.
+/// The lower edge of the shadow (projection) of a piece along the depth of a view. The view's frame is right-handed: x
+/// across, y up, z depth. The shadow is the convex hull of the discs' ellipses, of the straight side's two outermost
+/// lines and of the rounding's outline; each of these that reaches a position gives a candidate that lies in the
+/// shadow, and the lowest of them is the edge. Closed forms, except for a torus: Newton steps in a bracket, then along
+/// the tangent, so that the result is never above the edge's tangent and within 1e-10 mm of the edge.
 class ShadowEdge {
 public:
     struct Point {
-        double up = 0.0;    ///< mm, infinite where there is no shadow
-        double depth = 0.0; ///< mm, of a point of the piece that throws it
+        double up = 0.0;    ///< mm, infinite if there is no shadow
+        double depth = 0.0; ///< mm, of a point of the piece that is projected there
     };
-    /// @param axis of the piece in the view's frame, unit length; its tip throws its shadow on the origin.
+    /// @param axis of the piece in the view's frame, unit length; the tip is projected onto the origin.
     ShadowEdge(const PieceProfile& profile, const glm::dvec3& axis) noexcept;
 
-    /// No allocation.
+    /// Returns the lowest point of the shadow at a position across. Does not allocate.
     Point lowest(double across) const noexcept;
 
 private:
     struct Side {
         glm::dvec3 from{0.0}, to{0.0}; ///< view's frame, from.x < to.x
     };
-    /// Part of a torus' outline, by the angle of its outward normal (sin angle across, -cos angle up).
+    /// Part of a torus' outline, parametrised by the angle of its outward normal (sin angle across, -cos angle up).
     struct Arc {
         double low = 0.0, high = 0.0; ///< rad, within ±pi/2
         double sign = 1.0;            ///< side of the axis that it lies on
@@ -51,11 +51,11 @@ private:
 
     PieceProfile profile_;
     glm::dvec3 axis_{0.0};
-    glm::dvec2 along_{1.0, 0.0}; ///< unit, the axis in the shadow
-    double tilt_ = 0.0;          ///< length of the axis' shadow: sine of its angle with the depth
-    double width_ = 0.0;         ///< of a disc's shadow over its own
-    glm::dvec2 slope_{0.0};      ///< up and depth over the disc's radius, while going across
-    glm::dvec2 sink_{0.0};       ///< up and depth over it, from the middle to the lower half
+    glm::dvec2 along_{1.0, 0.0}; ///< unit, direction of the projected axis
+    double tilt_ = 0.0;          ///< length of the projected axis: sine of its angle with the depth
+    double width_ = 0.0;         ///< ratio of the width of a disc's shadow to its own
+    glm::dvec2 slope_{0.0};      ///< change of up and depth per disc radius, going across
+    glm::dvec2 sink_{0.0};       ///< change of up and depth per disc radius, from the middle to the lower half
     std::array<Side, 2> sides_{};
     std::size_t sideCount_ = 0;
     std::array<Arc, 4> arcs_{};

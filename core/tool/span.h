@@ -4,7 +4,7 @@
 
 namespace burin {
 
-/// Stretch of a line, mm along its direction; low < high.
+/// An interval of a line, mm along its direction; low < high.
 struct Span {
     double low = 0.0, high = 0.0;
 };

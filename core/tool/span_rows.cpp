@@ -12,11 +12,11 @@ namespace burin {
 
 namespace {
 
-// A way that is shorter across the runs counts as one along them.
+// A move that is shorter across the runs counts as parallel to them.
 constexpr double leastReach = 1e-9; // voxels
 constexpr double shortWay = 8.0;    // voxels
 
-/// Nearest run unit, held within what an int can say.
+/// Returns the nearest run unit, limited to the range of int.
 std::int32_t unitOf(double voxels) noexcept {
     constexpr double bound = 1e9;
     return static_cast<std::int32_t>(std::floor(std::clamp(voxels * SpanRows::unitsAVoxel, -bound, bound) + 0.5));
@@ -24,7 +24,7 @@ std::int32_t unitOf(double voxels) noexcept {
 
 std::int32_t wholeOf(double voxels) noexcept {
     const double held = std::clamp(voxels, -1e9, 1e9);
-    const auto whole = static_cast<std::int32_t>(held); // std::floor is a call where SSE4 is not given
+    const auto whole = static_cast<std::int32_t>(held); // std::floor is a function call without SSE4
     return whole - (held < whole ? 1 : 0);
 }
 
@@ -44,7 +44,7 @@ SpanRows::SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept
         shape_ = Shape::flat;
     else
         shape_ = piece.cornerRadius == piece.bottomRadius ? Shape::ball : Shape::bullNose;
-    // The search for a rounding's lowest place between the ends comes near enough within so many voxels.
+    // The search for a rounding's lowest point between the ends is accurate enough within this number of voxels.
     if (shape_ == Shape::bullNose) longestWay_ = shortWay;
     upright_.radius = static_cast<float>(radius_);
     upright_.flatRadius = static_cast<float>(piece.bottomRadius - piece.cornerRadius);
@@ -55,8 +55,8 @@ SpanRows::SpanRows(const RevolvedPiece& piece, std::int32_t lineEnd) noexcept
 
 double SpanRows::longestWay(const glm::dvec3& axis) const noexcept {
     if (isUpright(axis)) return longestWay_;
-    // Two circles of that radius leave no more than the error of what one sweeps between them. Those of a corner that
-    // is smaller than the error itself leave less, whatever the way.
+    // Two circles of that radius miss at most the allowed error of what one sweeps between them. Those of a corner that
+    // is smaller than the error itself miss less, for any move.
     const double roundest = piece_.cornerRadius <= leaningWayError ? radius_ : piece_.cornerRadius;
     return std::min(longestWay_, std::sqrt(8.0 * roundest * leaningWayError));
 }
@@ -75,7 +75,7 @@ void SpanRows::beginEnd(End& end, const glm::dvec3& tip) const noexcept {
     const double whole = std::floor(middle);
     end.base = static_cast<std::int32_t>(whole - depth_);
     end.middle = static_cast<float>(middle - whole + depth_ + 0.5);
-    // Exactly where Grid's rule puts the flat, whatever the rounding's middle is.
+    // Exactly where Grid's rule places the flat, independent of the rounding's middle.
     end.flatHeight = static_cast<float>(unitOf(tip.z + piece_.bottom) - end.base) + 0.5F - end.middle;
 }
 
@@ -103,7 +103,7 @@ void SpanRows::begin(const LinePose& from, const glm::dvec3& toTip, bool withSta
     upright_.withStart = tilted_.withStart = withStart;
     axis_ = from.axis;
     tilts_ = !isUpright(axis_);
-    rowsOfUpright_.first = rowsOfTilted_.first = std::numeric_limits<std::int32_t>::min() / 2; // none of this way yet
+    rowsOfUpright_.first = rowsOfTilted_.first = std::numeric_limits<std::int32_t>::min() / 2; // none for this move yet
     if (tilts_) return beginTilted(from, toTip);
     beginEnd(upright_.from, from.tip);
     beginEnd(upright_.to, toTip);
@@ -133,7 +133,7 @@ void SpanRows::beginTilted(const LinePose& from, const glm::dvec3& toTip) noexce
     rows_ = {wholeOf(toTip.y + shadow_.low.y - margin), wholeOf(toTip.y + shadow_.high.y + margin) + 1};
 }
 
-/// Works out what is met of some rows, unless it is known.
+/// Computes what is met of some rows, unless it is known.
 void SpanRows::plan(std::int32_t first, std::int32_t end) noexcept {
     const std::int32_t planned = tilts_ ? rowsOfTilted_.first : rowsOfUpright_.first;
     const std::int32_t count = tilts_ ? rowsAtOnce : static_cast<std::int32_t>(UprightRows::count);

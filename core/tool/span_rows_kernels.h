@@ -4,27 +4,27 @@
 
 #include "core/tool/span_rows.h"
 
-// Within core/tool: the inner loops of SpanRows.
+// Internal to core/tool: the inner loops of SpanRows.
 namespace burin::kernels {
 
 inline constexpr float unitsAVoxel = static_cast<float>(SpanRows::unitsAVoxel);
 inline constexpr float nowhere = 1e9F; ///< above every height: no part of the piece
 
-/// Works out `UprightRows::count` rows, from the first on.
+/// Computes `UprightRows::count` rows, from the first on.
 void planRows(const SpanRows::Upright& piece, std::int32_t firstRow, SpanRows::UprightRows& rows) noexcept;
 using Stretches = std::span<const RowSpans>;
-/// Stretches in order of their rows. Spans of rows beside one that is asked for may be written as well, and mean
-/// nothing.
+/// Intervals must be in the order of their rows. Spans of rows next to a requested one may be written as well, and are
+/// meaningless.
 void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const SpanRows::UprightRows& rows,
                   Stretches stretches) noexcept;
-/// The same for processors without AVX-512; to the last bit, which a test asks of it.
+/// The same for processors without AVX-512; identical to the last bit, which a test checks.
 namespace any_processor {
 void planRows(const SpanRows::Upright& piece, std::int32_t firstRow, SpanRows::UprightRows& rows) noexcept;
 void uprightSpans(SpanRows::Shape shape, const SpanRows::Upright& piece, const SpanRows::UprightRows& rows,
                   Stretches stretches) noexcept;
 } // namespace any_processor
 
-/// @param margin voxels that the shadow of the move's end is grown by
+/// @param margin voxels by which the shadow at the move's end is enlarged
 void planTiltedRows(const TiltedPiece& piece, const TiltedShadow& shadow, float margin, std::int32_t firstRow,
                     TiltedRows& rows) noexcept;
 void tiltedBall(const TiltedPiece& piece, const TiltedRows& rows, Stretches stretches) noexcept;

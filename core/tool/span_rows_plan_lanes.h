@@ -1,23 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Of span_rows_upright.cpp, which includes it once for each width of registers (core/base/whole_registers.h): a lane is
-// a row of lines.
+// Part of span_rows_upright.cpp, which includes it once for each register width (core/base/whole_registers.h): a lane
+// is a row of lines.
 
 constexpr float far = 1e6F; // voxels, beyond every line
-// Lines that are left out lie so far behind those that can have more: roundings don't decide about any.
+// Lines that are left out lie at least this far behind those that can get more, so that rounding can't affect any.
 constexpr float clipMargin = 1.0F; // voxels
 
-/// Whole part of numbers, downwards.
+/// Returns numbers rounded down to integers.
 BURIN_INLINE Integers floorsOf(Floats numbers) noexcept {
     const Integers whole = wholeOf(numbers);
-    return whole + (floatsOf(whole) > numbers); // a comparison that holds is -1
+    return whole + (floatsOf(whole) > numbers); // a true comparison is -1
 }
 
-/// Places along u, voxels from a line with a whole number of groups before it.
+/// Positions along u, in voxels from a line at a group boundary.
 struct Across {
     std::int32_t group = 0;       ///< of that line
-    float from = 0.0F, to = 0.0F; ///< ends of the way
+    float from = 0.0F, to = 0.0F; ///< ends of the move
     BURIN_INLINE Integers groupsOf(Integers lines) const noexcept { return (lines >> 3) + group; }
 };
 
@@ -34,13 +34,13 @@ struct Extent {
     }
 };
 
-/// What the swept disc meets of each row.
+/// Returns the interval of each row that the swept disc meets.
 BURIN_INLINE Extent extentOf(const Upright& piece, const Across& across, Floats fromY, Floats fromSquare,
                              Floats toSquare) noexcept {
     Extent extent{each(far), each(-far)};
     extent.includeCircle(across.to, toSquare);
     if (piece.withStart || piece.moves) extent.includeCircle(across.from, fromSquare);
-    const float rise = piece.reach * piece.wayY; // the move's share across the rows
+    const float rise = piece.reach * piece.wayY; // component of the move across the rows
     if (!piece.moves || rise == 0.0F) return extent;
     const float perRise = 1.0F / rise;
     // The two straight sides between the circles, where a row meets them.
@@ -52,16 +52,16 @@ BURIN_INLINE Extent extentOf(const Upright& piece, const Across& across, Floats 
     return extent;
 }
 
-/// First and last line of each row that can be lower than at the start of the way. The height of the piece over a line
-/// is convex along the move: where it does not fall at the start, it never does. It falls where the way leads into the
-/// lower face's outside: of a ball where ahead > slope * height of the centre over the face, so that the lines of a row
-/// end at an ellipse; of a flat face that does not sink, ahead of the axis.
+/// Finds the first and last line of each row that can be lower than at the start of the move. The height of the piece
+/// over a line is convex along the move: if it does not decrease at the start, it never does. It decreases where the
+/// move leads to the outside of the lower face: for a ball where ahead > slope * height of the centre over the face, so
+/// that the lines of a row end at an ellipse; for a flat face that does not sink, ahead of the axis.
 BURIN_INLINE void findDeeper(const Upright& piece, const Across& across, Floats ahead, Floats fromSquare,
                              Extent& deeper) noexcept {
     deeper.low = each(-far);
     deeper.high = each(far);
     if (!piece.clipsLow) return;
-    // Of x towards the way: fall(x) = x * along + past - slope * root(square - x^2).
+    // With x in the direction of the move: fall(x) = x * along + past - slope * root(square - x^2).
     const float along = piece.wayX < 0.0F ? -piece.wayX : piece.wayX, slope = piece.slope;
     const float steep = along * along + slope * slope, size = __builtin_sqrtf(steep);
     const Floats zero{}, past = ahead + clipMargin, square = most(fromSquare, zero), half = rootsOf(fromSquare);
@@ -80,10 +80,10 @@ BURIN_INLINE void findDeeper(const Upright& piece, const Across& across, Floats 
     deeper.high = none ? each(far) : across.from + (piece.wayX < 0.0F ? -low : high);
 }
 
-/// Places of a row between two distances ahead of the move's start.
+/// Returns the positions of a row between two distances ahead of the move's start.
 BURIN_INLINE Extent placesAhead(const Upright& piece, const Across& across, Floats ahead, Floats low,
                                 Floats high) noexcept {
-    constexpr float slack = 0.5F; // voxels, for roundings
+    constexpr float slack = 0.5F; // voxels, for rounding errors
     const float perWay = 1.0F / piece.wayX;
     const Floats one = (low - slack - ahead) * perWay, other = (high + slack - ahead) * perWay;
     Extent places;
@@ -92,9 +92,9 @@ BURIN_INLINE Extent placesAhead(const Upright& piece, const Across& across, Floa
     return places;
 }
 
-/// Between which places a ball can be lowest between the ends of the way: a line is lowest where it lies as far ahead
-/// as the sine of the move's slope times its half chord. Bounds of the half chord over the places found so far give
-/// closer ones.
+/// Returns the positions between which a ball can be lowest between the ends of the move: on a line, the ball is lowest
+/// where the line lies ahead by the sine of the move's slope times its half chord. The bounds of the half chord over
+/// the positions found so far give tighter positions.
 BURIN_INLINE Extent betweenOf(const Upright& piece, const Across& across, Floats ahead, Floats aside) noexcept {
     const Floats radius = each(piece.radius);
     if (piece.wayX < 1e-3F && piece.wayX > -1e-3F) {
@@ -120,7 +120,7 @@ BURIN_INLINE Extent betweenOf(const Upright& piece, const Across& across, Floats
     return between;
 }
 
-/// Places that the disc covers at both ends of the way, roundings aside.
+/// Returns the positions that the disc covers at both ends of the move, with a margin for rounding errors.
 BURIN_INLINE Extent coveredOf(const Across& across, Floats fromSquare, Floats toSquare) noexcept {
     constexpr float slack = 1.0F / 16.0F; // voxels
     const Floats fromHalf = rootsOf(fromSquare) - slack, toHalf = rootsOf(toSquare) - slack;
@@ -137,7 +137,7 @@ BURIN_INLINE void keep(const Across& across, Integers firstLine, Integers endLin
     storeAt(most(first, last), end);
 }
 
-/// @param at of the rows, so many as a register holds
+/// @param at index of the first of the rows, as many as a register holds
 BURIN_INLINE void planSome(const Upright& piece, Rows& rows, std::size_t at) noexcept {
     const Integers v = numbers() + (rows.first + static_cast<std::int32_t>(at));
     const Floats fromY = floatsOf(v - piece.from.wholeY) - piece.from.partY;
@@ -165,7 +165,7 @@ BURIN_INLINE void planSome(const Upright& piece, Rows& rows, std::size_t at) noe
     keep(across, first, (end > first) ? end + 7 : first, &rows.begin[at], &rows.end[at]);
     const Extent between = betweenOf(piece, across, ahead, fromY * piece.wayX);
     keep(across, floorsOf(between.low), floorsOf(between.high) + 8, &rows.betweenBegin[at], &rows.betweenEnd[at]);
-    if (!piece.topRises) return; // nobody asks
+    if (!piece.topRises) return; // not used otherwise
     const Extent covered = coveredOf(across, fromSquare, toSquare);
     keep(across, floorsOf(covered.low) + 8, floorsOf(covered.high) + 1, &rows.coveredBegin[at], &rows.coveredEnd[at]);
 }

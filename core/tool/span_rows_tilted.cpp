@@ -9,12 +9,12 @@ namespace burin::kernels {
 
 namespace {
 
-/// Groups of a row, and where their spans go.
+/// The groups of a row, and where their spans are stored.
 struct Groups {
     std::int32_t begin = 0, end = 0; ///< counted from the interval's first
 };
 
-/// Calls `take(heights, places, group)` for what the piece covers of some groups where it stands.
+/// Calls `take(heights, places, group)` for what the piece covers of some groups in its position.
 template <Rounding rounding, bool rises, class Take>
 BURIN_INLINE void forEachGroup(const RowPiece<rounding, rises>& row, Floats firstU, Groups groups,
                                const Take& take) noexcept {
@@ -33,13 +33,13 @@ BURIN_INLINE void forEachGroup(const RowPiece<rounding, rises>& row, Floats firs
     }
 }
 
-/// Places of an interval's first group: lines from an end's whole part, which are whole numbers, so that what is found
-/// of a line does not depend on where its interval begins.
+/// Returns the positions of an interval's first group: lines counted from the integer part of an end's x. These are
+/// integers, so that the result for a line does not depend on where its interval begins.
 BURIN_INLINE Floats linesFrom(const TiltedPiece::End& end, const RowSpans& stretch) noexcept {
     return floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup * lanes - end.wholeX));
 }
 
-/// Where the spans of a row go.
+/// Where the spans of a row are stored.
 struct Kept {
     EightIntegers *lows, *highs;
     Integers base, lineEnd;
@@ -49,12 +49,12 @@ struct Kept {
         : lows(stretch.lows()), highs(stretch.highs()), base(integers(end.base)), lineEnd(integers(piece.lineEnd)) {}
 };
 
-/// Keeps what the piece covers at the end of its way.
+/// Stores what the piece covers at the end of its move.
 struct KeepEnd : Kept {
     using Kept::Kept;
     BURIN_INLINE void operator()(const Heights& all, Floats, std::int32_t group) const noexcept {
-        // What the lines' ends leave of it would not tell whether there was any. Where there is none, the upper end may
-        // be farther off than a whole number says (a steep plane's): of no account, but for being added up unsigned.
+        // Empty spans are marked first, as clipping to the lines' ends would hide them. Without a span, the upper end
+        // (of a steep plane) may exceed the range of an integer: this is harmless, but requires an unsigned addition.
         const Floats from = all.low < all.high ? all.low : floats(nowhere);
         store(most(wholeOf(from) + base, Integers{}), low(group));
         const Words to = reinterpret_cast<Words>(wholeOf(all.high)) + reinterpret_cast<Words>(base);
@@ -62,7 +62,7 @@ struct KeepEnd : Kept {
     }
 };
 
-/// Adds what it covers at the start, and the walls that rims leave from there.
+/// Adds what the piece covers at the start, and the walls swept by rims from there.
 template <std::size_t count>
 struct AddWay : Kept {
     const std::array<RowRim, count>& walls;
@@ -81,7 +81,7 @@ struct AddWay : Kept {
     }
 };
 
-/// Groups that a rim passes, of some rows. That a row has one or two beside each other is the rule: those go without a
+/// The groups of some rows that a rim passes. A row usually has one or two adjacent groups: these are handled without a
 /// branch.
 class RimPlaces {
 public:
@@ -110,7 +110,7 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The rows that are asked for, of a piece.
+/// The requested rows of a piece.
 template <Rounding rounding, bool rises>
 struct Cover {
     using Row = RowPiece<rounding, rises>;
@@ -121,7 +121,7 @@ struct Cover {
 
     BURIN_INLINE int rowOf(const RowSpans& stretch) const noexcept { return stretch.v - rows.first; }
 
-    /// What the piece covers at the end of its way.
+    /// Computes what the piece covers at the end of its move.
     BURIN_INLINE void end() const noexcept {
         const RowsPiece standing(piece, piece.to, rows.first);
         for (const RowSpans& stretch : stretches) {
@@ -139,7 +139,7 @@ struct Cover {
             }
         }
     }
-    /// What it covers at the start and on the way, everywhere.
+    /// Adds what it covers at the start and during the move, everywhere.
     BURIN_INLINE void way() const noexcept {
         const RowsPiece standing(piece, piece.from, rows.first);
         const RowsRim lower(piece.rims[0], piece.from, rows.first), upper(piece.rims[1], piece.from, rows.first);
@@ -154,7 +154,7 @@ struct Cover {
                              AddWay(piece, stretch, std::array{RowRim(upper, row)}));
         }
     }
-    /// The same where rims pass.
+    /// The same only where rims pass.
     BURIN_INLINE void rims() const noexcept {
         const RowsPiece standing(piece, piece.from, rows.first);
         for (std::size_t i = firstRim; i < 2; ++i) {

@@ -6,15 +6,17 @@
 
 #include <bit>
 
-// Within core/tool: the rounding of a leaning bull nose.
+// Internal to core/tool: the rounding of a tilted bull nose.
 namespace burin::kernels {
 
-// Of the search for a bull nose's rounding: it ends once no line's end moves by more than this in a step, and none that
-// has not met the rounding yet by more than that, which but for axes that are nearly level takes three or four steps.
+// The search for a bull nose's rounding ends when no line's end moves by more than `nearEnough` in a step, and none
+// that has not met the rounding yet by more than `nearlyStill`. This takes three or four steps, except for nearly
+// horizontal axes.
 inline constexpr float nearEnough = 1.0F / 256.0F, nearlyStill = 1.0F / 16384.0F; // voxels
 inline constexpr int mostSteps = 64;
 
-/// Of an axis that is nearly level: the place on the line where the piece is as wide as at the height of another one.
+/// For a nearly horizontal axis: returns the point on the line where the piece is as wide as at the height of another
+/// point.
 BURIN_INLINE Floats atHeightOf(const TiltedPiece& piece, Floats flatSquare, Floats flatAlong, Floats z,
                                float side) noexcept {
     const Floats along = least(flatAlong + z * piece.axisZ, Floats{});
@@ -24,19 +26,19 @@ BURIN_INLINE Floats atHeightOf(const TiltedPiece& piece, Floats flatSquare, Floa
     return middle - side * rootsOf(middle * middle - (flatSquare - flatAlong * flatAlong - wide * wide) * perSquare);
 }
 
-/// Ends of some lines' intervals within a bull nose's outline, eight lines at a time, of one row.
+/// The ends of some lines' intervals within a bull nose's outline, eight lines at a time, in one row.
 template <std::size_t count>
 struct CornerEnds {
     Floats x[count];      ///< voxels from the rounding's middle
-    Floats z[count];      ///< the same; the ends
+    Floats z[count];      ///< voxels from the rounding's middle, of the ends
     Integers outs[count]; ///< lines whose end lies off the rounding
 };
 
-/// Moves ends on to the rounding. That is what balls about the places of a circle fill: each step takes the ball that
-/// lies out from the axis in the direction of the place before it. No step leaves the piece, and as the circle is
-/// smooth, what a step is short of goes with the square of what its direction is off.
-/// Several at a time: a step is a chain of roots and a division, in which others find room.
-/// @param side 1: lower ends, -1: upper ends @param ends `outs` loses the lines that miss the rounding
+/// Moves ends onto the rounding, which is the union of balls centred on a circle: each step uses the ball that lies
+/// outwards from the axis in the direction of the previous point. No step leaves the piece, and as the circle is
+/// smooth, the remaining distance of a step is proportional to the square of the error of its direction.
+/// Several at a time: a step is a chain of roots and a division, which can be interleaved with others.
+/// @param side 1: lower ends, -1: upper ends @param ends lines that miss the rounding are removed from `outs`
 template <std::size_t count>
 BURIN_INLINE void reachRounding(const TiltedPiece& piece, float y, float side, CornerEnds<count>& ends) noexcept {
     const Floats square = floats(piece.cornerRadius * piece.cornerRadius), tiny = floats(1e-12F);
@@ -68,12 +70,12 @@ BURIN_INLINE void reachRounding(const TiltedPiece& piece, float y, float side, C
 
 /// Heights of some groups of a row.
 struct Part {
-    static constexpr std::int32_t mostGroups = 64; ///< which one word tells
+    static constexpr std::int32_t mostGroups = 64; ///< the bits of one word
     EightFloats low[mostGroups], high[mostGroups];
 };
 
-/// Ends in the corners that the rounding of a bull nose takes off, moved on to it; `count` groups at a time, the last
-/// one with itself.
+/// Moves ends in the corners that the rounding of a bull nose cuts off onto the rounding; `count` groups at a time; a
+/// single last group is paired with itself.
 template <std::size_t count>
 BURIN_INLINE void takeCorners(const RowPiece<Rounding::bullNose, true>& row, Floats firstU, float side,
                               std::uint64_t groups, Part& part) noexcept {
@@ -105,10 +107,10 @@ BURIN_INLINE void takeCorners(const RowPiece<Rounding::bullNose, true>& row, Flo
     }
 }
 
-/// What a bull nose covers, of some groups.
+/// Computes what a bull nose covers of some groups.
 BURIN_INLINE void coverPart(const RowPiece<Rounding::bullNose, true>& row, Floats firstU, std::int32_t count,
                             Part& part) noexcept {
-    std::uint64_t offLow = 0, offHigh = 0; // a bit a group, with ends that the rounding takes off
+    std::uint64_t offLow = 0, offHigh = 0; // one bit per group: it has ends that the rounding cuts off
     Floats u = firstU;
     for (std::int32_t i = 0; i < count; ++i, u += lanes) {
         const Heights all = row.at(u);

@@ -7,27 +7,27 @@ namespace burin::kernels {
 namespace {
 
 constexpr float far = 1e6F; // voxels, beyond every line
-// Voxels by which more is asked for: roundings don't decide about any line.
+// Voxels by which more is requested, so that rounding can't affect any line.
 constexpr float slack = 1.0F / 8.0F;
-// A straight side of the shadow that rises by less over the rows is met where the ends are.
+// A straight side of the shadow that rises by less over the rows is covered by the ends.
 constexpr float leastRise = 1e-6F; // voxels
 
-/// Whole part of numbers, downwards.
+/// Returns numbers rounded down to integers.
 BURIN_INLINE Integers floorsOf(Floats numbers) noexcept {
     const Integers whole = wholeOf(numbers);
-    return whole + (floatsOf(whole) > numbers); // a comparison that holds is -1
+    return whole + (floatsOf(whole) > numbers); // a true comparison is -1
 }
 
 BURIN_INLINE Floats clamped(Floats numbers, float low, float high) noexcept {
     return least(most(numbers, floats(low)), floats(high));
 }
 
-/// Groups of the places x, voxels from a line that is `whole` from the grid's first.
+/// Returns the groups of the positions x, in voxels from a line that is `whole` lines from the grid's first.
 BURIN_INLINE Integers groupsOf(Floats x, std::int32_t whole) noexcept {
     return (floorsOf(clamped(x, -far, far)) + whole) >> 3;
 }
 
-/// side · x of the shadow's outmost place at these y; -far where there is none.
+/// Returns side · x of the shadow's outermost point at these y; -far if there is none.
 BURIN_INLINE Floats edgeOf(const TiltedShadow& shadow, Floats y, float side) noexcept {
     constexpr float rounding = 1e-5F;
     Floats outmost = floats(-far);
@@ -39,7 +39,7 @@ BURIN_INLINE Floats edgeOf(const TiltedShadow& shadow, Floats y, float side) noe
     const glm::vec2 along = shadow.ends[1].middle - shadow.ends[0].middle;
     const float rise = along.y < 0.0F ? -along.y : along.y;
     if (rise < leastRise) return outmost;
-    const float off = slack / rise; // part of the side that a row so far off may meet
+    const float off = slack / rise; // part of the side that a row at this distance may meet
     for (const float sign : {-1.0F, 1.0F}) {
         const glm::vec2 from = shadow.ends[0].middle + sign * shadow.contact;
         const Floats part = (y - from.y) / along.y;
@@ -51,11 +51,11 @@ BURIN_INLINE Floats edgeOf(const TiltedShadow& shadow, Floats y, float side) noe
     return outmost;
 }
 
-/// The shadow with a margin about it.
+/// Finds the groups of the shadow, with a margin around it.
 BURIN_INLINE void findShadow(const TiltedShadow& shadow, float margin, Floats y, std::int32_t whole, float part,
                              TiltedRows& rows) noexcept {
     const float low = static_cast<float>(shadow.low.y), high = static_cast<float>(shadow.high.y);
-    // The outmost place of all that lies within the margin of a row: the edge is convex.
+    // The outermost point within the margin of a row: the edge is convex.
     const Floats left = least(most(floats(shadow.outmost[0]), y - margin), y + margin);
     const Floats right = least(most(floats(shadow.outmost[1]), y - margin), y + margin);
     const Floats first = -edgeOf(shadow, clamped(left, low, high), -1.0F) - (margin + slack);
@@ -66,12 +66,12 @@ BURIN_INLINE void findShadow(const TiltedShadow& shadow, float margin, Floats y,
     store(meets ? end : begin, rows.end);
 }
 
-/// How rows of lines pass the plane of a disc about the axis: as chords of it, seen aslant.
+/// The intersection of rows of lines with the plane of a disc about the axis: chords of the disc, seen obliquely.
 struct DiscRows {
-    Floats middle; ///< of the chords, voxels from the line that places are counted from
-    Floats gone;   ///< square distances of the chords from the disc's middle, scaled by `square`
+    Floats middle; ///< of the chords, voxels from the reference line of positions
+    Floats gone;   ///< squared distances of the chords from the disc's middle, scaled by `square`
     float square;  ///< that scale
-    float halfOf;  ///< half a chord's length for the root of what is left of the radius' square
+    float halfOf;  ///< ratio of half a chord's length to the root of `left`
     BURIN_INLINE DiscRows(const TiltedPiece& piece, float height, Floats y, float part) noexcept
         : square(1.0F - piece.axisY * piece.axisY) {
         const float steep = piece.axisZ < 0.0F ? -piece.axisZ : piece.axisZ, perSquare = 1.0F / square;
@@ -80,11 +80,11 @@ struct DiscRows {
         gone = dy * dy;
         halfOf = steep * perSquare;
     }
-    /// Square of a half chord, up to a scale, of a disc with such a square of its radius.
+    /// Returns the scaled square of half a chord of a disc with this squared radius.
     BURIN_INLINE Floats left(float radiusSquare) const noexcept { return square * radiusSquare - gone; }
 };
 
-/// Groups within a chord, the ones that hold its ends left out.
+/// The groups within a chord, without those that contain its ends.
 struct Within {
     Integers begin, end;
     Integers any; ///< rows that have some: all bits or none
@@ -96,14 +96,14 @@ struct Within {
     }
 };
 
-/// Lines that meet a face's plane so near to its rim.
+/// Finds lines that meet a face's plane close enough to its rim.
 BURIN_INLINE void findRim(const TiltedPiece& piece, float height, Floats y, std::int32_t whole, float part,
                           TiltedRows::RimGroups& groups) noexcept {
     const DiscRows disc(piece, height, y, part);
     const float radius = piece.radius * piece.radius;
     const Floats outer = disc.left(radius + piece.rimReach);
     const Floats outerHalf = rootsOf(outer) * disc.halfOf + slack;
-    // A row that passes beside the disc by next to nothing is one that touches it.
+    // A row that misses the disc by a tiny distance counts as touching it.
     const Integers meets = outer > floats(-slack * piece.radius);
     const Integers begin = groupsOf(disc.middle - outerHalf, whole), end = groupsOf(disc.middle + outerHalf, whole) + 1;
     store(begin, groups.outerBegin);
@@ -113,10 +113,10 @@ BURIN_INLINE void findRim(const TiltedPiece& piece, float height, Floats y, std:
     store(inner.any ? inner.end : begin, groups.innerEnd);
 }
 
-/// Lines that pass a ball's equator and its upper face, neither of them near its edge.
+/// Finds lines that pass a ball's equator and its upper face, neither of them near its edge.
 BURIN_INLINE void findBallToFace(const TiltedPiece& piece, Floats y, std::int32_t whole, float part,
                                  TiltedRows& rows) noexcept {
-    // Far above what roundings make of a height: where planes are steep, that could be more.
+    // Far above the rounding error of a height, which can be larger for steep planes.
     constexpr float leastSteep = 1.0F / 64.0F;
     const float edge = 1.0F / 16.0F + (piece.topHeight + piece.radius) / 16384.0F; // voxels
     const float square = piece.radius * (piece.radius - 2.0F * edge);

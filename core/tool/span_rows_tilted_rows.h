@@ -4,14 +4,14 @@
 
 #include "core/tool/span_rows_kernels.h"
 
-// Within core/tool: what a leaning piece covers of rows of lines, eight lines at a time. Rows are prepared eight at a
-// time, and then taken one by one.
+// Internal to core/tool: what a tilted piece covers of rows of lines, eight lines at a time. Rows are prepared eight at
+// a time, and then processed one by one.
 namespace burin::kernels {
 
 using Linear = TiltedPiece::Linear;
 using Rounding = TiltedPiece::Rounding;
 
-/// Heights of eight lines, units from an end's base; low >= high where there is none.
+/// The intervals of eight lines, units from an end's base; low >= high where there is none.
 struct Heights {
     Floats low = floats(nowhere), high = floats(-nowhere);
     BURIN_INLINE void include(const Heights& more) noexcept {
@@ -21,16 +21,16 @@ struct Heights {
     }
 };
 
-/// Eight rows as an end of the way sees them.
+/// Eight rows relative to one end of the move.
 struct RowFrames {
     double y[lanes];    ///< voxels from the tip
-    double partX = 0.0; ///< of the tip's x, beyond its whole part
+    double partX = 0.0; ///< fractional part of the tip's x
     BURIN_INLINE RowFrames(const TiltedPiece::End& end, std::int32_t first) noexcept : partX(end.x - end.wholeX) {
         for (int row = 0; row < lanes; ++row) y[row] = first + row - end.y;
     }
 };
 
-/// A number for each of eight rows: what a linear one is at the line on an end's whole part.
+/// A linear function on each of eight rows: its value at the line at the integer part of an end's x.
 struct RowsLinear {
     float origin[lanes], x;
     BURIN_INLINE RowsLinear(const Linear& number, const RowFrames& rows, float more = 0.0F) noexcept
@@ -39,7 +39,7 @@ struct RowsLinear {
             origin[row] = static_cast<float>(number.origin + number.y * rows.y[row] - number.x * rows.partX) + more;
     }
 };
-/// A linear number along one row, of lines a whole number of voxels from an end's whole part.
+/// A linear function along one row, of lines at an integer number of voxels from the integer part of an end's x.
 struct RowLinear {
     float origin, x;
     BURIN_INLINE RowLinear(const RowsLinear& rows, int row) noexcept : origin(rows.origin[row]), x(rows.x) {}
@@ -68,7 +68,7 @@ struct RowCylinder {
         , stretch(rows.stretch)
         , thickness(rows.thickness) {}
 
-    /// Where eight lines meet it without its planes.
+    /// Returns where eight lines meet the cylinder, ignoring its planes.
     BURIN_INLINE Heights unheld(Floats x) const noexcept {
         const Floats off = aside.at(x), inside = (radius - off) * (radius + off);
         const Floats place = middle.at(x), half = stretch * rootsOf(inside);
@@ -81,13 +81,13 @@ struct RowCylinder {
     }
 };
 
-/// The piece where it stands at an end of its way.
+/// The piece at one end of its move.
 struct RowsPiece {
     const TiltedPiece& piece;
     RowsCylinder standing;
     RowsLinear equator, face;
     float y[lanes];         ///< voxels, of the rows from the rounding's middle
-    float square[lanes];    ///< square voxels, of a ball in them
+    float square[lanes];    ///< voxels², squared radius of a ball's section in these rows
     float middleX, middleZ; ///< voxels; units from the end's base, + 1/2: of the rounding's middle
     BURIN_INLINE RowsPiece(const TiltedPiece& itsPiece, const TiltedPiece::End& end, std::int32_t first) noexcept
         : RowsPiece(itsPiece, end, RowFrames(end, first)) {}
@@ -105,14 +105,14 @@ struct RowsPiece {
     }
 };
 
-/// What the piece covers where it stands, in units from an end's base, + 1/2. Of a bull nose without its rounding.
+/// What the piece covers at one end, in units from the end's base, + 1/2. For a bull nose without its rounding.
 template <Rounding rounding, bool rises>
 struct RowPiece {
     const TiltedPiece& piece;
     RowCylinder standing;
     RowLinear equator, face;
     float y;       ///< voxels, from the rounding's middle
-    float square;  ///< square voxels, of a ball in this row
+    float square;  ///< voxels², squared radius of a ball's section in this row
     float middleX; ///< voxels, of the rounding's middle
     float middleZ; ///< units, of the rounding's middle from the end's base, + 1/2
     BURIN_INLINE RowPiece(const RowsPiece& rows, int row) noexcept
@@ -131,7 +131,7 @@ struct RowPiece {
         else
             return standing.at(x);
     }
-    /// The same of a ball's lines that pass its equator and its upper face.
+    /// The same for a ball's lines that pass its equator and its upper face.
     BURIN_INLINE Heights ballToFaceAt(Floats x) const noexcept {
         const Floats off = x - middleX, half = unitsAVoxel * rootsOf(square - off * off), end = face.at(x);
         if constexpr (rises)
@@ -139,7 +139,8 @@ struct RowPiece {
         else
             return {end, middleZ + half};
     }
-    /// An end in the corner that a bull nose's rounding takes off lies below its circle and out from it.
+    /// Returns which ends lie in the corner that a bull nose's rounding cuts off: below the circle of the rounding and
+    /// outside of it.
     BURIN_INLINE Integers offRounding(Floats x, Floats z) const noexcept {
         const Floats along = x * piece.axisX + y * piece.axisY + z * piece.axisZ;
         const Floats across = x * x + y * y + z * z - along * along;
@@ -147,8 +148,8 @@ struct RowPiece {
     }
 
 private:
-    /// A ball goes over into its straight part at the equator's plane: each end lies on the side that it would have
-    /// there.
+    /// The transition of a ball into its straight part is the equator's plane: each end lies on the surface that
+    /// belongs to its side of the plane.
     BURIN_INLINE Heights ballAt(Floats x) const noexcept {
         const Heights straight = standing.unheld(x);
         const Floats off = x - middleX, half = unitsAVoxel * rootsOf(square - off * off), border = equator.at(x);
@@ -162,7 +163,7 @@ private:
     }
 };
 
-/// What lies between the ends of the way: the wall that a rim leaves, seen from the start.
+/// The part between the ends of the move: the wall swept by a rim, relative to the start.
 struct RowsRim {
     RowsCylinder wall;
     RowsLinear lift;

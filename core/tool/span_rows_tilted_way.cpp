@@ -13,39 +13,41 @@ namespace {
 
 constexpr double unitsAVoxel = SpanRows::unitsAVoxel;
 using Linear = TiltedPiece::Linear;
-// Voxels about a rim's way in which the start of the way is looked at as well: an axis that turned since the start was
-// taken may have had the rim so far off.
+// Voxels around a rim's move within which the start of the move is checked as well: if the axis has turned since the
+// start was cut, the rim may have been this far off.
 constexpr double rimMargin = 0.25;
-// A line's place on a disc that moves by less on the whole way stays where it is: the way is along the lines.
+// If a line's point on a disc moves by less over the entire move, it counts as fixed: the move is parallel to the
+// lines.
 constexpr double leastRun = 1e-6; // voxels
 
-/// A function of x and y that is linear, from its values.
+/// Returns a linear function of x and y from its values.
 template <class Function>
 Linear linear(const Function& function) noexcept {
     const double origin = function(0.0, 0.0);
     return {origin, function(1.0, 0.0) - origin, function(0.0, 1.0) - origin};
 }
 
-/// Away from 0: a plane along the runs is met nowhere; one that leans by next to nothing says the same.
+/// Returns the value, kept away from 0: a plane parallel to the runs is met nowhere; a minimally inclined one gives the
+/// same result.
 double awayFromZero(double value, double scale) noexcept {
     const double least = 1e-7 * scale;
     return std::abs(value) >= least ? value : std::copysign(least, value);
 }
 
-/// Height at which normal · (x, y, z) has a value.
+/// Returns the height at which normal · (x, y, z) has a value.
 Linear planeOf(const glm::dvec3& normal, double value) noexcept {
     const double along = awayFromZero(normal.z, glm::length(normal)) / unitsAVoxel;
     return linear([&](double x, double y) { return (value - normal.x * x - normal.y * y) / along; });
 }
 
-/// Holds a cylinder to where normal · (x, y, z) lies between two values.
+/// Restricts a cylinder to where normal · (x, y, z) lies between two values.
 void setSlab(TiltedPiece::Cylinder& cylinder, const glm::dvec3& normal, double low, double high) noexcept {
     const double along = awayFromZero(normal.z, glm::length(normal)) / unitsAVoxel;
     cylinder.floor = planeOf(normal, along > 0.0 ? low : high);
     cylinder.thickness = static_cast<float>(std::abs((high - low) / along));
 }
 
-/// The wall's places by their heights, for a way that is steep over the disc or an axis that is next to level.
+/// Returns the wall in terms of heights, for a move that is steep relative to the disc or a nearly horizontal axis.
 TiltedPiece::Rim rimByHeight(const glm::dvec3& axis, const glm::dvec3& way, double height, double along,
                              double overlap) noexcept {
     TiltedPiece::Rim rim;
@@ -66,12 +68,12 @@ TiltedPiece::Rim rimByHeight(const glm::dvec3& axis, const glm::dvec3& way, doub
     return rim;
 }
 
-/// By their parts of the way, from its middle: heights, which differ by next to nothing where the way is along the
-/// disc, would not tell them from each other.
+/// Returns the wall in terms of parts of the move, from its middle: heights, which hardly differ if the move is nearly
+/// in the plane of the disc, would not distinguish its points.
 TiltedPiece::Rim rimByPart(const glm::dvec3& axis, const glm::dvec3& way, double height, double along,
                            double overlap) noexcept {
     TiltedPiece::Rim rim;
-    const double rise = along / axis.z, sign = std::copysign(1.0, rise); // of a line's place on the disc, the whole way
+    const double rise = along / axis.z, sign = std::copysign(1.0, rise); // of a line's point on the disc, entire move
     const glm::dvec3 run = sign * (glm::dvec3(0.0, 0.0, rise) - way);
     const double length = glm::length(run);
     if (length < leastRun) return rim;
@@ -88,8 +90,9 @@ TiltedPiece::Rim rimByPart(const glm::dvec3& axis, const glm::dvec3& way, double
     return rim;
 }
 
-/// A disc about the axis, `height` above the tip, moved along the move. None where it is moved within its own plane or
-/// along the lines: no line enters it between its ends. Both are overlapped, so that rounding leaves nothing between.
+/// Returns the wall of a disc about the axis, `height` above the tip, moved along the move. None if it is moved within
+/// its own plane or along the lines: no line enters it between its ends. Both ends are overlapped, so that rounding
+/// leaves no gap.
 TiltedPiece::Rim rimOnWay(const glm::dvec3& axis, const glm::dvec3& way, double height, double radius,
                           double reach) noexcept {
     const double along = glm::dot(way, axis), length = glm::length(way);
@@ -161,13 +164,13 @@ void setWay(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& a
         rim = rimOnWay(axis, way, height, piece.bottomRadius, farthest);
         rim.height = static_cast<float>(height);
     }
-    // What passes a place between the ends and is not there at either is an edge: the place lies within the way of a
-    // rim, and its line meets the face's plane within so much of it.
+    // A point that is passed between the ends but covered at neither is passed by an edge: it lies within the sweep of
+    // a rim, and its line meets the face's plane within `reach` of the rim.
     const double along = std::abs(glm::dot(way, axis)), across = glm::length(glm::cross(way, axis));
     const double steep = std::max(std::abs(axis.z), 1e-6), lean = std::hypot(axis.x, axis.y);
     const double reach = across + (along * lean + rimMargin) / steep;
     tilted.rimReach = static_cast<float>(reach * (2.0 * piece.bottomRadius + reach));
-    // Where the way passes the whole thickness, what is between the ends is not within both anywhere.
+    // If the move passes the entire thickness, the part between the ends is nowhere within both.
     tilted.rimsEverywhere =
         reach > piece.bottomRadius || along + rimMargin > piece.top - piece.bottom - piece.cornerRadius;
 }

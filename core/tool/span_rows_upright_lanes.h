@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Of span_rows_upright.cpp, which includes it once for each width of registers (core/base/whole_registers.h): one row
-// of lines at once, or two. What comes of a line does not depend on its neighbours, and so not on the width either.
+// Part of span_rows_upright.cpp, which includes it once for each register width (core/base/whole_registers.h):
+// processes one row of lines at a time, or two. The result for a line does not depend on its neighbours, and thus not
+// on the width either.
 
 constexpr int cornerSteps = 10;
 
-/// Height of the rounding below its middle, voxels, over lines `inside` away from the outline (square: R² - r²).
+/// Returns the height of the rounding below its middle, voxels. @param inside R² - r² of the lines, voxels²
 template <Shape shape>
 BURIN_INLINE Floats drop(const Upright& piece, Floats inside) noexcept {
     if constexpr (shape == Shape::ball) return rootsOf(inside);
@@ -17,7 +18,7 @@ BURIN_INLINE Floats drop(const Upright& piece, Floats inside) noexcept {
     return rootsOf(left * (piece.cornerRadius + over));
 }
 
-/// Lower face at one end of the way, units over the rounding's middle there. `inside`: R² - r².
+/// Returns the lower face at one end of the move, units above the rounding's middle there. `inside`: R² - r².
 template <Shape shape>
 BURIN_INLINE Floats lowAtEnd(const Upright& piece, const End& end, Floats inside) noexcept {
     const Integers covered = inside > Floats{};
@@ -30,15 +31,16 @@ BURIN_INLINE Floats lowAtEnd(const Upright& piece, const End& end, Floats inside
     return covered ? height : each(nowhere);
 }
 
-/// A line seen from the way: `ahead` along it from the start, `chord` half of the way on which the piece covers it.
+/// A line relative to the move: `ahead` along it from the start, `chord` half of the distance over which the piece
+/// covers the line.
 struct FromWay {
     Floats ahead, chord, asideSquare;
     Integers meets; ///< all bits or none
 
-    /// Whether the piece covers the line between the ends, but for what an end that it then covers says as well. A
-    /// line may lie on the outline at one end and beside the axis at the other: no end covers it, the way does.
-    /// @param part of the way at which the face counts
-    /// @param atFirst the face counts as early on the way as it can, else as late
+    /// Whether the piece covers the line between the ends, except where an end that covers it gives the same result. A
+    /// line can lie on the outline at one end and next to the axis at the other: no end covers it, but the move does.
+    /// @param part of the move at which the face counts
+    /// @param atFirst the face counts as early in the move as possible, otherwise as late as possible
     BURIN_INLINE Integers isPassed(const Upright& piece, Floats part, bool atFirst) const noexcept {
         const Floats zero{};
         const Integers behindEnd = ahead<each(piece.reach), beforeStart = ahead> zero;
@@ -47,11 +49,11 @@ struct FromWay {
     }
 };
 
-/// Offset from axis to line at which a bull nose that rises is lowest over it, between two bounds: the zero of a
-/// function that grows, by false position, each second step a halving.
+/// Returns the offset from axis to line at which a rising bull nose is lowest over the line, between two bounds: the
+/// zero of an increasing function, by false position, with every second step a bisection.
 BURIN_INLINE Floats cornerOffset(const Upright& piece, Floats asideSquare, Floats low, Floats high) noexcept {
     const Floats rise = each(piece.rise < 0.0F ? -piece.sine : piece.sine);
-    // Over the flat middle it does not fall.
+    // Over the flat middle the height does not decrease.
     const Floats flatEdge = rootsOf(piece.flatRadius * piece.flatRadius - asideSquare);
     low = least(most(low, flatEdge), high);
     const auto excess = [&](Floats offset) __attribute__((always_inline)) {
@@ -79,7 +81,7 @@ BURIN_INLINE Floats cornerOffset(const Upright& piece, Floats asideSquare, Float
     return highBest ? last : lowBest ? first : middle;
 }
 
-/// Lower face between the ends, units over the rounding's middle at the end.
+/// Returns the lower face between the ends, units above the rounding's middle at the end.
 template <Shape shape>
 BURIN_INLINE Floats lowBetween(const Upright& piece, const FromWay& line) noexcept {
     const Floats zero{}, one = each(1.0F);
@@ -108,7 +110,7 @@ BURIN_INLINE Floats lowBetween(const Upright& piece, const FromWay& line) noexce
     return valid ? height : each(nowhere);
 }
 
-/// Upper face between the ends, units; it is flat.
+/// Returns the upper face between the ends, units; it is flat.
 BURIN_INLINE Integers highBetween(const Upright& piece, const FromWay& line) noexcept {
     const Floats zero{}, one = each(1.0F);
     const Floats part = (line.ahead + piece.riseSign * line.chord) * piece.perReach;
@@ -117,28 +119,28 @@ BURIN_INLINE Integers highBetween(const Upright& piece, const FromWay& line) noe
     return valid ? wholeOf(piece.topMiddle + height) + piece.topBase : each(-SpanRows::none);
 }
 
-/// What depends on the rows alone.
+/// The values that depend only on the rows.
 struct Row {
     Floats fromSquare, toSquare; ///< R² - y² at both ends, voxels²
-    Floats ahead, aside;         ///< of the line at the start's x, seen from the start
+    Floats ahead, aside;         ///< of the line at the start's x, relative to the start
 };
 
 /// Groups of an interval, counted from its first.
 struct Groups {
     std::int32_t first = 0, end = 0;
-    /// Those of other ones that are among these.
+    /// Returns the groups of another interval that lie within this one.
     BURIN_INLINE Groups held(std::int32_t otherFirst, std::int32_t otherEnd) const noexcept {
         const auto within = [&](std::int32_t group) { return group < first ? first : group < end ? group : end; };
         return {within(otherFirst), within(otherEnd)};
     }
 };
 
-/// The upper face is at one height wherever the lower one is, or both its heights count.
+/// Whether the upper face is at one height wherever the lower one is, or both of its heights count.
 enum class Top : bool { level, rises };
 
-/// Goes along a row, group by group.
+/// Iterates along a row, group by group.
 struct Cursor {
-    Floats u; ///< whole lines from the end of the way
+    Floats u; ///< integer number of lines from the end of the move
     BrickOfSpans* brick;
     std::size_t row; ///< of the brick
 
@@ -158,14 +160,14 @@ BURIN_INLINE std::int32_t greaterOf(std::int32_t a, std::int32_t b) noexcept {
     return a > b ? a : b;
 }
 
-/// Lines that the piece covers at the end of the way, and no lower between: all but the upper end follows from that.
+/// Covers lines on which the piece is lowest at the end of the move: everything except the upper end follows from that.
 template <Shape shape>
 BURIN_INLINE void coverEnd(const Upright& piece, const Row& row, Cursor& cursor, std::int32_t groups,
                            std::int32_t top) noexcept {
     if (groups <= 0) return;
     const Floats part = each(piece.to.partX), square = row.toSquare, middle = each(piece.to.middle);
     const Integers base = each(piece.to.base), high = each(lesser(top, piece.lineEnd));
-    const Upright shapeOnly = piece; // which the stores can't change
+    const Upright shapeOnly = piece; // a copy that the stores can't alias
     const End end = piece.to;
     for (; groups > 0; --groups) {
         const Floats x = cursor.u - part;
@@ -174,7 +176,7 @@ BURIN_INLINE void coverEnd(const Upright& piece, const Row& row, Cursor& cursor,
     }
 }
 
-/// Lines behind the axis of a piece that rises: only its upper face moves there.
+/// Covers lines behind the axis of a rising piece: only its upper face moves there.
 BURIN_INLINE void coverTop(const Upright& piece, Cursor& cursor, std::int32_t groups) noexcept {
     if (groups <= 0) return;
     const Integers low = each(piece.from.top > 0 ? piece.from.top : 0);
@@ -186,7 +188,7 @@ template <Shape shape, bool withStart, bool moves, Top top>
 BURIN_INLINE void cover(const Upright& piece, const Row& row, Cursor& cursor, std::int32_t groups,
                         std::int32_t levelTop) noexcept {
     if (groups <= 0) return;
-    const Upright own = piece; // which the stores can't change
+    const Upright own = piece; // a copy that the stores can't alias
     const Integers level = each(lesser(levelTop, own.lineEnd));
     const auto between = static_cast<float>(own.to.wholeX - own.from.wholeX);
     for (; groups > 0; --groups) {
@@ -208,9 +210,9 @@ BURIN_INLINE void cover(const Upright& piece, const Row& row, Cursor& cursor, st
         }
         if constexpr (top == Top::rises) {
             high = toInside > Floats{} ? each(own.to.top) : each(-SpanRows::none);
-            // No higher than at the ends, roundings or not: lines that are covered there agree on it.
+            // Not higher than at the ends, despite rounding: lines that are covered there agree on the height.
             if constexpr (moves) high = most(high, least(highBetween(own, line), each(own.highestTop)));
-            // What was left behind at the start joins on to what is beyond it.
+            // What was left behind at the start adjoins what is beyond it.
             const Integers started = fromInside > Floats{};
             low = started ? least(low, each(own.from.top)) : low;
             high = least(started ? most(high, each(own.from.top)) : high, each(own.lineEnd));
@@ -219,11 +221,12 @@ BURIN_INLINE void cover(const Upright& piece, const Row& row, Cursor& cursor, st
     }
 }
 
-/// A piece that moves below an upper face at one height. @param between where a ball can be lowest between the ends
+/// Covers lines for a piece that moves below an upper face at one height. @param between groups where a ball can be
+/// lowest between the ends
 template <Shape shape, bool withStart>
 BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, Cursor& cursor, Groups groups, Groups between,
                               std::int32_t top) noexcept {
-    // Of a short row, more parts would cost more than they save.
+    // Dividing a short row into more parts would cost more than it saves.
     constexpr std::int32_t shortRow = 4;
     const bool splits = shape == Shape::ball && !withStart && groups.end - groups.first > shortRow;
     between = splits ? groups.held(between.first, between.end) : groups;
@@ -232,8 +235,9 @@ BURIN_INLINE void coverMoving(const Upright& piece, const Row& row, Cursor& curs
     coverEnd<shape>(piece, row, cursor, groups.end - between.end, top);
 }
 
-/// A piece that goes on from where it was, its upper face at two heights within the stock. On lines that it covers all
-/// the way that face counts with the higher one; where it rises, nothing else is new behind its axis.
+/// Covers lines for a piece that continues from its previous position, with its upper face at two heights within the
+/// stock. On lines that it covers during the entire move, the higher one counts; if the piece rises, nothing else is
+/// new behind its axis.
 template <Shape shape>
 BURIN_INLINE void coverGoingOn(const Upright& piece, const Row& row, Cursor& cursor, Groups all, Groups covered,
                                Groups deeper, Groups between) noexcept {
@@ -245,9 +249,9 @@ BURIN_INLINE void coverGoingOn(const Upright& piece, const Row& row, Cursor& cur
     cover<shape, false, true, Top::rises>(piece, row, cursor, all.end - covered.end, 0);
 }
 
-/// Rows beside each other that are asked for, as many as a register holds at most; or one.
+/// Adjacent requested rows, at most as many as a register holds; or a single row.
 struct Strip {
-    const RowSpans &one, &other; ///< the same where there is one
+    const RowSpans &one, &other; ///< the same if there is only one
 
     BURIN_INLINE static std::size_t at(const Rows& rows, const RowSpans& row) noexcept {
         return static_cast<std::size_t>(row.v - rows.first);
@@ -259,13 +263,13 @@ struct Strip {
     BURIN_INLINE Floats of(const Rows& rows, const Rows::Numbers& values) const noexcept {
         return eachEight(values[at(rows, one)], values[at(rows, other)]);
     }
-    /// Groups of either row.
+    /// Returns the groups of either row.
     BURIN_INLINE Groups either(const Rows& rows, const Rows::Groups& begins, const Rows::Groups& ends,
                                std::int32_t origin) const noexcept {
         const std::size_t i = at(rows, one), j = at(rows, other);
         return {lesser(begins[i], begins[j]) - origin, greaterOf(ends[i], ends[j]) - origin};
     }
-    /// Groups of both.
+    /// Returns the groups of both rows.
     BURIN_INLINE Groups both(const Rows& rows, const Rows::Groups& begins, const Rows::Groups& ends,
                              std::int32_t origin) const noexcept {
         const std::size_t i = at(rows, one), j = at(rows, other);

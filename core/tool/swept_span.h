@@ -15,36 +15,37 @@
 
 namespace burin {
 
-/// What a piece of a tool sweeps on its straight way between two tips, its axis standing, met by lines along Z of the
-/// frame that tips and axis are given in. Exact: the piece is convex, so the swept solid is the convex hull of its two
-/// ends, and each line meets it in one span; closed forms where there are, iterations to 1e-9 mm elsewhere.
-/// Equals the paper's interpolation of poses (eqs. 6–10) in the limit of infinitely many.
-/// The span at either end of the way depends on that end alone, to the last bit: two ways that meet in a tip agree on
-/// what the piece covers there, so a tool that stands still after a move finds nothing left to take.
+/// The solid swept by a piece of a tool on a straight move between two tips with a constant axis, intersected by lines
+/// along Z of the frame in which tips and axis are given. Exact: the piece is convex, so the swept solid is the convex
+/// hull of its two ends, and each line meets it in one span; closed forms where they exist, iterations to 1e-9 mm
+/// elsewhere.
+/// Equals the paper's interpolation of poses (eqs. 6–10) in the limit of infinitely many poses.
+/// The span at either end of the move depends only on that end, to the last bit: two moves that meet in a tip position
+/// agree on what the piece covers there, so a tool that rests after a move finds nothing left to remove.
 class SweptPiece {
 public:
-    /// Axis +Z.
+    /// With the axis +Z.
     SweptPiece(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept
         : SweptPiece(piece, fromTip, toTip, {0.0, 0.0, 1.0}) {}
     /// @param axis unit length
     SweptPiece(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
                const glm::dvec3& axis) noexcept;
 
-    /// Nothing where the line at (x, y), mm, misses the solid or touches it in a point, to rounding; a line that lies
-    /// in a side of the solid, to rounding, may count either way. No allocation.
+    /// Returns the span of the line at (x, y), mm. Empty if the line misses the solid or touches it in one point,
+    /// within rounding; a line in a side of the solid, within rounding, may count either way. Does not allocate.
     std::optional<Span> along(double x, double y) const noexcept {
         if (const UprightSweep* const upright = std::get_if<UprightSweep>(&sweep_)) return upright->along(x, y);
         return std::get_if<TiltedSweep>(&sweep_)->along(x, y);
     }
-    /// Where `along` begins, mm, for whom its end is no matter: quicker upright.
+    /// Returns the lower end of `along`, mm; faster for an upright axis.
     std::optional<double> bottomAlong(double x, double y) const noexcept {
         if (const UprightSweep* const upright = std::get_if<UprightSweep>(&sweep_)) return upright->bottomAlong(x, y);
         const std::optional<Span> span = along(x, y);
         return span ? std::optional(span->low) : std::nullopt;
     }
-    /// Stretch of x that the solid covers at this y, mm: its shadow along Z. Nothing where it has none.
+    /// Returns the interval of x that the solid covers at this y, mm: its shadow along Z. Empty if there is none.
     std::optional<Span> shadow(double y) const noexcept;
-    /// Box of the swept solid, mm.
+    /// Returns the bounding box of the swept solid, mm.
     Box bounds() const noexcept;
 
 private:

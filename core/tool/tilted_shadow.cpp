@@ -9,13 +9,13 @@ namespace burin {
 
 namespace {
 
-// A disc that is seen from nearly the side counts as this wide: its shadow holds the true one.
+// A disc that is seen nearly edge-on counts as this wide: its shadow contains the true one.
 constexpr double leastFlatness = 1e-3;
 
 struct End {
     TiltedShadow::Ellipse ellipse;
     glm::dvec2 middle, reach;
-    double outmost; ///< dy of its outmost place towards +x
+    double outmost; ///< dy of its outermost point towards +x
 };
 
 End endOf(const glm::dvec2& middle, const glm::dvec2& heading, double radius, double flatness) noexcept {

@@ -11,28 +11,28 @@ namespace burin {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// Less lean than this counts as a way along the lines: what a line meets beyond both ends' chords then lies within
-// 1e-7 of the move's length of a steep wall.
+// A move inclined by less than this counts as parallel to the lines: what a line meets beyond both ends' chords then
+// lies within 1e-7 of the move's length of a steep wall.
 constexpr double leastSine = 1e-7;
 constexpr double leastLength = 1e-12; // mm
-// So far beside a line a wall's point still counts as on it. Lines of a grid and ends of ways lie on round numbers:
-// a wall then begins or ends on a line, which the cutter at that end may touch and not cover.
+// A wall's point within this distance of a line counts as lying on it. Lines of a grid and ends of moves lie on round
+// numbers: a wall then begins or ends on a line, which the cutter at that end may touch and not cover.
 constexpr double besideLine = 1e-10; // mm
-// So far inside of a side of the way a line still touches it: the roots that tell how much of it is inside are
-// roundings there. A side that is a face holds the lines as far outside of it, as PieceChord's faces do: two pieces of
-// a stack share it.
+// A line within this distance inside a side of the move still only touches it: the roots that give its length inside
+// are rounding errors there. A side that is a face also contains lines within this distance outside of it, like
+// PieceChord's faces: two pieces of a stack share it.
 constexpr double besideSide = 1e-12; // mm
-// Shorter spans are nothing: their ends are not known that well.
+// Shorter spans count as empty: their ends are not known that accurately.
 constexpr double leastSpan = 1e-9; // mm
 
 glm::dvec3 in(const glm::dvec3& v, const glm::dvec3& x, const glm::dvec3& y, const glm::dvec3& z) noexcept {
     return {glm::dot(v, x), glm::dot(v, y), glm::dot(v, z)};
 }
 
-/// The point of a piece that lies farthest in a direction (unit length), mm from the tip.
+/// Returns the point of a piece that lies farthest in a direction (unit length), mm from the tip.
 glm::dvec3 farthest(const PieceProfile& profile, const glm::dvec3& axis, const glm::dvec3& direction) noexcept {
     const double sine = glm::dot(direction, axis);
-    // Square to the axis however short it is, which the difference to the part along the axis would not be.
+    // Perpendicular to the axis even if very short, which the direction minus its axial component would not be.
     const glm::dvec3 outward = glm::cross(axis, glm::cross(direction, axis));
     const double cosine = glm::length(outward);
     const ProfileDisc place = profile.farthest(sine, cosine);
@@ -91,8 +91,8 @@ TiltedSweep::TiltedSweep(const RevolvedPiece& piece, const glm::dvec3& fromTip, 
               glm::dot(tangents_[0], glm::dvec2(view_.across)) + outward};
 }
 
-/// Height of the wall on a line, mm above the first tip, with `side` -1 upside down; infinite where the wall's point
-/// is not thrown between the ends, or to `besideLine` of the line from one of them.
+/// Returns the height of the wall on a line, mm above the first tip, upside down for `side` -1; infinite if the wall's
+/// point is not swept between the ends, nor within `besideLine` of the line from one of them.
 double TiltedSweep::wallAt(const ShadowEdge& edge, double side, double x, double y) const noexcept {
     const glm::dvec3 place(x, y, 0.0);
     const ShadowEdge::Point point = edge.lowest(glm::dot(place, view_.across));
@@ -113,7 +113,8 @@ std::optional<Span> TiltedSweep::along(double x, double y) const noexcept {
     Span span{infinity, -infinity};
     for (const glm::dvec3& tip : {from_, to_}) {
         const std::optional<Span> chord = chord_.along(x - tip.x, y - tip.y);
-        // A line that touches an end enters the solid there; one in a side, or along the move, only touches it on.
+        // A line that touches an end enters the solid there; a line in a side, or parallel to the move, keeps only
+        // touching it.
         if (!chord || (chord->low == chord->high && !betweenSides)) continue;
         span.low = std::min(span.low, tip.z + chord->low);
         span.high = std::max(span.high, tip.z + chord->high);
@@ -122,7 +123,7 @@ std::optional<Span> TiltedSweep::along(double x, double y) const noexcept {
         span.low = std::min(span.low, from_.z + wallAt(lower_, 1.0, x - from_.x, y - from_.y));
         span.high = std::max(span.high, from_.z - wallAt(upper_, -1.0, x - from_.x, y - from_.y));
     }
-    if (!(span.high - span.low > leastSpan)) return std::nullopt; // infinite where an end is missing
+    if (!(span.high - span.low > leastSpan)) return std::nullopt; // infinite if an end is missing
     return span;
 }
 

@@ -14,9 +14,9 @@
 
 namespace burin {
 
-/// What a piece with a fixed axis of any direction sweeps on its straight move between two tips, met by lines along
-/// Z. The swept solid is convex: a line's lower end lies on the piece at the first tip, on the piece at the last one,
-/// or on the wall that its outline (seen along the move) leaves in between, and is the lowest of these.
+/// The solid swept by a piece with a fixed axis of any direction on a straight move between two tips, intersected by
+/// lines along Z. The swept solid is convex: a line's lower end lies on the piece at the first tip, on the piece at the
+/// last one, or on the wall swept by its outline (seen along the move) in between, and is the lowest of these.
 class TiltedSweep {
 public:
     TiltedSweep(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip,
@@ -38,13 +38,13 @@ private:
     glm::dvec3 from_{0.0}, to_{0.0};
     PieceChord chord_;
     View view_;
-    double length_ = 0.0;                  ///< mm, of the way
-    double sine_ = 0.0;                    ///< of the angle between way and lines
-    bool leavesWall_ = false;              ///< the way is not along the lines
-    Span sides_;                           ///< mm across the way from the first tip; lines in or beyond them miss
-    ShadowEdge lower_, upper_;             ///< outline along the move; the upper one is held upside down
+    double length_ = 0.0;                  ///< mm, of the move
+    double sine_ = 0.0;                    ///< of the angle between move and lines
+    bool leavesWall_ = false;              ///< the move is not parallel to the lines
+    Span sides_;                           ///< mm across the move from the first tip; lines on or beyond them miss
+    ShadowEdge lower_, upper_;             ///< outline along the move; the upper one is stored upside down
     ShadowEdge left_, right_;              ///< outline along the lines, lowest towards -x and +x
-    std::array<glm::dvec2, 2> tangents_{}; ///< mm from the tip, where the way touches that outline
+    std::array<glm::dvec2, 2> tangents_{}; ///< mm from the tip, where the move is tangent to that outline
     Box bounds_;
 };
 

@@ -20,7 +20,7 @@ using nlohmann::json;
 
 constexpr std::size_t mostUnpacked = 256U << 20U; // bytes of JSON: far beyond any library
 
-/// The same name twice gets a number.
+/// Adds a number to ids that occur twice.
 void makeIdsUnique(ReadTools& read) {
     std::set<std::string> ids;
     for (ReadTool& tool : read.tools)
@@ -49,7 +49,7 @@ bool isFreecadLibrary(const json& file) {
     });
 }
 
-/// Where FreeCAD looks for a bit, but for its own store.
+/// Returns the paths where FreeCAD looks for a bit, except its own store.
 std::vector<std::filesystem::path> placesOf(const std::filesystem::path& library, const std::string& bit) {
     const std::filesystem::path folder = library.parent_path(), name = std::filesystem::path(bit).filename();
     return {folder / name, folder / "Bit" / name, folder.parent_path() / "Bit" / name};

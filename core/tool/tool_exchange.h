@@ -8,54 +8,55 @@
 
 namespace burin {
 
-/// A tool as a file has it, and what the file did not say or Burin can't hold.
+/// A tool read from a file, with notes about what the file did not state or Burin can't represent.
 struct ReadTool {
     Tool tool;
-    std::vector<std::string> notes; ///< English, a sentence each
+    std::vector<std::string> notes; ///< English, one sentence each
 };
 
-/// Reads a tool: Burin's own JSON, or a tool bit of FreeCAD (.fctb). The kind is found from the content. Of a bit: the
-/// form (end mill, ball end, bull nose, drill, V-bit, chamfer), its lengths and angles with their units, flutes; what
-/// it lacks is that of `like`, and told. Its id is made of its name.
+/// Reads a tool: Burin's own JSON, or a tool bit of FreeCAD (.fctb). The kind is detected from the content. From a bit,
+/// the shape (end mill, ball end, bull nose, drill, V-bit, chamfer), its lengths and angles with their units, and the
+/// flutes are read; missing values are taken from `like`, with a note. The id is made from the name.
 /// @param origin file name for messages
-/// Errors: resourceInvalid (place: the key), notSupported (a form that is none of these).
+/// Errors: resourceInvalid (place: the key), notSupported (any other shape).
 Result<ReadTool> toolFromText(std::string_view text, const std::string& origin, const Tool& like);
 
-/// All tools of a file that Burin can hold.
+/// All tools of a file that Burin can represent.
 struct ReadTools {
-    std::vector<ReadTool> tools;      ///< each id once
-    std::vector<std::string> leftOut; ///< what is not among them and why; English, a sentence each
+    std::vector<ReadTool> tools;      ///< with unique ids
+    std::vector<std::string> leftOut; ///< tools that were left out and why; English, one sentence each
 };
-/// Reads what toolFromText reads, and libraries of other programs: Fusion (.json, or packed: .tools), CAMotics (a tool
-/// table .ctbl, or the tools of a project), LinuxCNC (.tbl: numbers, diameters and names; all else is that of `like`).
-/// @param unit mm of the machine's unit, of a LinuxCNC table, which states none
-/// Errors: those of toolFromText, fileDamaged (an archive), notSupported (none of its tools can be held).
+/// Reads the formats of toolFromText, and libraries of other programs: Fusion (.json, or packed: .tools), CAMotics (a
+/// tool table .ctbl, or the tools of a project), LinuxCNC (.tbl: numbers, diameters and names; everything else is taken
+/// from `like`).
+/// @param unit machine unit in mm, for a LinuxCNC table, which states none
+/// Errors: those of toolFromText, fileDamaged (an archive), notSupported (none of its tools can be represented).
 Result<ReadTools> toolsFromText(std::string_view content, const std::string& origin, const Tool& like, double unit);
-/// The same of a file; also a FreeCAD library (.fctl), with the bits that it names where they lie beside it, in a
-/// folder "Bit" there, or in one beside its own. Errors: also those of readFile.
+/// The same for a file; also reads a FreeCAD library (.fctl) with the bits that it names, which lie next to it, in a
+/// folder "Bit" there, or in a folder "Bit" next to its own folder. Errors: also those of readFile.
 Result<ReadTools> toolsFromFile(const std::filesystem::path& file, const Tool& like, double unit);
 
-/// Tools as a file of another program has them, and what that can't hold.
+/// Tools in the file format of another program, with notes about what that format can't represent.
 struct WrittenTools {
     std::string text;
     std::vector<std::string> notes; ///< English, a sentence each
 };
-/// A tool bit of FreeCAD. Errors: notSupported (tapered cutters, lollipops, profiles).
+/// Returns a tool bit of FreeCAD. Errors: notSupported (tapered cutters, lollipops, profiles).
 Result<WrittenTools> freecadBit(const Tool& tool);
-/// A tool table of LinuxCNC, sorted by number, each tool in the pocket of its number; diameters in the machine's unit.
-/// Lengths are left at 0: they are measured on the machine. @param unit mm of the machine's unit
-/// Errors: argumentInvalid (two tools of one number, a number above 1000, which is no pocket).
+/// Returns a tool table of LinuxCNC, sorted by number, each tool in the pocket of its number; diameters in the
+/// machine's unit. Lengths are left at 0: they are measured on the machine. @param unit machine unit in mm
+/// Errors: argumentInvalid (two tools with the same number, a number above 1000, which is not a pocket).
 Result<WrittenTools> linuxcncTable(std::vector<Tool> tools, double unit);
-/// A packed tool library of Fusion, mm. Tools whose flutes are a profile are left out and named.
+/// Returns a packed tool library of Fusion, mm. Tools whose flutes are a profile are left out and named in the notes.
 /// Errors: notSupported (all of them are), outOfMemory.
 Result<WrittenTools> fusionLibrary(const std::vector<Tool>& tools);
-/// A tool table of CAMotics by number. Forms that it lacks are left out and named.
-/// Errors: notSupported (all of them are), argumentInvalid (two tools of one number).
+/// Returns a tool table of CAMotics by number. Tools with shapes that it lacks are left out and named in the notes.
+/// Errors: notSupported (all of them are), argumentInvalid (two tools with the same number).
 Result<WrittenTools> camoticsTable(const std::vector<Tool>& tools);
 
-/// What a file of a name holds: *.tbl, *.tools and *.ctbl all tools, *.fctb and *.json (Burin's own form) the one of an
-/// id. @param unit mm of the machine's unit, of a LinuxCNC table
-/// Errors: those of each, argumentInvalid (another name; an id that none of them has).
+/// Returns the content for a file by its name: *.tbl, *.tools and *.ctbl contain all tools, *.fctb and *.json (Burin's
+/// own form) the one with the given id. @param unit machine unit in mm, for a LinuxCNC table
+/// Errors: those of each format, argumentInvalid (another name; an id that none of them has).
 Result<WrittenTools> toolsFor(const std::string& file, const std::string& id, const std::vector<Tool>& tools,
                               double unit);
 

@@ -22,7 +22,7 @@ const std::vector<std::string_view>& typeNames() { // in the order of CutterType
     return names;
 }
 
-// Angles are whole or short numbers in files; turned to radians and back they are so again.
+// Angles in files are integers or short decimals; rounding restores them after a conversion to radians and back.
 double roundedDegrees(double radians) {
     return std::round(radians * 180.0 / pi * 1e9) / 1e9;
 }
@@ -51,7 +51,8 @@ void readCutter(JsonObject& from, Cutter& cutter) {
     readSegments(from, "holder", cutter.holder);
 }
 
-/// What may be missing: files of older tools have none of it. A source that names no key is a slip of the pen.
+/// Reads values that may be missing: files of older tools do not have them. A source for a key that the file lacks is
+/// an error.
 void readLimits(JsonObject& file, Tool& tool) {
     tool.modulus = file.numberOr("modulus_n_per_mm2", 0.0, stiffness);
     tool.strength = file.numberOr("strength_n_per_mm2", 0.0, breakage);

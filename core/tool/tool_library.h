@@ -10,21 +10,21 @@
 
 namespace burin {
 
-/// The same tool under another id and name; its source says what it was copied from.
+/// Returns the same tool with another id and name; its source states what it was copied from.
 Tool copyOf(const Tool& tool, const std::string& id, const std::string& name);
 
-/// The lowest T number that none of them has: two tools of one number can't be in one program.
+/// Returns the lowest unused T number: two tools with the same number can't be in one program.
 int freeToolNumber(const std::vector<Tool>& tools);
 
-/// The tool in force under this id is the one that Burin is shipped with: it can be copied, but neither changed nor
-/// deleted.
+/// Whether the tool with this id is one shipped with Burin: it can be copied, but neither changed nor deleted.
 bool isShippedTool(std::string_view id);
 
-/// Checks a tool as a file is checked and adds it to the user's own. @param replace one of the user's of this id
-/// @return its file. Errors: resourceInvalid, argumentInvalid (an id that a shipped tool has, or without `replace` one
-/// of the user's; no id of a file), fileNotWritable, diskFull.
+/// Checks a tool like one read from a file and adds it to the user's tools. @param replace overwrite a user's tool with
+/// this id
+/// @return its file. Errors: resourceInvalid, argumentInvalid (the id of a shipped tool or, without `replace`, of a
+/// user's tool; an id that is not a valid file name), fileNotWritable, diskFull.
 Result<std::filesystem::path> saveTool(const Tool& tool, bool replace);
-/// Deletes one of the user's own. Errors: argumentInvalid (a shipped one), nameUnknown, fileNotWritable.
+/// Deletes one of the user's tools. Errors: argumentInvalid (a shipped one), nameUnknown, fileNotWritable.
 Result<void> removeTool(const std::string& id);
 
 } // namespace burin

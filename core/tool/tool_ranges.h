@@ -4,8 +4,8 @@
 
 #include "core/base/number_range.h"
 
-/// What the numbers of a tool may be, in files and in fields: far beyond any tool, to catch a slip of the unit or of a
-/// digit.
+/// The allowed ranges of a tool's numbers, in files and input fields: far beyond any real tool, to detect a wrong unit
+/// or a mistyped digit.
 namespace burin::tool_range {
 
 inline constexpr NumberRange length{0.0, 1000.0};             ///< mm

@@ -12,23 +12,24 @@ namespace burin {
 
 namespace {
 
-// A way that is shorter in the plane counts as vertical: the outline moves by less than any figure here can tell.
+// A move that is shorter in the plane counts as vertical: the outline moves by less than the resolution of any value
+// here.
 constexpr double leastReach = 1e-12; // mm
 
 double rootOf(double square) noexcept {
     return std::sqrt(std::max(square, 0.0));
 }
 
-/// A line over the rounded corner of a piece on its way.
+/// A line over the rounded corner of a moving piece.
 struct CornerLine {
     double flat, corner; ///< mm, radius of the flat middle and of the rounding
-    double aside;        ///< mm, of the line from the plane that the axis moves in
-    double reach, rise;  ///< mm, of the way in the plane and along the axis, both > 0
+    double aside;        ///< mm, distance of the line from the plane that the axis moves in
+    double reach, rise;  ///< mm, of the move in the plane and along the axis, both > 0
 };
 
-/// Offset, mm, at which the line's height over the moving corner rests. With the angle a on the rounding's arc, radius
-/// r = flat + corner sin a and offset u = sqrt(r² - aside²), that is where reach sin a u = rise cos a r; left of it the
-/// first side is less. Newton's steps, held in a bracket that is halved whenever they leave it.
+/// Returns the offset, mm, at which the line's height over the moving corner is stationary. With the angle a on the
+/// rounding's arc, radius r = flat + corner sin a and offset u = sqrt(r² - aside²), that is where reach sin a u = rise
+/// cos a r; left of it the first side is smaller. Newton steps in a bracket, which is halved whenever they leave it.
 double restingOffset(const CornerLine& line) noexcept {
     double low = line.aside > line.flat ? std::asin(std::min(1.0, (line.aside - line.flat) / line.corner)) : 0.0;
     double high = 0.5 * pi;
@@ -90,11 +91,12 @@ double UprightSweep::heightAt(const Face& face, double square) const noexcept {
     return face.height + face.slope * outside;
 }
 
-/// Least height of a face over the part of the way on which the line is inside the piece's outline. The height is
-/// convex in the place on the way, so that the best place of an unbounded way, held within bounds, is the best.
-/// Ends count by their own coordinates even where rounding puts the best place elsewhere: see the class.
+/// Returns the smallest height of a face over the part of the move on which the line is inside the piece's outline. The
+/// height is a convex function of the position on the move, so that the optimum of an unbounded move, clamped to the
+/// bounds, is the optimum. Ends are evaluated with their own coordinates even if rounding puts the optimum elsewhere:
+/// see the class.
 double UprightSweep::least(const Face& face, const Line& line) const noexcept {
-    if (face.rise == 0.0) { // the height grows with the distance from the axis, to the last bit
+    if (face.rise == 0.0) { // the height increases with the distance from the axis, to the last bit
         double square = std::min(line.squareAtFrom, line.squareAtTo);
         if (line.passes) square = std::min(square, line.aside * line.aside);
         return face.from + heightAt(face, square);
@@ -108,7 +110,7 @@ double UprightSweep::least(const Face& face, const Line& line) const noexcept {
     return reach_ == 0.0 ? best : std::min(best, leastBetween(face, line));
 }
 
-/// As `least`, but between the ends; infinite where an end is best.
+/// As `least`, but between the ends; infinite if an end is best.
 double UprightSweep::leastBetween(const Face& face, const Line& line) const noexcept {
     constexpr double nowhere = std::numeric_limits<double>::infinity();
     const double chord = line.insideAtFrom && line.insideAtTo ? 0.0 : chordOf(line);
@@ -116,7 +118,7 @@ double UprightSweep::leastBetween(const Face& face, const Line& line) const noex
     const double high = line.insideAtFrom ? line.ahead : std::min(line.ahead, chord);
     const double low = line.insideAtTo ? line.ahead - reach_ : std::max(line.ahead - reach_, -chord);
     if (low > high) return nowhere; // touching, to rounding
-    // A face that rises was lowest early, with the line ahead of the axis; one that falls is its mirror image.
+    // A rising face is lowest early in the move, with the line ahead of the axis; a falling one is its mirror image.
     const double offset = face.rise > 0.0 ? bestOffset(face, line, low, high) : -bestOffset(face, line, -high, -low);
     if ((offset >= high && line.insideAtFrom) || (offset <= low && line.insideAtTo)) return nowhere;
     const double part = std::clamp((line.ahead - offset) / reach_, 0.0, 1.0);
@@ -128,8 +130,8 @@ double UprightSweep::chordOf(const Line& line) const noexcept {
     return rootOf((outline_ - line.aside) * (outline_ + line.aside));
 }
 
-/// Offset between `low` and `high` at which the height is least, for a face that rises by `face.rise` or, mirrored,
-/// falls by it. The best offset is not negative then.
+/// Returns the offset between `low` and `high` at which the height is smallest, for a face that rises by `face.rise`
+/// or, mirrored, falls by it. The best offset is then not negative.
 double UprightSweep::bestOffset(const Face& face, const Line& line, double low, double high) const noexcept {
     if (high <= 0.0) return high;
     const double rise = std::abs(face.rise);
@@ -141,7 +143,7 @@ double UprightSweep::bestOffset(const Face& face, const Line& line, double low, 
     }
     if (face.cornerRadius > 0.0) return bestOffsetOnCorner(face, line, low, high);
     const double chord = chordOf(line), steep = face.slope * reach_;
-    double best = chord; // a flat face, or a cone less steep than the way: as far out as the outline goes
+    double best = chord; // a flat face, or a cone less steep than the move: at the outline
     if (steep > rise) {
         const double flatEdge = std::min(rootOf(face.flatRadius * face.flatRadius - line.aside * line.aside), chord);
         best = std::clamp(line.aside * rise / std::sqrt((steep - rise) * (steep + rise)), flatEdge, chord);
@@ -152,7 +154,7 @@ double UprightSweep::bestOffset(const Face& face, const Line& line, double low, 
 /// As `bestOffset`, on the rounded corner of a bull nose.
 double UprightSweep::bestOffsetOnCorner(const Face& face, const Line& line, double low, double high) const noexcept {
     const double rise = std::abs(face.rise);
-    // Above 0 where the height over `offset` has begun to rise, the way counted in.
+    // Positive where the height at `offset`, including the rise of the move, has begun to increase.
     const auto excess = [&](double offset) {
         const double square = line.aside * line.aside + offset * offset;
         if (square <= face.flatRadius * face.flatRadius) return -1.0;
@@ -212,7 +214,7 @@ std::optional<Span> UprightSweep::shadow(double y) const noexcept {
     // The two straight sides between the circles, where this y meets them.
     for (const double side : {-outline_, outline_}) {
         const double rise = reach_ * direction_.y;
-        if (rise == 0.0) break; // level with y, the circles say it all
+        if (rise == 0.0) break; // parallel to x: the circles cover everything
         const double part = (y - (from_.y + side * direction_.x)) / rise;
         if (part >= 0.0 && part <= 1.0) include(from_.x - side * direction_.y + part * reach_ * direction_.x);
     }

@@ -12,30 +12,31 @@
 
 namespace burin {
 
-/// What a piece with a straight side and axis +Z sweeps on its straight move between two tips, met by lines along Z:
-/// the common case, in closed form but for the corner of a bull nose.
+/// The solid swept by a piece with a straight side and axis +Z on a straight move between two tips, intersected by
+/// lines along Z: the common case, in closed form except for the corner of a bull nose.
 class UprightSweep {
 public:
     UprightSweep(const RevolvedPiece& piece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
 
     std::optional<Span> along(double x, double y) const noexcept;
-    /// Where the line enters, mm, of a solid that does not end below what the line is asked for; half the cost.
+    /// Returns where the line enters the solid, mm, for a solid that does not end below the requested part of the line;
+    /// half the cost.
     std::optional<double> bottomAlong(double x, double y) const noexcept;
     std::optional<Span> shadow(double y) const noexcept;
     Box bounds() const noexcept;
 
 private:
-    /// One end face of the piece as height over the distance from the axis; the upper one is held upside down, so that
-    /// both are convex and their least value is needed.
+    /// One end face of the piece as height over the distance from the axis; the upper one is stored upside down, so
+    /// that both are convex and their smallest value is needed.
     struct Face {
         double height = 0.0;         ///< mm, of its flat middle
         double flatRadius = 0.0;     ///< mm, of its flat middle
         double cornerRadius = 0.0;   ///< mm, of the rounding outside of it, 0 for none
         double slope = 0.0;          ///< mm/mm, of the cone outside of it, 0 for none
-        double rise = 0.0;           ///< mm over the way, of the piece as this face sees it
-        double from = 0.0, to = 0.0; ///< mm, height of the tip at both ends of the way, as this face sees it
+        double rise = 0.0;           ///< mm over the move, in this face's orientation
+        double from = 0.0, to = 0.0; ///< mm, height of the tip at the ends, in this face's orientation
     };
-    /// A line seen from the piece.
+    /// A line relative to the piece.
     struct Line {
         double squareAtFrom = 0.0, squareAtTo = 0.0;   ///< mm², of its distance from the axis at both ends
         bool insideAtFrom = false, insideAtTo = false; ///< the outline, at both ends
@@ -53,8 +54,8 @@ private:
 
     RevolvedPiece piece_;
     glm::dvec3 from_{0.0}, to_{0.0};
-    glm::dvec2 direction_{1.0, 0.0}; ///< unit, of the way in the plane
-    double reach_ = 0.0;             ///< mm, length of the way in the plane
+    glm::dvec2 direction_{1.0, 0.0}; ///< unit, of the move in the plane
+    double reach_ = 0.0;             ///< mm, length of the move in the plane
     double outline_ = 0.0;           ///< mm, largest radius
     double outlineSquare_ = 0.0;     ///< mm²
     double sineSquare_ = 0.0;        ///< of the move's slope

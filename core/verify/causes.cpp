@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// What comes of a place where the tool should not be.
+/// Kinds of findings that result from a wrong position of the tool.
 bool isOfPlace(FindingKind kind) noexcept {
     switch (kind) {
     case FindingKind::gouge:
@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    /// The first motion of a line; none: their number.
+    /// Index of the first motion of a line; the number of motions if there is none.
     std::size_t motionOf(std::uint32_t line) const {
         const auto found = std::ranges::lower_bound(program_.motions, line, {}, &NcMotion::line);
         return found != program_.motions.end() && found->line == line
@@ -97,7 +97,7 @@ private:
                    : program_.motions.size();
     }
 
-    /// The shift, or G91, under which the places of the program begin to be wrong, on several lines.
+    /// Finds the shift, or G91, under which the positions of the program begin to be wrong, on several lines.
     void nameRegion(const std::vector<Finding>& findings) {
         constexpr std::size_t several = 3;
         std::size_t first = program_.motions.size();
@@ -125,8 +125,8 @@ private:
         return startOfRun(finding, motion);
     }
 
-    /// Where the program left its path, of a motion that is off it or begins there: the first motion that ended off it,
-    /// or the shift that was set right before.
+    /// The line at which the program left its path, for a motion that is off it or begins there: that of the first
+    /// motion that ended off it, or of the shift set right before.
     std::optional<std::uint32_t> leftPathOn(std::size_t motion) const {
         if (comparison_.ends.empty()) return std::nullopt;
         const auto moved = moved_.find(program_.motions[motion].tool);
@@ -140,17 +140,17 @@ private:
         }
         return first ? std::optional(whereLeft(*first)) : std::nullopt;
     }
-    /// @param first motion that ends off its path
+    /// @param first index of a motion that ends off its path
     std::uint32_t whereLeft(std::size_t first) const {
         for (const Region& region : regions_)
             if (isIn(region, first) && noneOnPath(region.first, first)) return region.line;
         return program_.motions[first].line;
     }
-    /// Tools whose moves lie off their paths on the whole, with the first that does: what is shifted along a move is on
-    /// its path there all the same.
+    /// Finds the tools whose moves are mostly off their paths, each with the first such move: a path shifted along a
+    /// move still coincides with itself there.
     void findMoved() {
         constexpr std::size_t many = 10;
-        constexpr std::size_t share = 3; // one in so many
+        constexpr std::size_t share = 3; // one in this many
         struct Count {
             std::size_t on = 0, off = 0, first = 0;
         };
@@ -173,7 +173,7 @@ private:
                             [](PathSide side) { return side == PathSide::on; });
     }
 
-    /// Motions that follow each other have one finding of a kind: at the first.
+    /// Consecutive motions have one finding of a kind: at the first.
     std::uint32_t startOfRun(const Finding& finding, std::size_t motion) {
         Run& run = runs_[finding.kind];
         std::size_t end = motion + 1;
@@ -183,7 +183,8 @@ private:
         return run.line;
     }
 
-    /// All that is cut while nothing switches the spindle: at an M5 in the midst of a cut, else where it begins.
+    /// One cause for all that is cut until the spindle is switched: an M5 in the middle of a cut, otherwise the first
+    /// cut.
     std::uint32_t spindleCause(const Finding& finding, std::size_t motion) {
         const auto behind = std::ranges::upper_bound(switches_, motion, {}, &NcSetting::motions);
         std::uint32_t line = finding.line;
@@ -205,13 +206,13 @@ private:
     std::vector<Region> regions_;
     std::optional<Region> suspect_;
     struct Left {
-        std::size_t first = 0;  ///< motion off its path
-        std::uint32_t line = 0; ///< that caused it
+        std::size_t first = 0;  ///< index of the first motion off its path
+        std::uint32_t line = 0; ///< the line that caused it
     };
     std::map<int, Left> moved_;       ///< by T number
     std::vector<NcSetting> switches_; ///< of spindle and tool, in program order
     std::map<FindingKind, Run> runs_;
-    std::map<std::ptrdiff_t, std::uint32_t> spindle_; ///< line by how many switches stand before
+    std::map<std::ptrdiff_t, std::uint32_t> spindle_; ///< the line, by the number of switches before it
 };
 
 } // namespace

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// Findings by what causes them: one of a kind for each cause, at its line, with the worst amount and the number of
-/// lines that it stands for. README.md, "Causes".
+/// Groups findings by cause: one of each kind for each cause, at its line, with the worst amount and the number of
+/// lines that it stands for. See README.md, "Causes".
 /// @param findings in program order
 std::vector<Finding> byCause(std::vector<Finding> findings, const ParsedProgram& program,
                              const PathComparison& comparison);

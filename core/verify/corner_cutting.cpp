@@ -18,9 +18,9 @@ namespace {
 
 constexpr double sameCorner = 1e-6; // mm
 constexpr ClearanceTolerance cornerAnswers{1e-3, 0.0, 1e-6};
-constexpr double towardsPart = 0.2; // mm: a tool pushed on by so much meets a part that is there
+constexpr double towardsPart = 0.2; // mm: pushed on by this much, a tool meets a part that is there
 
-/// A corner and the parabola that cuts it: tangent to both blocks.
+/// A corner and the parabola that cuts it, tangent to both blocks.
 struct Cut {
     glm::dvec3 from{0.0}, corner{0.0}, to{0.0};
 
@@ -29,14 +29,14 @@ struct Cut {
     }
 };
 
-/// Moves that are one block to the control: chords of an arc, or lines that it merges to one (LinuxCNC's "naive cam
+/// Moves that are one block to the control: chords of an arc, or lines that it merges into one (LinuxCNC's "naive cam
 /// detector").
 struct ControlBlock {
     std::size_t first = 0, last = 0; ///< moves
     bool merged = false;
 };
 
-/// Finds the corners, one after the other, and asks the part about each.
+/// Finds the corners, one after the other, and judges each against the part.
 class CornerJudge {
 public:
     CornerJudge(const std::vector<ToolMove>& moves, std::span<const Tool> tools, const VerifyRequest& request)
@@ -75,7 +75,7 @@ private:
         return motion.pathMode == PathMode::blend && motion.kind == NcMotionKind::line &&
                motion.mergeTolerance > request_.gougeTolerance;
     }
-    /// Whether a move goes on from the one before it without a stop.
+    /// Whether a move continues from the one before it without a stop.
     bool follows(std::size_t i) const noexcept {
         const ToolMove &before = moves_[i - 1], &behind = moves_[i];
         return before.tool == behind.tool && before.startKnown && before.endKnown && behind.startKnown &&
@@ -83,8 +83,8 @@ private:
                glm::distance(before.to.tip, behind.from.tip) <= sameCorner;
     }
 
-    /// Lines of one feed are merged while each end between stays within the tolerance of the line that replaces them
-    /// (`linkable` of LinuxCNC's emccanon.cc).
+    /// Lines of the same feed are merged as long as all ends between them stay within the tolerance of the line that
+    /// replaces them (`linkable` of LinuxCNC's emccanon.cc).
     ControlBlock blockFrom(std::size_t first) const {
         constexpr std::size_t most = 100;
         ControlBlock block{first, first, false};
@@ -92,7 +92,7 @@ private:
         const NcMotion& motion = motions_[moves_[first].motion];
         const auto extends = [&](std::size_t next) {
             if (!follows(next)) return false;
-            if (moves_[next].motion == moves_[first].motion) return true; // an arc, or a rapid that bends
+            if (moves_[next].motion == moves_[first].motion) return true; // an arc, or a rapid with corners
             const NcMotion& other = motions_[moves_[next].motion];
             return merges(motion) && merges(other) && other.feed == motion.feed &&
                    other.mergeTolerance == motion.mergeTolerance && next - first < most &&
@@ -102,7 +102,7 @@ private:
         block.merged = moves_[block.last].motion != moves_[first].motion;
         return block;
     }
-    /// mm from the line that replaces a block to the farthest of the ends within.
+    /// The largest distance of the inner ends from the line that replaces a block, mm.
     double farthest(const ControlBlock& block) const {
         double most = 0.0;
         for (std::size_t i = block.first; i < block.last; ++i)
@@ -117,7 +117,7 @@ private:
                             : lengthOf(motions_[moves_[block.first].motion]);
     }
 
-    /// Of the corner between two blocks; nothing where the control goes exactly, or as good as that.
+    /// The cut of the corner between two blocks; empty where the control follows the path exactly, or nearly so.
     std::optional<Cut> cutBetween(const ControlBlock& before, const ControlBlock& behind) const {
         const NcMotion& motion = motions_[moves_[before.last].motion];
         if (motion.pathMode != PathMode::blend || !follows(behind.first)) return std::nullopt;
@@ -133,7 +133,7 @@ private:
         if (!(0.5 * half * leg > request_.gougeTolerance)) return std::nullopt;
         return Cut{pointBefore(before, leg), corner, pointBehind(behind, leg)};
     }
-    /// Where the way is so far before the end of a block, or behind its start.
+    /// The point at a distance before the end of a block, or after its start.
     glm::dvec3 pointBefore(const ControlBlock& block, double way) const {
         if (block.merged) return along(moves_[block.last].to.tip, moves_[block.first].from.tip, way);
         for (std::size_t i = block.last;; --i) {
@@ -155,7 +155,7 @@ private:
         return length > 0.0 ? glm::mix(from, to, std::min(1.0, way / length)) : to;
     }
 
-    /// The line that replaces others, and the ends that it leaves out.
+    /// Judges the line that replaces others, and the ends that it leaves out.
     void judgeMerged(const ControlBlock& block) {
         if (farthest(block) <= request_.gougeTolerance) return;
         ClearanceAsker& part = *parts_[moves_[block.first].tool];
@@ -165,7 +165,7 @@ private:
             judgeExcess(part, moves_[i].to.tip, onLine(block, moves_[i].to.tip));
     }
 
-    /// @param length mm, about, of the way that `at` describes from 0 to 1
+    /// @param length approximate length, mm, of the path that `at` describes from 0 to 1
     template <class Way>
     void judgeGouge(ClearanceAsker& part, double length, const Way& at) {
         const auto steps = static_cast<int>(std::ceil(length / request_.sampling)) + 4;
@@ -179,7 +179,7 @@ private:
             add(FindingKind::cornerGouge, deepest.meshPoint, -deepest.clearance);
     }
 
-    /// Stock stays on the side of a place that the tool no longer comes to: it matters where the part stands behind it.
+    /// Stock stays on the side of a point that the tool no longer reaches; it matters if the part is behind it.
     void judgeExcess(ClearanceAsker& part, const glm::dvec3& place, const glm::dvec3& instead) {
         const double leaves = glm::distance(place, instead);
         if (!(request_.excessTolerance > 0.0) || leaves <= request_.excessTolerance) return;

@@ -9,13 +9,13 @@
 
 namespace burin {
 
-/// The corners that a program lets its control cut (LinuxCNC's G64): each as the parabola that leaves it by the
-/// tolerance stated, or, without one, begins and ends in the middle of the blocks that meet there. Where the tool is
-/// deeper in the part on it than the tolerance for gouges, or leaves a corner at the part by more than
-/// `request.excessTolerance` of stock, the line of the G64 has a finding, with the number of such corners. What leaves
-/// the path by no more than the tolerance for gouges is not judged. Lines that lie within Q of one line (P where no Q
-/// stands) are that line.
-/// @param tools those that ToolMove::tool counts. Errors: cancelled.
+/// Judges the corners that a program lets its control cut (LinuxCNC's G64). Each is the parabola that deviates from the
+/// corner by the stated tolerance or, without one, begins and ends in the middle of the adjacent blocks. Where the tool
+/// on it enters the part deeper than the tolerance for gouges, or leaves more than `request.excessTolerance` of stock
+/// in a corner at the part, the line of the G64 gets a finding, with the number of such corners. Deviations from the
+/// path of no more than the tolerance for gouges are not judged. Lines whose ends are all within Q of one line (P if
+/// there is no Q) are judged as that line.
+/// @param tools indexed by ToolMove::tool. Errors: cancelled.
 Result<void> judgeCorners(const std::vector<ToolMove>& moves, std::span<const Tool> tools, const VerifyRequest& request,
                           Findings& findings, const Progress& progress);
 

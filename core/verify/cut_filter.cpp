@@ -15,10 +15,10 @@ namespace {
 
 constexpr double wider = 0.02;   // voxels
 constexpr float lower = 4.0F;    // run units
-constexpr double steepest = 4.0; // a steeper way counts as being at its lowest place all along
+constexpr double steepest = 4.0; // a steeper move counts as being at its lowest point everywhere
 constexpr float unitsOfVoxel = unitsPerVoxel;
 
-/// What the lanes below share.
+/// Parameters common to all lanes.
 struct Form {
     float radius, flat, corner;
     bool ball;

@@ -11,7 +11,7 @@ namespace burin {
 namespace {
 
 constexpr double gapInCells = 2.5;
-constexpr double planeInCells = 0.25; // a face's samples lie that near to the plane that is tangent a cell away
+constexpr double planeInCells = 0.25; // the samples of a face are this close to the tangent plane a cell away
 
 std::int64_t cellNumber(double place, double cell) noexcept {
     return static_cast<std::int64_t>(std::floor(place / cell));
@@ -52,7 +52,7 @@ DeviationMap::DeviationMap(const std::vector<DeviationSample>& samples, double c
     }
 }
 
-/// 21 bits of each number: cells that lie two million cells apart share a name, which costs a look and no error.
+/// 21 bits of each number: cells two million cells apart share a key, which costs time but causes no error.
 DeviationMap::Cell DeviationMap::cellOf(std::int64_t i, std::int64_t j, std::int64_t k) const noexcept {
     constexpr std::uint64_t mask = (std::uint64_t{1} << 21) - 1;
     return (static_cast<std::uint64_t>(i) & mask) << 42 | (static_cast<std::uint64_t>(j) & mask) << 21 |
@@ -86,7 +86,7 @@ std::optional<std::size_t> DeviationMap::nearest(const glm::dvec3& place, double
 
 std::optional<DeviationSample> DeviationMap::at(const glm::dvec3& place, const glm::dvec3& normal) const {
     if (auto mean = meanAt(place, normal)) return mean;
-    // Between the samples of small triangles there may be gaps.
+    // There may be gaps between the samples of small triangles.
     const double reach = gapInCells * cell_;
     std::optional<DeviationSample> found;
     double least = reach * reach;
@@ -104,7 +104,7 @@ std::optional<DeviationSample> DeviationMap::meanAt(const glm::dvec3& place, con
     struct Sum {
         double weight = 0.0, excess = 0.0;
     };
-    std::array<Sum, 2> sums; // out of reach, within
+    std::array<Sum, 2> sums; // unreachable, reachable
     double gouge = 0.0;
     const double thickness = planeInCells * cell_;
     forEachNear(place, cell_, [&](std::uint32_t number) {

@@ -20,8 +20,8 @@ constexpr std::array<DeviationColour, 7> excessColours{{{209, 229, 240},
                                                         {42, 114, 181},
                                                         {23, 74, 140},
                                                         {52, 48, 124},
-                                                        {74, 34, 104}}}; // the last two are not of RdBu
-constexpr double leastTolerance = 1e-3; // mm: a tolerance of nothing would leave no room for its bands
+                                                        {74, 34, 104}}}; // the last two are not from RdBu
+constexpr double leastTolerance = 1e-3; // mm: a tolerance of zero would leave no room for its bands
 
 } // namespace
 

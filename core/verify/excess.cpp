@@ -13,16 +13,16 @@ namespace burin {
 
 namespace {
 
-constexpr double reachableDepth = 0.01; // mm: what the mesh's chord may cost
+constexpr double reachableDepth = 0.01; // mm: allows for the chord of the mesh
 
-/// A place with stock over it that faces a cutter from above: one of the tools may reach it.
+/// A point with stock over it that faces a cutter from above: one of the tools may reach it.
 struct Covered {
     std::size_t sample = 0;
     glm::dvec3 normal{0.0};
 };
 
-/// Tip of the cutter when it touches the part at a place with this normal: with the point of the flutes that lies
-/// farthest against the normal. A hollow cutter may touch with others; what it reaches with those is not counted.
+/// The tip of the cutter when it touches the part at a point with this normal: with the point of the flutes that lies
+/// farthest against the normal. A hollow cutter may touch with other points; what it reaches with those is not counted.
 glm::dvec3 touchingTip(std::span<const PieceProfile> flutes, const glm::dvec3& place, const glm::dvec3& normal) {
     const glm::dvec2 flat(normal);
     const double cosine = glm::length(flat);
@@ -39,10 +39,10 @@ glm::dvec3 touchingTip(std::span<const PieceProfile> flutes, const glm::dvec3& p
     return {glm::dvec2(place) + touching.radius * outward, place.z - touching.height};
 }
 
-/// A tool, ready to be asked what it can touch.
+/// A tool, prepared for queries of what it can touch.
 struct TouchingTool {
     explicit TouchingTool(const Tool& tool) : stack(pieces(tool.cutter)) {
-        std::reverse(stack.begin(), stack.end()); // a wide holder is told quickest that it has no room
+        std::reverse(stack.begin(), stack.end()); // a wide holder is the quickest to find that there is no room
         for (const RevolvedPiece& piece : flutePieces(tool.cutter)) flutes.emplace_back(piece);
     }
 
@@ -54,27 +54,27 @@ bool facesACutter(const glm::dvec3& normal) noexcept {
     return normal.z >= -1e-6;
 }
 
-/// Places that are worked on together, from stock to reach, while other cores have others: few enough to stay near the
-/// core, and enough that their tips lie close together in large groups.
+/// Number of points that are processed together, from stock to reach, while other cores process others: few enough to
+/// stay in the cache of the core, and enough that their tips lie close together in large groups.
 std::size_t batchLength(std::size_t places) noexcept {
     return std::clamp<std::size_t>(places / 16, 8192, 65536);
 }
 
-/// Stock over places `first` … `end` - 1, bare ones judged. @return the others that a tool may reach
+/// Measures the stock over points `first` … `end` - 1, and judges bare ones. @return the others that a tool may reach
 std::vector<Covered> measureStock(const LeftOver& left, const SurfacePlaces& places, std::size_t first, std::size_t end,
                                   std::span<DeviationSample> samples) {
     std::vector<Covered> covered;
     places.forEach(first, end, [&](std::size_t i, const glm::dvec3& place, const glm::dvec3& normal) {
         const double excess = left.along(place, normal, longestExcess);
         const bool faces = facesACutter(normal);
-        // What is bare and faces a cutter from above needs no proof that one gets there.
+        // A bare point that faces a cutter from above needs no proof that a cutter gets there.
         samples[i] = {place, excess, 0.0, faces && excess == 0.0};
         if (faces && excess > 0.0) covered.push_back({i, normal});
     });
     return covered;
 }
 
-/// Marks what a tool reaches of the places; keeps the rest.
+/// Marks the points that a tool reaches; keeps the others in `covered`.
 void markReached(const VerifyRequest& request, const TouchingTool& tool, double lowest, std::vector<Covered>& covered,
                  std::span<DeviationSample> samples, const Progress& progress) {
     std::vector<glm::dvec3> tips;

@@ -8,15 +8,15 @@
 
 namespace burin {
 
-/// mm: longer ways through stock are not followed, as it was simply never touched there. Such an excess means "at
-/// least".
+/// mm: the search for the end of the stock stops here, because such stock was never touched. An excess of this value
+/// means "at least".
 inline constexpr double longestExcess = 20.0;
 
-/// How much stock a workpiece leaves over the part, at places spread over the part's surface about a voxel apart: the
-/// length along the outward normal until the stock ends, at most `longestExcess`. Reachable are places that face
-/// upwards or sideways and are bare, or that the cutter can touch from above (tip not below the part's lowest point)
-/// without entering the part elsewhere.
-/// @param tools that the program uses: reachable is what one of them can touch
+/// Measures how much stock a workpiece leaves over the part, at points about a voxel apart over the surface of the
+/// part: the distance along the outward normal to the end of the stock, at most `longestExcess`. A point is reachable
+/// if it faces upwards or sideways and is bare, or if the cutter can touch it from above (tip not below the part's
+/// lowest point) without entering the part elsewhere.
+/// @param tools the tools of the program: a point is reachable if one of them can touch it
 /// Errors: cancelled.
 Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,
                                                    std::span<const Tool> tools, Progress& progress);

@@ -13,7 +13,7 @@ namespace burin {
 /// What the user can do about a finding: the end of a sentence, marked for translation.
 TextId remedyOf(FindingKind kind);
 
-/// Of two findings of one kind the one to be shown.
+/// Whether `one` is worse than `other`, of the same kind, and is the one to show.
 bool isWorse(const Finding& one, const Finding& other) noexcept;
 
 /// Collects findings; of each kind and program line only the worst is kept.

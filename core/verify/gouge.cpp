@@ -10,7 +10,8 @@ namespace burin {
 
 namespace {
 
-/// Where the exact judgement has to measure, and what its answer means: gouge = offset − signed distance.
+/// The point at which the exact judgement has to measure, and how to interpret its result: gouge = offset − signed
+/// distance.
 struct ExactQuestion {
     glm::dvec3 point{0.0};
     double offset = 0.0;
@@ -25,12 +26,12 @@ ExactQuestion questionFor(const GougeSample& sample, const Cutter& cutter) {
     return {sample.clearance.meshPoint + sample.clearance.away * sample.clearance.clearance, 0.0};
 }
 
-/// How many samples are to be judged on the B-rep.
+/// Number of samples to be judged on the B-rep.
 std::size_t exactCount(const VerifyRequest& request) {
     return request.protectedBodies().brep.empty() ? 0 : request.exactSamples;
 }
 
-/// The worst samples on the B-rep; they stand first in `samples` afterwards.
+/// Judges the worst samples on the B-rep and moves them to the front of `samples`.
 /// @return their depths, mm
 Result<std::vector<double>> exactDepths(std::vector<GougeSample>& samples, const std::vector<ToolMove>& moves,
                                         std::span<const Tool> tools, const VerifyRequest& request, Progress& progress) {
@@ -61,7 +62,7 @@ Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span
     const MoveSamples places(moves, request.sampling);
     GougeJudgement judgement;
     judgement.samples = places.count();
-    // One more than on the B-rep: the deepest of those that are left to the mesh.
+    // One more than on the B-rep: the deepest of those judged on the mesh only.
     NearSamples near = nearSamples(moves, places, tools, outlines, request, exactCount(request) + 1, progress);
     judgement.finishSamples = near.finishSamples;
     judgement.onPart = near.onPart;

@@ -10,31 +10,32 @@
 
 namespace burin {
 
-/// A place of the part that the tool goes into.
+/// A point of the part that the tool enters.
 struct GougePlace {
     glm::dvec3 place{0.0}; ///< on the part, mm, setup frame
     double depth = 0.0;    ///< mm, > 0
 };
 
-/// How near the tool comes to the part along its moves.
+/// The clearance of the tool from the part along its moves.
 struct GougeJudgement {
     double maximumMesh = 0.0; ///< mm, >= 0, on the mesh
-    double maximum = 0.0;     ///< mm, >= 0, exact where the sample was judged exactly
-    std::size_t samples = 0;  ///< places along the moves: looked at, or too far away by the way from one that was
+    double maximum = 0.0;     ///< mm, >= 0, exact where the sample was judged on the B-rep
+    /// number of samples along the moves: examined, or ruled out by the clearance at an examined one
+    std::size_t samples = 0;
     std::size_t exactSamples = 0;
-    std::size_t finishSamples = 0;  ///< of them those at the tool's highest feed over the part's shrunk outline
-    std::size_t onPart = 0;         ///< of those, how many have the flutes within `onPartDistance` of the part
-    std::vector<GougePlace> places; ///< of every sample deeper in the part than the tolerance
+    std::size_t finishSamples = 0;  ///< samples at the tool's highest feed over the part's shrunk outline
+    std::size_t onPart = 0;         ///< of these, those with the flutes within `onPartDistance` of the part
+    std::vector<GougePlace> places; ///< one for every sample deeper in the part than the tolerance
 };
 
-/// A cutter this near to the part is said to lie on it, mm.
+/// A cutter this close to the part counts as touching it, mm.
 inline constexpr double onPartDistance = 0.1;
 
-/// Samples every move, rapids too, at `request.sampling`; on the mesh first, then the worst of them on the B-rep.
-/// Samples that the clearance of one before rules out (it changes by no more than the way) are not looked at: they are
-/// farther away than `onPartDistance`.
-/// @param tools    those that ToolMove::tool counts
-/// @param outlines by tool: the part's, shrunk by the tool's radius
+/// Samples every move, rapids too, at `request.sampling`: all on the mesh, then the worst of them on the B-rep. Samples
+/// that the clearance at an earlier one rules out (the clearance changes by no more than the tool moves) are not
+/// examined: they are farther from the part than `onPartDistance`.
+/// @param tools    indexed by ToolMove::tool
+/// @param outlines by tool: the outline of the part, shrunk by the radius of the tool
 /// Errors: those of exactSignedDistances, cancelled.
 Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                                    std::span<const ShrunkOutline> outlines, const VerifyRequest& request,

@@ -16,22 +16,22 @@ namespace {
 
 constexpr std::size_t samplesPerBatch = 256; // samples
 constexpr std::size_t longestStretch = 16;   // samples
-constexpr double straight = 5e-4;            // mm: samples of an interval lie no farther from its chord
-/// A gouge is told exactly, what is clear to 1e-4 mm: more than that is neither reported nor ranked.
+constexpr double straight = 5e-4;            // mm: samples of an interval are no farther from its chord
+/// Gouges are reported exactly, positive clearances to 1e-4 mm: those are neither reported nor ranked more finely.
 constexpr ClearanceTolerance answers{1e-4, 0.0, 1e-8};
-constexpr double leastSearch = 0.5, greatestSearch = 8.0; // mm: farther from the part nobody asks how far
+constexpr double leastSearch = 0.5, greatestSearch = 8.0; // mm: beyond this distance from the part it is not measured
 
 struct Place {
     std::uint32_t move = 0;
     glm::dvec3 tip{0.0};
 };
 
-/// Samples that lie on one chord, of one tool.
+/// Samples on one chord, made with one tool.
 struct Stretch {
-    std::size_t first = 0, end = 0; ///< of its batch
-    double beside = 0.0;            ///< mm: none lies farther from the chord
-    double reach = 0.0;             ///< mm: none lies farther from the middle one
-    ToolClearance clearance;        ///< of the middle one, as far as it is near
+    std::size_t first = 0, end = 0; ///< index in the batch
+    double beside = 0.0;            ///< mm: largest distance from the chord
+    double reach = 0.0;             ///< mm: largest distance from the middle sample
+    ToolClearance clearance;        ///< of the middle sample, if it is near
 
     std::size_t middle() const noexcept { return first + (end - first) / 2; }
 };
@@ -51,7 +51,7 @@ double besideChord(const glm::dvec3& point, const glm::dvec3& from, const glm::d
     return glm::length(point - from - share * way);
 }
 
-/// The most samples from `first` on that lie on one chord.
+/// The longest sequence of samples from `first` on that lie on one chord.
 Stretch stretchFrom(std::size_t first, const std::vector<Place>& places, const std::vector<ToolMove>& moves) {
     Stretch stretch{first, first + 1, 0.0, 0.0, {}};
     const std::size_t most = std::min(first + longestStretch, places.size());
@@ -70,7 +70,7 @@ Stretch stretchFrom(std::size_t first, const std::vector<Place>& places, const s
     return stretch;
 }
 
-/// A tool, one pose after the other; starts anew with another tool.
+/// Queries the clearance of a tool, pose after pose; starts anew with another tool.
 class Asking {
 public:
     Asking(const MeshDistance& part, std::span<const std::vector<RevolvedPiece>> stacks)
@@ -82,7 +82,7 @@ public:
         tool_ = tool;
         spare_ = -1.0;
     }
-    /// From the tips asked so far it is certain that no tip within `reach` of this one is near the part.
+    /// Whether the tips queried so far make certain that no tip within `reach` of this one is near the part.
     bool isFar(const glm::dvec3& tip, double reach) const noexcept {
         return glm::length(tip - last_) + reach <= spare_;
     }
@@ -104,10 +104,10 @@ private:
     std::optional<ClearanceAsker> asker_;
     std::uint16_t tool_ = 0;
     glm::dvec3 last_{0.0};
-    double spare_ = -1.0, within_ = leastSearch; // mm: from `last_`, how far nothing can come near; how far was asked
+    double spare_ = -1.0, within_ = leastSearch; // mm: radius around `last_` without anything near; search distance
 };
 
-/// Looks at one batch after another.
+/// Samples one batch after the other.
 class Sampler {
 public:
     Sampler(const std::vector<ToolMove>& moves, std::span<const Tool> tools, std::span<const ShrunkOutline> outlines,
@@ -121,7 +121,7 @@ public:
             if (!move.rapid) cuttingFeed_[move.tool] = std::max(cuttingFeed_[move.tool], move.feed);
     }
 
-    /// The intervals that come near, by their middles.
+    /// Finds the intervals that come near the part, by their middles.
     Batch begin(const MoveSamples& samples, std::size_t first, std::size_t end) const {
         Batch batch;
         batch.places.reserve(end - first);
@@ -143,7 +143,7 @@ public:
         return batch;
     }
 
-    /// All of the batch's samples below `limit`, mm of clearance, and those that lie on the part.
+    /// Finds all samples of the batch with a clearance below `limit`, mm, and those that touch the part.
     void finish(Batch& batch, double limit) const {
         Asking asking(part_, stacks_);
         for (const Stretch& stretch : batch.near) {
@@ -157,7 +157,7 @@ public:
     }
 
 private:
-    /// An interval is asked whole, then by halves, then sample by sample.
+    /// Examines an interval as a whole, then by halves, then sample by sample.
     void divide(Batch& batch, const Stretch& stretch, std::size_t first, std::size_t end, double limit,
                 Asking& asking) const {
         const glm::dvec3 &from = batch.places[first].tip, &to = batch.places[end - 1].tip;
@@ -175,7 +175,8 @@ private:
     void judgeEach(Batch& batch, std::size_t first, std::size_t end, Asking& asking) const {
         for (std::size_t i = first; i < end; ++i) judge(batch, batch.places[i], asking);
     }
-    /// What keeps clear of the part still lies on it, where it is near a point that the middle of its interval met.
+    /// Samples that stay clear of the part may still touch it, if they are near a point met by the middle of their
+    /// interval.
     void countOnPart(Batch& batch, const Stretch& stretch, std::size_t first, std::size_t end, Asking& asking) const {
         for (std::size_t i = first; i < end; ++i) {
             const Place& place = batch.places[i];
@@ -220,8 +221,8 @@ private:
     std::vector<double> cuttingFeed_;
 };
 
-/// Clearance of the worst of the middles, mm: what keeps farther from the part is neither deeper than the tolerance nor
-/// among so many of the deepest.
+/// Clearance of the worst of the middles, mm: samples farther from the part are neither deeper than the tolerance nor
+/// among the requested number of deepest ones.
 double limitOf(const std::vector<Batch>& batches, std::size_t worst, double tolerance) {
     std::vector<double> clearances;
     for (const Batch& batch : batches)

@@ -15,9 +15,9 @@ namespace burin {
 namespace {
 
 constexpr double start = 0.125; // voxels
-constexpr double nudge = 1e-6;  // voxels: over a border
+constexpr double nudge = 1e-6;  // voxels: across a border
 
-/// Where a ray leaves a slab, in the ray's own measure.
+/// The parameter at which a ray leaves a slab.
 double leaves(double from, double slope, double low, double high) noexcept {
     if (slope > 0.0) return (high - from) / slope;
     if (slope < 0.0) return (low - from) / slope;
@@ -40,7 +40,7 @@ LeftOver::LeftOver(const RunVolume& workpiece)
     });
 }
 
-/// Of the topmost stock of each line.
+/// Uses the topmost stock of each line.
 LeftOver::Common LeftOver::commonOf(LineIndex corner) const {
     const PropertyList& properties = workpiece_.properties();
     Common common{0, static_cast<std::int32_t>(grid_.lineEnd())};
@@ -62,7 +62,7 @@ LeftOver::Common LeftOver::commonOf(LineIndex corner) const {
 }
 
 double LeftOver::along(const glm::dvec3& place, const glm::dvec3& direction, double longest) const noexcept {
-    // Voxels of the line frame; heights in run units.
+    // Lengths in voxels of the line frame; heights in run units.
     const glm::dvec3 from = inLineFrame(grid_, (place - grid_.low()) / grid_.edge());
     const glm::dvec3 slope = inLineFrame(grid_, direction);
     const glm::dvec3 end(grid_.lineCountU(), grid_.lineCountV(), grid_.voxelsPerLine());

@@ -9,19 +9,20 @@
 
 namespace burin {
 
-/// Measures how thick stock lies along a direction: exactly to where its runs end, scanline by scanline; where all
-/// scanlines of a brick hold stock, a brick at a time. Any number of threads may ask.
+/// Measures the thickness of the stock along a direction: exactly to where its runs end, scanline by scanline, or a
+/// brick at a time where all scanlines of the brick hold stock. Thread-safe.
 class LeftOver {
 public:
-    /// Looks at every brick (parallel). Keeps a reference to the workpiece, which must not change.
+    /// Examines every brick, in parallel. Keeps a reference to the workpiece, which must not change.
     explicit LeftOver(const RunVolume& workpiece);
 
-    /// mm from a place along a unit direction to where the stock ends: air, or the grid's border. What is protected is
-    /// passed and does not count. Starts an eighth of a voxel out; ends after `longest` mm. 0: bare.
+    /// Thickness from a point along a unit direction to the end of the stock (air or the border of the grid), mm.
+    /// Protected material is passed and not counted. Starts an eighth of a voxel out and ends after `longest` mm. 0 if
+    /// the point is bare.
     double along(const glm::dvec3& place, const glm::dvec3& direction, double longest) const noexcept;
 
 private:
-    /// Run units of a brick's 64 lines that all hold stock.
+    /// Interval, in run units, in which all 64 lines of a brick hold stock.
     struct Common {
         std::int32_t from = 0, to = 0;
     };
@@ -30,7 +31,7 @@ private:
     const RunVolume& workpiece_;
     const Grid& grid_;
     std::int32_t bricksU_ = 0;
-    std::vector<Common> common_; ///< by v, then u
+    std::vector<Common> common_; ///< by v, then by u
 };
 
 } // namespace burin

@@ -10,7 +10,8 @@ namespace burin {
 Result<void> judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const MachineProfile& machine,
                          const Box& travel, Findings& findings) {
     const std::unique_ptr<const Kinematics> kinematics = kinematicsOf(machine, glm::dvec3(0.0));
-    AxisTravel axes(machine, travel); // where nobody said how the setup stands, only the way itself can be too long
+    // if the position of the setup is not known, only the length of the motion can be too large
+    AxisTravel axes(machine, travel);
     for (const ToolMove& move : moves) {
         if (!move.rapid && !move.startKnown) findings.add(FindingKind::unknownStart, move.line, move.to.tip, 0.0);
         if (!move.rapid && move.feed > machine.maximumFeed)

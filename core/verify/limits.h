@@ -7,9 +7,11 @@
 
 namespace burin {
 
-/// Travel, feeds and spindle speed of a program against the machine; feed moves from nowhere.
-/// @param travel ends of X, Y and Z, mm, counted from the setup frame's origin; empty: only their length is judged
-/// Errors: programLimit (a pose that the machine can't hold the tool at).
+/// Judges travel, feeds and spindle speed of a program against the machine, and reports feed moves from an unknown
+/// start.
+/// @param travel limits of X, Y and Z, mm, relative to the origin of the setup frame; empty: only the length of the
+/// travel is judged
+/// Errors: programLimit (a pose in which the machine cannot hold the tool).
 Result<void> judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const MachineProfile& machine,
                          const Box& travel, Findings& findings);
 

@@ -14,13 +14,13 @@ namespace burin {
 namespace {
 
 constexpr double windowPerRadius = 0.25, windowVoxels = 3.0;
-constexpr double straightEnough = 0.7; // cosine of the bend that a window spans
+constexpr double straightEnough = 0.7; // cosine of the bend that a window may span
 
-/// Where a move lies on the path: lengths add up, and an interval is a part without rapids and sharp bends.
+/// Position of a move on the path: lengths add up, and an interval is a part without rapids and sharp bends.
 struct PathPosition {
     double start = 0.0, length = 0.0; ///< mm
     std::size_t interval = 0;
-    double before = 0.0; ///< mm, of the same motion
+    double before = 0.0; ///< mm, of the same motion, before this move
 };
 
 class PathLengths {
@@ -40,7 +40,7 @@ public:
     }
     const PathPosition& operator[](std::size_t move) const { return of_[move]; }
     double ofMotion(std::size_t motion) const { return motions_[motion]; }
-    /// mm of the path within a distance of a position, in its interval.
+    /// Length of the path within a distance of a position, in its interval, mm.
     double around(double position, std::size_t interval, double half) const {
         const auto& [begin, end] = intervals_[interval];
         return std::min(end, position + half) - std::max(begin, position - half);
@@ -58,14 +58,14 @@ private:
     std::vector<std::pair<double, double>> intervals_; ///< mm, begin and end
 };
 
-/// What a move can meet at most: the flutes as they are seen along it, up to a height.
+/// Upper limit of what a move can meet: the projection of the flutes along it, up to a height.
 class Silhouette {
 public:
     explicit Silhouette(const Cutter& cutter) : radius_(cutter.radius()), height_(cutter.fluteLength) {
         for (std::size_t i = 0; i < upTo_.size(); ++i)
             upTo_[i] = slotArea(cutter, height_ * static_cast<double>(i) / last);
     }
-    /// mm²; no less than it is. @param way any length. @param top mm above the tip
+    /// Area, mm²; never too small. @param way of any length @param top mm above the tip
     double along(const glm::dvec3& way, double top) const noexcept {
         const double length = glm::length(way);
         const double down = length > 0.0 ? std::abs(way.z) / length : 1.0, level = std::sqrt(1.0 - down * down);
@@ -74,12 +74,12 @@ public:
     }
 
 private:
-    static constexpr double last = 256.0; ///< place in upTo_
+    static constexpr double last = 256.0; ///< last index in upTo_
     double radius_, height_;              ///< mm
     std::array<double, 257> upTo_;        ///< mm², seen from the side, by height
 };
 
-/// Sums over a part of the path, of one material.
+/// Sums of one material over a part of the path.
 struct MetMaterial {
     PropertyIndex material = airProperty;
     double volume = 0.0, surface = 0.0; ///< mm³; mm² times mm
@@ -93,13 +93,13 @@ struct MetMaterial {
 
 /// Means over a part of the path.
 struct Engaged {
-    double length = 0.0;    ///< mm of path that this is summed over
-    double most = 0.0;      ///< mm² that the tool can meet along it
+    double length = 0.0;    ///< length of path that this is summed over, mm
+    double most = 0.0;      ///< largest area that the tool can meet along it, mm²
     double volume = 0.0;    ///< mm³
     glm::dvec3 moment{0.0}; ///< mm³ times mm
     std::vector<MetMaterial> materials;
 
-    /// @param share of the step. @param way mm that it is of the path
+    /// @param share fraction of the step @param way its length of path, mm
     void add(const StepCut& cut, double share, double way) {
         volume += share * cut.volume;
         moment += share * cut.volume * glm::dvec3(cut.place);
@@ -111,7 +111,7 @@ struct Engaged {
         met.normalChip += way * glm::dvec3(cut.normalChip);
         met.normalEdge += way * glm::dvec3(cut.normalEdge);
     }
-    /// On a path shorter than a voxel, whole columns of voxels would count more than the tool is large.
+    /// On a path shorter than a voxel, whole columns of voxels would count for more than the size of the tool.
     void keepWithinTool() {
         if (!(volume > most * length)) return;
         const double share = most * length / volume;
@@ -128,7 +128,7 @@ private:
     }
 };
 
-/// What a tool does in a motion.
+/// The rotation and speed of a tool in a motion.
 struct Turning {
     double speed = 0.0;  ///< mm/s of the tip
     double turns = 0.0;  ///< 1/s
@@ -148,7 +148,7 @@ Turning turningOf(const NcMotion& motion, const Tool& tool, const MotionTime& ti
     return turning;
 }
 
-/// Adds what one material asks for.
+/// Adds the load of one material.
 void addLoad(const MetMaterial& met, double length, const Turning& turning, const CuttingCoefficients::Entry& material,
              CutLoad& load) {
     const double edgeSpeed = 2.0 * pi * turning.radius * turning.turns, teeth = turning.turns * turning.teeth; // 1/s
@@ -157,7 +157,7 @@ void addLoad(const MetMaterial& met, double length, const Turning& turning, cons
     const double removalRate = met.volume / length * turning.speed;
     const double perChip = newtonMillimetresPerJoule * material.energyAt(removalRate / (teeth * surface)); // N/mm²
     const double ofChip = perChip * removalRate / edgeSpeed;
-    const double edge = turning.teeth * surface / (2.0 * pi * turning.radius); // mm, engaged in the mean
+    const double edge = turning.teeth * surface / (2.0 * pi * turning.radius); // mm, engaged on average
     load.force += ofChip + material.edgeForce * edge;
     load.radial += material.radialRatio * ofChip + material.radialEdgeForce * edge;
     const double chip = perChip * load.feedPerTooth, sense = turning.clockwise ? 1.0 : -1.0;
@@ -166,7 +166,7 @@ void addLoad(const MetMaterial& met, double length, const Turning& turning, cons
     load.vector += -turning.teeth / (2.0 * pi) / length * sum;
 }
 
-/// @param top, bottom mm above the tip, of what was met
+/// @param top, bottom mm above the tip, of the material met
 CutLoad loadOf(const Engaged& engaged, float bottom, float top, const Turning& turning,
                const CuttingCoefficients& coefficients) {
     CutLoad load;
@@ -196,7 +196,7 @@ bool isLess(const CutLoad& a, const CutLoad& b) {
     return a.force != b.force ? a.force < b.force : a.removalRate < b.removalRate;
 }
 
-/// Goes through the steps with the part of the path about each.
+/// Iterates over the steps, each with the part of the path around it.
 class LoadRecorder {
 public:
     LoadRecorder(const ReplayedProgram& replayed, const PropertyList& properties)
@@ -221,7 +221,7 @@ public:
     }
 
 private:
-    /// What the motions removed, over all the straight moves that they were made of.
+    /// Sums what the motions removed over all the straight moves that they consist of.
     void startMotions() {
         byMotion_.resize(replayed_.program->motions.size());
         for (std::size_t i = 0; i < replayed_.moves->size(); ++i) {
@@ -255,7 +255,7 @@ private:
         return std::max(windowPerRadius * radius, windowVoxels * replayed_.voxel);
     }
 
-    /// The path about a step, in its interval; steps at the ends with the share that lies within.
+    /// Sums over the path around a step, in its interval; steps at the ends count with the fraction that lies within.
     Engaged around(std::size_t i) const {
         const std::vector<StepCut>& steps = *replayed_.steps;
         const StepCut& here = steps[i];
@@ -264,7 +264,7 @@ private:
         const double half = 0.5 * std::max(windowOf(here), lengthOf(here));
         Engaged engaged;
         engaged.length = lengths_.around(middle, interval, half);
-        // false: it lies outside, as all beyond it
+        // False if it lies outside, as do all beyond it
         const auto add = [&](const StepCut& cut) {
             if (lengths_[cut.move].interval != interval) return false;
             const double begins = startOf(cut), length = lengthOf(cut);
@@ -284,7 +284,7 @@ private:
         return engaged;
     }
 
-    /// @param i, end the step's records, of a material each
+    /// @param i, end range of the step's records, one per material
     void tell(std::size_t i, std::size_t end, const LoadVisitor& visit) {
         StepCut here = (*replayed_.steps)[i];
         for (std::size_t other = i + 1; other < end; ++other) here.add((*replayed_.steps)[other]);

@@ -16,12 +16,12 @@ constexpr double nearbyAtLeast = 10.0; // mm
 constexpr std::size_t mostOfAKind = 20;
 constexpr double rounding = 1e-5; // of a limit that is just reached
 
-/// A limit of 0 is none.
+/// A limit of 0 means none.
 bool isWithin(double amount, double limit) {
     return !(limit > 0.0) || !(amount > limit * (1.0 + rounding));
 }
 
-/// mm: the thickest chip of a turn, which a narrow cut has where it is left or entered (chip thinning).
+/// The thickest chip of a turn, mm: a narrow cut has it where a tooth enters or leaves (chip thinning).
 double thickestChip(const CutLoad& load, double diameter) {
     const double share = std::clamp(load.width / diameter, 0.0, 1.0);
     return share < 0.5 ? load.feedPerTooth * 2.0 * std::sqrt(share * (1.0 - share)) : load.feedPerTooth;
@@ -53,7 +53,7 @@ double bearableDepth(const Tool& tool, const CuttingConditions& conditions, cons
     const auto isBorne = [&](double depth) {
         const double slot = slotArea(tool.cutter, depth);
         const double ofChip = newtonMillimetresPerJoule * material.energyAt(chip) * share * slot * speed / edgeSpeed;
-        const double edge = teeth * 0.5 * angle * slot / (2.0 * pi * radius); // mm, engaged in the mean
+        const double edge = teeth * 0.5 * angle * slot / (2.0 * pi * radius); // mm, engaged on average
         const double force = ofChip + material.edgeForce * edge;
         const double side = std::hypot(force, material.radialRatio * ofChip + material.radialEdgeForce * edge);
         const double power = force * edgeSpeed / newtonMillimetresPerJoule;
@@ -61,7 +61,7 @@ double bearableDepth(const Tool& tool, const CuttingConditions& conditions, cons
         if (tool.strength > 0.0 && beam.stressUnder(side, 0.5 * depth) > tool.strength / breakingReserve) return false;
         return beam.bendingUnder(side, 0.5 * depth) <= cut.bending;
     };
-    // Deep cuts attack nearer to the holder: what a depth asks for need not grow with it all the way.
+    // Deep cuts act closer to the holder: the load need not increase with depth throughout.
     constexpr int steps = 256;
     const double flutes = tool.cutter.fluteLength;
     int within = 0;
@@ -107,7 +107,7 @@ bool LoadJudge::areWithin(const std::array<Asked, 4>& asked) {
     return std::ranges::all_of(asked, [](const Asked& one) { return isWithin(one.amount, one.limit); });
 }
 
-/// All that comes down with the feed does so all the way, so that halving finds where it is borne.
+/// These loads decrease monotonically with the feed, so that bisection finds the greatest allowed feed.
 void LoadJudge::limitFeed(const ToldLoad& told) {
     double borne = 0.0, tooFast = told.feed;
     for (int i = 0; i < 30; ++i) {
@@ -137,7 +137,7 @@ std::vector<FeedLimit> LoadJudge::feedLimits() const {
     return limits;
 }
 
-/// The worst first, each with those of its kind near by.
+/// Groups the findings of a kind that are near each other; the worst first.
 std::vector<LoadJudge::Excess> LoadJudge::gathered(std::vector<Excess> all) {
     std::ranges::stable_sort(all, std::greater{}, &Excess::share);
     std::vector<Excess> places;

@@ -14,25 +14,26 @@
 
 namespace burin {
 
-/// Judges what a program asks of spindle and tools, step by step: power and torque against the machine, bending stress,
-/// chip, depth and width against the tool's limits, bending against a tolerance. Limits that are not stated are not
-/// judged. One thread.
+/// Judges the loads of a program on spindle and tools, step by step: power and torque against the machine; bending
+/// stress, chip, depth and width against the limits of the tool; bending against a tolerance. Limits that are not
+/// stated are not judged. Not thread-safe.
 class LoadJudge {
 public:
-    /// All outlive the judge. @param bending mm that a tool may deflect by
+    /// Keeps references; all must outlive the judge. @param bending allowed deflection of a tool, mm
     LoadJudge(const MachineProfile& machine, std::span<const Tool> tools, double bending);
 
     void look(const ToldLoad& told);
-    /// Beyond a stated limit: a finding. Beyond an estimated one, or bending: a warning. One of a kind within a
-    /// tool's diameter (10 mm of a smaller one), with its worst line; `Finding::count` tells how many lines it
-    /// stands for; at most 20 of a kind, the worst first, the last of which counts those left out.
+    /// Reports what exceeds a stated limit as a finding, and what exceeds an estimated limit, or the bending tolerance,
+    /// as a warning. One of each kind is reported within a tool's diameter (within 10 mm for smaller tools), with its
+    /// worst line; `Finding::count` is the number of lines that it stands for. At most 20 of a kind, the worst first;
+    /// the last one counts those left out.
     void conclude(Findings& findings, std::vector<Finding>& warnings) const;
-    /// Of the motions that ask for more than is stated or estimated, in program order: the greatest feed at which each
-    /// asks for no more power, torque, bending stress and chip than that.
+    /// For the motions that exceed a stated or estimated limit, in program order: the greatest feed at which power,
+    /// torque, bending stress and chip are all within their limits.
     std::vector<FeedLimit> feedLimits() const;
 
 private:
-    /// What comes down with the feed, beside its limit; a limit of 0 is none.
+    /// A load that decreases with the feed, with its limit; a limit of 0 means none.
     struct Asked {
         FindingKind kind = FindingKind::spindlePower;
         double amount = 0.0, limit = 0.0;
@@ -58,23 +59,23 @@ private:
     std::map<std::uint32_t, double> feeds_;                         ///< mm/min, by motion
 };
 
-/// The tangential force that tool and spindle bear at most, and which of their limits that is.
+/// The greatest tangential force that tool and spindle can bear, and the limit that determines it.
 struct ForceLimit {
     double force = 0.0;                           ///< N; 0: nothing is stated
     FindingKind kind = FindingKind::toolBreakage; ///< or spindlePower, spindleTorque
 };
-/// The tool as if all of the force attacked its tip. @param spindleSpeed 1/min, > 0
+/// Computed as if the whole force acted on the tip. @param spindleSpeed 1/min, > 0
 ForceLimit forceLimit(const Tool& tool, const MachineProfile& machine, double spindleSpeed);
 
-/// A cut of which the depth is looked for.
+/// A cut whose depth is to be determined.
 struct BearableCut {
-    double width = 0.0;   ///< mm, across the move; the tool's diameter at most
-    double bending = 0.0; ///< mm that the tool may deflect by, > 0
+    double width = 0.0;   ///< mm, across the move; at most the diameter of the tool
+    double bending = 0.0; ///< allowed deflection of the tool, mm, > 0
 };
-/// mm: the deepest cut of a width that spindle and tool bear, and every shallower one, and under which the tool bends
-/// by no more than it may, at the feed and speed of the tables; the flutes' length where they bear that. Forces of a
-/// straight cut in the mean over a turn, as `recordLoads` has them; tangential and radial count as if each had one
-/// direction all the turn, which is more than the tool feels.
+/// The deepest cut of a width, mm, such that at this and every smaller depth spindle and tool can bear the load and the
+/// tool bends by no more than allowed, at the feed and speed of the tables; the flute length if even that is possible.
+/// The forces are means over a turn in a straight cut, as in `recordLoads`; tangential and radial force count as if
+/// each kept one direction throughout the turn, which overestimates the load on the tool.
 double bearableDepth(const Tool& tool, const CuttingConditions& conditions, const CuttingCoefficients::Entry& material,
                      const MachineProfile& machine, const BearableCut& cut);
 

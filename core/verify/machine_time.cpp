@@ -17,19 +17,19 @@ namespace {
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr double straightOn = 1e-6; // of |change of direction| / 2: less is no corner
 
-/// A block as the planner sees it. mm and s.
+/// A block as the planner treats it. mm and s.
 struct Block {
     std::size_t motion = 0;
     double length = 0.0;              ///< mm, > 0
-    double speed = 0.0;               ///< mm/s, greatest in it
-    double acceleration = 0.0;        ///< mm/s² along it; infinite: without limit
-    double jerk = 0.0;                ///< mm/s³ along it; infinite: without limit
-    glm::dvec3 first{0.0}, last{0.0}; ///< unit, of the way at both ends
+    double speed = 0.0;               ///< mm/s, upper limit
+    double acceleration = 0.0;        ///< mm/s² along it; infinite: no limit
+    double jerk = 0.0;                ///< mm/s³ along it; infinite: no limit
+    glm::dvec3 first{0.0}, last{0.0}; ///< unit vectors of the direction at both ends
     double entry = 0.0;               ///< mm²/s², square of the speed at its start
-    bool startsAtRest = false;        ///< something else happens before it: a dwell, a tool change
+    bool startsAtRest = false;        ///< a dwell or a tool change precedes it
 };
 
-/// The greatest value along a direction that keeps every axis within its own.
+/// The greatest value along a direction that keeps every axis within its own limit.
 template <class OfAxis>
 double along(const glm::dvec3& direction, const OfAxis& ofAxis) {
     double most = unlimited;
@@ -107,7 +107,7 @@ private:
         }
     }
 
-    /// Every axis by itself, from rest to rest.
+    /// Every axis moves independently, from rest to rest.
     void addIndependent(std::size_t i) {
         const NcMotion& motion = program_.motions[i];
         double longest = 0.0, atRates = 0.0;
@@ -141,7 +141,7 @@ private:
         block.speed = std::min(block.speed, asked);
         if (machine_.blocksPerSecond > 0.0)
             block.speed = std::min(block.speed, block.length * machine_.blocksPerSecond);
-        if (!(block.speed > 0.0) || !std::isfinite(block.speed)) { // no feed, or no rate: nothing can be said
+        if (!(block.speed > 0.0) || !std::isfinite(block.speed)) { // no feed or no rate: the time is unknown
             atRest_ = true;
             return;
         }
@@ -158,7 +158,7 @@ private:
         block.jerk = along(block.first, [&](int axis) { return jerkOf(machine_, axis); });
     }
 
-    /// An arc comes by directions of its plane: its axes' least values count, whatever the part of a turn.
+    /// An arc passes through all directions of its plane: the least values of its axes apply, whatever its sweep.
     void limitArc(const NcMotion& motion, Block& block) const {
         const ArcTurn turn = motion.turn();
         const int axis = motion.arcAxis, u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -190,7 +190,7 @@ private:
     double junction(const Block& before, const Block& after) const {
         const glm::dvec3 change = after.first - before.last;
         const double half = 0.5 * glm::length(change);            // cosine of half of the inner angle
-        const NcMotion& motion = program_.motions[before.motion]; // a control rounds a block's end as it was told then
+        const NcMotion& motion = program_.motions[before.motion]; // the mode in force at a block applies to its end
         const bool stated = motion.pathMode != PathMode::machine;
         const bool stops = motion.pathMode == PathMode::exactStop;
         if (stops || (!stated && machine_.junctions == JunctionRule::exactStop)) return 0.0;
@@ -210,8 +210,8 @@ private:
         return acceleration * leg / half;
     }
 
-    /// Between two places where the speed is least, all that jerk adds to one S-curve over the whole interval is added,
-    /// shared out as the time is.
+    /// Between two points of least speed, adds the extra time of one S-curve over the whole interval, distributed in
+    /// proportion to the time.
     void limitJerk(std::vector<double>& durations) {
         const auto peakOf = [&](std::size_t i) { return time_.motions[blocks_[i].motion].peakSpeed; };
         for (std::size_t first = 0, end = 0; first < blocks_.size(); first = end) {
@@ -250,14 +250,14 @@ private:
         for (std::size_t i = 1; i < blocks_.size(); ++i)
             blocks_[i].entry = std::min(blocks_[i].entry, blocks_[i - 1].entry + reachOf(blocks_[i - 1]));
     }
-    /// mm²/s² that the square of the speed changes by along a block.
+    /// Largest change of the square of the speed along a block, mm²/s².
     static double reachOf(const Block& block) noexcept { return 2.0 * block.acceleration * block.length; }
     double exitOf(std::size_t i) const noexcept { return i + 1 < blocks_.size() ? blocks_[i + 1].entry : 0.0; }
 
     const ParsedProgram& program_;
     const MachineProfile& machine_;
     std::vector<Block> blocks_;
-    std::vector<double> alone_; ///< s, by motion: what is made from rest to rest
+    std::vector<double> alone_; ///< s, by motion: of motions made from rest to rest
     bool atRest_ = true;
     MachiningTime time_;
 };

@@ -11,22 +11,22 @@
 
 namespace burin {
 
-/// Places along moves, numbered through: every move whose end is known at both ends and at most `sampling` mm apart
-/// between them; where one move ends and the next begins counts once.
+/// Consecutively numbered samples along moves: both ends of every move whose end is known, and points at most
+/// `sampling` mm apart between them. The point where one move ends and the next begins counts once.
 class MoveSamples {
 public:
     MoveSamples(const std::vector<ToolMove>& moves, double sampling) : moves_(moves), first_{0} {
         first_.reserve(moves.size() + 1);
         for (const ToolMove& move : moves) {
             const double steps = std::max(1.0, std::ceil(glm::length(move.to.tip - move.begin().tip) / sampling));
-            const std::size_t start = first_.back() == 0 ? 1 : 0; // the first place of all
+            const std::size_t start = first_.back() == 0 ? 1 : 0; // the first sample of all
             first_.push_back(first_.back() + (move.endKnown ? static_cast<std::size_t>(steps) + start : 0));
         }
     }
 
     std::size_t count() const noexcept { return first_.back(); }
 
-    /// Calls `visit(place of the move, tip)` for samples `first` … `end` - 1.
+    /// Calls `visit(index of the move, tip)` for samples `first` … `end` - 1.
     template <class Visit>
     void forEach(std::size_t first, std::size_t end, const Visit& visit) const {
         if (first >= end) return;

@@ -13,7 +13,7 @@ namespace burin {
 
 namespace {
 
-/// Shank or holder of a tool, to be held against one mesh.
+/// Shank or holder of a tool, prepared for comparison with one mesh.
 struct Section {
     Section(const MeshDistance& mesh, const Tool& tool, ToolSection which) : guard(mesh, piecesOf(tool, which)) {
         for (const RevolvedPiece& piece : guard.pieces()) bottom = std::min(bottom, piece.bottom);
@@ -28,7 +28,8 @@ struct Section {
     }
 
     PartGuard guard;
-    double bottom = std::numeric_limits<double>::infinity(); ///< mm above the tip; infinite: there is none
+    /// mm above the tip; infinite: the tool has no such section
+    double bottom = std::numeric_limits<double>::infinity();
 };
 
 Result<void> judgeAgainst(const MeshDistance& mesh, NearTo to, const std::vector<ToolMove>& moves,
@@ -70,7 +71,7 @@ void NearPasses::add(const NearPass& pass) {
 }
 
 std::vector<NearPass> NearPasses::byPlace() const {
-    constexpr double alike = 1e-6; // mm: where a tool comes down and goes up again, the first line is told
+    constexpr double alike = 1e-6; // mm: where a tool comes down and goes up again, the first line is reported
     std::vector<NearPass> nearest;
     for (const auto& [key, pass] : nearest_) nearest.push_back(pass);
     std::ranges::stable_sort(nearest, {}, &NearPass::distance);

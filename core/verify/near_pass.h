@@ -11,8 +11,8 @@
 
 namespace burin {
 
-/// Collects near passes. A holder may pass one wall on a thousand lines: of all that one section passes one neighbour
-/// by within `nearPlace` of where it is nearest, only that one is told, with the number of lines.
+/// Collects near passes. A holder may pass the same wall on a thousand lines: of all passes of one section along one
+/// neighbour within `nearPlace` of the nearest one, only that one is reported, with the number of lines.
 class NearPasses {
 public:
     void add(const NearPass& pass);
@@ -23,10 +23,10 @@ private:
     std::map<std::tuple<std::uint32_t, ToolSection, NearTo>, NearPass> nearest_;
 };
 
-/// Where shank or holder pass the part or an obstacle that is on nearer than `request.nearDistance`, and no deeper in
-/// it than the tolerance for gouges: deeper is a finding. Looked at every `request.sampling` of every move, closer
-/// where a corner may be cut. What passes the stock is told by `replay`.
-/// @param tools those that ToolMove::tool counts. Errors: cancelled.
+/// Finds where shank or holder pass the part, or an obstacle that is switched on, closer than `request.nearDistance`,
+/// and no deeper in it than the tolerance for gouges; deeper ones are findings. Examined every `request.sampling` of
+/// every move, more closely where a corner may be cut. Near passes of the stock are reported by `replay`.
+/// @param tools indexed by ToolMove::tool. Errors: cancelled.
 Result<void> judgeNearPasses(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                              const VerifyRequest& request, NearPasses& passes, const Progress& progress);
 

@@ -9,9 +9,9 @@
 
 namespace burin {
 
-/// Reports where a move, rapids too, takes flutes, shank or holder into an obstacle that is on, by more than the
-/// tolerance for gouges. The obstacle itself counts; the margin that the hand keeps from it is not judged.
-/// @param tools those that ToolMove::tool counts. Errors: cancelled.
+/// Reports moves, rapids too, on which flutes, shank or holder enter an obstacle that is switched on by more than the
+/// tolerance for gouges. Only the obstacle itself counts; the margin that the hand keeps from it is not judged.
+/// @param tools indexed by ToolMove::tool. Errors: cancelled.
 Result<void> judgeObstacles(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                             const VerifyRequest& request, Findings& findings, const Progress& progress);
 

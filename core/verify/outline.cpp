@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t grain = 16; // rows or columns that are worth another core
+constexpr std::size_t grain = 16; // number of rows or columns that justify another core
 
 bool holdsThePart(const RunVolume& workpiece, LineIndex line) {
     for (const Segment segment : workpiece.line(line))
@@ -19,8 +19,8 @@ bool holdsThePart(const RunVolume& workpiece, LineIndex line) {
     return false;
 }
 
-/// Squares of the distances, in lines, to the nearest line outside, after Felzenszwalb & Huttenlocher (2012): one
-/// lower envelope of parabolas a row, then a column. What lies beyond the grid counts as outside.
+/// Squares of the distances, in lines, to the nearest line outside, after Felzenszwalb & Huttenlocher (2012): one lower
+/// envelope of parabolas per row, then per column. Positions beyond the grid count as outside.
 void envelope(std::vector<double>& values) {
     const auto count = static_cast<int>(values.size());
     std::vector<int> vertex(values.size());
@@ -63,7 +63,7 @@ ShrunkOutline::ShrunkOutline(const RunVolume& workpiece, double distance) : grid
     const auto width = static_cast<std::size_t>(grid_.lineCountU()),
                height = static_cast<std::size_t>(grid_.lineCountV());
     constexpr double far = 1e12;
-    std::vector<double> squares((width + 2) * (height + 2), 0.0); // a rim of outside around the grid
+    std::vector<double> squares((width + 2) * (height + 2), 0.0); // with a border of outside cells around the grid
     parallelStretches(std::size_t{1}, height + 1, grain, [&](std::size_t from, std::size_t to) {
         std::vector<double> row(width + 2);
         for (std::size_t v = from; v != to; ++v) {

@@ -9,7 +9,8 @@
 
 namespace burin {
 
-/// The part's outline seen along z, shrunk by a distance: scanlines all of whose neighbours within it hold the part.
+/// The outline of the part seen along z, shrunk by a distance: the scanlines whose neighbours within that distance all
+/// hold the part.
 class ShrunkOutline {
 public:
     /// @param distance mm
@@ -18,7 +19,7 @@ public:
 
 private:
     Grid grid_;
-    std::vector<std::uint8_t> inside_; ///< by v, then u; bytes, so that columns may be written at the same time
+    std::vector<std::uint8_t> inside_; ///< by v, then by u; bytes, so that columns can be written concurrently
 };
 
 } // namespace burin

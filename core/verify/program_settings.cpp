@@ -87,7 +87,7 @@ private:
             findings_.add(FindingKind::spindleReversed, spindleLine_, placeOf(motion), motion.spindleSpeed);
     }
 
-    /// A length that the program states itself (G43.1) is taken as it is.
+    /// A length that the program states itself (G43.1) is accepted.
     void judgeLength(const NcMotion& motion) {
         if (lengthTold_ || motion.tool == 0 || motion.lengthOffset < 0 || motion.lengthOffset == motion.tool) return;
         lengthTold_ = true;
@@ -107,7 +107,7 @@ private:
     bool changes_;       ///< the control has M6
     bool named_ = false; ///< a tool was named, by T or H
     bool loadTold_ = false, lengthTold_ = false;
-    std::uint32_t toolLine_ = 0, lengthLine_ = 0, offsetLine_ = 1, spindleLine_ = 0; ///< of what is in force
+    std::uint32_t toolLine_ = 0, lengthLine_ = 0, offsetLine_ = 1, spindleLine_ = 0; ///< lines of the settings in force
 };
 
 } // namespace

@@ -6,10 +6,10 @@
 
 namespace burin {
 
-/// What the program sets, or leaves out, before it moves: tools that were never loaded, length offsets, the work offset
-/// and the spindle's direction. Each once, at the line that sets it; what is missing, at the first move that lacks it.
-/// Length offsets are those of tools by their T numbers, as LinuxCNC keeps them and shops with other controls do; a
-/// control without G43 H has none. Every tool is taken to be right-handed.
+/// Judges what the program sets, or omits, before it moves: tools that were never loaded, length offsets, the work
+/// offset and the direction of the spindle. Each is reported once, at the line that sets it; a missing setting at the
+/// first move that needs it. Length offsets belong to tools by their T numbers, as in LinuxCNC and by custom in shops
+/// with other controls; a control without G43 H has none. Every tool is assumed to be right-handed.
 void judgeSettings(const VerifyRequest& request, Findings& findings);
 
 } // namespace burin

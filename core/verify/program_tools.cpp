@@ -9,7 +9,7 @@ namespace burin {
 
 namespace {
 
-/// What moves before the first tool change are made with: the tool of the first, as nothing else is known of them.
+/// The tool of moves before the first tool change is assumed to be that of the first change, as nothing else is known.
 int numberOf(const NcMotion& motion, int first) {
     return motion.tool != 0 ? motion.tool : first;
 }

@@ -15,8 +15,8 @@ namespace burin {
 
 namespace {
 
-constexpr double onPath = 0.02;      // mm: what rounding, arcs and fits of a post leave a path by is less
-constexpr double nearestPath = 3.0;  // mm: a path farther away promises nothing
+constexpr double onPath = 0.02;      // mm: rounding, arcs and fits of a post deviate from a path by less
+constexpr double nearestPath = 3.0;  // mm: a path farther away is not compared
 constexpr double pathNearPart = 1.0; // mm
 constexpr double betweenLooks = 1.0; // mm along a move
 constexpr double pathChord = 0.001;  // mm
@@ -26,7 +26,7 @@ struct PathSegment {
     glm::dvec3 from{0.0}, to{0.0};
 };
 
-/// The feed moves of one tool's paths, found by where they are.
+/// The feed moves of one tool's paths, indexed by position.
 class SegmentCells {
 public:
     void add(const Path& path) {
@@ -47,12 +47,12 @@ public:
     }
     bool empty() const noexcept { return segments_.empty(); }
 
-    /// The place on a path that is nearest, no farther than `within` mm (at most a cell).
+    /// The nearest point on a path, no farther than `within` mm (at most a cell).
     std::optional<glm::dvec3> nearest(const glm::dvec3& place, double within) const {
         std::optional<glm::dvec3> best;
         double least = within;
         const glm::ivec3 cell = cellOf(place);
-        for (const int dx : {0, -1, 1}) // where it most often is first
+        for (const int dx : {0, -1, 1}) // the most frequent case first
             for (const int dy : {0, -1, 1})
                 for (const int dz : {0, -1, 1}) {
                     const auto found = cells_.find(keyOf(cell + glm::ivec3(dx, dy, dz)));
@@ -64,7 +64,7 @@ public:
                         if (distance > least) continue;
                         least = distance;
                         best = on;
-                        if (distance < 0.25 * onPath) return best; // nearer is no matter
+                        if (distance < 0.25 * onPath) return best; // a nearer one would not matter
                     }
                 }
         return best;
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    /// Comes down to its path, or leaves it: on the way it is to be nowhere.
+    /// Whether a move descends to its path or leaves it: the tool need not be on a path meanwhile.
     static bool isAlongAxis(const ToolMove& move) noexcept {
         constexpr double steepest = 0.1; // sideways over along
         const glm::dvec3 way = move.to.tip - move.begin().tip;
@@ -144,7 +144,7 @@ private:
             if (promised.clearance < pathNearPart) {
                 const ToolClearance left = part.ask(tip, pathNearPart + nearestPath, pathAnswers);
                 const double difference = std::abs(left.clearance - promised.clearance);
-                if (difference > tolerance && left.clearance >= -request_.gougeTolerance) // else it is a gouge
+                if (difference > tolerance && left.clearance >= -request_.gougeTolerance) // otherwise it is a gouge
                     findings_.add({FindingKind::allowanceDiffers, move.line, promised.meshPoint,
                                    std::max(0.0, left.clearance), std::max(0.0, promised.clearance)});
             }

@@ -11,23 +11,23 @@
 
 namespace burin {
 
-/// Where the end of a motion lies, beside the paths that the program was to follow.
+/// Where the end of a motion lies relative to the paths that the program is to follow.
 enum class PathSide : std::uint8_t {
     unknown, ///< a rapid, a tool without a path, an end that the program does not set
     on,
     off
 };
 
-/// A program held against the paths that it was to follow.
+/// The comparison of a program with the paths that it is to follow.
 struct PathComparison {
-    std::vector<PathSide> ends; ///< by place in ParsedProgram::motions; empty: there are no paths
+    std::vector<PathSide> ends; ///< by index in ParsedProgram::motions; empty: there are no paths
 };
 
-/// Compares feed moves with `request.promised`, tool by tool. Where the path nearest to a place of one, within 3 mm,
-/// comes within 1 mm of the part, the tool has to be as far from the part as the path's, to `request.excessTolerance`:
-/// farther is excess, nearer a part of the allowance that is gone. Both clearances are exact on the mesh. Looked at
-/// every millimetre of every move.
-/// @param tools those that ToolMove::tool counts. Errors: cancelled.
+/// Compares feed moves with `request.promised`, tool by tool. Where the nearest path is within 3 mm of a point of a
+/// move, and its tool within 1 mm of the part, the clearance of the program's tool from the part has to equal that on
+/// the path, to `request.excessTolerance`: a greater clearance is excess, a smaller one means that part of the
+/// allowance is gone. Both clearances are exact on the mesh. Examined every millimetre of every move.
+/// @param tools indexed by ToolMove::tool. Errors: cancelled.
 Result<PathComparison> comparePaths(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                                     const VerifyRequest& request, Findings& findings, const Progress& progress);
 

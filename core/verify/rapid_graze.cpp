@@ -15,14 +15,14 @@ namespace burin {
 
 namespace {
 
-constexpr double touch = 0.01;       // mm: less is none
+constexpr double touch = 0.01;       // mm: less is ignored
 constexpr double alongOutline = 0.1; // mm between lines on a rapid's outline
 constexpr double leastGraze = 1e-4;  // mm³
 constexpr int linesAcross = 4;       // of a voxel, inside the outline
 
 using Pieces = std::vector<RevolvedPiece>;
 
-/// Heights along an upright line that are left of an interval.
+/// The heights along an upright line that remain of an interval.
 class Heights {
 public:
     explicit Heights(const Span& all) : left_{all} {}
@@ -48,14 +48,14 @@ private:
     std::vector<Span> left_, next_;
 };
 
-/// A move that may have cleared a brick; the later ones last.
+/// A move that may have cleared a brick; later ones come last.
 struct Clearing {
     const ToolMove* move = nullptr;
     const Pieces* pieces = nullptr; ///< thickened
-    std::uint32_t order = 0;        ///< among all
+    std::uint32_t order = 0;        ///< position among all moves
 };
 
-/// Which moves reach over which bricks, of those that are asked about.
+/// The moves that reach over each of the bricks in question.
 class ClearedBricks {
 public:
     ClearedBricks(const std::vector<GrazedLine>& grazed, const Grid& grid) : grid_(grid) {
@@ -93,7 +93,7 @@ private:
     std::map<std::pair<std::int32_t, std::int32_t>, std::vector<Clearing>> bricks_;
 };
 
-/// One rapid among what stands when it is made.
+/// One rapid, judged against what stands when it is made.
 class Graze {
 public:
     Graze(const ToolMove& rapid, const Pieces& flutes, std::uint32_t order, const ClearedBricks& cleared,
@@ -105,7 +105,7 @@ public:
         }
     }
 
-    /// mm³; the place is where most of it is.
+    /// Volume, mm³; sets `place` to where most of it is.
     double volume(glm::dvec3& place) {
         inside();
         outline();
@@ -122,7 +122,7 @@ private:
         return {static_cast<std::int32_t>(std::floor((x - grid_.low().x) / grid_.edge())),
                 static_cast<std::int32_t>(std::floor((y - grid_.low().y) / grid_.edge()))};
     }
-    /// mm of stock that the rapid meets along an upright line.
+    /// Length of stock that the rapid meets along an upright line, mm.
     double met(LineIndex line, double x, double y, double& height) const {
         if (x < stock_.low.x || x > stock_.high.x || y < stock_.low.y || y > stock_.high.y) return 0.0;
         double sum = 0.0;
@@ -167,7 +167,7 @@ private:
                 }
     }
 
-    /// Beside the way and around its ends, just inside of where the flutes are widest.
+    /// Examines both sides of the path and the surroundings of its ends, just inside the widest radius of the flutes.
     void outline() {
         const glm::dvec2 from(rapid_.begin().tip), to(rapid_.to.tip);
         const double length = glm::distance(from, to);

@@ -14,29 +14,29 @@
 
 namespace burin {
 
-/// A scanline near a rapid in which something stands: the rapid may touch what the line stands for without meeting the
-/// line itself.
+/// A scanline near a rapid that holds material: the rapid may touch the volume that the line represents without
+/// crossing the line itself.
 struct GrazedLine {
     std::uint32_t move = 0;
     LineIndex line;
 };
 
-/// The workpiece as it is known exactly: a box, less what moves swept.
+/// The workpiece as it is known exactly: a box less the sweeps of moves.
 struct ExactStock {
     Box box; ///< mm, setup frame
-    /// What was milled before the moves that are judged, and with what; empty: nothing.
+    /// The moves made before those that are judged, and their tools; empty: none.
     std::span<const ToolMove> movesBefore;
     std::span<const Tool> toolsBefore;
 };
 
-/// A piece moved outwards by some mm: all that is no farther from it, and at sharp edges a little more.
+/// A piece offset outwards by `by` mm: contains all points within that distance, and a little more at sharp edges.
 RevolvedPiece thickened(const RevolvedPiece& piece, double by) noexcept;
 
-/// Rapids that touch stock by less than scanlines tell. Along upright lines as close as need be, a rapid's sweep is
-/// held against the stock less the sweeps of all moves before it, each exact: inside of the rapid's own outline
-/// (0.01 mm), every 0.1 mm, and all over at a quarter of a voxel. A touch of less than 0.01 mm is none: posts round to
-/// a thousandth, and walls are where the moves that cut them were.
-/// @param grazed any order; the grid's runs are upright. Ends early where it is cancelled.
+/// Reports rapids that touch stock by less than the scanlines show. Along upright lines, the sweep of a rapid is
+/// compared with the stock less the sweeps of all moves before it, all of them exact: just inside the rapid's own
+/// outline (0.01 mm) every 0.1 mm, and everywhere else at a quarter of a voxel. A touch of less than 0.01 mm is
+/// ignored: posts round to a thousandth, and walls lie exactly where the moves that cut them were.
+/// @param grazed in any order; the grid's runs are upright. Returns early if cancelled.
 void judgeGrazes(const std::vector<GrazedLine>& grazed, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                  const Grid& grid, const ExactStock& stock, Findings& findings, const Progress& progress);
 

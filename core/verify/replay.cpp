@@ -15,11 +15,11 @@ namespace burin {
 
 namespace {
 
-/// A rapid that grazes what it just cut removes nothing: both use the same lines and the same rounding. What is left to
-/// tolerate is one run unit on the lines of a voxel's face.
+/// A rapid that grazes what was just cut removes nothing: both use the same lines and the same rounding. The remaining
+/// tolerance is one run unit on the lines of a voxel's face.
 constexpr double harmlessRemoval = 1e-3; // mm³
 
-/// Which moves come near which row of bricks, in order.
+/// The moves that come near each row of bricks, in order.
 class Turns {
 public:
     Turns(const std::vector<ToolMove>& moves, std::span<const ReplayTool> tools, const RunVolume& workpiece)
@@ -47,7 +47,7 @@ public:
     }
 
 private:
-    /// mm along the runs, line frame: nothing stands higher.
+    /// Upper limit of all material along the runs, mm, line frame.
     static double topOf(const RunVolume& workpiece) {
         const Grid& grid = workpiece.grid();
         RunPosition highest = 0;
@@ -62,7 +62,7 @@ private:
             }
         return grid.toMillimetres(highest);
     }
-    /// Of bricks; none: last < first.
+    /// Rows of bricks; last < first if there is none.
     LineStretch rowsOf(const ToolMove& move, const ReplayTool& tool, double top) const {
         if (!move.endKnown) return {};
         const glm::dvec3 from = inLineFrame(grid_, move.begin().tip), to = inLineFrame(grid_, move.to.tip);
@@ -74,7 +74,7 @@ private:
             if (i >= tool.fluteCount)
                 piece = piece.grown(tool.near);
             else if (move.rapid)
-                piece = piece.grown(grid_.edge()); // what it may graze
+                piece = piece.grown(grid_.edge()); // for what it may graze
             if (piece.low.z < top) reach.include(piece);
         }
         if (reach.empty()) return {};
@@ -106,7 +106,8 @@ std::vector<MoveCut> sumsOf(const std::vector<RowResult>& rows, std::size_t move
     return cuts;
 }
 
-/// Over all rows, in program order; rows in their own order, so that sums do not depend on the threads.
+/// Merges the steps of all rows, in program order; equal steps in the order of rows, so that sums do not depend on the
+/// threads.
 std::vector<StepCut> stepsOf(std::vector<RowResult>& rows) {
     std::vector<StepCut> all;
     for (RowResult& row : rows) {
@@ -126,7 +127,7 @@ std::vector<StepCut> stepsOf(std::vector<RowResult>& rows) {
     return all;
 }
 
-/// Overlap of shank and holder after one step, over the whole grid.
+/// The overlap of shank and holder after one step, over the whole grid.
 struct Contact {
     std::map<std::uint32_t, std::uint64_t> byPiece;
     UnitSum sum;
@@ -151,7 +152,8 @@ void judgeContacts(const std::vector<RowResult>& rows, const std::vector<ToolMov
     }
 }
 
-/// Of each move the nearest over all rows; where a section touches something, its line has a finding.
+/// Reports for each move the nearest pass over all rows, unless the section touches something: its line then has a
+/// finding.
 void tellPasses(const std::vector<RowResult>& rows, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                 const Grid& grid, NearPasses& passes) {
     std::set<std::pair<std::uint32_t, ToolSection>> touching;

@@ -41,7 +41,7 @@ const char* idOf(PathMode mode) {
     return "unknown";
 }
 
-/// A tolerance of null: without limit.
+/// A tolerance of null means no limit.
 json modesOf(const std::vector<StatedPathMode>& modes) {
     json list = json::array();
     for (const StatedPathMode& mode : modes) {
@@ -72,7 +72,7 @@ json jsonOf(const CutLoad& load) {
             {"width_mm", load.width}};
 }
 
-/// Null where nothing is removed.
+/// Null if nothing is removed.
 json peakOf(const VerifyReport& report) {
     const MotionLoad* const peak = peakLoad(report.loads);
     if (peak == nullptr) return nullptr;
@@ -96,7 +96,7 @@ glm::dvec3 placeFrom(const json& place) {
     return {place.at(0).get<double>(), place.at(1).get<double>(), place.at(2).get<double>()};
 }
 
-/// Throws nlohmann's exceptions where the id is none.
+/// Throws nlohmann's exceptions if the id is unknown.
 FindingKind findingKindFrom(const json& id) {
     for (int kind = 0; kind <= static_cast<int>(lastFindingKind); ++kind)
         if (id.get<std::string>() == idOf(static_cast<FindingKind>(kind))) return static_cast<FindingKind>(kind);

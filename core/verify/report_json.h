@@ -10,16 +10,16 @@
 
 namespace burin {
 
-/// A report as one JSON object without its deviations; keys carry their unit. What commands print and projects keep
-/// beside a program.
+/// A report as one JSON object without its deviations; keys carry their unit. Commands print it, and projects store it
+/// with a program.
 std::string toJson(const VerifyReport& report);
 
-/// What `toJson` wrote of the verdict: figures, findings, near passes and touched voxels. Times, loads and deviations
-/// are not in it. Nothing: it wrote no such text.
+/// Reads back the verdict that `toJson` wrote: values, findings, near passes and touched voxels. Times, loads and
+/// deviations are not included. Empty if `toJson` did not write this text.
 std::optional<VerifyReport> reportFromJson(std::string_view text);
 
-/// The load of a program as JSON: "load_by_block", an entry for each block that removes something, with its mean and
-/// its peak; and "load_over_time", the greatest force and power in equal intervals. Not part of a stored report.
+/// The load of a program as JSON: "load_by_block", an entry with mean and peak for each block that removes material,
+/// and "load_over_time", the greatest force and power in equal intervals. Not part of a stored report.
 std::string loadsToJson(const VerifyReport& report);
 
 } // namespace burin

@@ -17,7 +17,8 @@ namespace {
 constexpr glm::dvec3 toolAxis(0.0, 0.0, 1.0); // setup frame
 constexpr std::size_t movesBetweenLooks = 256;
 
-/// The part of a straight move whose place along one axis lies in an interval, as shares of the move; none: low > high.
+/// The part of a straight move whose position along one axis lies in an interval, as fractions of the move; low > high
+/// if empty.
 Span shareWithin(double from, double to, const Span& stretch) noexcept {
     const double way = to - from;
     if (std::abs(way) < 1e-12) return from >= stretch.low && from <= stretch.high ? Span{0.0, 1.0} : Span{1.0, 0.0};
@@ -235,7 +236,7 @@ void RowReplay::lookNear(std::span<const RevolvedPiece> section, ToolSection whi
     result_.passes.push_back({number, which, clear, nearest});
 }
 
-/// Whether anything stands within a distance of what a section sweeps; adds it.
+/// Whether anything is within a distance of the sweep of a section; adds it to `sum`.
 bool RowReplay::isNear(std::span<const RevolvedPiece> section, double by, const glm::dvec3& from, const glm::dvec3& to,
                        UnitSum& sum) const {
     const glm::dvec3 axis = inLineFrame(grid_, toolAxis);

@@ -15,59 +15,59 @@
 
 namespace burin {
 
-/// A tool, ready to be replayed among the lines of a grid.
+/// A tool, prepared for the replay on the lines of a grid.
 struct ReplayTool {
-    /// @param nearDistance mm: how near shank and holder may pass before it is told
+    /// @param nearDistance distance below which a pass of shank or holder is reported, mm
     ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistance = 0.0);
 
     std::vector<RevolvedPiece> stack; ///< pieces(cutter)
-    std::size_t fluteCount = 0;       ///< so many of them, from the tip, cut
-    std::vector<RevolvedPiece> wider; ///< the flutes and all that is less than a voxel beside them
+    std::size_t fluteCount = 0;       ///< number of them that cut, counted from the tip
+    std::vector<RevolvedPiece> wider; ///< the flutes, grown by up to a voxel
     double fluteRadius = 0.0;         ///< mm, widest
-    double guardBottom = 0.0;         ///< mm along the runs from the tip: shank and holder reach no lower
-    bool upright = true;              ///< the axis lies along the runs
-    std::size_t shankCount = 0;       ///< of the pieces behind the flutes
-    double near = 0.0;                ///< mm; 0: nobody asks
+    double guardBottom = 0.0;         ///< mm along the runs from the tip: lower limit of shank and holder
+    bool upright = true;              ///< the axis is parallel to the runs
+    std::size_t shankCount = 0;       ///< number of pieces after the flutes that belong to the shank
+    double near = 0.0;                ///< mm; 0: not requested
     CutFilter filter;
 };
 
-/// What a move took of one row of bricks.
+/// What a move removed in one row of bricks.
 struct MoveUnits {
     std::uint32_t move = 0;
     UnitSum sum;
 };
-/// What a piece that must not touch overlapped of one row of bricks after a step of a move.
+/// The overlap of a piece that must not touch anything with one row of bricks, after a step of a move.
 struct StepContact {
     std::uint32_t move = 0, step = 0, piece = 0;
     UnitSum sum;
 };
-/// A section that passed what stood in one row of bricks after a move, without touching it.
+/// A section that passed the material standing in one row of bricks after a move, without touching it.
 struct StockPass {
     std::uint32_t move = 0;
     ToolSection section = ToolSection::shank;
-    double distance = 0.0; ///< mm, rounded down by `passResolution` at most
-    UnitSum sum;           ///< what is that near
+    double distance = 0.0; ///< mm, rounded down by at most `passResolution`
+    UnitSum sum;           ///< the material that is that near
 };
 struct RowResult {
     std::vector<MoveUnits> cuts;
     std::vector<StockPass> passes;
     std::vector<StepContact> contacts;
-    std::vector<GrazedLine> grazed; ///< of rapids, where the tool is upright
-    std::vector<StepCut> steps;     ///< of the feed moves, where they are asked for; rising move and step
+    std::vector<GrazedLine> grazed; ///< of rapids, if the tool is upright
+    std::vector<StepCut> steps;     ///< of the feed moves, if requested; ascending by move and step
 };
 
-/// Distances to stock are told to so much, mm, beside what the runs themselves know it to.
+/// Resolution of reported distances to stock, mm, in addition to that of the runs themselves.
 inline constexpr double passResolution = 1.0 / 32.0;
 
-/// Makes moves, in order, in one row of bricks. Lines do not know of each other, so that rows can be made in any order
-/// and by any number of threads, and their sums are those of the moves made one by one over the whole grid.
+/// Makes moves, in order, in one row of bricks. Lines are independent of each other, so rows can be processed in any
+/// order and by any number of threads, and their sums are those of the moves made one by one over the whole grid.
 ///
-/// A move's flutes cut in one go, swept exactly. Shank and holder are asked for as what they sweep on the whole move in
-/// what stands before it: where that overlaps nothing no step of it does. Only else the move is made in steps of at
-/// most a voxel, each cut before it is looked at.
+/// The flutes of a move cut in one go, swept exactly. The sweep of shank and holder over the whole move is compared
+/// with what stands before the move: if it overlaps nothing, no step of it does. Only otherwise the move is made in
+/// steps of at most a voxel, and each step is cut before it is examined.
 class RowReplay {
 public:
-    /// @param meters whether RowResult::steps is asked for  @param grazes the same of RowResult::grazed
+    /// @param meters whether RowResult::steps is requested @param grazes whether RowResult::grazed is requested
     RowReplay(RowStock& stock, const Grid& grid, std::span<const ToolMove> moves, std::span<const ReplayTool> tools,
               bool meters = false, bool grazes = false)
         : stock_(stock)
@@ -79,13 +79,13 @@ public:
         , meters_(meters)
         , grazes_(grazes) {}
 
-    /// @param turns places in the moves, rising
+    /// @param turns indices of moves, ascending
     RowResult run(std::span<const std::uint32_t> turns, const Progress& progress);
 
 private:
     struct Flute {
         SweptPiece swept;
-        bool throughTop; ///< above all of the way its lines end over the grid
+        bool throughTop; ///< its spans reach above the grid on the whole move
     };
     void make(std::uint32_t number);
     void cutUpright(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
@@ -107,16 +107,16 @@ private:
     const Grid& grid_;
     std::span<const ToolMove> moves_;
     std::span<const ReplayTool> tools_;
-    std::int32_t reach_;        ///< run units, of all that the row holds
-    std::vector<Flute> flutes_; ///< of the move
+    std::int32_t reach_;        ///< run units: upper limit of everything in the row
+    std::vector<Flute> flutes_; ///< of the current move
     StepMeter meter_;
-    bool meters_; ///< asked for at all
+    bool meters_; ///< whether requested at all
     bool grazes_;
-    bool metered_ = false; ///< of this move
+    bool metered_ = false; ///< whether the current move is metered
     RowResult result_;
 };
 
-/// Steps that a move is made in where shank or holder may touch.
+/// Number of steps that a move is made in where shank or holder may touch.
 std::uint32_t stepsOf(const ToolMove& move, double edge) noexcept;
 
 } // namespace burin

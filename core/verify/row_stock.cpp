@@ -56,7 +56,7 @@ void RowStock::read(LineIndex line, std::int32_t& brickProtected) {
             if (properties.isProtected(segment.property())) {
                 brickProtected = std::max(brickProtected, end);
             } else if (top_[at] == start && start > 0) {
-                top_[at] = end; // another material on top of the one before
+                top_[at] = end; // another material on top of the previous one
             } else {
                 if (top_[at] > 0) below_[at].push_back({base_[at], top_[at]});
                 base_[at] = start;
@@ -87,7 +87,7 @@ void RowStock::cut(LineIndex line, RunPosition from, RunPosition to, UnitSum& re
     const std::size_t at = lineAt(line);
     const auto low = static_cast<std::int32_t>(from), high = static_cast<std::int32_t>(to);
     const std::uint64_t before = removed.units;
-    while (top_[at] > low && high >= top_[at]) { // from the top, as nearly always
+    while (top_[at] > low && high >= top_[at]) { // from the top, which is by far the most frequent case
         const std::int32_t begin = std::max(low, base_[at]);
         count(line, begin, top_[at], removed);
         if (begin > base_[at])
@@ -95,7 +95,7 @@ void RowStock::cut(LineIndex line, RunPosition from, RunPosition to, UnitSum& re
         else
             popTop(at);
     }
-    if (top_[at] > low) { // undercut: something stays above
+    if (top_[at] > low) { // undercut: something remains above
         if (high > base_[at]) {
             const std::int32_t begin = std::max(low, base_[at]);
             count(line, begin, high, removed);

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// Length of material with its moments: whole numbers, so that sums do not depend on their order.
+/// Length of material with its moments: integers, so that sums do not depend on their order.
 struct UnitSum {
     std::uint64_t units = 0;   ///< run units
     std::uint64_t momentU = 0; ///< units times line along u
@@ -24,44 +24,44 @@ struct UnitSum {
         along += other.along;
     }
     double volume(const Grid& grid) const noexcept { return static_cast<double>(units) * grid.unitVolume(); }
-    glm::dvec3 centroid(const Grid& grid) const noexcept; ///< mm, setup frame; not of nothing
+    glm::dvec3 centroid(const Grid& grid) const noexcept; ///< mm, setup frame; undefined for an empty sum
 };
 
 /// The machinable stock of one row of bricks (8 scanlines along v, all along u) while moves are cut out of it, in a
-/// form that is quick to cut: of each line the topmost interval apart from those below. The volume stands unchanged
-/// meanwhile; `brick` says what it is to hold afterwards. One thread.
+/// form that is quick to cut: for each line the topmost interval is stored apart from those below. The volume itself is
+/// not changed meanwhile; `brick` returns its new content. Not thread-safe.
 class RowStock {
 public:
-    /// @param row of bricks, from 0 along v
+    /// @param row index of the row of bricks along v, from 0
     RowStock(const RunVolume& volume, std::int32_t row);
 
-    const RunVolume& volume() const noexcept { return volume_; } ///< as before all cuts
+    const RunVolume& volume() const noexcept { return volume_; } ///< the volume before all cuts
     std::int32_t firstV() const noexcept { return firstV_; }
     std::int32_t lineCountV() const noexcept { return countV_; }
     std::int32_t brickCount() const noexcept { return bricks_; }
 
-    /// Ends of the topmost machinable intervals of a row of lines (v from firstV on), u rising, padded to whole bricks
-    /// with 0; 0 where a line has none.
+    /// Ends of the topmost machinable intervals of a row of lines (v from firstV on), u increasing, padded with 0 to
+    /// whole bricks; 0 where a line has none.
     const std::int32_t* tops(std::int32_t v) const noexcept { return top_.data() + lineAt({0, v}); }
-    /// No machinable interval of a brick ends above.
+    /// Upper limit of the machinable intervals of a brick.
     std::int32_t brickTop(std::int32_t brick) const noexcept { return brickTop_[static_cast<std::size_t>(brick)]; }
-    /// Nothing in a brick, machinable or not, ends above.
+    /// Upper limit of all material in a brick, machinable or not.
     std::int32_t brickReach(std::int32_t brick) const noexcept {
         return std::max(brickTop(brick), protectedTop_[static_cast<std::size_t>(brick)]);
     }
-    /// Nothing in the whole row ends above. Cost: a look at each brick.
+    /// Upper limit of all material in the whole row. Cost: visits each brick.
     std::int32_t reach() const noexcept;
 
-    /// Takes the machinable stock between two places of a line away and adds it to `removed`.
+    /// Removes the machinable stock between two positions of a line and adds it to `removed`.
     void cut(LineIndex line, RunPosition from, RunPosition to, UnitSum& removed);
-    /// After cuts in a brick: brings its bound up to date. Cost: its 64 lines.
+    /// Updates the upper limit of a brick after cuts. Cost: its 64 lines.
     void settle(std::int32_t brick) noexcept;
-    /// Adds what a line holds between two places, machinable or not, and tells how much it is.
+    /// Adds what a line holds between two positions, machinable or not, to `sum` and returns its length.
     std::uint64_t overlap(LineIndex line, RunPosition from, RunPosition to, UnitSum& sum) const;
 
-    /// Whether anything was taken of a brick.
+    /// Whether anything was removed from a brick.
     bool isCut(std::int32_t brick) const noexcept { return cut_[static_cast<std::size_t>(brick)]; }
-    /// All lines of a brick as they are now.
+    /// Returns all lines of a brick in their current state.
     void brick(std::int32_t brick, BrickLines& lines) const;
 
 private:
@@ -75,7 +75,7 @@ private:
     void cutBelow(std::vector<Stretch>& stretches, std::int32_t from, std::int32_t to, LineIndex line,
                   UnitSum& removed);
     void popTop(std::size_t at);
-    /// Calls `visit(from, to)` for each machinable interval of a line, rising.
+    /// Calls `visit(from, to)` for each machinable interval of a line, in ascending order.
     template <class Visit>
     void forEachStretch(std::size_t at, const Visit& visit) const {
         for (const Stretch& stretch : below_[at]) visit(stretch.from, stretch.to);
@@ -84,9 +84,9 @@ private:
 
     const RunVolume& volume_;
     std::int32_t firstV_ = 0, countV_ = 0, bricks_ = 0;
-    std::size_t width_ = 0; ///< lines along u, whole bricks
+    std::size_t width_ = 0; ///< lines along u, padded to whole bricks
     std::vector<std::int32_t> top_, base_;
-    std::vector<std::vector<Stretch>> below_; ///< of each line, rising
+    std::vector<std::vector<Stretch>> below_; ///< of each line, ascending
     std::vector<std::int32_t> brickTop_, protectedTop_;
     std::vector<bool> cut_;
 };

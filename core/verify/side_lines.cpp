@@ -22,7 +22,7 @@ std::uint64_t machinableUnits(const RunVolume& workpiece, LineIndex line) {
     return units;
 }
 
-/// The last line along an axis across the runs that BoxStock fills, and how many voxels the stock is wide from there.
+/// The last line along an axis across the runs that BoxStock fills, and the width of the stock from there in voxels.
 struct LastLine {
     std::int32_t index = 0;
     double stands = 1.0;

@@ -10,21 +10,22 @@
 
 namespace burin {
 
-/// The last scanlines of a stock whose width is no whole number of voxels: they stand for more or less of it than one
-/// voxel. What is removed of them is counted by what they stand for.
+/// Corrects for the last scanlines of a stock whose width is not a whole number of voxels: they represent more or less
+/// stock than one voxel. Removal from them is counted by what they represent.
 class SideLines {
 public:
-    /// Before anything is removed. @param stock mm, setup frame
+    /// To be constructed before anything is removed. @param stock mm, setup frame
     SideLines(const RunVolume& workpiece, const Box& stock);
 
-    /// mm³ by which what was removed since is more than its scanlines say, a voxel wide each; may be negative.
+    /// Volume, mm³, by which the actual removal since construction exceeds that of its scanlines at a width of one
+    /// voxel each; may be negative.
     double removedBeside(const RunVolume& workpiece) const;
 
 private:
     struct Line {
         LineIndex line;
-        double beside = 0.0;     ///< what it stands for, less 1
-        std::uint64_t units = 0; ///< machinable, then
+        double beside = 0.0;     ///< width in voxels that it represents, minus 1
+        std::uint64_t units = 0; ///< machinable at construction
     };
     std::vector<Line> lines_;
 };

@@ -9,7 +9,7 @@ namespace burin {
 
 namespace {
 
-/// s to change the speed by so much.
+/// Time to change the speed by `change`, s.
 double rampSeconds(double change, double acceleration, double jerk) noexcept {
     if (change * jerk >= acceleration * acceleration) return change / acceleration + acceleration / jerk;
     return 2.0 * std::sqrt(change / jerk);

@@ -12,7 +12,7 @@ namespace burin {
 
 namespace {
 
-constexpr double leastFacing = 0.05; // n · d of a surface that only grazes: 3 degrees
+constexpr double leastFacing = 0.05; // n · d of a surface that is only grazed: 3 degrees
 constexpr double stepsPerRadius = 16.0, slicesPerRadius = 8.0;
 
 double widestOf(std::span<const RevolvedPiece> flutes) {
@@ -61,13 +61,13 @@ void StepMeter::begin(std::uint32_t move, std::span<const RevolvedPiece> flutes,
     steps_ = 0;
 }
 
-/// Most moves come near a row of bricks without taking anything of it.
+/// Done on the first removal: most moves come near a row of bricks without removing anything from it.
 void StepMeter::prepare() {
     const double widest = widestOf(flutes_);
     steps_ = loadStepsOf(length_, grid_->edge(), widest);
     if (sums_.size() < steps_ * materials_.size()) sums_.resize(steps_ * materials_.size());
     slice_ = std::max(1.0, widest / slicesPerRadius / grid_->edge()) * unitsPerVoxel;
-    // Upright walls on a level move meet all of a run at once.
+    // Upright walls on a level move meet an entire run at once.
     const RevolvedPiece& lowest = flutes_.front();
     const bool walls = flutes_.size() == 1 && !lowest.bulges() && lowest.cornerRadius == 0.0 &&
                        lowest.bottomRadius == lowest.topRadius;
@@ -78,7 +78,7 @@ void StepMeter::prepare() {
 void StepMeter::add(LineIndex line, double low, double high) {
     if (steps_ == 0) prepare();
     if (materials_.size() == 1) return addRun(line, low, high);
-    // Borders within the stretch; what is not of a material that can be milled goes with the one before it.
+    // Splits the interval at its borders of material; parts without millable material count with the one before.
     double from = low;
     for (const Segment segment : workpiece_->line(line)) {
         const double end = std::min(high, static_cast<double>(segment.end()));
@@ -103,8 +103,8 @@ void StepMeter::addRun(LineIndex line, double low, double high) {
                  units * grid_->unitVolume(), halfHeight);
 }
 
-/// The signed distance to a convex piece is convex along the move, so that Newton's steps from its start never pass
-/// the first zero.
+/// The signed distance to a convex piece is convex along the move, so that Newton's steps from its start never pass the
+/// first zero.
 StepMeter::Met StepMeter::meet(const glm::dvec3& place) const {
     constexpr int mostSteps = 12;
     constexpr double near = 1e-6; // mm
@@ -126,7 +126,7 @@ StepMeter::Met StepMeter::meet(const glm::dvec3& place) const {
             const double closing = glm::dot(normal, direction_);
             const bool in = distance.distance <= near;
             if (in || i + 1 == mostSteps || closing <= 0.0) {
-                // Where no piece is met to rounding, the one that comes nearest is.
+                // If no piece is met to within rounding, the nearest one counts.
                 const bool better = in ? !found || way < first.way
                                        : !found && (first.normal == glm::dvec3(0.0) || distance.distance < nearest);
                 if (better) first = {way, height, radius, outward, normal, 0.0};
@@ -156,8 +156,8 @@ double StepMeter::surfaceFor(const Met& met) const {
     return 1.0 / std::max(facing, leastFacing);
 }
 
-/// A piece of a run stands for a voxel: what it gives is spread over as much of the move, so that a slot's load does
-/// not ripple with the columns of voxels that it takes.
+/// A piece of a run represents a voxel: its contribution is spread over an equal length of the move, so that the load
+/// in a slot does not ripple with the columns of voxels that are removed.
 void StepMeter::addSlice(const glm::dvec3& place, double volume, double halfHeight) {
     Met met = meet(place);
     met.surface = surfaceFor(met);

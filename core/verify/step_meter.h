@@ -12,41 +12,41 @@
 
 namespace burin {
 
-/// What the flutes met of one material in one of the equal steps that a move is looked at in. n: outward normal of the
-/// flutes where they met it; t: direction in which a tooth of a clockwise spindle goes there; r: distance from the
-/// tool's axis; d: direction of the move. Sums over the surface that met material, in the mean over the step. Setup
-/// frame.
+/// What the flutes met of one material in one of the equal steps that a move is divided into. n: outward normal of the
+/// flutes at the contact; t: direction in which a tooth moves there with a clockwise spindle; r: distance from the
+/// tool's axis; d: direction of the move. Sums over the surface that met material, averaged over the step. Setup frame.
 struct StepCut {
     std::uint32_t move = 0;
-    std::uint32_t step = 0;  ///< from 0 of `steps`
+    std::uint32_t step = 0;  ///< from 0 to `steps` - 1
     std::uint32_t steps = 1; ///< of the move
     PropertyIndex material = airProperty;
     float volume = 0.0F;      ///< mm³
     float surface = 0.0F;     ///< mm²
-    float bottom = 0.0F;      ///< mm above the tip, of what was met
+    float bottom = 0.0F;      ///< mm above the tip, of the material met
     float top = 0.0F;         ///< mm above the tip
-    glm::vec3 place{0.0F};    ///< mm, middle of what was removed
+    glm::vec3 place{0.0F};    ///< mm, centroid of the material removed
     glm::vec3 tangentChip{0}; ///< mm: sum of t (n · d) / r
     glm::vec3 tangentEdge{0}; ///< mm: sum of t / r
     glm::vec3 normalChip{0};  ///< mm: sum of n (n · d) / r
     glm::vec3 normalEdge{0};  ///< mm: sum of n / r
 
-    /// Takes what another row of bricks met in the same step.
+    /// Adds what another row of bricks met in the same step.
     void add(const StepCut& other) noexcept;
 };
 
-/// Finds when on a move, and where on the flutes, each piece of a removed run was met: at the first point of the move
-/// at which the flutes hold it, which is exact, as the pieces of a tool are convex. One thread.
+/// Determines when on a move, and where on the flutes, each piece of a removed run was met: at the first point of the
+/// move at which the flutes contain it. This is exact because the pieces of a tool are convex. Not thread-safe.
 class StepMeter {
 public:
     explicit StepMeter(const RunVolume& workpiece);
 
-    /// @param flutes outlive the move. @param from, to tips, mm, line frame. @param axis of the tool, line frame
+    /// @param flutes must outlive the move @param from, to tips, mm, line frame @param axis of the tool, line frame
     void begin(std::uint32_t move, std::span<const RevolvedPiece> flutes, const glm::dvec3& from, const glm::dvec3& to,
                const glm::dvec3& axis);
-    /// A stretch that the move took, of what the workpiece held there before all moves. @param low, high run units
+    /// Adds an interval that the move removed from what the workpiece held there before all moves. @param low, high run
+    /// units
     void add(LineIndex line, double low, double high);
-    /// Appends what the steps of the move met, in their order, of each material apart.
+    /// Appends what the steps of the move met, in their order, separately for each material.
     void finish(std::vector<StepCut>& cuts);
 
 private:
@@ -72,19 +72,19 @@ private:
     const RunVolume* workpiece_;
     const Grid* grid_;
     std::vector<PropertyIndex> materials_;    ///< that can be milled
-    std::array<std::uint8_t, 256> placeOf_{}; ///< of each property among them; 0 for what can't be milled
-    std::size_t material_ = 0;                ///< place of what is being added
+    std::array<std::uint8_t, 256> placeOf_{}; ///< index of each property among them; 0 for what can't be milled
+    std::size_t material_ = 0;                ///< index of what is being added
     std::span<const RevolvedPiece> flutes_;
     std::uint32_t move_ = 0;
     glm::dvec3 from_{0.0}, direction_{0.0}, axis_{0.0};
     double length_ = 0.0;     ///< mm
-    double slice_ = 1.0;      ///< run units of a removed run that are looked at by themselves, at most
-    std::uint32_t steps_ = 0; ///< of the move; 0: it has taken nothing yet
-    std::vector<Sum> sums_;   ///< by step, of each by material; all zero but those touched
+    double slice_ = 1.0;      ///< largest piece of a removed run that is treated as one, run units
+    std::uint32_t steps_ = 0; ///< of the move; 0: it has removed nothing yet
+    std::vector<Sum> sums_;   ///< by step, then by material; all zero except those touched
     std::vector<std::size_t> touched_;
 };
 
-/// Steps that the load of a move is told in: of a voxel, or a 16th of the radius where that is more.
+/// Number of steps for which the load of a move is recorded: each of a voxel, or a 16th of the radius if that is more.
 std::uint32_t loadStepsOf(double length, double edge, double radius) noexcept;
 
 } // namespace burin

@@ -11,14 +11,15 @@
 
 namespace burin {
 
-/// Places spread evenly over surfaces, numbered through, one for about every `spacing`²: each triangle in turn gives as
-/// many as its share of area asks for. The same in every run; any of them is found without those before it.
+/// Points spread evenly over surfaces and numbered consecutively, about one for every `spacing`²: each triangle in turn
+/// has as many as its share of the area. The points are the same in every run, and any of them is found without those
+/// before it.
 class SurfacePlaces {
 public:
     /// @param spacing mm
     explicit SurfacePlaces(double spacing) : share_(spacing * spacing) {}
 
-    /// Appends the places of a mesh, which must outlive this and keep its vertices where they are.
+    /// Appends the points of a mesh, which must outlive this object and must not move its vertices.
     void add(const TriangleMesh& mesh) {
         double due = 0.0;
         for (const auto& [a, b, c] : mesh.triangles) {
@@ -37,7 +38,7 @@ public:
 
     std::size_t count() const noexcept { return count_; }
 
-    /// Calls `visit(number, place, unit normal)` for places `first` … `end` - 1.
+    /// Calls `visit(number, point, unit normal)` for points `first` … `end` - 1.
     template <class Visit>
     void forEach(std::size_t first, std::size_t end, const Visit& visit) const {
         if (first >= end) return;
@@ -54,7 +55,7 @@ private:
     struct Face {
         const glm::dvec3 *a, *b, *c;
         glm::dvec3 normal;
-        std::size_t first; ///< number of its first place
+        std::size_t first; ///< number of its first point
     };
 
     /// Additive recurrence over the triangle (M. Roberts, The unreasonable effectiveness of quasirandom sequences,
@@ -71,9 +72,9 @@ private:
         return *face.a + s * (*face.b - *face.a) + t * (*face.c - *face.a);
     }
 
-    double share_; ///< mm² a place
+    double share_; ///< mm² per point
     std::size_t count_ = 0;
-    std::vector<Face> faces_; ///< those that have places
+    std::vector<Face> faces_; ///< those that have points
 };
 
 } // namespace burin

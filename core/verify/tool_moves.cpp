@@ -12,7 +12,7 @@ namespace burin {
 
 namespace {
 
-constexpr double sameTime = 1e-12; // min: axes that arrive so close together arrive at once
+constexpr double sameTime = 1e-12; // min: axes whose arrivals differ by less arrive together
 
 void appendRapid(const ToolMove& rapid, const MachineProfile& machine, std::vector<ToolMove>& moves) {
     if (!rapid.startKnown || !rapid.endKnown) {

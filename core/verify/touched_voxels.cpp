@@ -15,7 +15,7 @@ namespace burin {
 
 namespace {
 
-/// Lines with the largest overlaps.
+/// The lines with the largest overlaps.
 std::set<std::uint32_t> linesOf(const std::vector<Finding>& found) {
     std::map<std::uint32_t, double> overlap;
     for (const Finding& finding : found)
@@ -29,7 +29,7 @@ std::set<std::uint32_t> linesOf(const std::vector<Finding>& found) {
     return lines;
 }
 
-/// Goes through the moves once, stops at the lines that are asked for.
+/// Makes the moves once, and stops at the lines in question.
 class TouchSearch {
 public:
     TouchSearch(const std::vector<ToolMove>& moves, std::span<const Tool> tools, RunVolume& workpiece,
@@ -56,7 +56,7 @@ public:
 private:
     Result<void> cutMoves(const std::vector<ToolMove>& moves) {
         if (moves.empty()) return {};
-        Findings ignored; // they are told already
+        Findings ignored; // they are already reported
         const Result<std::vector<MoveCut>> cuts = replay(moves, tools_, workpiece_, ignored, progress_);
         return cuts ? Result<void>() : cuts.error();
     }

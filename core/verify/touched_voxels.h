@@ -12,12 +12,13 @@
 
 namespace burin {
 
-/// Lines of a program whose touched voxels are told: those with the largest overlaps.
+/// Largest number of program lines whose touched voxels are reported: those with the largest overlaps.
 inline constexpr std::size_t mostTouched = 10;
 
-/// Where shank and holder touch the workpiece on the lines of `found` that say so: the collision area (paper, eq. 4) at
-/// the pose of the line with the largest overlap, looked for once a voxel of the way, with all cut that is cut before.
-/// @param workpiece as the moves find it; it is left anywhere
+/// Finds where shank and holder touch the workpiece on the lines of `found` that report it: the collision area (paper,
+/// eq. 4) at the pose of the line with the largest overlap, searched at every voxel of the path, after everything
+/// before it was cut.
+/// @param workpiece as it is before the moves; its state afterwards is unspecified
 /// Errors: volumeOutOfMemory, cancelled.
 Result<std::vector<TouchedVoxels>> findTouchedVoxels(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                                                      RunVolume& workpiece, const std::vector<Finding>& found,

@@ -54,7 +54,7 @@ void summariseExcess(VerifyReport& report) {
     report.reachableShare = static_cast<double>(reachable) / static_cast<double>(report.deviations.size());
 }
 
-/// Each gouge beyond the tolerance to the sample of the part that is nearest to it.
+/// Assigns each gouge beyond the tolerance to the sample of the part that is nearest to it.
 void markGouges(const std::vector<GougePlace>& places, double voxel, std::vector<DeviationSample>& samples) {
     if (places.empty()) return;
     const DeviationMap map(samples, voxel);
@@ -64,13 +64,13 @@ void markGouges(const std::vector<GougePlace>& places, double voxel, std::vector
     }
 }
 
-/// What the workpiece was milled with before.
+/// The moves that milled the workpiece before.
 struct EarlierMoves {
     std::vector<ToolMove> moves;
     std::vector<Tool> tools;
 };
 
-/// Cuts what an earlier program cut; what was wrong with it is no fault of the one that is judged.
+/// Cuts what an earlier program cut; faults of that program are not attributed to the one that is judged.
 Result<EarlierMoves> millBefore(const VerifyRequest& request, RunVolume& workpiece, Progress& progress) {
     if (request.before == nullptr) return EarlierMoves{};
     VerifyRequest earlier;
@@ -116,10 +116,10 @@ void judgeLoads(const ReplayedProgram& replayed, const VerifyRequest& request, c
     report.feedLimits = judge.feedLimits();
 }
 
-/// mm of material that a tool which does not cut at its centre may meet straight from above: crumbs.
+/// Height of material that a tool which does not cut at its centre may meet straight from above, mm: crumbs.
 constexpr double plungeAllowed = 0.15;
 
-/// mm², of the flutes a crumb's height above the tip.
+/// Section of the flutes at the height of a crumb above the tip, mm².
 double sectionAtTip(const Cutter& cutter) {
     double radius = 0.0;
     for (const RevolvedPiece& piece : flutePieces(cutter))
@@ -128,8 +128,8 @@ double sectionAtTip(const Cutter& cutter) {
     return pi * radius * radius;
 }
 
-/// Feeds straight down, or nearly, into material below the middle of a tool that does not cut there. Moves that follow
-/// each other are one plunge.
+/// Reports feeds straight down, or nearly so, into material below the centre of a tool that does not cut there.
+/// Consecutive moves count as one plunge.
 void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
     constexpr double steepest = 0.1; // sideways over down
     double depth = 0.0;
@@ -151,7 +151,7 @@ void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
     }
 }
 
-/// On a workpiece of its own, and only where something collided: kept from the beginning, it would cost every check
+/// Uses a workpiece of its own, and only if something collided: keeping it from the beginning would cost every check
 /// the memory of a second one.
 Result<void> addTouchedVoxels(const VerifyRequest& request, const std::vector<ToolMove>& moves,
                               std::span<const Tool> tools, const Findings& findings, VerifyReport& report,
@@ -210,7 +210,7 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     progress.stage(0.05, 0.4);
     std::vector<StepCut> steps;
     const ExactStock exact{request.setup.stock, earlier->moves, earlier->tools};
-    // The exact width of a stock is known of a box alone.
+    // The exact width of a stock is only known for a box.
     const std::optional<SideLines> sides = request.setup.form == StockForm::box
                                                ? std::optional<SideLines>(std::in_place, workpiece, request.setup.stock)
                                                : std::nullopt;

@@ -10,7 +10,7 @@ namespace burin::architecture {
 
 namespace {
 
-/// Quotes are optional in a table's first column.
+/// Backticks are optional in a table's first column.
 std::string nameIn(const std::string& cell) {
     const std::vector<std::string> quoted = quotedIn(cell);
     return quoted.empty() ? cell : quoted.front();

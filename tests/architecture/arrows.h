@@ -11,25 +11,25 @@
 
 namespace burin::architecture {
 
-/// Which library may use which, as the tables of core/README.md say. A library is "core/volume", "ui/scene", "app" or
-/// "plugins"; as something that is used, "core" stands for all of core and "ui" for all of ui.
+/// Which library may use which, read from the tables of core/README.md. A library is "core/volume", "ui/scene", "app"
+/// or "plugins"; as a library that is used, "core" stands for all of core and "ui" for all of ui.
 class Arrows {
 public:
-    /// @param page the tables whose first columns are called "room" and "library of others"
+    /// @param page contains the tables whose first columns are called "room" and "library of others"
     static Arrows read(const std::filesystem::path& page);
 
     bool knows(std::string_view library) const { return uses_.contains(library); }
-    /// Whether a library may use another one, itself, or through others.
+    /// Whether a library may use another one, directly or through others; true for itself.
     bool allow(const std::string& library, std::string_view used) const;
-    /// Whether a library may include a library of others: "Qt".
+    /// Whether a library may include a third-party library, such as "Qt".
     bool allowForeign(std::string_view library, std::string_view foreign) const;
 
-    /// What is wrong with the tables, one sentence each: a library that stands twice, one that is used and has no row,
-    /// arrows that make a circle.
+    /// The faults of the tables, one sentence each: a library that is listed twice, one that is used but has no row,
+    /// dependencies that form a cycle.
     std::vector<std::string> faults() const;
     /// Libraries, sorted.
     std::vector<std::string> libraries() const;
-    /// Libraries of others, sorted.
+    /// Third-party libraries, sorted.
     std::vector<std::string> foreignLibraries() const;
 
 private:
@@ -37,7 +37,7 @@ private:
 
     using Lists = std::map<std::string, std::vector<std::string>, std::less<>>;
     Lists uses_;         ///< by library
-    Lists foreignUsers_; ///< by library of others
+    Lists foreignUsers_; ///< by third-party library
     std::vector<std::string> twice_;
 };
 

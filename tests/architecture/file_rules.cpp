@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Written in two pieces, so that this file does not name what it looks for.
+// Written in two pieces, so that this file does not contain what it searches for.
 const std::array<std::string, 6> machinePlaces{std::string("/wo") + "rk/",    std::string("/tmp/") + "burin",
                                                std::string("../sha") + "red", std::string("/ho") + "me/",
                                                std::string("/ro") + "ot/",    std::string("C:\\Us") + "ers"};

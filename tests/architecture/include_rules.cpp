@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The headers that a plugin stands on, beside its own.
+/// The headers that a plugin may include in addition to its own.
 constexpr std::array<std::string_view, 17> pluginInterface{"core/base/mailbox.h",
                                                            "core/base/error.h",
                                                            "core/base/progress.h",
@@ -32,14 +32,14 @@ constexpr std::array<std::string_view, 17> pluginInterface{"core/base/mailbox.h"
                                                            "core/nc/dialect.h",
                                                            "core/nc/program.h"};
 
-/// What others take as it is, without our tree: its files name each other by their names alone.
+/// Folders that others use unchanged outside our tree: their files include each other by file name only.
 constexpr std::array<std::string_view, 1> handedOut{"plugins/devices/open_stylus/firmware"};
 
-/// What the plugins of one kind share, and build into each of them.
+/// Code shared by the plugins of one kind and built into each of them.
 constexpr std::array<std::string_view, 4> sharedByPlugins{"plugins/devices/cap", "plugins/devices/hid",
                                                           "plugins/devices/polled", "plugins/devices/vendor"};
 
-/// A library of others; core/README.md says who may include it.
+/// A third-party library; core/README.md says who may include it.
 struct Foreign {
     std::string_view name;
     bool (*owns)(std::string_view header);
@@ -121,7 +121,7 @@ std::string foreignFault(const Arrows& arrows, const std::string& library, const
     return {};
 }
 
-/// What is wrong with one include; empty when nothing is.
+/// The fault of one include; empty if there is none.
 std::string faultOf(const Arrows& arrows, const std::string& source, const std::string& include) {
     const std::string library = libraryOf(source), header = include.substr(1);
     if (include.starts_with('<')) return foreignFault(arrows, library, header);

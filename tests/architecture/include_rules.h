@@ -11,29 +11,31 @@
 
 namespace burin::architecture {
 
-/// The header of an #include line with its opening mark, `<vector` or `"core/base/error.h`; empty for another line.
+/// The header of an #include line with its opening delimiter, `<vector` or `"core/base/error.h`; empty for any other
+/// line.
 std::string includedBy(std::string_view line);
 
-/// What the sources of a tree include that they may not, one sentence each; empty when all is well.
-/// Reads every #include line of core, ui, app and plugins.
+/// Forbidden includes in the sources of a tree, one sentence each; empty if there are none. Reads every #include line
+/// of core, ui, app and plugins.
 std::vector<std::string> forbiddenIncludes(const std::filesystem::path& root, const Arrows& arrows);
-/// The libraries of others whose headers `forbiddenIncludes` knows, sorted.
+/// The third-party libraries whose headers `forbiddenIncludes` knows, sorted.
 std::vector<std::string> watchedForeignLibraries();
 
 /// Libraries of core that link what their room may not use, one sentence each. Reads every CMakeLists.txt of core.
 std::vector<std::string> forbiddenLinks(const std::filesystem::path& root, const Arrows& arrows);
 
-/// Types of one name, in the same namespace, that two files of core, ui or app define; empty when there are none. The
-/// linker takes the functions of either for both, and no compiler says a word.
+/// Types with the same name in the same namespace that two files of core, ui or app define; empty if there are none.
+/// The linker uses the functions of either for both, and no compiler reports it.
 std::vector<std::string> typesDefinedTwice(const std::filesystem::path& root);
 
 /// Source files (C++, CMake, scripts) without the two SPDX lines at their top.
 std::vector<std::string> missingLicences(const std::filesystem::path& root, const std::vector<std::string>& files);
 
-/// Files that name a place which exists on one machine alone.
+/// Files that name a path which exists on one machine only.
 std::vector<std::string> namedMachines(const std::filesystem::path& root, const std::vector<std::string>& files);
 
-/// Files of the project, relative to `root`: what git tracks, or in a tree without git everything but build results.
+/// Files of the project, relative to `root`: those tracked by git, or in a tree without git everything except build
+/// results.
 std::vector<std::string> projectFiles(const std::filesystem::path& root);
 
 } // namespace burin::architecture

@@ -15,7 +15,7 @@ namespace {
 
 /// A call of burin_library in a CMakeLists.txt.
 struct Declared {
-    std::string room;                ///< that the file stands in: "core/cad"
+    std::string room;                ///< that the file belongs to: "core/cad"
     std::string name;                ///< "cad_reader"
     std::vector<std::string> linked; ///< libraries of Burin: "geometry"
 };

@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::array<std::string_view, 8> topFolders{"app",       "cmake", "core",         "plugins",
                                                      "resources", "tests", "translations", "ui"};
-/// Pages of GRBL and of 3D mice that our comments give as their sources.
+/// Pages of GRBL and of 3D mice that our comments cite as their sources.
 constexpr std::array<std::string_view, 5> pagesOfOthers{"doc/markdown/commands.md", "doc/markdown/interface.md",
                                                         "commands.md", "SpaceNavigator.md", "SpaceMouseWireless.md"};
-/// Names sources by their paths without an ending, for which another test answers.
+/// Lists sources by their paths without an ending, which another test checks.
 constexpr std::string_view tableOfSources = "tests/architecture/unreached_sources.md";
 
 bool isSourceName(std::string_view name) {
@@ -35,7 +35,7 @@ bool isPlainPath(std::string_view text) {
     });
 }
 
-/// A page's references that lead nowhere. @param names of all sources, without their folders
+/// Finds references of a page to missing files. @param names of all sources, without their folders
 void checkPage(const fs::path& root, const std::string& page, const std::set<std::string>& names,
                std::vector<std::string>& faults) {
     std::ifstream stream(root / page);
@@ -54,7 +54,8 @@ void checkPage(const fs::path& root, const std::string& page, const std::set<std
     }
 }
 
-/// The pages that a source's comments name and that are not there. @param names of all our pages, without their folders
+/// Finds pages that a source's comments name and that do not exist. @param names of all our pages, without their
+/// folders
 void checkSource(const fs::path& root, const std::string& source, const std::set<std::string>& names,
                  std::vector<std::string>& faults) {
     constexpr std::string_view ending = ".md";

@@ -8,10 +8,10 @@
 
 namespace burin::architecture {
 
-/// What our pages and comments name that is not in the tree, one sentence each. In a page: what stands between
-/// backticks and begins with one of our top folders, or is the bare name of a source ("stroke.cpp"). In a source: pages
-/// ("core/haptics/README.md"; of a bare name any page of the project).
-/// @param files of the project, relative to `root`; pages of tests/fixtures tell of files elsewhere and are left out
+/// References in our pages and comments to files that are not in the tree, one sentence each. In a page: text in
+/// backticks that begins with one of our top folders, or is the bare name of a source ("stroke.cpp"). In a source:
+/// names of pages ("core/haptics/README.md"; a bare name may be any page of the project).
+/// @param files of the project, relative to `root`; pages of tests/fixtures describe files elsewhere and are left out
 std::vector<std::string> deadReferences(const std::filesystem::path& root, const std::vector<std::string>& files);
 
 } // namespace burin::architecture

@@ -15,7 +15,7 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
 }
 
-/// Nothing for a line that is no row of a table.
+/// Empty for a line that is no row of a table.
 std::optional<PageRow> rowOf(std::string_view line) {
     if (!line.starts_with('|')) return std::nullopt;
     line.remove_prefix(1);
@@ -32,7 +32,7 @@ std::optional<PageRow> rowOf(std::string_view line) {
 std::vector<PageRow> tableOf(const std::filesystem::path& page, std::string_view firstHeading) {
     std::vector<PageRow> rows;
     std::ifstream stream(page);
-    int read = 0; // of a table: its heading, and the dashes below it
+    int read = 0; // lines of a table read so far: its heading, and the dashes below it
     for (std::string line; std::getline(stream, line);) {
         std::optional<PageRow> row = rowOf(line);
         if (!row) {

@@ -13,10 +13,10 @@ namespace burin::architecture {
 using PageRow = std::vector<std::string>;
 
 /// The rows of all tables of a Markdown page whose first column is called `firstHeading`, without the headings and the
-/// lines of dashes; empty: there is no such table.
+/// lines of dashes; empty if there is no such table.
 std::vector<PageRow> tableOf(const std::filesystem::path& page, std::string_view firstHeading);
 
-/// What stands between backticks in a text, in order.
+/// The parts of a text that are in backticks, in order.
 std::vector<std::string> quotedIn(std::string_view text);
 
 } // namespace burin::architecture

@@ -20,12 +20,12 @@ namespace {
 
 using Names = std::set<std::string, std::less<>>;
 
-/// What the rules look at in a file.
+/// The parts of a file that the rules examine.
 struct Source {
     std::vector<std::string> includes; ///< ours, relative to the root
     Names words;                       ///< identifiers outside of comments
-    Names defined;                     ///< functions, and classes whose members they are, at the lines' beginnings
-    bool hasHeader = false;            ///< of its own name, beside it
+    Names defined;                     ///< functions, and classes with member functions, at the beginnings of lines
+    bool hasHeader = false;            ///< a header of the same name in the same folder
 };
 using Sources = std::map<std::string, Source>; // by file
 
@@ -53,8 +53,8 @@ std::string scopedNameBefore(std::string_view line, std::size_t bracket) {
     return std::string(line.substr(begin, bracket - begin));
 }
 
-/// What a line defines or declares that begins a function at the left edge, as our formatter writes it: the function's
-/// name, or that of the class whose member it is.
+/// The name defined or declared by a line that begins a function at the left edge, as our formatter writes it: the
+/// function's name, or that of its class for a member.
 std::optional<std::string> functionOf(std::string_view line) {
     if (line.empty() || std::isalpha(static_cast<unsigned char>(line.front())) == 0) return std::nullopt;
     for (const std::string_view other :
@@ -127,7 +127,7 @@ public:
     bool contains(const std::string& file) const { return reached_.contains(file); }
 
 private:
-    /// Adds a file and all that it includes.
+    /// Adds a file and everything that it includes.
     void add(const std::string& file) {
         const auto source = sources_.find(file);
         if (source == sources_.end() || !reached_.insert(file).second) return;
@@ -142,7 +142,7 @@ private:
         }
         return grew;
     }
-    /// Whether something reached needs the source.
+    /// Whether a reached file needs the source.
     bool isImplemented(const std::string& file, const std::set<std::string>& headers) const {
         const Source& source = sources_.at(file);
         if (source.hasHeader) return contains(*headers.begin());
@@ -161,7 +161,7 @@ private:
     }
 
     const Sources& sources_;
-    std::map<std::string, std::set<std::string>> headers_; ///< by source: those that it may implement
+    std::map<std::string, std::set<std::string>> headers_; ///< by source: the headers that it may implement
     std::set<std::string> reached_;
 };
 

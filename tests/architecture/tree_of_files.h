@@ -24,7 +24,7 @@ inline QString told(const std::vector<std::string>& faults) {
     return listed(faults).join(QLatin1Char('\n'));
 }
 
-/// Writes a file of a tree that a rule is tried on.
+/// Writes a file of a tree on which a rule is tested.
 inline void place(const QTemporaryDir& tree, const QString& file, const QString& content) {
     const std::filesystem::path path = tree.filePath(file).toStdString();
     std::filesystem::create_directories(path.parent_path());

@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(told(forbiddenLinks(BURIN_SOURCE_DIRECTORY, ourArrows())), QString());
     }
 
-    /// The page names every room that there is, and no other.
+    /// The page names every existing room, and no other.
     void thePageNamesTheRooms() {
         QCOMPARE(told(ourArrows().faults()), QString());
         const fs::path root(BURIN_SOURCE_DIRECTORY);
@@ -140,7 +140,7 @@ private slots:
         }
     }
 
-    /// The tables of a page, and what is wrong with them.
+    /// The tables of a page, and their faults.
     void aPageThatContradictsItselfIsSeen_data() {
         QTest::addColumn<QString>("rows");
         QTest::addColumn<QString>("fault");
@@ -162,7 +162,7 @@ private slots:
         QCOMPARE(told(arrows.faults()), fault);
     }
 
-    /// A library of core, what it links, and what is wrong with that.
+    /// A library of core, what it links, and the fault in that.
     void aForbiddenLinkIsSeen() {
         const QTemporaryDir tree;
         const Arrows arrows =

@@ -13,7 +13,7 @@ namespace burin::tst_pages {
 
 using namespace burin::architecture;
 
-/// Pages and comments cite what is in the repository.
+/// Pages and comments cite only files that are in the repository.
 class TestPages : public QObject {
     Q_OBJECT
 private slots:
@@ -28,7 +28,7 @@ private slots:
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("text");
         QTest::addColumn<bool>("fault");
-        // Names of pages stand in two pieces, so that this file names none.
+        // Names of pages are written in two pieces, so that this file names none.
         const auto row = [](const char* name, const char* file, const char* text, bool fault) {
             QTest::newRow(name) << QString::fromLatin1(file) << QString::fromLatin1(text) << fault;
         };

@@ -30,7 +30,7 @@ QStringList unreachedOf(const Files& files) {
 class TestReach : public QObject {
     Q_OBJECT
 private slots:
-    /// What a user can't reach does not stay, or has a reason.
+    /// Code that a user can't reach is removed, or has a reason to stay.
     void whatNoProgramReachesHasAReason() {
         const std::filesystem::path root(BURIN_SOURCE_DIRECTORY);
         const std::vector<std::string> unreached = unreachedSources(root);
@@ -40,7 +40,7 @@ private slots:
         QVERIFY2(faults.empty(), qPrintable(told(faults)));
     }
 
-    /// The rule itself: trees of a few files, and which of core no program reaches.
+    /// The rule itself: trees of a few files, and the files of core that no program reaches.
     void theRuleIsWatched_data() {
         QTest::addColumn<Files>("files");
         QTest::addColumn<QStringList>("unreached");

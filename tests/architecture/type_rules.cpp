@@ -15,14 +15,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Takes `start` off the front of a line that begins with it.
+/// Removes `start` from the front of a line that begins with it.
 bool skip(std::string_view& line, std::string_view start) {
     if (!line.starts_with(start)) return false;
     line.remove_prefix(start.size());
     return true;
 }
 
-/// Takes off what stands from `open`, which begins the line, to the `close` that belongs to it.
+/// Removes the text from `open`, which begins the line, to the matching `close`.
 std::string_view takeBrackets(std::string_view& line, char open, char close) {
     int depth = 0;
     std::size_t end = 0;
@@ -36,7 +36,7 @@ std::string_view takeBrackets(std::string_view& line, char open, char close) {
     return taken;
 }
 
-/// Takes off a name with the scopes that it states and with what a template is specialised for.
+/// Removes a name with its scopes and its template specialisation arguments.
 std::string takeName(std::string_view& line) {
     std::string name;
     while (!line.empty())
@@ -53,7 +53,7 @@ std::string takeName(std::string_view& line) {
     return name;
 }
 
-/// Takes off `[[nodiscard]] alignas(64) ` and the like.
+/// Removes `[[nodiscard]] alignas(64) ` and the like.
 void skipAttributes(std::string_view& line) {
     for (;; skip(line, " "))
         if (line.starts_with("[["))
@@ -64,7 +64,7 @@ void skipAttributes(std::string_view& line) {
             return;
 }
 
-/// The type whose definition a line begins, as our formatter writes it: at the line's own beginning.
+/// The type whose definition begins on a line, as our formatter writes it: at the beginning of the line.
 std::optional<std::string> definedBy(std::string_view line) {
     if (skip(line, "template ")) {
         takeBrackets(line, '<', '>');
@@ -82,7 +82,7 @@ std::optional<std::string> definedBy(std::string_view line) {
 /// The namespaces that are open, as our formatter begins and ends them.
 class OpenNamespaces {
 public:
-    /// Whether the line opens or closes one.
+    /// Whether the line opens or closes a namespace.
     bool read(std::string_view line) {
         if (line.starts_with("} // namespace") && !names_.empty()) {
             names_.pop_back();
@@ -93,8 +93,8 @@ public:
         names_.push_back(takeName(line));
         return true;
     }
-    /// Types of another file can't meet those of an unnamed namespace, nor those of a piece that others include
-    /// within theirs.
+    /// Whether types of another file can collide with those here: not in an unnamed namespace, nor in a fragment that
+    /// others include within their own namespace.
     bool seenByOthers() const { return !names_.empty() && std::ranges::find(names_, std::string()) == names_.end(); }
     std::string nameOf(const std::string& type) const {
         std::string whole;
@@ -115,7 +115,7 @@ std::vector<std::string> typesOf(const fs::path& file) {
         if (const std::optional<std::string> type = definedBy(line)) types.push_back(open.nameOf(*type));
     }
     std::ranges::sort(types);
-    const auto rest = std::ranges::unique(types); // one of several, as the processor's instructions decide
+    const auto rest = std::ranges::unique(types); // several such types of which the processor's instructions select one
     types.erase(rest.begin(), rest.end());
     return types;
 }

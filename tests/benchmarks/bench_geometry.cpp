@@ -13,7 +13,7 @@ double bumpyRadius(double longitude, double latitude) {
     return 50.0 + 1.5 * std::sin(7.0 * longitude) * std::cos(5.0 * latitude) * std::cos(latitude);
 }
 
-/// 217,140 triangles.
+/// A star-shaped body with 217,140 triangles.
 const MeshDistance& bumpy() {
     static const MeshDistance mesh(shapes::starShaped(330, 330, bumpyRadius));
     return mesh;
@@ -23,7 +23,7 @@ std::vector<RevolvedPiece> tool(double corner) {
     return {{0.0, 20.0, 3.0, 3.0, corner}, {20.0, 40.0, 3.0, 3.0, 0.0}, {40.0, 60.0, 10.0, 16.0, 0.0}};
 }
 
-/// A way round the bumpy ball, as a path takes it.
+/// Positions around the bumpy ball, as along a tool path.
 struct Way {
     double longitude = 0.0;
     glm::dvec3 next(double gap) {
@@ -41,7 +41,7 @@ void closestPoint(benchmark::State& state) {
 }
 BENCHMARK(closestPoint);
 
-/// Corner radius in hundredths of a millimetre: ball, bull nose, flat.
+/// Argument: corner radius in hundredths of a millimetre: ball, bull nose, flat.
 void toolClearance(benchmark::State& state) {
     const std::vector<RevolvedPiece> pieces = tool(0.01 * static_cast<double>(state.range(0)));
     Way way;

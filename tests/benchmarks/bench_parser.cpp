@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// How fast programs are read: plain G1 blocks of three axes, as a finished surface has them.
+// The speed of reading programs: plain G1 blocks of three axes, as for a finished surface.
 #include "core/base/numbers.h"
 #include "core/nc/lint.h"
 #include "core/nc/parser.h"

@@ -22,7 +22,7 @@ SurfaceDetail detailOf(const benchmark::State& state, std::size_t first) {
     return {static_cast<int>(state.range(first)), static_cast<double>(state.range(first + 1)) / 100.0 * voxel};
 }
 
-/// Arguments: tile u, v, level, hundredths of a voxel of tolerance. (7, 2): finished dome and scallops; (14, 8): a
+/// Arguments: tile u, v, level, tolerance in hundredths of a voxel. (7, 2): finished dome and scallops; (14, 8): a
 /// corner of the stock.
 void surfaceTile(benchmark::State& state) {
     const VolumeSnapshot workpiece = sample().workpiece.snapshot();
@@ -33,7 +33,7 @@ void surfaceTile(benchmark::State& state) {
     state.counters["triangles"] = static_cast<double>(mesh.triangles.size() / 3);
 }
 
-/// Arguments: level, hundredths of a voxel of tolerance.
+/// Arguments: level, tolerance in hundredths of a voxel.
 void wholeSurface(benchmark::State& state) {
     const VolumeSnapshot workpiece = sample().workpiece.snapshot();
     SurfaceExtractor extractor;
@@ -51,7 +51,8 @@ void wholeSurface(benchmark::State& state) {
     state.counters["triangles"] = static_cast<double>(triangles);
 }
 
-/// What a move of 0.3 mm costs: which tiles changed, and their surface. Arguments: level, hundredths of a voxel.
+/// The cost of a move of 0.3 mm: finding the changed tiles and making their surface. Arguments: level, hundredths of a
+/// voxel.
 void changedTiles(benchmark::State& state) {
     MilledSample milled(voxel);
     SurfaceExtractor extractor;

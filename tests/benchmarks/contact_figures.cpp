@@ -10,13 +10,14 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// A tool whose shank and holder stand in a shaft without touching anything.
+/// A tool whose shank and holder are inside a shaft without touching anything.
 struct FreeTool {
-    double radius = 0.0, length = 0.0; ///< mm; of flutes and shank together
+    double radius = 0.0, length = 0.0; ///< mm; flutes and shank together
     std::string suffix;
 };
 
-/// Median over tips of the least time of a look, as the haptic loop takes one each tick; nothing may touch.
+/// The median over all tips of the least time of a contact check, as the haptic loop makes one each tick; nothing may
+/// touch.
 double lookAround(Session& session, const std::string& name, const RunVolume& workpiece,
                   const std::vector<RevolvedPiece>& tool, const std::vector<glm::dvec3>& tips) {
     ContactCheck check(workpiece.grid());
@@ -31,7 +32,7 @@ double lookAround(Session& session, const std::string& name, const RunVolume& wo
     return percentile(session.least(name, std::move(least)), 0.5);
 }
 
-/// Opens an upright shaft from `deep` upwards.
+/// Opens a vertical shaft from `deep` upwards.
 void openShaft(RunVolume& workpiece, double radius, double deep) {
     const Grid& grid = workpiece.grid();
     const glm::dvec2 middle(grid.box().centre());
@@ -46,7 +47,7 @@ void freeTool(Session& session, const FreeTool& tool) {
     RunVolume workpiece = layeredBlock(static_cast<std::int32_t>(side));
     Cutter cutter = cutterOf(CutterType::ball, tool.radius);
     cutter.stickOut = tool.length;
-    // Shank and the lower half of the holder stand in the shaft, with a gap all round.
+    // Shank and the lower half of the holder are inside the shaft, with a gap all round.
     const double deep = 0.97 * side - tool.length - tool.radius;
     openShaft(workpiece, 1.8 * tool.radius, deep);
     std::vector<glm::dvec3> tips;

@@ -17,9 +17,10 @@ namespace {
 using std::nullopt;
 using Limit = std::optional<double>;
 
-/// A peer for the median tick. The paper's way stands beside the main figure, others have figures of their own.
+/// A peer for the median tick. The paper's method is reported with the main figure, the others have figures of their
+/// own.
 struct PeerWish {
-    std::string name;   ///< as it is shown
+    std::string name;   ///< as displayed
     std::string suffix; ///< of the figure's name
     std::unique_ptr<CuttingPeer> (*make)(const VolumeSnapshot&, const LineBlock&, const EndMill&);
     Limit ratioAtLeast;
@@ -51,7 +52,7 @@ struct CutCase {
     std::vector<PeerWish> peers;
 };
 
-/// What is still wanted of a case after it was measured.
+/// Results of a case that are still needed after it was measured.
 struct Measured {
     std::vector<double> ticks; ///< µs
     double p50 = 0.0, p999 = 0.0;
@@ -75,7 +76,7 @@ double peerMedian(Session& session, const CutCase& task, const PeerWish& wish, c
     return percentile(session.least(task.name + ", " + wish.name, std::move(ticks)), 0.5);
 }
 
-/// A case's own figures and those of its peers. Nothing when no figure of it is wanted.
+/// A case's own figures and those of its peers. Returns nullopt if none of its figures is requested.
 std::optional<Measured> measure(Session& session, const CutCase& task) {
     if (!session.wants(task.name)) return nullopt;
     session.stage(task.name);
@@ -206,7 +207,7 @@ void tiltedTools(Session& session) {
                                 {}});
 }
 
-/// Along a block's top, row beside row a radius apart, each row down the block's length, then a radius deeper.
+/// Rows along a block's top at a distance of one radius, each as long as the block, then the same a radius deeper.
 std::vector<glm::dvec3> rowsOverBlock(const glm::dvec3& size, double radius, std::size_t ticks) {
     const double step = 0.2 * radius;
     const auto perRow = static_cast<std::size_t>(size.x / step);
@@ -238,7 +239,7 @@ void paperCase(Session& session) {
     measureRadius("cut.paper_case.r5", 5.0);
 }
 
-/// A whole footprint at once, twice: coming down on the stock, and a take that begins deep within it.
+/// A whole footprint at once, in two cases: coming down on the stock, and a take that begins deep within it.
 void firstContact(Session& session) {
     const std::string name = "cut.first_contact.r200";
     if (!session.wants(name)) return;
@@ -258,7 +259,7 @@ void firstContact(Session& session) {
         return percentile(session.least(name + contact, std::move(least)), 1.0);
     };
     const double descending = worstOf(".descending", path);
-    // The tool stands deep in the stock when its first tick comes, and goes on from there.
+    // The tool is deep in the stock at its first tick, and moves on from there.
     std::vector<ToolPose> deep{{glm::dvec3(0.5 * side), {0.0, 0.0, 1.0}}};
     for (const glm::dvec3& tip : walk(side, radius, 1.0, 100)) deep.push_back({tip, {0.0, 0.0, 1.0}});
     deep.front() = deep[1];

@@ -7,9 +7,9 @@
 
 namespace burin::testing {
 
-/// s
+/// The time since `begin`, s.
 double secondsSince(std::chrono::steady_clock::time_point begin);
-/// Lets the event loop run. False: `what` did not happen in time.
+/// Runs the event loop until `what` is true. Returns false if that did not happen in time.
 bool runUntil(const std::function<bool()>& what, std::chrono::steady_clock::duration limit = std::chrono::seconds(60));
 void runFor(std::chrono::steady_clock::duration time);
 

@@ -16,10 +16,10 @@ namespace burin::benchmarks {
 
 namespace {
 
-// Voxels of 1 mm: lengths in mm are voxels.
+// Voxels of 1 mm, so that lengths in mm are voxels.
 constexpr double triangles = 1e6, band = 4.0;
 
-/// Places in the fine band: along the normals of triangles, the same on every machine.
+/// Points in the fine band, along the normals of triangles; the same on every machine.
 std::vector<glm::dvec3> placesInBand(const TriangleMesh& mesh, std::size_t count) {
     std::mt19937 random(7);
     const auto draw = [&] { return static_cast<double>(random()) / 4294967296.0; };
@@ -41,7 +41,7 @@ std::vector<glm::dvec3> placesInBand(const TriangleMesh& mesh, std::size_t count
 
 struct FieldError {
     double largest = 0.0; ///< voxels
-    double bound = 0.0;   ///< voxels, the largest that the field states where it was asked
+    double bound = 0.0;   ///< voxels, the largest bound that the field states at the points
     std::size_t beyondBound = 0;
 };
 
@@ -91,8 +91,8 @@ void fieldErrors(Session& session) {
     session.check(bumpy.beyondBound + edged.beyondBound == 0, "the field is never off by more than it states");
 }
 
-/// Points of the end of a ball of R 25 that rests on the body at one of its vertices, within 10 mm of it, in the order
-/// in which a tool's surface is walked.
+/// Points on the end of a ball of R 25 that rests on a vertex of the body, within 10 mm of it, in the order in which
+/// the surface of a tool is traversed.
 std::vector<glm::dvec3> touchingTool(const TriangleMesh& mesh, double side) {
     const glm::dvec3 middle(0.5 * side), out = glm::normalize(glm::dvec3(1.0, 1.0, 0.4));
     const glm::dvec3 contact = *std::ranges::max_element(

@@ -6,10 +6,10 @@
 
 namespace burin::benchmarks {
 
-// One file a group. Each measures those of its figures that the run wants; README.md says how.
+// Each group has a file of its own and measures those of its figures that are requested; see README.md.
 
-void peersAgree(Session& session);          ///< peers.*: that all ways to cut cut the same
-void axesAreRight(Session& session);        ///< no figure: that tools take the right voxels at any axis
+void peersAgree(Session& session);          ///< peers.*: that all cutting methods give the same result
+void axesAreRight(Session& session);        ///< no figure: that tools remove the right voxels with any axis
 void cuttingFigures(Session& session);      ///< cut.*
 void contactFigures(Session& session);      ///< contact.*
 void smoothnessFigures(Session& session);   ///< ripple.*, floor.*

@@ -16,16 +16,16 @@ namespace burin::benchmarks {
 
 namespace {
 
-constexpr std::size_t ticks = 10'000, ticksAtOnce = 1000; // the other loops run in turn with it
+constexpr std::size_t ticks = 10'000, ticksAtOnce = 1000; // the other loops alternate with it
 constexpr long period = 1'000'000;                        // ns
 constexpr double periodMicroseconds = 1e-3 * period;
 
-/// What each tick took, µs: on the wall's clock, and of the processor's time.
+/// The times of each tick, µs: wall clock and processor time.
 struct Spent {
     std::vector<double> wall = std::vector<double>(ticks), processor = std::vector<double>(ticks);
 };
 
-/// Calls `work(i)` at absolute times a period apart. @return ticks that were not over when the next one was due
+/// Calls `work(i)` at absolute times a period apart. @return  ticks that were not finished when the next one was due
 template <class Work>
 std::size_t atEachPeriod(std::size_t first, std::size_t count, const Work& work, Spent& spent) {
     std::size_t missed = 0;
@@ -54,12 +54,12 @@ std::size_t atEachPeriod(std::size_t first, std::size_t count, const Work& work,
             1e6 * static_cast<double>(now.tv_sec - due.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec - due.tv_nsec);
         if (since <= periodMicroseconds) continue;
         ++missed;
-        due = now; // a loop that was late does not hurry after lost time
+        due = now; // a late loop does not catch up lost time
     }
     return missed;
 }
 
-/// So that no tick is the first to use a page of a new thread's stack.
+/// Prevents any tick from being the first to use a page of a new thread's stack.
 void touchStack() {
     constexpr std::size_t bytes = 256 * 1024, page = 4096;
     volatile char stack[bytes]; // NOLINT: nothing but its pages is used
@@ -67,8 +67,8 @@ void touchStack() {
     (void)stack[0];
 }
 
-/// Arithmetic that is always the same and needs no memory, about as long as a tick: what it takes longer at times, the
-/// machine took.
+/// A constant amount of arithmetic without memory access that takes about as long as a tick: any additional time was
+/// taken by the machine.
 void calculate() noexcept {
     std::uint64_t number = 1;
     for (int i = 0; i < 50'000; ++i) number = number * 6364136223846793005U + 1442695040888963407U;
@@ -76,7 +76,7 @@ void calculate() noexcept {
     (void)kept;
 }
 
-/// Runs on a thread of its own, real-time where the system allows it.
+/// Runs in a thread of its own, with real-time priority if the system allows it.
 struct Loop {
     Spent work, empty, steady;
     std::size_t missed = 0, missedEmpty = 0;
@@ -151,7 +151,7 @@ void loopFigures(Session& session) {
     if (!loop.realTime)
         session.note("The system allows no real-time thread (SCHED_FIFO): loop figures are of a normal one.");
 
-    // Raw times: of several rounds the quietest one stands, whole.
+    // Raw times: of several rounds the quietest one is kept as a whole.
     const double worstButTen = percentile(loop.work.wall, 0.999);
     if (session.least(name, worstButTen) < worstButTen) return;
     const double beyond = static_cast<double>(loop.missed) - static_cast<double>(loop.missedEmpty);

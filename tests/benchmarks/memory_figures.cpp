@@ -16,7 +16,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// What other forms need for the same volume.
+/// The memory that other representations need for the same volume.
 struct PeerSize {
     std::string name, suffix;
     double bytes = 0.0;
@@ -35,7 +35,7 @@ std::vector<PeerSize> peerSizes(Session& session, const VolumeSnapshot& volume) 
     return sizes;
 }
 
-/// How many times smaller each peer, in the order of peerSizes, has to be beaten by; 0: not asked for.
+/// By which factor each peer, in the order of peerSizes, has to be larger; 0: not required.
 struct RatiosAtLeast {
     double bytes = 0.0, bits = 0.0, openVdb = 0.0, octree = 0.0;
     std::optional<double> of(const std::string& suffix) const {
@@ -56,7 +56,7 @@ void add(Session& session, const std::string& name, double bytes, double per, st
     }
 }
 
-/// Packs a state, proves that nothing of it is lost, and adds its bytes a run.
+/// Packs a state, verifies that nothing of it is lost, and adds its bytes per run.
 void packedFigures(Session& session, const std::string& name, const VolumeSnapshot& snapshot, double limit,
                    const std::vector<PeerSize>& peers, const RatiosAtLeast& ratios) {
     session.stage(name);
@@ -81,7 +81,7 @@ void packedFigures(Session& session, const std::string& name, const VolumeSnapsh
     session.check(different == 0, name + ": packing loses nothing (" + std::to_string(different) + " lines differ)");
 }
 
-/// Six long overlapping walks with a short tool: tunnels cross tunnels.
+/// Six long overlapping walks with a short tool, whose tunnels cross each other.
 void millHeavily(Session& session, RunVolume& volume, std::size_t ticksAWalk) {
     const double side = volume.grid().lineCountU();
     Cutter cutter = cutterOf(CutterType::ball, 50.0);

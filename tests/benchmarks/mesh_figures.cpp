@@ -13,8 +13,8 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// Bricks of a tile, from the low end on, through which its surface passes: their corner voxels' neighbourhood, one
-/// voxel wider than the brick, holds both material and air.
+/// The bricks of a tile, from the low end on, through which its surface passes: those whose corner voxels'
+/// neighbourhood, one voxel wider than the brick, contains both material and air.
 std::vector<Brick> mixedBricks(const VolumeSnapshot& volume, SurfaceTile tile) {
     const Grid& grid = volume.grid();
     std::vector<std::uint8_t> air(static_cast<std::size_t>(grid.voxelsPerLine() / flyingBrickSide)), material = air;
@@ -39,7 +39,7 @@ std::vector<Brick> mixedBricks(const VolumeSnapshot& volume, SurfaceTile tile) {
 }
 
 struct Peer {
-    double expanding = 0.0, meshing = 0.0; ///< µs, median of a brick
+    double expanding = 0.0, meshing = 0.0; ///< µs, median over bricks
     double total() const { return expanding + meshing; }
 };
 
@@ -49,7 +49,7 @@ Peer flyingEdges(Session& session, const VolumeSnapshot& volume, const std::vect
     const ReplayRule rule{4, 6, 0.5};
     Peer peer;
     std::int64_t triangles = 0;
-    // Both parts in one replay: the filter works only on samples that are new.
+    // Both parts in one replay: the filter works only on new samples.
     std::vector<double> expanding(bricks.size(), 1e9), meshing(bricks.size(), 1e9);
     for (int replay = 0; replay < rule.least; ++replay)
         for (std::size_t i = 0; i < bricks.size(); ++i) {

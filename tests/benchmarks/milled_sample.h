@@ -9,8 +9,8 @@
 
 namespace burin::test {
 
-/// A dome in a block of 120 × 70 × 45 mm, like a computer mouse: roughed in terraces, one half of it finished with a
-/// ball end mill of 6 mm, scallops and all.
+/// A dome in a block of 120 × 70 × 45 mm, like a computer mouse: roughed in terraces, one half finished with a ball end
+/// mill of 6 mm, which leaves scallops.
 class MilledSample {
 public:
     static constexpr double length = 120.0, width = 70.0, height = 45.0, floor = 8.0;
@@ -26,7 +26,7 @@ public:
         return rest <= 0.0 ? 0.0 : floor + 28.0 * std::sqrt(rest) * (1.0 - 0.2 * a);
     }
 
-    /// One pass of the finishing ball along x; it stays where it is.
+    /// One pass of the finishing ball along x; the cut stays in the workpiece.
     void pass(double y, double fromX, double toX, double step = 0.5) {
         MaterialRemoval ball({CutterType::ball, 6.0, 3.0, 20.0, 6.0, 50.0, {}}, workpiece.grid());
         const auto tip = [&](double x) { return glm::dvec3(x, y, tipHeight(x, y)); };
@@ -61,7 +61,7 @@ private:
                     (void)workpiece.fillSpan({u, v}, grid.toRunPosition(floor), grid.toRunPosition(top), 2);
             }
     }
-    /// A flat end mill of 10 mm, 4 mm deeper each time, round the dome.
+    /// Roughs round the dome with a flat end mill of 10 mm, 4 mm deeper each time.
     void rough() {
         MaterialRemoval flat({CutterType::flat, 10.0, 0.0, 30.0, 10.0, 60.0, {}}, workpiece.grid());
         for (double z = height - 4.0; z > floor; z -= 4.0)
@@ -82,7 +82,7 @@ private:
                 highest = std::max(highest, domeHeight(x + reach * std::cos(turn), y + reach * std::sin(turn)));
         return highest;
     }
-    /// Of a ball's tip that rests on the dome.
+    /// The height of a ball's tip that rests on the dome.
     static double tipHeight(double x, double y) {
         double highest = floor;
         for (double dx = -3.0; dx <= 3.0; dx += 0.5)

@@ -16,7 +16,7 @@ namespace {
 constexpr std::int32_t side = 128;
 constexpr double radius = 16.0;
 
-/// Voxels of a peer after it has milled a path, x fastest.
+/// The voxels of a peer after it has milled a path, x fastest.
 std::vector<PropertyIndex> milledBy(CuttingPeer& peer, const std::vector<glm::dvec3>& tips, VoxelCounts& removed) {
     peer.restart();
     peer.cut(tips.front(), tips.front(), removed);
@@ -37,8 +37,8 @@ std::vector<PropertyIndex> milledByUs(Session& session, RunVolume& workpiece, co
     return toDense(workpiece.snapshot());
 }
 
-/// Voxels of a small cube of material after a tool has moved through it, found voxel by voxel at poses an eighth of a
-/// voxel apart: what the tool takes at any axis, whichever way the runs lie.
+/// The voxels of a small cube of material after a tool has moved through it, found voxel by voxel at poses an eighth of
+/// a voxel apart: what the tool removes with any axis, in any direction of the runs.
 std::vector<PropertyIndex> milledVoxelByVoxel(const Cutter& cutter, const std::vector<ToolPose>& path,
                                               std::int32_t cube) {
     std::vector<ToolPose> poses;
@@ -67,10 +67,10 @@ std::vector<PropertyIndex> milledVoxelByVoxel(const Cutter& cutter, const std::v
 constexpr std::int32_t cube = 48;
 constexpr double reach = 9.0, tilt = 0.5;
 
-/// Tilted tools have no peer that is worth timing; that they take the right voxels is checked all the same, and so it
-/// is for runs across the spindle.
+/// For tilted tools there is no peer worth timing. That they remove the right voxels is checked nevertheless, as it is
+/// for runs across the spindle.
 void axisIsRight(Session& session, CutterType type, const std::vector<ToolPose>& path, RunAxis axis) {
-    constexpr double most = 0.01; // of what is removed: voxels whose centres the face all but meets
+    constexpr double most = 0.01; // as a share of what is removed: voxels whose centres are almost exactly on the face
     const Cutter cutter = cutterOf(type, reach);
     SlotStock stock;
     stock.extent = glm::ivec3(cube);
@@ -96,7 +96,7 @@ void axisIsRight(Session& session, CutterType type, const std::vector<ToolPose>&
 
 } // namespace
 
-/// For figures of tilted tools and of runs across the spindle, before they are taken.
+/// Called before the figures of tilted tools and of runs across the spindle are measured.
 void axesAreRight(Session& session) {
     bool wanted = session.wants("ripple.");
     for (const char* name : {"cut.ball.r50.tilt30", "cut.flat.r50.tilt30", "cut.bull.r50.tilt30"})
@@ -110,16 +110,17 @@ void axesAreRight(Session& session) {
                 axisIsRight(session, type, tilts ? tilted(tips, tilt) : upright(tips), axis);
 }
 
-/// Before anything is timed: the paper's way, dense bytes, dense bits and OpenVDB give the very same voxels, and those
-/// of the runs, seen as whole voxels, are the same but where the face passes a voxel's centre within the exact sweep's
-/// distance from poses half a voxel apart (s² / 8R = 0.002 voxel) and a run end's rounding (1/512 voxel).
+/// Called before anything is timed. The paper's method, dense bytes, dense bits and OpenVDB give exactly the same
+/// voxels. Those of the runs, seen as whole voxels, are the same except where the face passes a voxel's centre within
+/// the difference between the exact sweep and poses half a voxel apart (s² / 8R = 0.002 voxel) plus the rounding of a
+/// run end (1/512 voxel).
 void peersAgree(Session& session) {
     if (!session.wants("peers") && !session.wants("cut.")) return;
     session.stage("all cut alike");
     RunVolume workpiece = layeredBlock(side);
     const VolumeSnapshot start = workpiece.snapshot();
     const std::vector<PropertyIndex> before = toDense(start);
-    // The whole grid: what lies outside of the way is compared as well.
+    // The whole grid, so that the region outside the path is compared as well.
     const LineBlock block{{0, 0}, {side - 1, side - 1}};
     const std::vector<glm::dvec3> tips = walk(side, radius, 1.0, 400);
 

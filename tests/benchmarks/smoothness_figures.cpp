@@ -22,14 +22,14 @@ constexpr int phases = 6;
 constexpr std::array directions{glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(0.6, 0.8, 0.0),
                                 glm::dvec3(0.48, 0.6, -0.02)};
 
-/// One slot: where it runs and what stands beside it.
+/// One slot: its direction and the stock beside it.
 struct Slot {
     glm::dvec3 direction; ///< unit
     bool half = false;
     int phase = 0;
 
     glm::dvec3 tip(std::size_t tick) const { // voxels
-        // Phases move the way against the lines, along it and across it.
+        // Phases shift the path relative to the lines, along it and across it.
         const glm::dvec3 middle(0.5 * extent.x, 0.5 * extent.y, topVoxels - depthVoxels);
         const glm::dvec3 shift = static_cast<double>(phase) / phases * glm::dvec3(1.0, 0.6180339887498949, 0.0);
         const double way = stepVoxels * (static_cast<double>(tick) - 0.5 * (settlingTicks + countedTicks));
@@ -40,7 +40,7 @@ struct Slot {
     }
 };
 
-/// Standard deviation over mean of ticks, a linear trend taken away.
+/// Standard deviation over mean of ticks, with the linear trend removed.
 double variation(const std::vector<double>& ticks) {
     const auto count = static_cast<double>(ticks.size());
     double mean = 0.0, slope = 0.0, weight = 0.0, square = 0.0;
@@ -59,12 +59,12 @@ double variation(const std::vector<double>& ticks) {
     return std::sqrt(square) / mean;
 }
 
-/// The worst of all slots so far.
+/// The worst values of all slots so far.
 struct Ripple {
     double reported = 0.0;      ///< cv
     double exact = 0.0;         ///< cv of what the runs lost
     double voxels = 0.0;        ///< cv of whole voxels
-    double sumDifference = 0.0; ///< of the reported sum from the exact one, as a share
+    double sumDifference = 0.0; ///< relative difference of the reported sum from the exact one
 };
 
 void millSlot(Session& session, CutterType type, const Slot& slot, RunAxis axis, Ripple& worst) {
@@ -72,7 +72,7 @@ void millSlot(Session& session, CutterType type, const Slot& slot, RunAxis axis,
     Milling milling(workpiece, cutterOf(type, radius));
     const auto pose = [&](std::size_t tick) { return ToolPose{edge * slot.tip(tick), {0.0, 0.0, 1.0}}; };
     milling.restart(session, pose(0));
-    milling.removal().reset(); // the plunge is not to be reported on the way
+    milling.removal().reset(); // so that the plunge is not reported later
     std::vector<double> reported, exact;
     double reportedSum = 0.0, exactSum = 0.0;
     for (std::size_t i = 0; i < settlingTicks + countedTicks; ++i) {
@@ -91,7 +91,7 @@ void millSlot(Session& session, CutterType type, const Slot& slot, RunAxis axis,
     worst.sumDifference = std::max(worst.sumDifference, std::abs(reportedSum / exactSum - 1.0));
 }
 
-/// The same slot in whole voxels; which way runs would lie makes no difference to them.
+/// The same slot in whole voxels; the direction of the runs makes no difference to them.
 void millVoxels(CutterType type, const Slot& slot, Ripple& worst) {
     RunVolume workpiece = slotStock(slot.stock(1.0, RunAxis::z));
     const LineBlock all{{0, 0}, {extent.x - 1, extent.y - 1}};
@@ -125,7 +125,7 @@ void ripple(Session& session, const std::string& name, CutterType type, double l
     session.add(figure(name + ".sum_difference", worst.sumDifference, "1", 0.01));
 }
 
-/// A flat end mill faces a floor that lies within a voxel; how far run ends are off it.
+/// A flat end mill faces a floor that lies within a voxel; measures the error of the run ends.
 void floorHeight(Session& session) {
     const std::string name = "floor.height_error_voxel";
     if (!session.wants(name)) return;

@@ -18,14 +18,14 @@ double millisecondsSince(StallWatch::Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(StallWatch::Clock::now() - begin).count();
 }
 
-/// ms that this thread has computed
+/// The processor time that this thread has used, ms.
 double processorTime() {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-/// The view's canvas draws the whole scene when it is painted.
+/// The view's canvas draws the whole scene in its paint event.
 bool rendersView(const QObject& receiver, int event) {
     return event == QEvent::Paint && qobject_cast<const Viewport*>(receiver.parent()) != nullptr;
 }
@@ -35,7 +35,8 @@ constexpr double worthTelling = 1.0; // ms
 } // namespace
 
 StallWatch::StallWatch(int& argc, char** argv) : QApplication(argc, argv), phase_(Clock::now()) {
-    // One dispatcher tells that it is about to block, another that it has been through: both mean a new look at input.
+    // One dispatcher emits that it is about to block, another that it is awake again: both mean that it looks for new
+    // input.
     QAbstractEventDispatcher* dispatcher = QAbstractEventDispatcher::instance();
     connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, [this] { cameBack(); });
     connect(dispatcher, &QAbstractEventDispatcher::awake, this, [this] { cameBack(); });
@@ -61,7 +62,7 @@ bool StallWatch::notify(QObject* receiver, QEvent* event) {
         processorLeft_ = processorTime();
         rendering_ = 0.0;
     }
-    const char* name = receiver->metaObject()->className(); // the receiver may be gone afterwards
+    const char* name = receiver->metaObject()->className(); // the receiver may be deleted afterwards
     const int type = event->type();
     const bool renders = rendersView(*receiver, type);
     const double processorBefore = renders ? processorTime() : 0.0;
@@ -74,7 +75,7 @@ bool StallWatch::notify(QObject* receiver, QEvent* event) {
         renderingProcessor_ += processorTime() - processorBefore;
         ++renderings_;
     }
-    // A dialog's event was handled while its own loop looked for new ones: that is no stall.
+    // An event of a dialog was handled while the dialog's own loop looked for new ones: that is no stall.
     if (took >= worthTelling && begin >= left_) handled_.push_back({depth_, name, type, took});
     return answer;
 }
@@ -108,7 +109,7 @@ QString StallWatch::longestChain() const {
                          .arg(QLatin1String(longest->receiver), QLatin1String(type != nullptr ? type : "event"))
                          .arg(longest->milliseconds, 0, 'f', 0));
         while (from != longest && std::any_of(from, longest, [=](const Handled& one) { return one.depth == depth; }))
-            ++from; // behind the event before it
+            ++from; // after the preceding event
         to = longest;
     }
     return chain.join(QStringLiteral(" > "));

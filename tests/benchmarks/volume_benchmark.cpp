@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// burin-rig-volume: the figures of the S-RLE engine and of cutting, beside their peers. `burin rig volume` starts
-// it.
+// burin-bench-volume: the figures of the S-RLE engine and of cutting, compared with their peers. `burin bench volume`
+// starts it.
 #include "tests/benchmarks/figure_groups.h"
 #include "tests/benchmarks/measure/program.h"
 #include "tests/benchmarks/peers/openvdb.h"

@@ -13,9 +13,9 @@ namespace burin::benchmarks {
 
 namespace {
 
-constexpr int repetitions = 7; // of works of some ms; the least counts
+constexpr int repetitions = 7; // for works of some ms; the least time is used
 
-/// Takes a thin slice off the top of one line in each of some tiles.
+/// Removes a thin slice from the top of one line in each of several tiles.
 void touchTiles(RunVolume& volume, RunPosition top) {
     RunAmounts removed;
     constexpr std::int32_t tiles = 10, lines = 8;
@@ -35,7 +35,7 @@ void snapshotFigures(Session& session) {
     VolumeSnapshot held;
     std::vector<double> taking, first, again;
     for (int i = 0; i < 500; ++i) {
-        touchTiles(volume, top -= 64); // in the cache, as under a tool
+        touchTiles(volume, top -= 64); // in the cache, as below a tool
         const Clock::time_point start = Clock::now();
         VolumeSnapshot next = volume.snapshot();
         const Clock::time_point taken = Clock::now();
@@ -77,7 +77,7 @@ std::uint64_t solidUnits(const RunAmounts& amounts) {
     return units;
 }
 
-/// One of the three operations, into a volume whose memory stands, and into a new one.
+/// One of the three operations, with a result in a volume whose memory is already allocated, and in a new one.
 struct Operation {
     const char* name;
     Result<void> (*into)(RunVolume&, const VolumeSnapshot&, const VolumeSnapshot&);

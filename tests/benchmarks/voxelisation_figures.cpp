@@ -18,7 +18,7 @@ struct Task {
     double limit = 0.0; ///< s
 };
 
-/// @return lines with an odd number of crossings
+/// @return  number of lines with an odd number of crossings
 std::size_t voxeliseMesh(Session& session, const Task& task) {
     if (!session.wants(task.name)) return 0;
     session.stage(task.name);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// How the window keeps up while the sample part is milled with the mouse and the view orbits: one JSON list of figures
-// on standard output, in plain words on standard error. With --excess the workpiece is coloured by its excess stock
-// meanwhile. A benchmark is no test: the exit status is 0.
+// How the window keeps up while the sample part is milled with the mouse and the view orbits. Writes a JSON list of
+// figures to standard output and readable text to standard error. With --excess the workpiece is coloured by its excess
+// stock meanwhile. A benchmark is not a test: the exit status is 0.
 #include "tests/benchmarks/event_loop.h"
 #include "tests/benchmarks/stall_watch.h"
 #include "tests/benchmarks/window_phases.h"
@@ -33,9 +33,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr auto mouseInterval = 8ms; // 125 Hz, as mice report
+constexpr auto mouseInterval = 8ms; // 125 Hz, the rate of mice
 
-/// A hand on the mouse over the viewport.
+/// Mouse input over the viewport.
 class Hand {
 public:
     explicit Hand(Viewport& viewport) : viewport_(viewport) {}
@@ -52,7 +52,7 @@ public:
         place_ = place;
         send(QEvent::MouseMove, Qt::NoButton);
     }
-    /// Leads the pointer along, event after event. @param way of the share 0 … 1
+    /// Moves the pointer with one event after the other. @param way  position at a share 0 … 1
     void lead(Clock::duration time, const std::function<QPointF(double)>& way) {
         QEventLoop loop;
         QTimer mouse;
@@ -80,14 +80,14 @@ private:
     QPointF place_;
 };
 
-/// Watches what is drawn and how the loop keeps up.
+/// Observes what is drawn and how the loop keeps up.
 class Observer : public QObject {
 public:
     explicit Observer(MainWindow& window) : window_(window) {
         connect(&window.viewport(), &Viewport::painted, this, [this] { painted(); });
         connect(&window.workbench().session, &SessionRunner::ticked, this, [this] { ticked(); });
     }
-    /// From now on strokes are milled or the view orbits.
+    /// States whether from now on strokes are milled or the view orbits.
     void setMoving(bool moving) {
         moving_ = moving;
         lastMotion_ = Clock::now();
@@ -97,7 +97,7 @@ public:
 
     std::size_t mostTriangles = 0;
     double slowestFullDetail = 0.0; ///< s
-    double slowestRate = 1e9;       ///< Hz, once the loop has run for two seconds
+    double slowestRate = 1e9;       ///< Hz, after the loop has run for two seconds
 
 private:
     void ticked() {
@@ -120,7 +120,7 @@ private:
     bool moving_ = false, resting_ = true;
 };
 
-/// Mills lane beside lane, so that each stroke meets fresh stock.
+/// Mills adjacent lanes, so that each stroke meets uncut stock.
 class Miller {
 public:
     Miller(WindowDriver& driver, Observer& observer)
@@ -137,13 +137,13 @@ public:
             observer_.setMoving(false);
         }
     }
-    /// Until everything is drawn in full again.
+    /// Waits until everything is drawn at full detail again.
     void rest() {
         runUntil([this] { return observer_.atFullDetail(); }, 10s);
     }
 
 private:
-    /// @param lane share of the stock's width @param inset from its ends @param height share of its height
+    /// @param lane  share of the stock's width @param inset  from its ends @param height  share of its height
     void millLane(double lane, double inset, double height, bool orbiting) {
         const Box& stock = driver_.window().workbench().setup.setup().stock;
         const auto seen = [&](double along) {
@@ -154,7 +154,7 @@ private:
         hand_.moveTo(seen(0.0));
         runFor(250ms);
         hand_.press(Qt::LeftButton);
-        if (orbiting) { // the pointer hurries ahead; while the tool follows, the right button turns the view
+        if (orbiting) { // the pointer runs ahead; while the tool follows, the right button orbits the view
             hand_.lead(200ms, seen);
             orbit(1600ms);
         } else {
@@ -166,7 +166,7 @@ private:
         const QPointF middle = hand_.place();
         hand_.press(Qt::RightButton);
         hand_.lead(time, [&](double share) {
-            const double turn = 6.2832 * share; // there and back again
+            const double turn = 6.2832 * share; // there and back
             return middle + QPointF(160.0 * std::sin(turn), 30.0 * std::sin(2.0 * turn));
         });
         hand_.release(Qt::RightButton);
@@ -184,7 +184,7 @@ std::string loadAverage() {
     return load;
 }
 
-/// Seconds of all cores that other programs use, the X server among them.
+/// CPU time of all cores that other programs use, including the X server, s.
 class OtherPrograms {
 public:
     OtherPrograms() : begin_(now()), start_(Clock::now()) {}

@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 bool phase(const char* name, StallWatch& watch, Report& report, const std::function<bool()>& what) {
     watch.beginPhase();
     const bool done = what();
-    runFor(500ms); // what follows by itself, such as the view at rest
+    runFor(500ms); // for deferred work, such as the view at rest
     report.addStalls(name, watch);
     return done;
 }
@@ -39,7 +39,7 @@ bool undoStrokes(WindowDriver& driver, std::size_t count) {
     return true;
 }
 
-/// By key in the preferences.
+/// Changes a choice in the preferences by key.
 void choose(WindowDriver& driver, const char* choice, Qt::Key key) {
     driver.whenDialogStands([=](QWidget& dialog) {
         auto* box = dialog.findChild<QWidget*>(choice);

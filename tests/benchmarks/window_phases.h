@@ -8,14 +8,14 @@
 
 namespace burin::testing {
 
-// What a user does before and after milling: each step a phase with the longest stall of its own. False: it did not
-// come about.
+// What a user does before and after milling. Each step is a phase whose longest stall is reported. The functions return
+// false if a step failed.
 
 bool importSample(WindowDriver& driver, StallWatch& watch, Report& report);
 bool embedSample(WindowDriver& driver, StallWatch& watch, Report& report);
-/// Undoes strokes, makes the path, posts it, chooses other preferences, saves.
+/// Undoes strokes, makes the path, posts it, changes preferences, saves.
 bool workOn(WindowDriver& driver, StallWatch& watch, Report& report);
-/// Opens what was saved, in a new window.
+/// Opens the saved project in a new window.
 bool openAgain(WindowDriver& driver, StallWatch& watch, Report& report);
 
 } // namespace burin::testing

@@ -11,12 +11,13 @@
 
 namespace burin::testing {
 
-/// The figures of the benchmark: in plain words on standard error as they come, as JSON on standard output at the end.
+/// The figures of the benchmark: as readable text on standard error when they arrive, as JSON on standard output at the
+/// end.
 class Report {
 public:
     void add(const std::string& name, double value, const char* unit, std::optional<double> limit = std::nullopt);
-    /// The longest stall of the phase against its limit, and how much of it rendered the view; in plain words also what
-    /// each of the longest was spent on.
+    /// Adds the longest stall of the phase with its limit, and how much of it rendered the view; the readable text also
+    /// states what each of the longest stalls was spent on.
     void addStalls(const std::string& name, const StallWatch& watch);
     void print() const;
 

@@ -16,16 +16,16 @@
 #include <optional>
 #include <vector>
 
-/// A straight move as LinuxCNC's interpreter makes it, mm, in the frame of the work offset; of an arc, a chord that
-/// leaves it by no more than 0.001 mm.
+/// A straight move as made by LinuxCNC's interpreter, mm, in the frame of the work offset. An arc is divided into
+/// chords that deviate from it by 0.001 mm at most.
 struct CanonicalMove {
     bool rapid = false;
     double feed = 0.0; ///< mm/min in force
     glm::dvec3 to{0.0};
 };
 
-/// Adds ARC_FEED(first end, second end, first axis, second axis, rotation, axis end, …).
-/// @param from where it begins @param axis across its plane: 0 X, 1 Y, 2 Z
+/// Adds the chords of ARC_FEED(first end, second end, first axis, second axis, rotation, axis end, …).
+/// @param from  its start @param axis  across its plane: 0 X, 1 Y, 2 Z
 inline void addArc(std::vector<CanonicalMove>& moves, const glm::dvec3& from, const QList<QByteArray>& words, int axis,
                    double feed) {
     const auto number = [&](int at) { return words[at].trimmed().toDouble(); };
@@ -37,7 +37,7 @@ inline void addArc(std::vector<CanonicalMove>& moves, const glm::dvec3& from, co
     while (clockwise && sweep >= -1e-9) sweep -= 2.0 * M_PI;
     while (!clockwise && sweep <= 1e-9) sweep += 2.0 * M_PI;
     const double radius = std::max(glm::length(first), 1e-3);
-    const double most = 2.0 * std::acos(std::max(0.0, 1.0 - 0.001 / radius)); // of a chord
+    const double most = 2.0 * std::acos(std::max(0.0, 1.0 - 0.001 / radius)); // angle of a chord
     const int pieces = 1 + static_cast<int>(std::abs(sweep) / most);
     for (int i = 1; i <= pieces; ++i) {
         const double share = static_cast<double>(i) / pieces;
@@ -51,7 +51,7 @@ inline void addArc(std::vector<CanonicalMove>& moves, const glm::dvec3& from, co
     }
 }
 
-/// What `rs274 -g` says of a program; nothing where it refuses it. `home` is a folder that it may write in.
+/// The moves that `rs274 -g` makes of a program; nullopt if it refuses the program. `home` is a writable folder.
 inline std::optional<std::vector<CanonicalMove>> canonicalMoves(const QString& program, const QString& home, int tool,
                                                                 double diameter) {
     QFile table(home + "/tools.tbl");

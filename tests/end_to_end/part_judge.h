@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-/// A place of the tool on its way through a program.
+/// A position of the tool along a program.
 struct ToolSample {
     glm::dvec3 tip{0.0};
     bool cutting = false; ///< at the program's highest feed
@@ -23,10 +23,10 @@ struct ToolSample {
     double clearance = 0.0; ///< mm from the fine mesh, negative inside
 };
 
-/// Judges what a ball cutter does to a part, by the part's fine mesh and OpenCASCADE's exact distances alone.
+/// Judges the effect of a ball cutter on a part, only by the part's fine mesh and OpenCASCADE's exact distances.
 class PartJudge {
 public:
-    /// Nothing where the model can't be read. @param radius of the ball, mm
+    /// Returns nullopt if the model cannot be read. @param radius  of the ball, mm
     static std::optional<PartJudge> of(const char* modelFile, double radius) {
         burin::Progress progress;
         burin::Result<burin::Model> model = burin::importModel(modelFile, importOptions(), progress);
@@ -43,12 +43,12 @@ public:
     const burin::Model& model() const { return model_; }
     const burin::MeshDistance& part() const { return part_; }
 
-    /// Places every 0.1 mm along the moves, in the model's frame, each with its clearance. The first move comes from
-    /// nowhere.
+    /// Positions every 0.1 mm along the moves, in the model's frame, each with its clearance. The first move has no
+    /// start and is skipped.
     std::vector<ToolSample> along(const std::vector<CanonicalMove>& moves, const glm::dvec3& workOffset) const {
         double cuttingFeed = 0.0;
         for (const CanonicalMove& move : moves) cuttingFeed = std::max(cuttingFeed, move.feed);
-        const burin::RevolvedPiece cutter{0.0, 60.0, radius_, radius_, radius_}; // ball and shank as one, 60 mm long
+        const burin::RevolvedPiece cutter{0.0, 60.0, radius_, radius_, radius_}; // ball and shank in one, 60 mm long
         std::vector<ToolSample> samples;
         for (std::size_t i = 1; i < moves.size(); ++i) {
             const glm::dvec3 from = moves[i - 1].to, to = moves[i].to;
@@ -63,7 +63,8 @@ public:
         return samples;
     }
 
-    /// How deep the worst `count` samples enter the exact B-rep, mm; nothing where OpenCASCADE can't tell.
+    /// The largest depth by which the worst `count` samples enter the exact B-rep, mm; nullopt if OpenCASCADE cannot
+    /// compute it.
     std::optional<double> exactGouge(std::vector<ToolSample> samples, std::size_t count) const {
         count = std::min(count, samples.size());
         const auto nearer = [](const ToolSample& a, const ToolSample& b) { return a.clearance < b.clearance; };
@@ -78,7 +79,7 @@ public:
         return gouge;
     }
 
-    /// How deep the flutes at any recorded proxy enter the part, mm; negative: they keep clear by so much.
+    /// The largest depth by which the flutes at any recorded proxy enter the part, mm; negative if they stay clear.
     double deepestProxy(const burin::Take& take, const burin::Tool& tool) const {
         const burin::RevolvedPiece cutter = flutes(tool.cutter);
         double deepest = -1e9;

@@ -24,7 +24,7 @@ inline TopoDS_Shape cylinderOf(const PlateRound& round) {
     return BRepPrimAPI_MakeCylinder(axis, 0.5 * round.diameter, round.top - round.bottom).Shape();
 }
 
-/// A plate of 80 x 50 x 12 mm, a corner at the origin, with holes and studs, as a BREP file.
+/// Writes a plate of 80 x 50 x 12 mm, one corner at the origin, with holes and studs, as a BREP file.
 inline bool writePlate(const std::string& file, std::initializer_list<PlateRound> holes,
                        std::initializer_list<PlateRound> studs) {
     TopoDS_Shape plate = BRepPrimAPI_MakeBox(80.0, 50.0, 12.0).Shape();

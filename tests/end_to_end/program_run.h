@@ -12,9 +12,9 @@
 #include <QString>
 #include <QStringList>
 
-/// One run of `burin` from outside.
+/// One run of the program `burin`.
 struct ProgramRun {
-    int status = -1; ///< exit status; -1: it crashed or did not end in time
+    int status = -1; ///< exit status; -1 after a crash or timeout
     QByteArray output, messages;
     QJsonObject json() const { return QJsonDocument::fromJson(output).object(); }
 };
@@ -23,8 +23,8 @@ inline QString burinProgram() {
     return QStringLiteral(BURIN_BUILD_DIRECTORY "/burin");
 }
 
-/// Runs `burin` with arguments to its end, at most ten minutes. English, whatever the tester's language is, unless
-/// another locale is asked for.
+/// Runs `burin` with arguments to its end, at most ten minutes. In English, whatever the tester's language is, unless
+/// another locale is given.
 inline ProgramRun runBurin(const QStringList& arguments, const QString& locale = "C.UTF-8") {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -42,7 +42,7 @@ inline ProgramRun runBurin(const QStringList& arguments, const QString& locale =
     return run;
 }
 
-/// All of a text file; empty where it can't be read.
+/// The content of a text file; empty if it cannot be read.
 inline QString contentOf(const QString& file) {
     QFile content(file);
     return content.open(QIODevice::ReadOnly) ? QString::fromUtf8(content.readAll()) : QString();

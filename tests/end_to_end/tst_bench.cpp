@@ -15,7 +15,7 @@
 
 namespace burin::tst_bench {
 
-/// The shape of what `burin rig` prints; its numbers are no test's business.
+/// The structure of the output of `burin bench`; its numbers are not tested.
 class BenchTest : public QObject {
     Q_OBJECT
 private slots:
@@ -60,7 +60,7 @@ void BenchTest::printsFiguresWithTheirPeers() {
         QCOMPARE(median["ratio"].toDouble(), median["peer_value"].toDouble() / median["value"].toDouble());
         QVERIFY(named(figures, stem + "p999")["value"].toDouble() >= median["value"].toDouble());
     }
-    // What was cut was counted right, whatever was asked for.
+    // The removed voxels were counted correctly, whichever groups were requested.
     for (const char* name : {"recount.mismatches", "tick.allocations", "tick.page_faults"}) {
         const QJsonObject figure = named(figures, name);
         QVERIFY2(figure["limit"].isDouble() && figure["value"].isDouble(), name);
@@ -83,10 +83,10 @@ void BenchTest::printsATableForPeople() {
 
 void BenchTest::exponentsOfKnownCosts() {
     using burin::benchmarks::exponentBetween;
-    QCOMPARE(exponentBetween(1000.0, 0.5, 4000.0, 2.0), 1.0);                    // four times as much of all
-    QCOMPARE(exponentBetween(10.0, 3.0, 1000.0, 3.0), 0.0);                      // at no cost
-    QCOMPARE(exponentBetween(8.0, 1.0, 64.0, 64.0), 2.0);                        // every one with every other
-    QVERIFY(std::abs(exponentBetween(8.0, 1.0, 64.0, 4.0) - 2.0 / 3.0) < 1e-12); // a cube's surface
+    QCOMPARE(exponentBetween(1000.0, 0.5, 4000.0, 2.0), 1.0);                    // four times as large in both
+    QCOMPARE(exponentBetween(10.0, 3.0, 1000.0, 3.0), 0.0);                      // at no additional cost
+    QCOMPARE(exponentBetween(8.0, 1.0, 64.0, 64.0), 2.0);                        // each with each of the others
+    QVERIFY(std::abs(exponentBetween(8.0, 1.0, 64.0, 4.0) - 2.0 / 3.0) < 1e-12); // the surface of a cube
 }
 
 void BenchTest::scaleTellsCostsAtThreeSizesAndHowTheyGrow() {
@@ -94,7 +94,7 @@ void BenchTest::scaleTellsCostsAtThreeSizesAndHowTheyGrow() {
     QVERIFY2(run.status == 0, run.messages.constData());
     const QJsonArray figures = listOf(run);
     const QString stem = QStringLiteral("scale.blocks.read.");
-    std::map<double, double> cost; // s, by blocks
+    std::map<double, double> cost; // s, by number of blocks
     for (const QJsonValue& figure : figures) {
         const QString name = figure["name"].toString();
         if (!name.endsWith(QStringLiteral(".cpu"))) continue;

@@ -20,12 +20,12 @@ namespace burin::tst_calibrate {
 
 namespace {
 
-constexpr double energy = 0.85, ratio = 0.4, edge = 9.0; // J/mm³, 1, N/mm: what the records are made with
+constexpr double energy = 0.85, ratio = 0.4, edge = 9.0; // J/mm³, 1, N/mm: used to make the records
 const char* const columns = "material,force_x_n,force_y_n,force_z_n,axis_x,axis_y,axis_z,feed_x,feed_y,feed_z,"
                             "spindle_speed_1_min,diameter_mm,teeth,axial_depth_mm,radial_depth_mm,feed_mm_min\n";
 
-/// Slots of 6 mm at 12,000 1/min as a dynamometer has them, feed along X: over half a turn the chip gives Ktc fz / 4 a
-/// tooth and mm across the feed and Krc fz / 4 against it, the edge Kte / pi and Kre / pi.
+/// Slots of 6 mm at 12,000 1/min as measured by a dynamometer, feed along X. Over half a turn the chip gives Ktc fz / 4
+/// per tooth and mm across the feed and Krc fz / 4 against it, the edge Kte / pi and Kre / pi.
 QByteArray dynamometer(const char* material) {
     QByteArray text = columns;
     const double errors[] = {0.02, -0.01, 0.015, -0.03, 0.01, -0.02, 0.025, -0.005};
@@ -40,7 +40,7 @@ QByteArray dynamometer(const char* material) {
     return text;
 }
 
-/// Slots of 6 mm at 12,000 1/min: forces on the tool by Ft = K MRR / v, off by hundredths of a newton.
+/// Slots of 6 mm at 12,000 1/min: forces on the tool by Ft = K MRR / v, with deviations of hundredths of a newton.
 QByteArray records(const char* material) {
     QByteArray text = columns;
     const double errors[] = {0.02, -0.01, 0.015, -0.03, 0.01, -0.02, 0.025, -0.005};
@@ -56,7 +56,7 @@ QByteArray records(const char* material) {
 
 } // namespace
 
-/// From measured forces to a material that the next project is embedded in.
+/// From measured forces to a material that is used when the next project is embedded.
 class CalibrateTest : public QObject {
     Q_OBJECT
 private slots:
@@ -105,7 +105,7 @@ void CalibrateTest::aDryRunWritesNothing() {
     QCOMPARE(run.status, 0);
     QVERIFY(run.output.contains("K "));
     QVERIFY(!QFile::exists(library("aluminium-6061")));
-    // What nobody knows yet needs nothing that it is like, as long as nothing is written.
+    // An unknown material does not need a similar one to be stated, as long as nothing is written.
     const ProgramRun unknown = runBurin({"calibrate", write(dynamometer("cheese")), "--dry-run", "--json"});
     QCOMPARE(unknown.status, 0);
     const QJsonObject material = unknown.json()["materials"].toArray().at(0).toObject();

@@ -20,7 +20,7 @@ struct Translation {
     QString source, target;
 };
 
-/// Every text of a language's table, in its order.
+/// All texts of a language's table, in order.
 QList<Translation> translations(const QString& language) {
     QList<Translation> list;
     QFile file(QStringLiteral(BURIN_SOURCE_DIRECTORY "/translations/burin_%1.ts").arg(language));
@@ -35,7 +35,7 @@ QList<Translation> translations(const QString& language) {
     return list;
 }
 
-/// Texts that a language has as they are, such as "JSON".
+/// Texts that are the same in a language, such as "JSON".
 QStringList equalTexts(const QList<Translation>& table) {
     QStringList equal;
     for (const Translation& text : table)
@@ -43,12 +43,12 @@ QStringList equalTexts(const QList<Translation>& table) {
     return equal;
 }
 
-/// What options, arguments and commands do, as --help says in its right column.
+/// The descriptions of options, arguments and commands in the right column of --help.
 QStringList descriptionsIn(const QString& help) {
     constexpr int column = 30;
     QStringList descriptions;
     const QStringList lines = help.split('\n');
-    const QRegularExpression range("\\[[^\\]]*$"); // names that reach beyond the column, in the middle of a range
+    const QRegularExpression range("\\[[^\\]]*$"); // long names that cross the column in the middle of a range
     for (const QString& line : lines)
         if (line.startsWith("  ") && line.size() > column && line.at(column - 1) == ' ' && line.at(column) != ' ' &&
             !range.match(line.left(column)).hasMatch())
@@ -56,7 +56,7 @@ QStringList descriptionsIn(const QString& help) {
     return descriptions;
 }
 
-/// Names of commands that --help lists.
+/// The names of the commands that --help lists.
 QStringList commandsIn(const QString& help) {
     QStringList names;
     const qsizetype start = help.indexOf("\nSubcommands:\n");
@@ -73,7 +73,7 @@ QStringList optionsIn(const QString& help) {
     return names;
 }
 
-/// Of `object` without the sentences that are in the user's language by design (README.md).
+/// `object` without the sentences that are in the user's language by design (README.md).
 QJsonObject withoutSentences(QJsonObject object) {
     for (const char* key : {"warnings", "part_warnings", "error"}) object.remove(QLatin1String(key));
     return object;
@@ -81,7 +81,7 @@ QJsonObject withoutSentences(QJsonObject object) {
 
 } // namespace
 
-/// What the command line says is in the user's language, and what programs read of it is the same in every one.
+/// The texts of the command line are in the user's language; what programs read from it is the same in all languages.
 class CommandLanguageTest : public QObject {
     Q_OBJECT
 private slots:
@@ -132,7 +132,7 @@ void CommandLanguageTest::initTestCase() {
              0);
     QCOMPARE(runBurin({"mill", project, "--seconds", "20"}).status, 0);
     QCOMPARE(runBurin({"path", project, "new"}).status, 0);
-    // It gouges, calls a tool that is not there, and ends without M2.
+    // It gouges, calls a tool that does not exist, and ends without M2.
     write("wrong.ngc", "G21 G90 G54\nT1 M6\nG43 H1\nS8000 M3\nG0 X0 Y0 Z30\nG1 Z-30 F100\nG1 X5 F100\nT77 M6\nG1 X0\n");
     write("gouge.ngc", "G21 G90 G54\nT1 M6\nG43 H1\nS8000 M3\nG0 X0 Y0 Z30\nG1 Z-30 F100\nG1 X5 F100\nM2\n");
     write("word.ngc", "G21 G90\nG1 X10 F100\nBANANA\nM2\n");
@@ -200,8 +200,8 @@ void CommandLanguageTest::answersAreInTheUsersLanguage_data() {
     row("bench", {"bench"});
 }
 
-/// Each text of the translation table that the English answer shows has to be gone from the translated one, and no line
-/// with a word in it may be the same in both, but for ids, files and edits in JSON.
+/// Each text of the translation table that occurs in the English answer must not occur in the translated one, and no
+/// line with a word in it may be the same in both, except ids, files and edits in JSON.
 void CommandLanguageTest::answersAreInTheUsersLanguage() {
     QFETCH(QStringList, arguments);
     QFETCH(int, status);

@@ -21,7 +21,7 @@ namespace burin::tst_command_line {
 
 namespace {
 
-/// Exit status of Burin where no file grows beyond 64 kB, which is what a full disk would give; -1 after a crash.
+/// Exit status of Burin if no file can grow beyond 64 kB, which simulates a full disk; -1 after a crash.
 int statusOnFullDisk(const QStringList& arguments) {
     QProcess process;
     process.setChildProcessModifier([] {
@@ -36,7 +36,7 @@ int statusOnFullDisk(const QStringList& arguments) {
 
 } // namespace
 
-/// What a user gets who does something wrong: one sentence, the right status, nothing lost.
+/// The result of a user's mistakes: one sentence, the right status, no loss.
 class CommandLineTest : public QObject {
     Q_OBJECT
 private slots:
@@ -99,9 +99,9 @@ void CommandLineTest::helpsWithEachCommand() {
 }
 
 void CommandLineTest::statusTellsWhatWentWrong_data() {
-    QTest::addColumn<QStringList>("arguments"); // @ stands for the test's folder
+    QTest::addColumn<QStringList>("arguments"); // @ is replaced by the test's folder
     QTest::addColumn<int>("status");
-    QTest::addColumn<QString>("named"); // what the sentence names
+    QTest::addColumn<QString>("named"); // what the sentence mentions
     const auto row = [](const char* name, QStringList arguments, int status, const char* named) {
         QTest::newRow(name) << std::move(arguments) << status << QString(named);
     };
@@ -189,7 +189,7 @@ void CommandLineTest::aPictureIsCutOpen_data() {
                          << "top";
 }
 
-/// The cube in the middle of its stock: seen straight, the face that is cut shows both as large as they are.
+/// The cube in the middle of its stock: viewed at right angles, the cut face shows both at their true size.
 void CommandLineTest::aPictureIsCutOpen() {
     QFETCH(QString, axis);
     QFETCH(QString, view);
@@ -197,7 +197,7 @@ void CommandLineTest::aPictureIsCutOpen() {
         runBurin({"import", folder_.filePath("cube.brep"), "--json"}).json()["bounding_box_mm"].toArray();
     const int number = axis[0].toLatin1() - 'X';
     const double low = box[0].toArray()[number].toDouble(), high = box[1].toArray()[number].toDouble();
-    const double edge = high - low, stock = edge + 2.0 * 5.0; // the margin that embed has by itself
+    const double edge = high - low, stock = edge + 2.0 * 5.0; // the default margin of embed
     const QString file = folder_.filePath("cube.png");
     const auto picture = [&](const QStringList& more) {
         const ProgramRun run =
@@ -205,8 +205,8 @@ void CommandLineTest::aPictureIsCutOpen() {
         if (run.status != 0 || !run.messages.isEmpty()) qWarning("%s", run.messages.constData());
         return run.status == 0 && run.messages.isEmpty() ? QImage(file, "PNG") : QImage();
     };
-    /// Columns of the middle row that show the part, and that show part or stock: not background, nor the plane's
-    /// outline.
+    /// The numbers of columns in the middle row that show the part, and that show part or stock: neither background nor
+    /// the outline of the plane.
     const auto widths = [](const QImage& image) {
         int part = 0, all = 0;
         for (int x = 0; x < image.width(); ++x) {
@@ -226,7 +226,7 @@ void CommandLineTest::aPictureIsCutOpen() {
              qPrintable(QString("%1 of %2, %3 / %4").arg(part).arg(all).arg(edge).arg(stock)));
 }
 
-/// The machine's file goes out, is changed by hand and comes in again.
+/// A machine is exported to a file, changed by hand and imported again.
 void CommandLineTest::aMachineIsCopiedChangedAndDeleted() {
     QCOMPARE(runBurin({"machines", "copy", "haas-mill", "vf-2", "--name", "VF-2 in the shop"}).status, 0);
     QVERIFY(QFile::exists(folder_.filePath("data/burin/machines/vf-2.json")));
@@ -236,7 +236,7 @@ void CommandLineTest::aMachineIsCopiedChangedAndDeleted() {
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(text.replace("8100", "7500"));
     file.close();
-    QCOMPARE(runBurin({"machines", "add", file.fileName()}).status, 2); // there is one of that ID
+    QCOMPARE(runBurin({"machines", "add", file.fileName()}).status, 2); // the ID exists already
     QCOMPARE(runBurin({"machines", "add", file.fileName(), "--replace"}).status, 0);
     const QJsonObject shown = runBurin({"machines", "show", "vf-2", "--json"}).json();
     QCOMPARE(shown["maximum_spindle_speed_rpm"].toDouble(), 7500.0);
@@ -250,7 +250,8 @@ void CommandLineTest::aMachineIsCopiedChangedAndDeleted() {
     QVERIFY(!runBurin({"machines", "list"}).output.contains("vf-2"));
 }
 
-/// Its machine was deleted, or it comes from another computer: one sentence says which one stands in, and work goes on.
+/// The machine was deleted, or the project comes from another computer: one sentence names the replacement, and work
+/// goes on.
 void CommandLineTest::aProjectOutlivesItsMachine() {
     const QString project = folder_.filePath("moved.burin");
     QVERIFY(QFile::copy(folder_.filePath("cube.burin"), project));
@@ -262,7 +263,7 @@ void CommandLineTest::aProjectOutlivesItsMachine() {
     QVERIFY2(run.messages.contains("\"gone\"") && run.messages.contains("\"linuxcnc-mill\""), run.messages.constData());
 }
 
-/// Its import found its unit doubtful, and embedding that nothing of it is protected.
+/// The import doubted the unit of the part, and embedding found that nothing of it is protected.
 void CommandLineTest::whatIsDoubtfulOfAPartIsRepeated() {
     const QString project = folder_.filePath("speck.burin"), program = folder_.filePath("air.ngc");
     QFile file(program);
@@ -274,7 +275,7 @@ void CommandLineTest::whatIsDoubtfulOfAPartIsRepeated() {
         return texts.size() == 2 && texts[0].toString().contains("unit") && texts[1].toString().contains("protected");
     };
     const QString part = BURIN_FIXTURES "/models/of-others/s14b-20-micrometre.stl";
-    // What nothing protects is refused, unless somebody wants it all the same.
+    // A part without any protection is refused unless this is overridden.
     const QStringList embed{"embed", part, "-o", project, "--voxel", "0.5", "--json"};
     const ProgramRun refused = runBurin(embed);
     QCOMPARE(refused.status, 1);
@@ -295,7 +296,7 @@ void CommandLineTest::whatIsDoubtfulOfAPartIsRepeated() {
     QVERIFY(runBurin({"verify", program, "--project", project, "--tool", "ball-6"}).output.contains("\nwarning: "));
 }
 
-/// All that stands there is the part.
+/// The stock consists of the part alone.
 void CommandLineTest::anOperatorThatReachesNothingSaysSo() {
     const QString project = folder_.filePath("whole.burin");
     QCOMPARE(runBurin({"embed", folder_.filePath("cube.brep"), "-o", project, "--voxel", "1", "--margin", "0"}).status,

@@ -15,8 +15,8 @@
 
 namespace burin::tst_computed_passes {
 
-/// From a part to a checked program without a recording. Oracles: LinuxCNC's interpreter for what the program does,
-/// OpenCASCADE for the part, the numbers of the drawings.
+/// From a part to a checked program without a recording. Oracles: LinuxCNC's interpreter for the program, OpenCASCADE
+/// for the part, the dimensions in the drawings.
 class ComputedPassesTest : public QObject {
     Q_OBJECT
 private slots:
@@ -46,7 +46,8 @@ private slots:
             QVERIFY(pass["left_over"].toObject()["reachable_mm2"].toDouble() > 100.0);
         }
         const QJsonObject left = shown["passes"].toArray().last().toObject()["left_over"].toObject();
-        // Contours 1.2 mm apart are 1.87 mm apart on a slope of 40 degrees: a ball of 6 mm leaves so much between them.
+        // Contours 1.2 mm apart are 1.87 mm apart on a slope of 40 degrees; between them a ball of 6 mm leaves this
+        // ridge.
         const double ridge = std::hypot(0.6 / std::sin(glm::radians(40.0)), 3.0) - 3.0;
         QVERIFY2(left["most_mm"].toDouble() < ridge + 0.002, QJsonDocument(left).toJson().constData());
         QVERIFY(left["within_99_percent_mm"].toDouble() > 0.03);
@@ -58,9 +59,9 @@ private slots:
         QCOMPARE(told["tool_changes"].toInt(), 2);
     }
 
-    /// The finishing program alone, by what LinuxCNC makes of it and OpenCASCADE of the part.
+    /// The finishing program alone, judged by LinuxCNC's moves and OpenCASCADE's part.
     void theProgramKeepsOffThePart() {
-        // Alone it goes through the stock that the other one takes: that its check refuses it is right.
+        // Alone it cuts through stock that the other path removes, so its check refuses it rightly.
         const ProgramRun post =
             run({"post", in("p.burin"), "--path", "2", "-o", in("fine.ngc"), "--override", "a test reads it"});
         QVERIFY2(post.status == 0, post.messages.constData());
@@ -72,14 +73,14 @@ private slots:
         const auto samples = judge->along(*moves, {offset[0].toDouble(), offset[1].toDouble(), offset[2].toDouble()});
         const std::optional<double> gouge = judge->exactGouge(samples, 100);
         QVERIFY2(gouge && *gouge <= 0.01, qPrintable(QString::number(gouge.value_or(99.0))));
-        // It is a finishing pass: where it cuts it touches the part.
+        // It is a finishing pass: where it cuts, it touches the part.
         const auto touching = std::ranges::count_if(
             samples, [](const ToolSample& sample) { return sample.cutting && sample.clearance < 0.02; });
         const auto cutting = std::ranges::count_if(samples, &ToolSample::cutting);
         QVERIFY2(touching * 10 > cutting * 8, qPrintable(QString("%1 of %2").arg(touching).arg(cutting)));
     }
 
-    /// A smaller tool after a larger one goes only where that left something.
+    /// A smaller tool after a larger one mills only where the larger one left stock.
     void aSmallerToolMillsTheRest() {
         const ProgramRun all = path({"new", "--pass", "levels", "--tool", "flat-6", "--allowance", "0.3",
                                      "--level-depth", "3", "--bottom", "18"});
@@ -88,7 +89,7 @@ private slots:
                          0.25 * path({"show", "1"}).json()["passes"][0]["length_mm"].toDouble(),
                      all.output.constData());
         } else {
-            QVERIFY(all.messages.contains("stock")); // none is left
+            QVERIFY(all.messages.contains("stock")); // no stock is left
         }
     }
 
@@ -114,7 +115,7 @@ private slots:
         QVERIFY(cuts > 20);
     }
 
-    /// What a take painted is milled, again with another figure, and again as it was asked for.
+    /// The area painted by a take is milled, then with another value, then again with the same request.
     void paintedStrokesAreMilled() {
         QCOMPARE(run({"embed", BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", "-o", in("f.burin"), "--voxel",
                       "1", "--margin", "1"})
@@ -127,7 +128,7 @@ private slots:
         QVERIFY2(painted.status == 0, painted.messages.constData());
         const QJsonObject request = painted.json()["passes"].toArray().last().toObject()["request"].toObject();
         QVERIFY(request["area_on_part"].toBool() && !request["area"].toArray().isEmpty());
-        // In the place of the pass, with another figure; then again, as it was asked for.
+        // In place of the first pass, with another value; then recomputed with the same request.
         const int id = painted.json()["pass"].toInt();
         const double length = painted.json()["length_mm"].toDouble();
         const QString path = QString::number(painted.json()["id"].toInt());
@@ -149,7 +150,7 @@ private slots:
         QVERIFY(beside.status != 0 && beside.messages.contains("point on the part"));
     }
 
-    /// Letters of a drawing in inches on a plate: where the tool goes is where they are, at the depth that was asked.
+    /// A line of a drawing in inches is engraved on a plate: the tool moves along it at the requested depth.
     void linesAreEngraved() {
         QCOMPARE(
             run({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", in("e.burin"), "--voxel", "0.5", "--margin", "2"})
@@ -157,7 +158,7 @@ private slots:
             0);
         const QJsonObject info = run({"info", in("e.burin")}).json();
         const double top = info["model"]["bounding_box_mm"].toArray()[1].toArray()[2].toDouble() + 1.0;
-        QVERIFY(top > 2.0); // a millimetre above the part, a millimetre within the stock
+        QVERIFY(top > 2.0); // a millimetre above the part and a millimetre below the top of the stock
         write("line.dxf",
               "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n1\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n10\n0"
               "\n20\n0\n11\n0.2\n21\n0.3\n0\nENDSEC\n0\nEOF\n");
@@ -179,7 +180,7 @@ private slots:
         QVERIFY2(std::abs(lowest - (top - 0.4)) < 0.001, qPrintable(QString("%1 below %2").arg(lowest).arg(top)));
     }
 
-    /// A slot of 6 mm, 1.5 mm deep: its volume by a closed formula, half of the cutter's circumference in it.
+    /// A slot of 6 mm, 1.5 mm deep: its volume by a closed formula, and half of the cutter's circumference engaged.
     void figuresOfAPassAreThoseOfItsSlot() {
         QCOMPARE(run({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", in("slot.burin"), "--voxel", "0.2", "--margin",
                       "2"})
@@ -199,14 +200,14 @@ private slots:
         QVERIFY2(slot["air_share"].toDouble() > 0.0 && slot["air_share"].toDouble() < 0.7, told.constData());
     }
 
-    /// A cube has none, and the answer says so.
+    /// A cube has no concave edges, which the answer states.
     void aPencilNeedsConcaveEdges() {
         const ProgramRun none = runBurin({"path", in("slot.burin"), "new", "--pass", "pencil", "--tool", "ball-3"});
         QVERIFY(none.status != 0);
         QVERIFY2(none.messages.contains("concave edge"), none.messages.constData());
     }
 
-    /// A path goes with its passes; of two passes one goes alone.
+    /// Deleting a path deletes its passes; of two passes a single one can be deleted.
     void passesAreDeleted() {
         const auto passesOf = [&] {
             return run({"path", in("e.burin"), "list"}).json()["paths"][0]["passes"].toArray();
@@ -216,7 +217,7 @@ private slots:
                      .status,
                  0);
         QCOMPARE(passesOf().size(), 2);
-        // The order that they are milled in is the user's.
+        // The user determines the order in which they are milled.
         const auto firstId = [&] { return passesOf().at(0).toObject()["id"].toInt(); };
         QCOMPARE(firstId(), -1);
         QCOMPARE(run({"path", in("e.burin"), "order", "1", "--pass", "-2", "--place", "0"}).status, 0);
@@ -235,7 +236,7 @@ private slots:
         QCOMPARE(run({"path", in("e.burin"), "list"}).json()["paths"].toArray().size(), 0);
     }
 
-    /// Passes of an older project don't say what was asked for: the answer is JSON all the same.
+    /// Passes of an older project do not contain their request; the answer is valid JSON nevertheless.
     void passesOfOlderProjectsAreListed() {
         QVERIFY(QFile::copy(BURIN_FIXTURES "/projects/v8/small.burin", in("old.burin")));
         const QJsonArray paths = run({"path", in("old.burin"), "list", "--setup", "2"}).json()["paths"].toArray();

@@ -12,7 +12,7 @@
 
 namespace burin::tst_devices {
 
-/// A maker's device from the command line, with a library that stands in for the maker's.
+/// A vendor's device used from the command line, with a stand-in for the vendor's library.
 class DevicesTest : public QObject {
     Q_OBJECT
     QTemporaryDir folder_;
@@ -78,7 +78,7 @@ private slots:
         QCOMPARE(run.json()["guides"].toInt(), 0);
     }
 
-    /// The hand goes round a circle through a plane that is kept as a guide.
+    /// The device moves along a circle through a plane that is stored as a guide.
     void theProjectsGuidesHoldIt() {
         const std::string file = in("p.burin").toStdString();
         Guide plane;
@@ -103,7 +103,7 @@ private slots:
         QCOMPARE(free.json()["guides"].toInt(), 0);
         const Result<Project> project = Project::open(file);
         QVERIFY(project.hasValue());
-        // In so many ticks the tool was nearer to the plane than the hand.
+        // The number of ticks in which the tool was nearer to the plane than the device.
         const auto heldSamples = [&](std::int64_t take) {
             const Result<Take> recorded = project->take(take);
             std::size_t count = 0;

@@ -18,8 +18,8 @@ namespace burin::tst_drilling {
 
 using namespace burin::test;
 
-/// Holes of a part that OpenCASCADE made, found and drilled. Oracles: the numbers that it was made with, LinuxCNC's
-/// interpreter for what the program does.
+/// Holes of a part made with OpenCASCADE are found and drilled. Oracles: the dimensions that the part was made with,
+/// and LinuxCNC's interpreter for the program.
 class DrillingTest : public QObject {
     Q_OBJECT
 private slots:
@@ -29,7 +29,7 @@ private slots:
                             {70.0, 10.0, 6.0, -1.0, 13.0},
                             {70.0, 40.0, 6.0, -1.0, 13.0},
                             {10.0, 40.0, 6.0, 4.0, 13.0},  // blind, 8 mm deep
-                            {40.0, 10.0, 5.0, -1.0, 13.0}, // of another drill
+                            {40.0, 10.0, 5.0, -1.0, 13.0}, // for another drill
                             {40.0, 40.0, 10.0, 7.0, 13.0}, // a counterbore …
                             {40.0, 40.0, 6.0, -1.0, 8.0}}, // … and the hole in it
                            {{55.0, 25.0, 6.0, 11.0, 14.0}}));
@@ -54,7 +54,8 @@ private slots:
         QVERIFY2(text.output.contains("5 × 6.00 mm"), text.output.constData());
     }
 
-    /// Every hole of its diameter, through ones with the whole diameter, the blind one to where its point stands.
+    /// All holes of the drill's diameter are drilled: through holes at full diameter, the blind hole down to the
+    /// drill's point.
     void holesOfItsSizeAreDrilled() {
         const ProgramRun made = run({"path", in("p.burin"), "new", "--pass", "drill", "--tool", "drill-6"});
         QVERIFY2(made.status == 0, made.messages.constData());
@@ -73,13 +74,13 @@ private slots:
                      qPrintable(QString("%1 %2: %3").arg(place.first).arg(place.second).arg(bottom)));
         }
         QCOMPARE(holes.count({40, 10}), 0u);
-        // Drilled once is drilled.
+        // A hole is not drilled twice.
         const ProgramRun again = runBurin({"path", in("p.burin"), "apply", "1", "--pass", "drill"});
         QVERIFY(again.status != 0);
         QVERIFY2(again.messages.contains("not drilled yet"), again.messages.constData());
     }
 
-    /// Pecks all begin above, go deeper each time, and return by rapids in the hole that they have made.
+    /// All pecks start above the hole, each goes deeper, and they return by rapids in the hole already drilled.
     void pecksComeUpForChips() {
         QCOMPARE(run({"embed", in("plate.brep"), "-o", in("q.burin"), "--voxel", "0.8", "--margin", "1"}).status, 0);
         const ProgramRun made = run({"path", in("q.burin"), "new", "--pass", "drill", "--tool", "drill-5",
@@ -104,17 +105,17 @@ private slots:
             } else if (to.z > top) {
                 if (lowest < top && (bottoms.empty() || lowest < bottoms.back())) bottoms.push_back(lowest);
             } else if (to.z < from.z && to.z < top) {
-                QVERIFY2(to.z >= lowest + 0.5, "a rapid keeps off the bottom"); // the approach is a millimetre
+                QVERIFY2(to.z >= lowest + 0.5, "a rapid keeps off the bottom"); // the approach is a millimetre long
             }
         }
         QCOMPARE(static_cast<int>(bottoms.size()), pecks);
         for (std::size_t i = 1; i < bottoms.size(); ++i)
             QVERIFY(std::abs(bottoms[i - 1] - bottoms[i] - depth / pecks) < 0.01);
-        // In the hole that is there only the approach is fed again.
+        // In the drilled part of the hole only the approach is repeated at feed rate.
         QVERIFY2(fed < depth + 3.0 * pecks, qPrintable(QString::number(fed)));
     }
 
-    /// A deep hole comes up by itself; a place without a hole needs a depth; a drill that is too wide is refused.
+    /// A deep hole is pecked by default; a point without a hole needs a depth; a drill that is too wide is refused.
     void placesAndDepths() {
         const ProgramRun none =
             runBurin({"path", in("q.burin"), "new", "--pass", "drill", "--tool", "drill-3", "--hole", at(25.0, 25.0)});
@@ -132,7 +133,7 @@ private slots:
         QVERIFY2(deep.status == 0, deep.messages.constData());
         const double depth = 15.0 + 1.5 / std::tan(glm::radians(59.0)) + 0.2;               // more than three diameters
         QCOMPARE(deep.json()["strokes"].toInt(), static_cast<int>(std::ceil(depth / 3.0))); // one is drilled already
-        // The part stops what is no hole of it.
+        // At a point that is no hole, drilling stops at the part.
         const ProgramRun spot = run({"path", in("q.burin"), "new", "--pass", "drill", "--tool", "drill-2", "--hole",
                                      at(25.0, 25.0), "--depth", "9"});
         QVERIFY2(spot.status == 0, spot.messages.constData());
@@ -144,7 +145,7 @@ private slots:
 private:
     QString in(const QString& name) const { return folder_.filePath(name); }
     ProgramRun run(QStringList arguments) const { return runBurin(arguments << "--json"); }
-    /// The plate's corner in the frame of the setup.
+    /// The plate's corner in the setup frame.
     glm::dvec3 corner() const {
         const QJsonObject info = run({"info", in("p.burin")}).json();
         const QJsonArray low = info["model"].toObject()["bounding_box_mm"].toArray()[0].toArray();
@@ -156,7 +157,7 @@ private:
         return {offset[0].toDouble(), offset[1].toDouble(), offset[2].toDouble()};
     }
     static int tool(const QJsonObject& post) { return post["tools"].toArray().at(0).toObject()["number"].toInt(1); }
-    /// The lowest tip at each place of the plate, by mm, mm above its underside.
+    /// The lowest tip at each point of the plate (rounded to mm), mm above its underside.
     std::map<std::pair<long, long>, double> drilled(const QString& program, const QJsonObject& post) const {
         std::map<std::pair<long, long>, double> holes;
         const auto moves = canonicalMoves(program, folder_.path(), tool(post), 6.0);

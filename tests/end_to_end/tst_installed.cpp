@@ -27,7 +27,7 @@ struct Outcome {
     QByteArray out, messages;
 };
 
-/// In an environment that holds nothing but what is given.
+/// Runs a program in an environment with only the given variables.
 Outcome run(const QString& program, const QStringList& arguments, const QStringList& environment = {},
             const QString& folder = {}) {
     QProcess process;
@@ -53,7 +53,7 @@ QByteArray bytesOf(const QString& path) {
 
 } // namespace
 
-/// Burin as it is installed from the build tree, copied elsewhere, in an environment without anything of it.
+/// Burin as installed from the build tree, moved elsewhere, in an environment without Burin's variables.
 class TestInstalled : public QObject {
     Q_OBJECT
 
@@ -64,7 +64,7 @@ private slots:
             run(QStringLiteral("cmake"), {QStringLiteral("--install"), BURIN_BUILD_DIRECTORY,
                                           QStringLiteral("--prefix"), path(QStringLiteral("first"))});
         QVERIFY2(installed.status == 0, installed.messages.constData());
-        // What was found by the place that it was installed to would be missed here.
+        // Files that are looked up by the installation prefix would not be found after this.
         QVERIFY(QDir().rename(path(QStringLiteral("first")), path(QStringLiteral("root"))));
         bare_ = {QStringLiteral("PATH=/usr/bin:/bin"), QStringLiteral("HOME=") + path(QStringLiteral("home"))};
         QVERIFY(QDir().mkpath(path(QStringLiteral("home"))));
@@ -116,7 +116,7 @@ private slots:
             QVERIFY2(globs.contains(glob), glob);
     }
 
-    /// The man page names every command and its options, as the program itself does.
+    /// The man page lists every command and its options, as the program itself does.
     void manPageAndCompletionKnowEveryCommand() {
         const QByteArray page =
             run(QStringLiteral("gzip"), {QStringLiteral("-dc"), path(QStringLiteral("root/share/man/man1/burin.1.gz"))})
@@ -153,7 +153,7 @@ private slots:
         for (const QJsonValue& driver : drivers) ids << driver["id"].toString();
         QCOMPARE(ids.join(' '),
                  QString("simulated force_dimension haply input open_stylus openhaptics spacemouse spacenav"));
-        for (const QJsonValue& driver : drivers) // no maker's library is in the bare system
+        for (const QJsonValue& driver : drivers) // no vendor's library is in the bare system
             QCOMPARE(driver["ready"].toBool(), !driver["id"].toString().contains(QRegularExpression("^(force|openh)")));
     }
 
@@ -180,7 +180,8 @@ private slots:
         for (const char* kind : {"burin", "ngc", "png"}) QVERIFY2(kinds.contains(QLatin1String(kind)), kind);
     }
 
-    /// Each library that a program of it asks for comes with a package that it depends on: readelf and dpkg say so.
+    /// Each library that one of its programs needs comes with a package that it depends on, according to readelf and
+    /// dpkg.
     void thePackageDependsOnAllThatItLoads() {
         BURIN_ONLY_IN_LONG_RUNS;
         const Outcome packed =
@@ -211,7 +212,7 @@ private slots:
     }
 
 private:
-    /// Sonames that the programs and modules below a folder name as needed.
+    /// Sonames that the programs and modules below a folder need.
     static QSet<QString> librariesOf(const QString& folder) {
         QSet<QString> libraries;
         QDirIterator files(folder, QDir::Files, QDirIterator::Subdirectories);
@@ -225,7 +226,7 @@ private:
         return libraries;
     }
 
-    /// Names, without versions and alternatives.
+    /// Package names, without versions and alternatives.
     static QStringList dependenciesOf(const QString& package) {
         const QByteArray field =
             run(QStringLiteral("dpkg-deb"), {QStringLiteral("-f"), package, QStringLiteral("Depends")}).out;
@@ -235,7 +236,7 @@ private:
         return names;
     }
 
-    /// Of those installed here, by library.
+    /// The packages installed here that contain the libraries, by library.
     static QMultiHash<QString, QString> packagesWith(const QSet<QString>& libraries) {
         QStringList query{QStringLiteral("-S")};
         for (const QString& library : libraries) query.append(QStringLiteral("*/") + library);

@@ -18,7 +18,7 @@
 
 namespace burin::tst_killed {
 
-/// A recording that is ended by force. The kill comes from outside, at a moment that Burin can't know.
+/// A recording is ended by SIGKILL from outside, at a moment that Burin cannot know.
 class KilledTest : public QObject {
     Q_OBJECT
 private slots:
@@ -53,7 +53,7 @@ void KilledTest::keepsAllButTheLast100Milliseconds() {
     QProcess mill;
     mill.start(burinProgram(), {"mill", project, "--realtime", "--tool", "ball-6"});
     QVERIFY(mill.waitForStarted());
-    // Recording begins when the working copy's take does; until then the part's field is built.
+    // Recording begins when the take appears in the working copy; until then the clearance field of the part is built.
     double begun = 0.0;
     QElapsedTimer patience;
     patience.start();
@@ -82,7 +82,7 @@ void KilledTest::keepsAllButTheLast100Milliseconds() {
     QVERIFY2(killed - kept <= 0.1, qPrintable(QString("%1 s are missing").arg(killed - kept)));
     QVERIFY(take["samples"].toInteger() > milliseconds / 2);
 
-    // Looking does not save: until something does, the file is as it was. Then the work goes on where it was left.
+    // Reading does not save: until a command writes, the file is as it was. Then the recovered work is continued.
     QCOMPARE(runBurin({"info", project, "--json"}).json()["recovered"].toBool(), true);
     QCOMPARE(runBurin({"path", project, "new"}).status, 0);
     const QJsonObject saved = runBurin({"info", project, "--json"}).json();

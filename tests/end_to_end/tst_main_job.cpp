@@ -23,8 +23,8 @@ namespace burin::tst_main_job {
 
 namespace {
 
-/// Is a place over the part's outline, shrunk by the radius? The sample part is a column over its base from z = 0 up,
-/// so its outline is that of a cut just above the base.
+/// Whether a point is above the part's outline, offset inwards by the radius. From z = 0 up the sample part is a column
+/// over its base, so its outline is that of a section just above the base.
 bool overShrunkOutline(const MeshDistance& part, const glm::dvec3& tip, double radius) {
     constexpr int directions = 24;
     for (int i = 0; i < directions; ++i) {
@@ -38,7 +38,7 @@ bool overShrunkOutline(const MeshDistance& part, const glm::dvec3& tip, double r
 
 } // namespace
 
-/// `burin demo` as a new user starts it, judged by others than Burin.
+/// `burin demo` as a new user starts it, judged by independent programs.
 class MainJobTest : public QObject {
     Q_OBJECT
 private slots:
@@ -89,7 +89,7 @@ void MainJobTest::leavesFilesBehind() {
 void MainJobTest::pictureShowsPartStockAndTool() {
     const QImage picture(answer_["picture"].toString(), "PNG");
     QVERIFY(picture.width() >= 1280 && picture.height() >= 800);
-    // Bare part is blue, the stock is pale, the background dark: each fills a good share of the picture.
+    // The bare part is blue, the stock is pale, the background dark: each covers a good share of the picture.
     int blue = 0, pale = 0, dark = 0;
     for (int y = 0; y < picture.height(); y += 4)
         for (int x = 0; x < picture.width(); x += 4) {
@@ -133,7 +133,7 @@ void MainJobTest::interpreterAcceptsTheProgramAndNothingGouges() {
 void MainJobTest::finishingLiesOnThePart() {
     QVERIFY(!samples_.empty());
     std::size_t all = 0, onPart = 0;
-    for (std::size_t i = 0; i < samples_.size(); i += 5) { // every half millimetre: enough for a share
+    for (std::size_t i = 0; i < samples_.size(); i += 5) { // every half millimetre, which is enough for a share
         const ToolSample& sample = samples_[i];
         if (!sample.cutting || !overShrunkOutline(judge_->part(), sample.tip, 3.0)) continue;
         ++all;
@@ -161,7 +161,7 @@ void MainJobTest::proxyNeverEntersThePart() {
             deepestPress = std::max(deepestPress, glm::length(sample.stylusTip - sample.proxy.tip));
         const double deepest = judge_->deepestProxy(take, tool);
         QVERIFY2(deepest <= 0.05 * voxel - info.allowance, qPrintable(QString("%1 mm").arg(deepest)));
-        if (info.allowance == 0.0) QVERIFY(deepestPress > 1.5); // the push-back does the work
+        if (info.allowance == 0.0) QVERIFY(deepestPress > 1.5); // it was the push-back that protected the part
     }
 }
 

@@ -20,7 +20,7 @@ const QByteArray card = "General:\n  Author: \"A. Miller\"\n  Name: \"Shop bronz
 
 } // namespace
 
-/// From the list of what there is to a material of one's own that a stock is made of.
+/// From the list of available materials to a material of the user's own, of which a stock is made.
 class MaterialsTest : public QObject {
     Q_OBJECT
 private slots:
@@ -47,7 +47,7 @@ private slots:
         QVERIFY(file.write(QByteArray(shown.output).replace("steel-1045", "my-steel")) > 0);
         file.close();
         QCOMPARE(runBurin({"materials", "add", file.fileName()}).status, 0);
-        QCOMPARE(runBurin({"materials", "add", file.fileName()}).status, 2); // it is there now
+        QCOMPARE(runBurin({"materials", "add", file.fileName()}).status, 2); // the ID exists already
         QCOMPARE(runBurin({"materials", "show", "my-steel"}).status, 0);
         QCOMPARE(runBurin({"materials", "remove", "my-steel"}).status, 0);
         QVERIFY(runBurin({"materials", "show", "my-steel"}).status != 0);
@@ -61,7 +61,7 @@ private slots:
         const ProgramRun added = runBurin({"materials", "add", file.fileName(), "--json"});
         QCOMPARE(added.status, 0);
         QCOMPARE(added.json()["id"].toString(), QString("shop-bronze"));
-        QVERIFY(added.json()["notes"].toArray().size() >= 3); // what the card does not say
+        QVERIFY(added.json()["notes"].toArray().size() >= 3); // values that the card does not state
         const ProgramRun embedded =
             runBurin({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", folder_.filePath("cube.burin"), "--voxel", "1",
                       "--material", "shop-bronze", "--json"});

@@ -24,7 +24,7 @@ namespace burin::tst_part_measure {
 
 using namespace burin::test;
 
-/// What is measured of a part that OpenCASCADE made, against the numbers that it was made with.
+/// Measurements of a part made with OpenCASCADE, compared with the dimensions that it was made with.
 class PartMeasureTest : public QObject {
     Q_OBJECT
 private slots:
@@ -48,7 +48,7 @@ private slots:
         near(top["from"]["thickness_mm"], 12.0);
         near(top["from"]["area_mm2"], 80.0 * 50.0 - pi * (9.0 + 25.0));
         near(top["from"]["normal"][2], 1.0);
-        // 4 mm stand between the 10 mm hole's rim and ... the side of the plate: 10 − 5 − 0 = 5 mm.
+        // The 10 mm hole, whose centre is 10 mm from the side of the plate, leaves a wall of 10 − 5 = 5 mm.
         const QJsonObject side = measure("plate.burin", {40.0, 0.0, 6.0});
         near(side["from"]["thickness_mm"], 5.0);
     }
@@ -58,10 +58,10 @@ private slots:
         QCOMPARE(holes["from"]["face"].toString(), QStringLiteral("cylinder"));
         near(holes["from"]["radius_mm"], 3.0);
         near(holes["to"]["radius_mm"], 5.0);
-        near(holes["between"]["apart_mm"], 30.0); // of the axes
+        near(holes["between"]["apart_mm"], 30.0); // between the axes
         near(holes["between"]["faces_mm"], 22.0); // 30 − 3 − 5
         near(holes["between"]["angle_rad"], 0.0);
-        near(holes["between"]["corners_mm"], 30.0); // the centres of their rims
+        near(holes["between"]["corners_mm"], 30.0); // between the centres of their rims
         near(holes["between"]["points_mm"], 32.0);
     }
 
@@ -74,9 +74,9 @@ private slots:
         QVERIFY(square["between"]["apart_mm"].isNull());
         const QJsonObject same = measure("plate.burin", {80.0, 25.0, 6.0}, glm::dvec3(80.0, 35.0, 6.0));
         near(same["between"]["points_mm"], 10.0);
-        QVERIFY(same["between"]["faces_mm"].isNull()); // one face
+        QVERIFY(same["between"]["faces_mm"].isNull()); // it is the same face
         near(square["between"]["faces_mm"], 0.0);
-        // A hole along the plate's side.
+        // A hole and the plate's side, which are parallel.
         const QJsonObject along = measure("plate.burin", {40.0, 0.0, 6.0}, glm::dvec3(13.0, 10.0, 6.0));
         near(along["between"]["apart_mm"], 10.0);
         near(along["between"]["angle_rad"], 0.0);
@@ -96,11 +96,11 @@ private slots:
         near(ball["from"]["thickness_mm"], 16.0);
     }
 
-    /// Wherever the setup turned it.
+    /// In any orientation of the setup.
     void aTurnedPartIsMeasuredWhereItLies() {
         QVERIFY(QFile::copy(in("plate.burin"), in("turned.burin")));
         QCOMPARE(runBurin({"setup", in("turned.burin"), "--turn", "x:90", "--json"}).status, 0);
-        // About the middle of the box: (40, 25, 6). What looked up looks along −y now.
+        // About the middle of the box: (40, 25, 6). The face that faced up now faces −y.
         const QJsonObject top = measure("turned.burin", {20.0, 19.0, 0.0});
         near(top["from"]["normal"][1], -1.0);
         near(top["from"]["thickness_mm"], 12.0);
@@ -140,7 +140,7 @@ private:
     bool embed(const char* model, const char* project) {
         return runBurin({"embed", in(model), "-o", in(project), "--voxel", "1", "--margin", "1", "--json"}).status == 0;
     }
-    /// A place of the model's own frame, in the setup's.
+    /// A point in the model's own frame, converted to the setup frame.
     QString at(const char* project, const glm::dvec3& place) {
         Q_UNUSED(project);
         return QString("%1,%2,%3").arg(place.x, 0, 'g', 12).arg(place.y, 0, 'g', 12).arg(place.z, 0, 'g', 12);

@@ -13,7 +13,7 @@
 
 namespace burin::tst_part_update {
 
-/// A part that was changed in the CAD system, from the command line.
+/// A part that was changed in the CAD system is updated from the command line.
 class PartUpdateTest : public QObject {
     Q_OBJECT
     QTemporaryDir folder_;
@@ -43,7 +43,7 @@ private slots:
         const QJsonObject info = runBurin({"info", in("p.burin"), "--json"}).json();
         QVERIFY(std::abs(info["model"].toObject()["volume_mm3"].toDouble() - 9600.0) < 1e-6);
         QCOMPARE(info["takes"].toArray().size(), 1);
-        // The recording goes on to be a checked program, of the new part.
+        // The recording is used for a checked program of the new part.
         QCOMPARE(runBurin({"path", in("p.burin"), "new"}).status, 0);
         const ProgramRun post = runBurin({"post", in("p.burin"), "-o", in("p.ngc")});
         QVERIFY2(post.status == 0, post.messages.constData());

@@ -44,7 +44,7 @@ private slots:
             run({"post", in("p.burin"), "-o", in("out.ngc"), "--override", "the slot is no part of the mouse"});
         QVERIFY2(post.status == 0, post.messages.constData());
         const QString text = read("out.ngc");
-        // Feeds, speed, coolant and the arc are those of the program.
+        // Feeds, speed, coolant and the arc are taken over from the program.
         for (const char* word : {"S9000", "M8", "F480", "F360"}) QVERIFY2(text.contains(word), word);
         QVERIFY2(text.contains(QRegularExpression("G2 X-30(\\.0+)? Y-10(\\.0+)?")), qPrintable(text));
     }
@@ -55,7 +55,7 @@ private slots:
         QVERIFY2(made.status == 0, made.messages.constData());
         QCOMPARE(made.json()["paths"][0]["name"].toString(), QStringLiteral("from CAM"));
         QCOMPARE(made.json()["length_mm"].toDouble(), 27.0);
-        // It is edited as any other path, and a pass of a program can't be computed again.
+        // It is edited like any other path, but a pass that comes from a program cannot be recomputed.
         const QString id = QString::number(made.json()["paths"][0]["id"].toInt());
         QCOMPARE(run({"path", in("p.burin"), "recompute", id}).status, 2);
         const ProgramRun shown = run({"path", in("p.burin"), "show", id});

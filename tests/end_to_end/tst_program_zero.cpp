@@ -35,7 +35,7 @@ private slots:
         post("middle.ngc");
     }
 
-    /// The same tool at the same places of the stock: each move differs by the way between both zeros, rounding apart.
+    /// The same tool positions in the stock: the moves differ by the vector between both zeros, apart from rounding.
     void theProgramMovesWithItsZero_data() {
         QTest::addColumn<QString>("zero");
         QTest::newRow("a corner of the top") << "stock:low,low,high";
@@ -52,10 +52,10 @@ private slots:
         post("moved.ngc");
         const std::vector<CanonicalMove> one = moves("middle.ngc"), other = moves("moved.ngc");
         QVERIFY(one.size() > 20);
-        // Arcs are chosen by rounded figures: what is compared is where the tool is lowest and farthest out.
+        // Arcs are fitted to rounded values, so only the lowest and outermost positions of the tool are compared.
         for (int axis = 0; axis < 3; ++axis)
             for (const bool low : {true, false}) {
-                if (axis == 2 && !low) continue; // how high it is free counts from the zero
+                if (axis == 2 && !low) continue; // clearance heights are relative to the zero
                 QVERIFY2(std::abs(reach(other, axis, low) - reach(one, axis, low) - way[axis]) < 0.003,
                          qPrintable(QString("axis %1").arg(axis)));
             }
@@ -92,12 +92,12 @@ private slots:
         const QString text = contentOf(in("offset.nc"));
         QVERIFY2(text.contains(QRegularExpression("(^|[\\n ])" + QRegularExpression::escape(words) + "([\\n ]|$)")),
                  qPrintable(text.left(900)));
-        // Some controls take no colon in a comment.
+        // Some controls do not accept a colon in a comment.
         QVERIFY(text.contains(QRegularExpression("work offset.? +" + QRegularExpression::escape(name),
                                                  QRegularExpression::CaseInsensitiveOption)));
     }
 
-    /// A control without it is told of before there is a program, with those that it has.
+    /// A control without the work offset is reported before there is a program, with the offsets that it has.
     void aWorkOffsetThatTheControlLacksIsRefused() {
         QCOMPARE(runBurin({"setup", in("p.burin"), "--work-offset", "G59.1", "--dialect", "mach"}).status, 0);
         const ProgramRun run = runBurin({"post", in("p.burin"), "-o", in("none.ngc")});
@@ -106,7 +106,7 @@ private slots:
         QVERIFY(!QFile::exists(in("none.ngc")));
     }
 
-    /// A program of another work offset would mill beside the part.
+    /// A program with another work offset would mill beside the part.
     void aProgramOfAnotherWorkOffsetIsFound() {
         QCOMPARE(runBurin({"setup", in("p.burin"), "--work-offset", "G55", "--dialect", "linuxcnc"}).status, 0);
         const ProgramRun run =
@@ -156,7 +156,7 @@ private:
             .value_or(std::vector<CanonicalMove>());
     }
 
-    /// How far the cuts of a program go along an axis.
+    /// The extreme coordinate of a program's cuts along an axis.
     static double reach(const std::vector<CanonicalMove>& moves, int axis, bool low) {
         double reached = low ? 1e9 : -1e9;
         for (const CanonicalMove& move : moves)

@@ -44,7 +44,7 @@ void TestSeveralTools::initTestCase() {
     for (const auto& take : takes)
         byTool[take.toObject()["tool"].toString()].append(QString::number(take.toObject()["id"].toInteger()));
     QCOMPARE(byTool.keys(), (QStringList{"ball-3", "flat-10"}));
-    // The other tool's path is made by posting.
+    // Posting creates the path of the other tool.
     QCOMPARE(runBurin({"path", project_, "new", "--takes", byTool["ball-3"].join(',')}).status, 0);
     const ProgramRun mixed =
         runBurin({"path", project_, "new", "--takes", byTool["ball-3"].front() + "," + byTool["flat-10"].front()});
@@ -60,7 +60,7 @@ void TestSeveralTools::largerToolsComeFirst() {
     QStringList changes;
     auto match = QRegularExpression("^T(\\d+) M6", QRegularExpression::MultilineOption).globalMatch(contentOf(program));
     while (match.hasNext()) changes.append(match.next().captured(1));
-    QStringList bySize; // as the tools say themselves
+    QStringList bySize; // by the numbers that the tools state
     for (const char* id : {"flat-10", "ball-3"})
         for (const auto& tool : tools)
             if (tool.toObject()["id"].toString() == id)
@@ -72,7 +72,7 @@ void TestSeveralTools::theProgramIsVerifiedWithEachOfItsTools() {
     const QString program = inFolder("two.ngc");
     const ProgramRun run = runBurin({"verify", program, "--project", project_, "--json"});
     QVERIFY2(run.status == 0, run.messages + run.output);
-    // A tool that nobody knows is no tool to judge by.
+    // A program with an unknown tool cannot be checked.
     QFile strange(inFolder("strange.ngc"));
     QVERIFY(strange.open(QIODevice::WriteOnly));
     QString text = contentOf(program);
@@ -82,7 +82,7 @@ void TestSeveralTools::theProgramIsVerifiedWithEachOfItsTools() {
     const ProgramRun refused = runBurin({"verify", strange.fileName(), "--project", project_});
     QCOMPARE(refused.status, 1);
     QVERIFY2(refused.output.contains("tool_unknown 77"), refused.output.constData());
-    // Nor is one that is alone: which of the project's tools should it be?
+    // Nor if that is its only tool: it is unknown which of the project's tools it would be.
     text.replace(QRegularExpression("^T\\d+ M6", QRegularExpression::MultilineOption), "T77 M6");
     QFile alone(inFolder("alone.ngc"));
     QVERIFY(alone.open(QIODevice::WriteOnly));

@@ -13,7 +13,7 @@
 
 namespace burin::tst_sheet {
 
-/// The setup sheet from the command line. Oracles: what was asked for when the project was made, and the program's own
+/// The setup sheet from the command line. Oracles: the arguments with which the project was made, and the program's own
 /// text.
 class SheetTest : public QObject {
     Q_OBJECT
@@ -26,7 +26,7 @@ private slots:
                  0);
     }
 
-    /// Before there is a program it says so, and shows what there is.
+    /// Without a program the sheet says so and shows what there is.
     void aSheetWithoutAProgramSaysSo() {
         const QString page = sheet({});
         QVERIFY(page.contains("There is no checked program"));
@@ -40,18 +40,18 @@ private slots:
         QCOMPARE(runBurin({"post", in("p.burin"), "-o", in("cube.ngc")}).status, 0);
         const QString page = sheet({});
         QVERIFY(!page.contains("There is no checked program") && !page.contains("has changed since"));
-        // A name is text, whatever stands in it.
+        // A name is plain text, whatever it contains.
         QVERIFY(page.contains("Front &amp; &lt;left&gt;") && !page.contains("<left>"));
-        // 10 mm and 4 mm of stock on each side; zero on the left front corner of its top.
+        // 10 mm, and 4 mm of stock on each side; zero is at the left front corner of the top of the stock.
         const QStringList cells = cellsOf(page);
         QVERIFY2(cells.contains("18 × 18 × 18 mm"), qPrintable(cells.join(" | ")));
         QVERIFY(cells.contains("0.000 mm, 0.000 mm, 18.000 mm"));
         QVERIFY(cells.contains("18.000 mm, 18.000 mm, 0.000 mm"));
         QVERIFY(cells.contains("X 0.000  Y 0.000  Z -18.000 mm"));
-        // The keep-out volume, from program zero: the stock begins at -4, -4, and its top is at 14.
+        // The keep-out volume relative to program zero: the stock begins at -4, -4, and its top is at 14.
         QVERIFY2(cells.contains("X 24.000  Y 4.000  Z -34.000 mm"), qPrintable(cells.join(" | ")));
         QVERIFY(cells.contains("passed") && cells.contains("cube.ngc") && cells.contains("G56"));
-        // Speeds and the lowest place are those of the text.
+        // Speeds and the lowest position are those of the text.
         const QString program = contentOf(in("cube.ngc"));
         const QString speed = QRegularExpression("\\bS(\\d+)").match(program).captured(1);
         QVERIFY2(cells.contains(speed) || page.contains(speed + " –") || page.contains("– " + speed),
@@ -75,7 +75,7 @@ private slots:
         QCOMPARE(page.count("<svg class=\"tool\""), 1);
     }
 
-    /// A machinist must not run what was changed since.
+    /// A machinist must not run a program of a job that was changed after the check.
     void aChangeBehindTheCheckIsTold() {
         QCOMPARE(runBurin({"setup", in("p.burin"), "--work-offset", "G57"}).status, 0);
         QVERIFY(sheet({}).contains("has changed since the program was checked"));

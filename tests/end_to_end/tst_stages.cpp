@@ -80,7 +80,7 @@ void StagesTest::mills() {
         const double removed = figures["removed_mm3"].toDouble(), drop = figures["workpiece_drop_mm3"].toDouble();
         QVERIFY(removed > 100.0);
         QVERIFY(std::abs(removed - drop) <= 1e-9 * drop);
-        // A ball of 6 mm, whichever way it goes: no wider than it is, no longer than it is deep and wide.
+        // A ball of 6 mm, whatever its direction: the area is at most its width times the sum of depth and width.
         const QJsonObject cut = figures["heaviest_cut"].toObject();
         QCOMPARE(cut["material"].toString(), QString("tooling-board"));
         const double depth = cut["depth_mm"].toDouble(), area = cut["area_mm2"].toDouble();
@@ -101,7 +101,7 @@ void StagesTest::editsPaths() {
     QVERIFY2(runBurin({"path", project_, "apply", "1", "--edit", smooth, "--place", "0"}).status == 0, "apply");
     QCOMPARE(runBurin({"path", project_, "--json"}).json()["paths"].toArray()[0].toObject()["edits"].toArray().size(),
              edits + 1);
-    // An edit of an earlier version stays what it is until it is asked for.
+    // An edit of an earlier version stays as it is until its update is requested.
     QCOMPARE(runBurin({"path", project_, "update", "1", "--place", "0"}).status, 0);
     QCOMPARE(runBurin({"path", project_, "--json"})
                  .json()["paths"]
@@ -129,7 +129,7 @@ void StagesTest::posts() {
     QCOMPARE(answer["findings"].toArray().size(), 0);
     const auto moves = canonicalMoves(program_, folder_.path(), answer["tool"].toObject()["number"].toInt(), 6.0);
     QVERIFY2(moves && moves->size() > 100, "rs274 refused the program");
-    // Who asks later is told that it passed, as long as nothing that was checked is another one.
+    // A later `info` reports that the program passed, as long as nothing that was checked has changed.
     const auto verdict = [](const QString& project) {
         return runBurin({"info", project, "--json"}).json()["verdict"].toObject();
     };
@@ -141,7 +141,7 @@ void StagesTest::posts() {
     QCOMPARE(verdict(changed)["passed"].toBool(), false);
 }
 
-/// The load by block, over time and at its peak are one load, and the blocks make up what is removed and the time.
+/// The loads by block, over time and at the peak agree, and the blocks add up to the removed volume and the time.
 void StagesTest::loadsAgree(const QJsonObject& answer) {
     double removed = 0.0, force = 0.0, cutting = 0.0;
     const QJsonArray blocks = answer["load_by_block"].toArray();
@@ -198,7 +198,7 @@ void StagesTest::refusesAProgramThatGouges() {
     const ProgramRun run = runBurin({"verify", bad.fileName(), "--project", project_, "--json"});
     QCOMPARE(run.status, 1);
     const QJsonObject answer = run.json();
-    QVERIFY(std::abs(answer["gouge_max_mm"].toDouble() - 3.0) < 0.01); // 3 mm of stock over the part, 6 mm deep
+    QVERIFY(std::abs(answer["gouge_max_mm"].toDouble() - 3.0) < 0.01); // 3 mm of stock above the part, cut 6 mm deep
     QCOMPARE(answer["findings"].toArray()[0].toObject()["kind"].toString(), QString("gouge"));
 }
 
@@ -220,7 +220,8 @@ void StagesTest::replaysATraceToTheSameCut() {
     QVERIFY(a.size() > 100'000);
     QVERIFY2(a.readAll() == b.readAll(), "the replayed take differs");
 
-    // A take's trace is readings alone; what is assumed of the force is said, not passed off as recorded.
+    // A trace made from a take contains only readings; the assumed share of the felt force is stated as such, not
+    // passed off as recorded.
     QCOMPARE(run.json()["felt"].toObject()["source"].toString(), QString("assumed"));
     QVERIFY2(run.messages.contains("felt") && run.messages.count('\n') == 1, run.messages.constData());
     const QStringList told{"mill",        second, "--tool",    "ball-6", "--stylus", "trace:" + trace,
@@ -232,7 +233,7 @@ void StagesTest::replaysATraceToTheSameCut() {
     QCOMPARE(felt["gain"].toDouble(), 0.02);
     QCOMPARE(runBurin({"mill", second, "--felt", "0.5", "--seconds", "1"}).status, 2); // the operator has its own
 
-    // What a hand recorded is not replaced by accident.
+    // A recording is not replaced by accident.
     const QStringList again{"embed", model_, "-o", second, "--voxel", "1", "--margin", "3"};
     const auto takes = [&] { return runBurin({"info", second, "--json"}).json()["takes"].toArray().size(); };
     const auto recorded = takes();

@@ -19,7 +19,7 @@ namespace {
 constexpr int countX = 60, countY = 50, countZ = 40;
 constexpr double edge = 0.5; // mm
 
-/// A value for each voxel, in a pattern that no run of an axis follows for long.
+/// A value for each voxel, in a pattern that has only short runs along each axis.
 QByteArray pattern() {
     QByteArray values;
     for (int z = 0; z < countZ; ++z)
@@ -37,7 +37,7 @@ QByteArray dataOf(const QString& nrrd) {
 
 } // namespace
 
-/// A stock that a file describes: scans, castings, what another clamping left.
+/// A stock described by a file: scans, castings, the result of another clamping.
 class StockFileTest : public QObject {
     Q_OBJECT
 private slots:
@@ -50,7 +50,7 @@ private slots:
             {"value": 20, "material": "machinable-wax"}, {"value": 30, "material": "pu-foam"}]})");
     }
 
-    /// Chen & Yang 2004, section 2: voxels with a property each, in, milled, out again.
+    /// Chen & Yang 2004, section 2: voxels with a property each are imported, milled and exported.
     void voxelsAreLosslessWhereNothingWasMilled() {
         QCOMPARE(embed({"--free-carving", "--stock-file", in("ct.nrrd"), "--stock-table", in("table.json")}), 0);
         QCOMPARE(exported(), pattern()); // before milling: every voxel
@@ -64,11 +64,11 @@ private slots:
             deepest = std::min(deepest, i / (countX * countY));
         }
         QVERIFY(changed > 1000);
-        // The lowest place of the tool's tip, as the recording has it.
+        // The lowest position of the tool's tip in the recording.
         QVERIFY(std::abs(deepest * edge - lowestTip()) <= edge);
     }
 
-    /// A cube of 10 mm in a casting that is a bigger one; the volumes are closed formulas.
+    /// A cube of 10 mm in a larger block that represents a casting; the volumes are closed formulas.
     void aPartIsMilledFromASolidOfAnotherFile() {
         QCOMPARE(runBurin({"embed", "-o", in("block.burin"), "--free-carving", "--stock-box", "-2,-3,0,13,14,12",
                            "--material", "oak", "--voxel", "0.25"})
@@ -80,7 +80,7 @@ private slots:
             const QJsonObject answer = embedded(
                 {BURIN_FIXTURES "/models/cube.brep", "--voxel", "0.25", "--material", "oak", "--stock-file", in(name)});
             QVERIFY(std::abs(answer["part_volume_mm3"].toDouble() / 1000.0 - 1.0) < 1e-3);
-            // The edges of an exported surface are bevelled.
+            // The edges of an exported surface are bevelled by the voxels.
             QVERIFY(std::abs(answer["stock_volume_mm3"].toDouble() / (15.0 * 17.0 * 12.0 - 1000.0) - 1.0) < 5e-3);
             QCOMPARE(answer["stock_form"].toString(), QString("file"));
         }
@@ -131,11 +131,11 @@ private:
         if (run.status != 0) qWarning("%s", run.messages.constData());
         return run.json();
     }
-    /// Values of the array that was read, by the materials of the one that was written.
+    /// The exported voxels as values of the imported array, converted by their materials.
     QByteArray exported() {
         if (runBurin({"volume", "export", in("p.burin"), "-o", in("out.nrrd")}).status != 0) return {};
         QByteArray values = dataOf(in("out.nrrd"));
-        for (char& value : values) value = static_cast<char>(value * 10); // the table's order is that of the entries
+        for (char& value : values) value = static_cast<char>(value * 10); // the table has the order of the entries
         return values;
     }
     double lowestTip() {

@@ -29,7 +29,7 @@ double volumeOf(const QJsonObject& answer, const QString& id) {
 
 } // namespace
 
-/// A job whose stock is of several materials, from the command line to the program.
+/// A job with a stock of several materials, from the command line to the program.
 class StockOfMaterialsTest : public QObject {
     Q_OBJECT
 private slots:
@@ -37,7 +37,7 @@ private slots:
 
     void volumesAreThoseOfTheSolids_data() {
         QTest::addColumn<QString>("box");
-        for (int phase = 0; phase < 8; ++phase) { // the grid off by half a voxel along each axis, or not
+        for (int phase = 0; phase < 8; ++phase) { // with the grid offset by half a voxel or not, along each axis
             const auto corner = [phase](int axis, double at) {
                 return QString::number(at - ((phase >> axis & 1) != 0 ? 0.025 : 0.0));
             };
@@ -47,8 +47,8 @@ private slots:
             QTest::addRow("phase %d", phase) << corners.join(',');
         }
     }
-    /// OpenCASCADE's volumes of the solids are the oracle; 0.2 % at a voxel of a two-hundredth of the shortest edge.
-    /// A layer ends at the middle of a voxel, so each of its planes may be off by half of one.
+    /// The oracle is OpenCASCADE's volumes of the solids; 0.2 % at a voxel of a two-hundredth of the shortest edge. A
+    /// layer ends at the centre of a voxel, so each of its planes may be off by half a voxel.
     void volumesAreThoseOfTheSolids() {
         QFETCH(QString, box);
         const QJsonObject answer =
@@ -60,7 +60,7 @@ private slots:
         QVERIFY2(std::abs(volumeOf(answer, "brass-cuzn39pb3") / cylinder - 1.0) < 0.002,
                  qPrintable(QString::number(volumeOf(answer, "brass-cuzn39pb3"))));
         QVERIFY(std::abs(volumeOf(answer, "aluminium-6061 (red_cube)") / 1000.0 - 1.0) < 0.002);
-        // 27 × 12 × 12 mm; what is left of X -10 is foam, and of the rest what is above Z 10 oak.
+        // 27 × 12 × 12 mm; foam where X < -10, and in the remaining part oak where Z > 10.
         const double half = 0.025 * 1.001, foamed = -10.0 - at(0), topped = at(5) - 10.0, oak = at(3) + 10.0;
         QVERIFY(std::abs(volumeOf(answer, "pu-foam") - foamed * 144.0) <= half * 144.0);
         QVERIFY(std::abs(volumeOf(answer, "oak") - oak * 12.0 * topped) <= half * 12.0 * (oak + topped));

@@ -38,8 +38,8 @@ bool nameIsKnown(const QJsonObject& answer, const char* name) {
     return false;
 }
 
-/// mm that the ball of a tool enters the exact B-rep at the worst `count` of a take's proxies, whatever their axes;
-/// nothing where OpenCASCADE can't tell.
+/// The largest depth, mm, by which the ball of a tool enters the exact B-rep at the worst `count` of a take's proxies,
+/// with any axes; nullopt if OpenCASCADE cannot compute it.
 std::optional<double> exactGouge(const PartJudge& judge, const Take& take, double radius, std::size_t count) {
     const RevolvedPiece ball{0.0, 60.0, radius, radius, radius};
     std::vector<std::pair<double, ToolPose>> poses;
@@ -60,7 +60,7 @@ std::optional<double> exactGouge(const PartJudge& judge, const Take& take, doubl
 
 } // namespace
 
-/// A job among fixtures and with a leaning tool, by the real program.
+/// A job with fixtures and with a tilted tool, run by the real program.
 class SurroundingsTest : public QObject {
     Q_OBJECT
 private slots:
@@ -76,7 +76,7 @@ private:
     QString block_ = BURIN_FIXTURES "/models/cube.brep"; // 10 mm
 };
 
-/// A clamp that reaches over the stock, right in the way of the virtual operator.
+/// A clamp that reaches over the stock and obstructs the virtual operator.
 void SurroundingsTest::noTickHasTheToolInAFixture() {
     const Box clamp{{-7.0, 2.0, 12.0}, {6.0, 7.0, 22.0}}, space{{7.5, 7.5, 8.0}, {20.0, 20.0, 30.0}};
     constexpr double clearance = 0.4; // mm
@@ -136,7 +136,7 @@ void SurroundingsTest::theProjectKeepsWhatStandsAround() {
     QCOMPARE(left[0].toObject()["on"].toBool(), false);
 }
 
-/// A clamp that was put on after milling is in the way of what was milled.
+/// A clamp that was added after milling obstructs the milled path.
 void SurroundingsTest::aProgramThroughAFixtureIsRefused() {
     const QString project = inFolder("later.burin"), program = inFolder("later.ngc");
     QCOMPARE(runBurin({"embed", block_, "-o", project, "--voxel", "0.5", "--material", "machinable-wax"}).status, 0);

@@ -15,7 +15,8 @@
 
 namespace burin::tst_takes {
 
-/// Takes along their time, from the command line: switched off and on, milled on from a moment, the workpiece then.
+/// Takes along their time, from the command line: switched off and on, continued from a moment, and the workpiece at a
+/// moment.
 class TakesTest : public QObject {
     Q_OBJECT
 private slots:
@@ -31,7 +32,7 @@ private slots:
         QCOMPARE(first_.size(), 16);
     }
 
-    /// The same job once more gives the same hash; what opens the project, or makes it from the recordings, as well.
+    /// Repeating the same job gives the same hash, and so does opening the project or replaying it from the recordings.
     void theSameRecordingsGiveTheSameHash() {
         QCOMPARE(hash({}), first_);
         QVERIFY(hash({"--stock"}) != first_);
@@ -40,7 +41,7 @@ private slots:
         QCOMPARE(hash({"--at", "1:2.5"}), hash({"--at", "1:2.5"}));
         QVERIFY(hash({"--at", "1:2.5"}) != first_);
         const QString other = in("again.burin");
-        QVERIFY(QFile::copy(in("p.burin"), other)); // without what is kept
+        QVERIFY(QFile::copy(in("p.burin"), other)); // without the stored workpiece
         QCOMPARE(run({"take", "off", other, "1", "--to", "0.001"}).status, 0);
         QCOMPARE(run({"take", "on", other, "1"}).status, 0);
         QCOMPARE(run({"volume", "export", other, "-o", in("other.srle")}).json()["hash"].toString(), first_);
@@ -65,7 +66,7 @@ private slots:
                  QString("crown"));
     }
 
-    /// What came after the moment is off, and can be switched on again on top.
+    /// What was recorded after the moment is switched off, and can be switched on again on top.
     void millingGoesOnFromAMoment() {
         const QString then = hash({"--at", "1:2.5"});
         const ProgramRun on = mill({"--from", "1:2.5", "--intent", "scribble", "--seconds", "2", "--seed", "7"});
@@ -80,7 +81,7 @@ private slots:
         QCOMPARE(hash({}), first_);
     }
 
-    /// The workpiece at a time of a program: before its first cut the stock, at its end what "post" left.
+    /// The workpiece at a time of a program: before its first cut the stock, at its end the result of "post".
     void aProgramsWorkpieceIsWrittenAtAnyTime() {
         QCOMPARE(run({"path", in("p.burin"), "new"}).status, 0);
         const ProgramRun posted = run({"post", in("p.burin"), "-o", in("p.ngc"), "--override", "a test reads it"});

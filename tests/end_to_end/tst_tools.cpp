@@ -31,7 +31,7 @@ QByteArray bar(const glm::dvec3& low, const glm::dvec3& high) {
 
 } // namespace
 
-/// Tools of one's own, from files, from other tools and from models.
+/// The user's own tools, from files, from other tools and from models.
 class ToolsTest : public QObject {
     Q_OBJECT
 private slots:
@@ -40,7 +40,7 @@ private slots:
         flutes_ = write("bar.stl", bar({-3.0, -4.0, -5.0}, {3.0, 4.0, 15.0}));
     }
 
-    /// Pythagoras is the oracle: a bar of 6 × 8 mm sweeps a cylinder of 10 mm.
+    /// The expected value is from Pythagoras: a rotating bar of 6 × 8 mm sweeps a cylinder of 10 mm.
     void aBarCutsAsTheCylinderThatItSweeps() {
         const QJsonObject made = answer({"tools", "shape", "bar", flutes_, "--like", "flat-10", "--number", "31"});
         QCOMPARE(made["diameter_mm"].toDouble(), 10.0);
@@ -50,7 +50,7 @@ private slots:
         const QJsonObject shown = answer({"tools", "show", "bar"});
         QCOMPARE(shown["number"].toInt(), 31);
         QCOMPARE(shown["cutter"].toObject()["profile"].toArray().size(), 2);
-        // It mills as the flat end mill of those measures does: the same volume, to the last run unit.
+        // It mills like the flat end mill with these dimensions: the same volume, to the last run unit.
         QJsonObject flat = answer({"tools", "show", "flat-10"}), cutter = flat["cutter"].toObject();
         for (const char* length : {"flute_length_mm", "stick_out_mm", "shank_diameter_mm"})
             cutter[length] = shown["cutter"].toObject()[length];
@@ -76,7 +76,7 @@ private slots:
         for (const QJsonValue& each : list["tools"].toArray())
             if (each.toObject()["own"].toBool()) own << each.toObject()["id"].toString();
         QVERIFY(own.contains("my-ball") && !own.contains("ball-6"));
-        // Two tools of one number can't be in one program.
+        // A program cannot contain two tools with the same number.
         QMap<int, int> numbers;
         for (const QJsonValue& each : list["tools"].toArray()) ++numbers[each.toObject()["number"].toInt()];
         QCOMPARE(numbers[answer({"tools", "show", "my-ball"})["number"].toInt()], 1);
@@ -86,7 +86,7 @@ private slots:
         QCOMPARE(runBurin({"tools", "remove", "my-ball"}).status, 0);
     }
 
-    /// LinuxCNC's own interpreter knows every tool of the table, with its diameter, in the machine's unit.
+    /// LinuxCNC's own interpreter reads every tool of the table, with its diameter in the machine's unit.
     void linuxcncReadsTheTable_data() {
         QTest::addColumn<QString>("units");
         QTest::newRow("mm") << "mm";
@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(told, wanted);
     }
 
-    /// A bit as FreeCAD 1.0 writes it, and what is not in it.
+    /// A tool bit as written by FreeCAD 1.0; notes say what it lacks.
     void aToolBitOfFreecadIsRead() {
         const QString file = write("bit.fctb", R"({"version": 2, "name": "Bull 8", "shape": "bullnose.fcstd",
             "shape-type": "Bullnose", "attribute": {"Flutes": "4", "Units": "Imperial"},
@@ -134,7 +134,7 @@ private slots:
         QCOMPARE(added["id"].toString(), QString("bull-8"));
         QVERIFY(!added["notes"].toArray().isEmpty());
         const QJsonObject tool = answer({"tools", "show", "bull-8"}), cutter = tool["cutter"].toObject();
-        QCOMPARE(tool["source"].toString(), QString("FreeCAD tool bit bit.fctb")); // whatever folder it came from
+        QCOMPARE(tool["source"].toString(), QString("FreeCAD tool bit bit.fctb")); // without the folder it came from
         QCOMPARE(tool["flute_count"].toInt(), 4);
         QCOMPARE(cutter["type"].toString(), QString("bull_nose"));
         QCOMPARE(cutter["corner_radius_mm"].toDouble(), 1.5);
@@ -143,7 +143,7 @@ private slots:
         QVERIFY(cutter["stick_out_mm"].toDouble() <= 50.0);
     }
 
-    /// What a bit can hold comes back.
+    /// Everything that a tool bit can represent is restored.
     void aToolBitComesBack_data() {
         QTest::addColumn<QString>("id");
         for (const char* id : {"flat-6", "ball-6", "bull-10-r2", "drill-6.8", "chamfer-6"}) QTest::newRow(id) << id;
@@ -162,7 +162,8 @@ private slots:
             QCOMPARE(after["cutter"].toObject()[key], before["cutter"].toObject()[key]);
     }
 
-    /// A library of another program: all that can be held, each with what was lent; the rest is listed.
+    /// A library of another program: all tools that Burin can represent are imported, each with notes on assumed
+    /// values; the others are listed.
     void aFusionLibraryIsImportedWholeOrNotAtAll() {
         const QString library = QStringLiteral(BURIN_FIXTURES "/tools/fusion.tools");
         const auto own = [this] {
@@ -181,16 +182,16 @@ private slots:
         const QJsonObject ball = answer({"tools", "show", "ball-3-mm-long"});
         QCOMPARE(ball["number"].toInt(), 7);
         QCOMPARE(ball["cutter"].toObject()["diameter_mm"].toDouble(), 3.0);
-        // What Burin is shipped with stays beside one of its id.
+        // A shipped tool is not replaced by an imported one with its ID.
         QVERIFY(own().contains("bull-10-r2-2") && !own().contains("bull-10-r2"));
-        // One that is there already stops all of them.
+        // An ID that exists already stops the import of all tools.
         QCOMPARE(runBurin({"tools", "remove", "taper-3-deg"}).status, 0);
         const ProgramRun again = runBurin({"tools", "import", library});
         QVERIFY(again.status == 2 && again.messages.contains("--replace") && again.messages.count('\n') == 1);
         QVERIFY(!own().contains("taper-3-deg"));
         (void)answer({"tools", "import", library, "--replace"});
         QVERIFY(own().contains("taper-3-deg"));
-        // And out again, for who has that program.
+        // The tools are exported again, for users of that program.
         const QString packed = folder_.filePath("own.tools");
         (void)answer(QStringList{"tools", "export"} + own() + QStringList{"-o", packed});
         QVERIFY(QFileInfo(packed).size() > 100);
@@ -260,7 +261,7 @@ private:
         if (run.status != 0) qWarning("%s", run.messages.constData());
         return QJsonDocument::fromJson(run.output).object();
     }
-    /// mm³ that a virtual operator takes from a block with a tool.
+    /// The volume, mm³, that a virtual operator removes from a block with a tool.
     double removedWith(const char* tool) const {
         const QString project = folder_.filePath(QString(tool) + ".burin");
         const QString model = BURIN_FIXTURES "/models/red-cube-blue-cylinder.step";

@@ -46,8 +46,8 @@ glm::dvec3 vectorOf(const QJsonValue& value) {
 
 } // namespace
 
-/// A part that is milled from two sides, from the command line; and one that is laid down first. Oracles: LinuxCNC's
-/// interpreter for what the programs do, the exact part for what they make.
+/// A part that is milled from two sides by the command line, and one that is laid on a face first. Oracles: LinuxCNC's
+/// interpreter for the moves of the programs, the exact part for their result.
 class TwoSetupsTest : public QObject {
     Q_OBJECT
 private slots:
@@ -84,7 +84,7 @@ private slots:
         const Swept front = swept("front.ngc", "1"), back = swept("back.ngc", "2");
         QVERIFY(front.ways.size() > 1000 && back.ways.size() > 1000);
 
-        // Nothing of the part is taken, and what stood 0.3 mm above its surface is gone.
+        // The part is not cut, and the points 0.3 mm above its surface are.
         const TriangleMesh& mesh = judge->model().bodies.front().mesh;
         int looked = 0, left = 0, gouged = 0;
         for (std::size_t i = 0; i < mesh.triangles.size(); i += 41) {
@@ -108,7 +108,7 @@ private slots:
         QCOMPARE(gouged, 0);
     }
 
-    /// What a machinist would find out at the machine otherwise.
+    /// Changes that a machinist would otherwise only notice at the machine.
     void changesOfTheFirstSideAreTold() {
         QCOMPARE(runBurin({"setup", in("p.burin"), "--add-setup", "Third", "--turn", "z:90"}).status, 0);
         QVERIFY(!setupsOf()[2].toObject()["stock_out_of_date"].toBool());
@@ -151,18 +151,19 @@ private slots:
         QCOMPARE(setupsOf()[1].toObject()["name"].toString(), QString("Underside"));
     }
 
-    /// It lies on its side; its flat bottom is laid down by a place on it, and all is as it came.
+    /// The part lies on its side. Its flat bottom is laid down by a point on it, which restores the original
+    /// orientation.
     void aPartIsLaidDownByAFace() {
         const ProgramRun tilted = runBurin({"embed", sample, "-o", in("side.burin"), "--voxel", "1", "--turn", "y:90",
                                             "--turn", "z:30", "--move", "0,0,20", "--json"});
         QCOMPARE(tilted.status, 0);
         const QJsonObject placement = tilted.json()["placement"].toObject();
         const QJsonArray turn = placement["turn"].toArray();
-        const auto lying = [&](const glm::dvec3& place) { // by the numbers of the answer
+        const auto lying = [&](const glm::dvec3& place) { // calculated from the answer
             return vectorOf(turn[0]) * place.x + vectorOf(turn[1]) * place.y + vectorOf(turn[2]) * place.z +
                    vectorOf(placement["shift_mm"]);
         };
-        const glm::dvec3 bottom = lying({0.0, 0.0, 0.0}); // the mouse stands on z = 0
+        const glm::dvec3 bottom = lying({0.0, 0.0, 0.0}); // the bottom of the mouse is z = 0
         const QString place =
             QString("%1,%2,%3").arg(bottom.x, 0, 'g', 12).arg(bottom.y, 0, 'g', 12).arg(bottom.z, 0, 'g', 12);
         const ProgramRun laid = runBurin({"setup", in("side.burin"), "--align", place + "=-z", "--json"});
@@ -175,7 +176,7 @@ private slots:
         QVERIFY2(posted.status == 0, posted.output.constData());
     }
 
-    /// A mirrored part is another one: what is left of it is right, and its exact surface with it.
+    /// A mirrored part is a different part: its left side is on the right, and so is its exact surface.
     void aPartIsMirrored() {
         const auto boxOf = [&](const QStringList& more) {
             const ProgramRun run = runBurin(QStringList{"embed", BURIN_FIXTURES "/models/cube.brep", "-o",
@@ -191,7 +192,7 @@ private:
     QString in(const char* name) const { return folder_.filePath(name); }
 
     void mill(const QString& setup, const char* program) {
-        // Rows 1.4 mm apart leave scallops of 0.08 mm, closed formula.
+        // Rows 1.4 mm apart leave scallops of 0.08 mm by the closed formula.
         const ProgramRun rough = runBurin({"path", in("p.burin"), "new", "--setup", setup, "--json", "--pass", "levels",
                                            "--tool", "ball-6", "--allowance", "0.3"});
         QVERIFY2(rough.status == 0, rough.messages.constData());
@@ -210,7 +211,7 @@ private:
     QJsonArray setupsOf() const { return runBurin({"info", in("p.burin"), "--json"}).json()["setups"].toArray(); }
     QString contentDigest() const { return contentOf(in("p.burin")); }
 
-    /// Back from the setup's frame to the model's, by the numbers of `burin info`.
+    /// Converted from the setup's frame back to the model's, by the output of `burin info`.
     Swept swept(const char* program, const QString& setup) const {
         const QJsonObject info = runBurin({"info", in("p.burin"), "--setup", setup, "--json"}).json();
         const QJsonObject placement = info["setups"][setup.toInt() - 1]["placement"].toObject();

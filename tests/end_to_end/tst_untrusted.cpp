@@ -18,7 +18,7 @@
 
 namespace burin::tst_untrusted {
 
-/// Files from anybody, names from anywhere, outputs to the wrong place, users of any language.
+/// Untrusted files, arbitrary names, outputs to wrong locations, users of any language.
 class UntrustedTest : public QObject {
     Q_OBJECT
 private slots:
@@ -145,7 +145,7 @@ void UntrustedTest::namesNeverReachATerminalAsTheyAre() {
 }
 
 void UntrustedTest::outputsNeverReplaceInputs_data() {
-    QTest::addColumn<QStringList>("command"); // OUTPUT stands for each name of the project in turn
+    QTest::addColumn<QStringList>("command"); // OUTPUT is replaced by each name of the project in turn
     QTest::newRow("path show") << QStringList{"path", "p.burin", "show", "1", "-o", "OUTPUT"};
     QTest::newRow("path show as CSV") << QStringList{"path", "p.burin", "show", "1", "--csv", "OUTPUT"};
     QTest::newRow("path take") << QStringList{"path", "p.burin", "take", "1", "-o", "OUTPUT"};
@@ -259,7 +259,7 @@ void UntrustedTest::aPipeThatNobodyReadsIsGivenUpWhenAsked() {
     QProcess process;
     process.start(burinProgram(), {"path", file("p.burin"), "take", "1", "-o", file("pipe")});
     QVERIFY(process.waitForStarted());
-    QTest::qWait(1500); // it has nothing else to do by then
+    QTest::qWait(1500); // by then it only waits for a reader
     QCOMPARE(process.state(), QProcess::Running);
     process.terminate();
     QVERIFY(process.waitForFinished(5000));

@@ -13,7 +13,7 @@
 
 namespace burin::tst_volume {
 
-/// Volumes as files: what the paper names, for whoever has a command line.
+/// Volumes as files: the operations named in the paper, on the command line.
 class VolumeTest : public QObject {
     Q_OBJECT
 private slots:
@@ -40,7 +40,7 @@ private slots:
         QCOMPARE(relation("c.srle"), QString("adjacent"));
     }
 
-    /// Of a block of 10 × 10 × 10 mm of oak: mass, and the inertia of a box, m (b² + c²) / 12.
+    /// A block of 10 × 10 × 10 mm of oak: its mass, and the inertia of a box, m (b² + c²) / 12.
     void momentsAreThoseOfTheFormula() {
         makeBox("a.srle", 0, 10);
         const QJsonObject answer = runBurin({"volume", "moments", in("a.srle"), "--json"}).json();
@@ -51,7 +51,7 @@ private slots:
         QVERIFY(std::abs(oak["inertia_mm5"].toArray()[0].toArray()[0].toDouble() / exact - 1.0) < 1e-6);
     }
 
-    /// There and back.
+    /// A volume is unchanged after conversion to an array and back.
     void arraysComeBackAsTheyWent() {
         makeBox("a.srle", 0, 10);
         QCOMPARE(runBurin({"volume", "convert", in("a.srle"), "-o", in("a.nrrd")}).status, 0);
@@ -124,7 +124,7 @@ private slots:
 private:
     QString in(const char* name) const { return folder_.filePath(name); }
 
-    /// Of oak, 10 mm along Y and Z, between two places on X; in one grid of 0.5 mm.
+    /// A box of oak, 10 mm along Y and Z, between two positions on X, in a common grid of 0.5 mm.
     void makeBox(const char* name, int from, int to) {
         QByteArray voxels;
         for (int z = 0; z < 20; ++z)

@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* sample = BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step";
 
-/// The sample in the middle of each stretch that was recorded with the spindle turning.
+/// The middle sample of each interval that was recorded with the spindle turning.
 std::vector<std::size_t> middlesOfStrokes(const Take& take) {
     std::vector<std::size_t> middles;
     std::size_t first = 0;
@@ -38,8 +38,8 @@ std::vector<std::size_t> middlesOfStrokes(const Take& take) {
 
 } // namespace
 
-/// The whole job in the window by mouse and keyboard, judged from outside: LinuxCNC's interpreter says what the program
-/// does, the fine mesh and OpenCASCADE say what that does to the part.
+/// The whole job in the window by mouse and keyboard, judged from outside: LinuxCNC's interpreter determines the moves
+/// of the program, the fine mesh and OpenCASCADE their effect on the part.
 class WindowJobTest : public QObject {
     Q_OBJECT
 private slots:
@@ -95,12 +95,13 @@ void WindowJobTest::embedsIt() {
     driver_->shoot("job-2-tool");
 }
 
-/// Drags the left button from one place to another, mm, setup frame, as a hand does. @param picture of the middle of it
+/// Drags the left button from one point to another, mm, setup frame, at the speed of a hand. @param picture  taken
+/// halfway
 void WindowJobTest::stroke(const glm::dvec3& from, const glm::dvec3& to, const QString& picture) {
     Viewport& viewport = driver_->window().viewport();
     const auto at = [&](const glm::dvec3& place) { return viewport.project(place).toPoint(); };
     QTest::mouseMove(&viewport, at(from));
-    QTest::qWait(400); // the tool comes
+    QTest::qWait(400); // for the tool to arrive
     QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, at(from));
     constexpr int steps = 80;
     for (int i = 0; i <= steps; ++i) {
@@ -108,7 +109,7 @@ void WindowJobTest::stroke(const glm::dvec3& from, const glm::dvec3& to, const Q
         QTest::qWait(20);
         if (i == steps / 2 && !picture.isEmpty()) driver_->shoot(picture);
     }
-    QTest::qWait(500); // and follows
+    QTest::qWait(500); // for the tool to follow
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, at(to));
     QTest::qWait(300);
 }
@@ -123,7 +124,7 @@ void WindowJobTest::millsAlongThePart() {
     const double height = box.high.z - 4.0;
     std::size_t strokes = 0;
     for (const double y : {-12.0, -6.0, 0.0, 6.0}) {
-        // Farther out the part lies deeper than the flutes reach, and the shank rubs on the slot that they cut.
+        // Farther out the part is deeper than the flutes reach, and the shank rubs on the slot that they cut.
         stroke({centre.x - 14.0, centre.y + y, height}, {centre.x + 14.0, centre.y + y, height},
                strokes == 2 ? QStringLiteral("job-3-mill") : QString());
         ++strokes;
@@ -156,7 +157,7 @@ void WindowJobTest::editsThePath() {
             return evaluated != nullptr && evaluated->path.points.size() > before;
         },
         60000));
-    // What leaves back-steps out when the path is linked has a bound of its own, and counts in the budget.
+    // The removal of back-steps when the path is linked has its own tolerance and counts in the error budget.
     const auto evaluated = workbench().path.evaluated();
     const auto link = std::ranges::find(evaluated->reports, "link", &EditReport::edit);
     QVERIFY(link != evaluated->reports.end() && link->largestDeviation <= 0.06);
@@ -207,7 +208,7 @@ void WindowJobTest::theHandNeverEnteredThePart() {
     double press = 0.0;
     for (const Sample& tick : take_->samples)
         if ((tick.flags & sampleOnBoundary) != 0) press = std::max(press, glm::length(tick.stylusTip - tick.proxy.tip));
-    QVERIFY(press > 1.5); // the push-back did the work
+    QVERIFY(press > 1.5); // it was the push-back that protected the part
 }
 
 void WindowJobTest::theProgramLiesOnThePart() {
@@ -221,8 +222,8 @@ void WindowJobTest::theProgramLiesOnThePart() {
     qInfo("gouge of the program: %.4f mm on the exact part", *gouge);
     QVERIFY2(*gouge <= 0.02, qPrintable(QString("gouge %1 mm").arg(*gouge)));
 
-    // From where the tool first lies on the part, behind its ramp or helix, until it is lifted. Feeds don't tell: they
-    // follow the load, and few places may have the highest one.
+    // From where the tool first touches the part, after its ramp or helix, until it is retracted. Feeds are no
+    // criterion: they follow the load, and few positions may have the highest one.
     std::size_t cutting = 0, onPart = 0;
     bool down = false;
     for (const ToolSample& place : samples) {
@@ -235,7 +236,7 @@ void WindowJobTest::theProgramLiesOnThePart() {
     QVERIFY2(onPart > cutting * 9 / 10, qPrintable(QString("%1 of %2").arg(onPart).arg(cutting)));
 }
 
-/// Every stroke that stands is milled where the hand was; the one that was taken back is in no block.
+/// Every stroke that was kept is milled where it was recorded; the one that was undone is in no block.
 void WindowJobTest::whatWasTakenBackIsNotMilled() {
     QTemporaryDir home;
     const auto moves = canonicalMoves(program_, home.path(), loadTool("ball-6").value().number, 6.0);

@@ -24,7 +24,7 @@ double unixTime() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// An X server of its own, and a hand that mills in a window on it.
+/// An X server of its own, and a program that mills in a window on it.
 class Session {
 public:
     ~Session() {
@@ -36,7 +36,7 @@ public:
         if (!folder_.isEmpty()) QDir(folder_).removeRecursively();
     }
 
-    /// Until the hand records. False: it never came to that.
+    /// Waits until the program records. Returns false if it never does.
     bool start() {
         display_.start("Xvfb", {"-displayfd", "1", "-screen", "0", "1600x1000x24", "+extension", "GLX"});
         if (!display_.waitForStarted() || !lineOf(display_, [](const QByteArray&) { return true; })) return false;
@@ -55,7 +55,7 @@ public:
 
     QString folder() const { return folder_; }
 
-    /// What `burin info` says of the work that the hand left behind.
+    /// The output of `burin info` for the work that the program left behind.
     QJsonObject left() const {
         QDirIterator files(folder_, {"*.burin.working"}, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
         if (!files.hasNext()) return {};
@@ -86,7 +86,7 @@ private:
     QString folder_;
 };
 
-/// When the last sample of the only recording was made, s since 1970; 0 where there is none.
+/// The time of the last sample of the only recording, s since 1970; 0 if there is none.
 double endOfRecording(const QJsonObject& info) {
     const QJsonArray takes = info["takes"].toArray();
     if (takes.size() != 1) return 0.0;
@@ -96,7 +96,7 @@ double endOfRecording(const QJsonObject& info) {
 
 } // namespace
 
-/// The window's end in the middle of a recording, from outside.
+/// The window is ended from outside in the middle of a recording.
 class WindowKilledTest : public QObject {
     Q_OBJECT
 private slots:
@@ -156,7 +156,7 @@ void WindowKilledTest::closingTheWindowAsksAndKeepsNothingThatIsDiscarded() {
     session.hand().write("discard\n");
     QVERIFY(session.hand().waitForFinished(20'000));
     QCOMPARE(session.hand().exitStatus(), QProcess::NormalExit);
-    QVERIFY(session.left().isEmpty()); // the user was asked, and said so
+    QVERIFY(session.left().isEmpty()); // the user was asked and chose to discard it
 }
 
 BURIN_TEST(WindowKilledTest, QCoreApplication)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// A user at the window, for tests that end the program by force: embeds a block, starts a recording and mills on and
-// on. Tells its folder and the moment when it records on standard output; closes the window when standard input says
-// so.
+// A user at the window, for tests that end the program by force: embeds a block, starts a recording and mills
+// continuously. Writes its folder and the start of the recording to standard output; closes the window when told so on
+// standard input.
 #include "tests/ui/window_steps.h"
 
 #include <QApplication>
@@ -48,6 +48,6 @@ int main(int argc, char** argv) {
         millLine(driver, {-18.0, y}, {18.0, y});
     }
     tell("closed");
-    // The folder stays for whoever looks at what was kept.
+    // The folder stays, so that the test can inspect what was saved.
     std::_Exit(0);
 }

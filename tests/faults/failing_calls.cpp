@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Loaded before the C library (LD_PRELOAD): makes the n-th call that changes a file fail, in the program that
 // BURIN_FAULT_PROGRAM names and for files below BURIN_FAULT_FOLDER.
-//   BURIN_FAULT_AT      n, from 1; 0: none, count alone
-//   BURIN_FAULT_KIND    EIO, EINTR: this call. ENOSPC: this one and all that follow, as on a disk that is full. SHORT:
-//   a
-//                       write takes half. KILL: the program dies instead of the call
+//   BURIN_FAULT_AT      n, from 1; 0: none, only count
+//   BURIN_FAULT_KIND    EIO, EINTR: this call. ENOSPC: this one and all that follow, as on a full disk.
+//                       SHORT: a write takes half. KILL: the program dies instead of the call
 //   BURIN_FAULT_COUNT   file that gets the number of calls, eight bytes, valid through a kill
 #include <algorithm>
 #include <array>
@@ -34,7 +33,7 @@ enum class Fault { none, error, half };
 struct Settings {
     std::string folder, kind;
     std::uint64_t at = 0;
-    std::atomic<std::uint64_t>* count = nullptr; // shared with the file; null: this program is left alone
+    std::atomic<std::uint64_t>* count = nullptr; // shared with the file; null: this program is not affected
 };
 
 const char* valueOf(const char* name) {
@@ -66,7 +65,7 @@ bool concerns(std::string_view path) {
     return settings().count != nullptr && path.starts_with(settings().folder);
 }
 
-/// Counts a call on `path` and says what becomes of it; errno is then set.
+/// Counts a call on `path` and returns its fault, with errno set.
 Fault faultOf(std::string_view path, bool writes) {
     if (!concerns(path)) return Fault::none;
     const std::uint64_t number = settings().count->fetch_add(1) + 1;

@@ -27,7 +27,7 @@ bool isSound(sqlite3* database) {
     return sound;
 }
 
-/// Names that should not stand in the folder. What a command may leave is taken out of them.
+/// Names that should not be in the folder, without those that a command is allowed to leave.
 QStringList leftBehind(const FaultCommand& command, const FaultRun& run, const QMap<QString, QByteArray>& files,
                        const Expected& expected, bool cleaned) {
     QStringList names;
@@ -59,7 +59,7 @@ QString judgeFailure(const FaultCommand& command, const FaultRun& run, const QMa
     if (files[project] != expected.before[project]) return "it failed, but the project was changed";
     for (const QString& output : command.outputs) {
         if (files[output] == expected.before[output]) continue;
-        // Where no name can be changed back any more, the user has to know it.
+        // If no output can be renamed back any more, the user has to be told.
         const bool told = words.contains("\"" + output.toUtf8() + "\" was written already");
         if (!run.lasting || !told || files[output] != expected.after[output])
             return "it failed, but " + output + " was changed";
@@ -67,7 +67,7 @@ QString judgeFailure(const FaultCommand& command, const FaultRun& run, const QMa
     return {};
 }
 
-/// A killed command: the project is whole, and the next run of the same command finds nothing in its way.
+/// A killed command: the project is intact, and the next run of the same command is not obstructed.
 QString judgeKilled(const FaultCommand& command, const QString& folder, const Expected& expected) {
     const QMap<QString, QByteArray> files = filesIn(folder);
     const ProjectContent content = contentOfProject(folder + "/" + project);

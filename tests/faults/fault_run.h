@@ -10,30 +10,31 @@
 
 #include <cstdint>
 
-/// A command of Burin with what it writes, in a folder that `prepareFolder` made.
+/// A command of Burin with its outputs, in a folder that `prepareFolder` made.
 struct FaultCommand {
     const char* name;
     QStringList arguments;
     QStringList outputs;           ///< files besides the project
     bool records = false;          ///< what it made before a fault is kept as unsaved work
-    bool replaces = false;         ///< makes the project anew; one that it left half made is set aside by the next
-    const char* program = "burin"; ///< or another of the build
+    bool replaces = false;         ///< recreates the project; an incomplete one is set aside by the next run
+    const char* program = "burin"; ///< or another program of the build
     bool earlier = false;          ///< its project is of an earlier format
 };
 QList<FaultCommand> faultCommands();
 
-/// What happened to a run of a command.
+/// The outcome of a run of a command.
 struct FaultRun {
     int status = -1; ///< exit status; -1: killed
     QByteArray messages;
-    std::uint64_t calls = 0; ///< that were counted
+    std::uint64_t calls = 0; ///< number of counted calls
     bool lasting = false;    ///< all calls failed from the n-th on
 };
 
-/// Runs `command` in `folder` with its n-th call failing. @param at from 1; 0: none @param kind as failing_calls.cpp
+/// Runs `command` in `folder` with its n-th call failing. @param at  n from 1; 0: none @param kind  as in
+/// failing_calls.cpp
 FaultRun runWithFault(const FaultCommand& command, const QString& folder, std::uint64_t at, const QString& kind);
 
-/// What a project holds, as SQLite reads it.
+/// The content of a project as read by SQLite.
 struct ProjectContent {
     bool sound = false;
     QMap<QString, qint64> rows; ///< by table; "samples" for those of all takes
@@ -41,20 +42,21 @@ struct ProjectContent {
 };
 ProjectContent contentOfProject(const QString& file);
 
-/// Model, project with a recording, a path and a program, and older outputs. Empty: done; else what went wrong.
+/// Prepares model, project with a recording, a path and a program, and older outputs. Returns an error text or an empty
+/// string.
 QString prepareFolder(const QString& folder);
-/// A project of an earlier format. Empty: done; else what went wrong.
+/// Prepares a project of an earlier format. Returns an error text or an empty string.
 QString prepareEarlierFolder(const QString& folder);
-/// Makes `folder` hold what `from` does.
+/// Makes the content of `folder` equal to that of `from`.
 void copyFolder(const QString& from, const QString& folder);
 /// The files of a folder with their content.
 QMap<QString, QByteArray> filesIn(const QString& folder);
 
-/// A folder before a command, and after it without a fault.
+/// A folder before a command and after it without a fault.
 struct Expected {
     QMap<QString, QByteArray> before, after;
     ProjectContent projectBefore, projectAfter;
 };
 
-/// What is wrong with a folder after a run; empty: nothing. See README.md.
+/// What is wrong with a folder after a run; empty if nothing is. See README.md.
 QString judge(const FaultCommand& command, const QString& folder, const FaultRun& run, const Expected& expected);

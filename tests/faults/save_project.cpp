@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // What the window does with a project between opening and closing it, by the same calls: change, save, and save under
-// another name. FILE, or FILE and the other name. The exit status is that of a command.
+// another name. Arguments: FILE, or FILE and the other name. The exit status is that of a command.
 #include "core/document/project.h"
 
 #include <iostream>

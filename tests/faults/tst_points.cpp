@@ -17,7 +17,7 @@
 
 namespace burin::tst_points {
 
-/// Each command with each of its calls that change a file failing, in each way. README.md has the rules.
+/// Runs each command with each of its calls that change a file failing, in each way. README.md has the rules.
 class PointsTest : public QObject {
     Q_OBJECT
 private slots:
@@ -32,14 +32,14 @@ private:
 namespace {
 
 constexpr std::array kinds{"EIO", "ENOSPC", "SHORT", "EINTR", "KILL"};
-constexpr std::uint64_t pointsOfKind = 2; // of a command, in the usual run
+constexpr std::uint64_t pointsOfKind = 2; // per command, in the usual run
 
 struct Point {
     std::uint64_t at;
     const char* kind;
 };
 
-/// Every call for every kind of fault, or of each kind some that are spread evenly, between those of the other kinds.
+/// Every call for every kind of fault, or some evenly spread calls for each kind, between those of the other kinds.
 std::vector<Point> pointsOf(std::uint64_t calls) {
     const std::uint64_t share = std::max<std::uint64_t>(calls / pointsOfKind, 1);
     const std::uint64_t step = burin::testing::inLongRun<std::uint64_t>(1, share);

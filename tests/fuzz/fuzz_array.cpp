@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-/// An array that is read has the values that its sizes say, and becomes a volume or an error; a table likewise.
+/// An array that is read has as many values as its sizes state, and becomes a volume or an error; the same for a table.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string text(reinterpret_cast<const char*>(bytes), count);
     const auto named = [](const std::string& id) -> burin::Result<burin::Property> {

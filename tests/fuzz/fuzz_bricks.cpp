@@ -19,18 +19,18 @@
 
 using namespace burin;
 
-// What fuzz_volume can't reach: a volume's file wraps packed bricks in frames with checksums of their own, so that no
-// change of its bytes gets through to the bricks. Here the input is the bricks themselves, in a file that is sound
-// around them: properties beside air, a choice of line length, packed bricks.
+// What fuzz_volume cannot reach: a volume's file wraps packed bricks in frames with checksums of their own, so that no
+// change of its bytes reaches the bricks. Here the input is the bricks themselves, in an otherwise valid file: the
+// number of properties besides air, a choice of line length, packed bricks.
 
 namespace {
 
 constexpr std::size_t reserve = std::size_t{1} << 20;
-constexpr std::int32_t linesU = 19, linesV = 12; ///< 3 × 2 bricks, those at the end cut off
+constexpr std::int32_t linesU = 19, linesV = 12; ///< 3 × 2 bricks, those at the end incomplete
 constexpr std::uint32_t bricks = 6;
 constexpr std::array<std::int32_t, 4> lineLengths{4, 6, 64, 32768};
 
-/// Header of a file; kept, as property lists take long to make.
+/// Header of a file; cached, as property lists take long to make.
 const std::string& headerOf(int properties, std::int32_t voxels) {
     static std::map<std::pair<int, std::int32_t>, std::string> known;
     std::string& header = known[{properties, voxels}];
@@ -69,13 +69,13 @@ bool sameLines(const RunVolume& a, const RunVolume& b) {
     return true;
 }
 
-/// What was read is written and read again: the same lines.
+/// Writes a volume that was read and reads it again: the lines must be the same.
 void comesBack(RunVolume& volume) {
     std::ostringstream stream;
     Progress progress;
     if (!writeVolume(stream, "fuzz", volume.snapshot(), progress)) std::abort();
     const Result<VolumeFileContent> again = contentOf(stream.str());
-    // Read at once it may need more memory than it came to bit by bit.
+    // Read all at once it may need more memory than when it was read gradually.
     if (!again && again.error().code == ErrorCode::volumeOutOfMemory) return;
     if (!again || !again->lost.empty() || !sameLines(volume, again->volume)) std::abort();
 }
@@ -90,7 +90,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     const PackedTileFrame frame{static_cast<RunPosition>(voxels) * unitsPerVoxel,
                                 static_cast<std::uint32_t>(properties) + 1};
     BrickLines tile(frame.lineEnd);
-    if (!unpackTile(packed, frame, tile)) return 0; // the file would be one of air: nothing new, and slow
+    if (!unpackTile(packed, frame, tile)) return 0; // the file would contain only air: nothing new, and slow
     RunAmounts sum;
     for (int line = 0; line < linesPerTile; ++line)
         fuzz::checkLine(tile.line(line), frame.lineEnd, properties + 1, sum);

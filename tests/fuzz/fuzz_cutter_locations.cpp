@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string_view>
 
-/// What is accepted has places within the reach of a machine, feeds above 0 and arcs that end on their circle.
+/// Accepted input has points within the reach of a machine, feeds above 0 and arcs that end on their circle.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     using namespace burin;
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);

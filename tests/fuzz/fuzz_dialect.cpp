@@ -23,7 +23,7 @@ MachineProfile machine() {
     return made;
 }
 
-/// Up, over, down, along, around by arc and helix in each plane, and up again.
+/// A path up, over, down, along, around by arc and helix in each plane, and up again.
 Path pathOf(const char* tool, Coolant coolant) {
     Path path;
     path.toolId = tool;
@@ -56,14 +56,14 @@ NcProgram programOf(NcUnits units, const std::vector<Path>& paths, const Machine
 
 } // namespace
 
-/// Whatever a dialect says, writing a program in it ends, with a text or one error.
+/// With any dialect, writing a program ends with a text or one error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
     auto dialect = dialectFromJson(text, "fuzz");
     if (!dialect) return 0;
     static const MachineProfile made = machine();
-    // Each word that a dialect may have is asked for; the second program is for those that change no tool and cool
-    // none.
+    // The first program uses every word that a dialect can have; the second one is for dialects without tool changes
+    // and coolant.
     static const NcProgram whole =
         programOf(NcUnits::millimetre, {pathOf("ball-6", Coolant::flood), pathOf("flat-6", Coolant::mist)}, made);
     static const NcProgram plain = programOf(NcUnits::inch, {pathOf("ball-6", Coolant::off)}, made);

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-/// A drawing that is read has finite places, as many as are allowed, and its areas can be offset.
+/// A drawing that is read has finite points, no more than are allowed, and its areas can be offset.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const auto drawing = burin::drawingOf({reinterpret_cast<const char*>(bytes), count}, "fuzz");
     if (!drawing) return 0;

@@ -30,7 +30,7 @@ void checkFit(const std::vector<ForceRecord>& records, const CalibrationOptions&
 
 } // namespace
 
-/// Whatever stands in the table, reading and fitting it end, and what they give is finite.
+/// With any table, reading and fitting end, and their results are finite.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
     const Result<std::vector<ForceRecord>> records = parseForceRecords(text, "fuzz");

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-/// Whatever a service sends: no fault.
+/// Whatever a service sends causes no fault.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     (void)burin::haply::scanState({reinterpret_cast<const char*>(data), size}, "04BA");
     return 0;

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Takes numbers off the input; zeros when it is used up.
+/// Takes numbers from the input; zeros when it is used up.
 class Numbers {
 public:
     explicit Numbers(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -32,7 +32,7 @@ private:
 
 } // namespace
 
-/// Whatever a device states of itself and sends: no fault, no deflection beyond full, no pose that is none.
+/// Whatever a device states about itself and sends: no fault, no deflection beyond full, no invalid pose.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Numbers numbers({data, size});
     std::vector<burin::test::VirtualAxis> axes;

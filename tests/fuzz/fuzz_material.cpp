@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-/// A material that was read is written, and read again: the same text both times.
+/// A material that was read is written and read again: both texts must be the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
     const auto material = burin::propertyFromJson(text, "fuzz");

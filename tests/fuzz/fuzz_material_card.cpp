@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <string_view>
 
-/// A card that is read can be milled, and is read the same from Burin's own form.
+/// A card that is read can be milled, and gives the same material when read from Burin's own form.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
     const auto read = burin::materialFromText(text, "fuzz");

@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-/// What is looked at before OpenCASCADE sees a STEP, IGES or BREP file: whether it is complete. What is taken for one
-/// is still one with blank lines behind it, and a file of nothing but padding is none.
+/// The check of a STEP, IGES or BREP file before OpenCASCADE reads it: whether it is complete. A file that is accepted
+/// is still accepted with blank lines at its end, and a file that contains only padding is not accepted.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     using namespace burin;
     const std::string content(reinterpret_cast<const char*>(bytes), count);
@@ -17,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     if (stepProtocol(content).empty()) std::abort();
     if (!format || format->name == StlFormat::name) return 0;
     const auto padded = detectFormat(content + "\r\n \r\n");
-    // Bytes more or less may turn one into an STL file, whose length tells what it is.
+    // Additional bytes may turn a file into an STL file, which is recognised by its length.
     if (!padded || (padded->name != format->name && padded->name != StlFormat::name)) std::abort();
     return 0;
 }

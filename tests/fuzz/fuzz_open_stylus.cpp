@@ -11,7 +11,8 @@ namespace {
 
 using namespace burin;
 
-/// As the device would have sent it: check sums are what a fuzzer can't guess. Every other report stays as it is.
+/// A report with the checksum that the device would have sent, which a fuzzer can't guess. Every other report stays as
+/// it is.
 std::vector<std::uint8_t> mended(std::span<const std::uint8_t> bytes, bool mend) {
     std::vector<std::uint8_t> report(bytes.begin(), bytes.end());
     if (!mend || report.size() < 3) return report;
@@ -23,7 +24,7 @@ std::vector<std::uint8_t> mended(std::span<const std::uint8_t> bytes, bool mend)
 
 } // namespace
 
-/// Both sides hear the same hostile line. No force beyond the limits, no time that goes back.
+/// Both sides receive the same hostile input. No force may exceed the limits, and time may not decrease.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     test::Board board([](const test::Board::Report&) { return true; });
     openstylus::Identity identity;

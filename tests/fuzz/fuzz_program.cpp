@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <string_view>
 
-/// Every control reads the text. What it accepts has finite places, and lint then finds no error but a missing end;
-/// marks lie within the text.
+/// Every control reads the text. Accepted programs have finite points, and lint then finds no error except a missing
+/// end; marks are within the text.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     using namespace burin;
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);

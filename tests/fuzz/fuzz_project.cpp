@@ -16,8 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A file that lies in memory: writing each input to a disk would take longer than reading it. SQLite opens none that
-/// has no name (memfd_create).
+/// A file in memory: writing each input to a disk would take longer than reading it. SQLite opens no file without a
+/// name (memfd_create).
 class MemoryFile {
 public:
     MemoryFile() {
@@ -39,7 +39,7 @@ public:
         if (file < 0 || ::write(file, bytes, count) != static_cast<ssize_t>(count)) std::abort();
         ::close(file);
     }
-    /// Whoever only looks leaves nothing behind.
+    /// A reader must leave no other files behind.
     void checkAlone() const {
         for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
             if (entry.path() != name() && entry.path().extension() != ".lock") std::abort();
@@ -49,7 +49,7 @@ private:
     fs::path folder_;
 };
 
-/// All that a project tells, as a command or the window asks for it.
+/// Reads everything in a project as a command or the window does.
 void readAll(const Project& project) {
     static_cast<void>(project.model());
     static_cast<void>(project.setup());

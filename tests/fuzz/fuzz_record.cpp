@@ -20,7 +20,7 @@ using namespace burin;
 
 namespace {
 
-/// Up to a zero stands the text of a record, behind it the bytes that belong to it.
+/// The text of a record extends to a zero byte and is followed by the bytes that belong to it.
 void readWithBytes(std::string_view input) {
     const std::size_t end = std::min(input.find('\0'), input.size());
     const std::string_view json = input.substr(0, end);
@@ -46,7 +46,7 @@ void readText(std::string_view text) {
     static_cast<void>(reportFromJson(text));
 }
 
-/// A chunk says itself how many samples it should have only in its row: two bytes stand for that.
+/// The number of samples of a chunk is stored only in its row: here the first two bytes are that number.
 void readChunk(std::string_view input) {
     if (input.size() < 2) return;
     const std::size_t rows =
@@ -55,7 +55,7 @@ void readChunk(std::string_view input) {
     if (samples && samples->size() != rows) std::abort();
 }
 
-// No change of a frame's bytes gets past its checksum: here the input is what the frame holds.
+// Changes of a frame's bytes are detected by its checksum, so here the input is the content of the frame.
 
 /// As many rows of 36 columns as there are bytes for.
 void readPlainChunk(std::string_view input) {
@@ -76,7 +76,7 @@ std::string wordBytesOf(std::uint64_t word) {
     return bytes;
 }
 
-/// Numbers of vertices and triangles, then their columns; zeros stand for what is missing.
+/// Numbers of vertices and triangles, then their columns; missing bytes are zeros.
 void readPlainMesh(std::string_view input) {
     if (input.size() < 2) return;
     const std::size_t vertices = static_cast<unsigned char>(input[0]), triangles = static_cast<unsigned char>(input[1]);
@@ -92,7 +92,7 @@ void readPlainMesh(std::string_view input) {
     if (!again || encodeMesh(*again) != written) std::abort();
 }
 
-/// Points and tangents of a guide; what is taken is a curve with unit tangents.
+/// Points and tangents of a guide; accepted input is a curve with unit tangents.
 void readPlainCurve(std::string_view input) {
     constexpr std::size_t columns = 6, wordBytes = 8;
     if (input.size() < columns) return;
@@ -110,7 +110,7 @@ void readPlainCurve(std::string_view input) {
 
 } // namespace
 
-/// What the rows of a project hold, each reader of them; what was read can be written and read again.
+/// Each reader of the rows of a project; what was read can be written and read again.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     if (count == 0) return 0;
     const std::string_view input(reinterpret_cast<const char*>(bytes) + 1, count - 1);

@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-/// No reading leaves the workspace, whatever the bus brings.
+/// No reading leaves the workspace, whatever the bus delivers.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     using namespace burin;
     spacemouse::ReportReader reader;

@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-/// Whatever a daemon sends: no fault, and no axis beyond twice what a cap does.
+/// Whatever a daemon sends: no fault, and no axis beyond twice the full deflection of a cap.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     burin::spacenav::EventReader reader;
     std::span<const std::uint8_t> bytes(data, size);

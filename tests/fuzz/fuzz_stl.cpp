@@ -24,8 +24,8 @@ bool isSound(const TriangleMesh& mesh) {
 
 } // namespace
 
-/// Whatever calls itself an STL file: its triangles name vertices that are there and finite, and there are no more of
-/// them than the file has room for (a text facet takes more than the 50 bytes of a binary one).
+/// Any input that is accepted as an STL file: its triangles refer to existing, finite vertices, and there are no more
+/// of them than the file has room for (a text facet takes more than the 50 bytes of a binary one).
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view content(reinterpret_cast<const char*>(bytes), count);
     const auto format = detectFormat(content);

@@ -33,8 +33,8 @@ void judge(const burin::Tool& tool) {
 
 } // namespace
 
-/// A tool that was read, from Burin's own form or a library of another program, has a sound outline, is written and
-/// read again: the same text both times.
+/// A tool that was read, from Burin's own form or a library of another program, has a valid outline, is written and
+/// read again: both texts must be the same.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
     const auto read = burin::toolsFromText(text, "fuzz", lender(), 1.0);

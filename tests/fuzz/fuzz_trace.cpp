@@ -13,7 +13,7 @@ namespace {
 
 using namespace burin;
 
-/// What was read is written and read again: the same text both times.
+/// A trace that was read is written and read again: both texts must be the same.
 void comesBack(const SessionTrace& session) {
     StepChangeWriter writer;
     std::string written;
@@ -37,7 +37,7 @@ void comesBack(const SessionTrace& session) {
 
 } // namespace
 
-/// Whatever stands in a trace, reading it ends; what it tells comes back to the bit.
+/// With any trace, reading ends; its content is restored to the bit.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view text(reinterpret_cast<const char*>(bytes), count);
     Result<Trace> trace = parseTrace(text, "fuzz");

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t reserve = std::size_t{8} << 20;
 
-/// Gives every record the checksums that its bytes ask for, so that what stands behind them is tried too.
+/// Gives every record the right checksums for its bytes, so that the code after the check is tested as well.
 void makeSumsRight(std::string& bytes) {
     const auto put = [&](std::size_t at, std::uint64_t sum) {
         for (std::size_t i = 0; i < 8; ++i) bytes[at + i] = static_cast<char>((sum >> (8 * i)) & 0xff);

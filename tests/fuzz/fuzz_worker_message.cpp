@@ -18,11 +18,12 @@ namespace {
 
 using namespace burin;
 
-// The head of a frame: mark, version, kind and a reserved word of four bytes each, size and checksum of eight.
+// The header of a frame: mark, version, kind and a reserved word of four bytes each, size and checksum of eight.
 constexpr std::size_t headSize = 32, kindAt = 8, sizeAt = 16, checksumAt = 24;
-constexpr std::uint32_t kinds = 7; // one more than there are
+constexpr std::uint32_t kinds = 7; // one more than exist
 
-/// As core/cad/worker_message.cpp takes it; without it no answer gets past the door and nothing behind it is tried.
+/// As core/cad/worker_message.cpp computes it; without it no answer would be accepted and the code after the check
+/// would not be tested.
 std::uint64_t checksum(std::span<const std::uint8_t> bytes) {
     std::uint64_t hash = 14695981039346656037ULL;
     for (std::size_t at = 0; at < bytes.size(); at += sizeof hash) {
@@ -34,7 +35,7 @@ std::uint64_t checksum(std::span<const std::uint8_t> bytes) {
     return hash;
 }
 
-/// Gives the bytes behind the head the head that fits them.
+/// Gives the bytes after the header a matching header.
 void seal(std::span<std::uint8_t> frame, std::uint32_t kind) {
     static const std::string plain = encodeFrame(WorkerProgress{});
     std::memcpy(frame.data(), plain.data(), headSize);
@@ -44,7 +45,7 @@ void seal(std::span<std::uint8_t> frame, std::uint32_t kind) {
     std::memcpy(&frame[checksumAt], &sum, sizeof sum);
 }
 
-/// A frame that was understood says the same again, byte for byte, whether it comes in one piece or in many.
+/// A frame that was accepted is encoded to the same bytes again, whether it arrives in one piece or in several.
 void readStream(std::string_view stream) {
     FrameReader whole, pieces;
     whole.append(stream);
@@ -65,7 +66,7 @@ void readStream(std::string_view stream) {
 
 } // namespace
 
-/// What the import program may send to Burin, and what it may be asked.
+/// The messages that the import program may send to Burin, and those that it may receive.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) {
     const std::string_view stream(reinterpret_cast<const char*>(bytes), count);
     readStream(stream);

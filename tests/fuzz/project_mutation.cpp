@@ -53,7 +53,7 @@ Connection opened(const std::uint8_t* bytes, std::size_t count) {
     return database;
 }
 
-/// Null where the database has no such table or column any more; SQLite's functions take that.
+/// Null if the database no longer has such a table or column; SQLite's functions accept that.
 Statement prepared(sqlite3* database, const std::string& sql) {
     sqlite3_stmt* statement = nullptr;
     sqlite3_prepare_v2(database, sql.c_str(), -1, &statement, nullptr);
@@ -76,7 +76,7 @@ std::string mutated(const void* bytes, int count) {
     return changed;
 }
 
-/// Another value of the type of `old`.
+/// Binds another value of the type of `old`.
 void bindAnother(sqlite3_stmt* statement, sqlite3_value* old, Random& random) {
     const int type = sqlite3_value_type(old);
     if (type == SQLITE_INTEGER) {
@@ -93,7 +93,7 @@ void bindAnother(sqlite3_stmt* statement, sqlite3_value* old, Random& random) {
     }
 }
 
-/// One value of one row changes, or a row goes, or comes twice.
+/// Changes one value of one row, deletes a row, or duplicates it.
 void changeRow(sqlite3* database, Random& random) {
     const std::string table = tables[below(tables.size(), random)];
     const std::vector<std::string> columns = columnsOf(database, table);
@@ -108,7 +108,7 @@ void changeRow(sqlite3* database, Random& random) {
     const std::size_t kind = below(8, random);
     if (kind == 0) sql = "DELETE FROM " + table + place;
     if (kind == 1) {
-        sql = "INSERT OR IGNORE INTO " + table + " SELECT NULL"; // SQLite finds an id or a position that is free
+        sql = "INSERT OR IGNORE INTO " + table + " SELECT NULL"; // SQLite chooses an unused ID or position
         for (std::size_t i = 1; i < columns.size(); ++i) sql += ", " + columns[i];
         sql += " FROM " + table + place;
     }

@@ -9,7 +9,7 @@
 
 namespace burin::fuzz {
 
-/// Cuts an input into reports: a byte of length, then so many bytes.
+/// Divides an input into reports: a byte with the length, then that many bytes.
 template <class Take>
 void forEachReport(std::span<const std::uint8_t> input, const Take& take) {
     while (!input.empty()) {

@@ -9,8 +9,8 @@
 
 namespace burin::fuzz {
 
-/// Whatever a line was read from, it is gapless from its start to its end, neighbours differ, and it names what the
-/// list has. Adds what it holds to `sum`.
+/// Checks that a line has no gaps from its start to its end, that neighbours differ, and that its properties exist in
+/// the list, whatever it was read from. Adds its content to `sum`.
 inline void checkLine(std::span<const Segment> line, RunPosition lineEnd, int properties, RunAmounts& sum) {
     RunPosition start = 0;
     for (std::size_t i = 0; i < line.size(); ++i) {
@@ -22,7 +22,8 @@ inline void checkLine(std::span<const Segment> line, RunPosition lineEnd, int pr
     if (start != lineEnd) std::abort();
 }
 
-/// Whatever a volume was read from, its lines are sound and its amounts are what its lines hold.
+/// Checks that all lines of a volume are valid and that its amounts are the sums over its lines, whatever it was read
+/// from.
 inline void checkVolume(const RunVolume& volume) {
     const Grid& grid = volume.grid();
     RunAmounts sum;

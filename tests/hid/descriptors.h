@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-/// Report descriptors as devices were recorded to send them.
+/// Report descriptors as recorded from real devices.
 namespace burin::test {
 
 inline Report bytesOf(std::string_view hex) {

@@ -11,7 +11,7 @@ namespace burin::test {
 namespace {
 
 constexpr double step = 0x1.0p-16;      // N, mm, N·mm
-constexpr double rounding = 2.0 * step; // of a vector whose numbers are rounded to half a step each
+constexpr double rounding = 2.0 * step; // of a vector whose components are rounded to half a step each
 
 std::uint16_t word(const Report& report, std::size_t at) {
     return static_cast<std::uint16_t>(report[at] | report[at + 1] << 8);
@@ -28,7 +28,7 @@ bool whole(const Report& report, std::size_t size, std::uint8_t id) {
            word(report, size - 2) == open_stylus_crc(report.data(), size - 2);
 }
 
-/// Motors on, pose valid, no fault, a rotation: a hand may believe it.
+/// Motors on, pose valid, no fault, a rotation: the reading may be trusted.
 bool believable(const Report& report) {
     double square = 0.0;
     for (std::size_t at = 20; at < 36; at += 4) square += std::pow(number(report, at) * 0x1.0p-30, 2);
@@ -38,7 +38,7 @@ bool believable(const Report& report) {
 } // namespace
 
 void ForceWatch::sends(const Report& report) {
-    if (!whole(report, OPEN_STYLUS_INPUT_SIZE, OPEN_STYLUS_INPUT_ID)) return; // nobody takes it for a reading
+    if (!whole(report, OPEN_STYLUS_INPUT_SIZE, OPEN_STYLUS_INPUT_ID)) return; // the host cannot take it for a reading
     const std::lock_guard lock(mutex_);
     Sent& sent = sent_[word(report, 2)];
     const glm::dvec3 position = vector(report, 8);
@@ -69,7 +69,7 @@ void ForceWatch::hears(const Report& report) {
     const double size = glm::length(force);
     motors_ = (report[1] & 1U) != 0;
     answered_ = word(report, 28);
-    // A queue that was full drops what the host sent: so many steps lie between two reports that came through.
+    // A full queue drops reports of the host: this many steps lie between two reports that arrived.
     const double steps =
         known_ ? std::max(1.0, static_cast<double>(static_cast<std::uint16_t>(word(report, 2) - number_))) : 1.0;
     if (size > bounds_.largest + rounding) violate(tooLarge);
@@ -85,7 +85,7 @@ void ForceWatch::hears(const Report& report) {
         ++verdict_.unbelieved;
         if (size > 0.0) violate(believed);
     }
-    // Where the host was before is known of an answer to a reading that it could not but take for good.
+    // The position that the host knows is certain only after an answer to a reading that it had to accept as good.
     if (sure && reading.believable)
         position_ = reading.position;
     else

@@ -14,26 +14,26 @@
 
 namespace burin::test {
 
-/// What a force must keep to at the device: recomputed from the device's own figures, not asked of the host.
+/// Limits of the force at the device: computed from the device's own values, not taken from the host.
 struct ForceBounds {
     double largest = 0.0;       ///< N
     double rise = 0.0;          ///< N from one output report to the next
-    double fall = 0.0;          ///< N; letting go altogether is never unsafe
+    double fall = 0.0;          ///< N; switching the force off altogether is never unsafe
     double largestTorque = 0.0; ///< N·mm
-    double jump = 0.0;          ///< mm between two readings beyond which nobody believes them
+    double jump = 0.0;          ///< mm between two readings; a larger jump makes a reading implausible
 };
 
-/// Stands where the motors are: compares each output report with the input report that it answers and with the one
-/// before. It reads the bytes of protocol.md by itself. Any thread.
+/// Checks the force where the motors would be: compares each output report with the input report that it answers and
+/// with the previous output report. It parses the bytes of protocol.md itself. Thread-safe.
 class ForceWatch {
 public:
     explicit ForceWatch(const ForceBounds& bounds) : bounds_(bounds) {}
 
-    /// What is about to be sent to the host.
+    /// Called with a report that is about to be sent to the host.
     void sends(const Report& report);
-    /// Nothing that was sent before will be answered any more.
+    /// No answers to earlier reports will follow.
     void forget();
-    /// What came from the host.
+    /// Called with a report from the host.
     void hears(const Report& report);
 
     /// Of the newest report: whether the host has the motors on, and which input report it answers.
@@ -41,18 +41,18 @@ public:
     std::uint16_t answered() const;
 
     struct Verdict {
-        std::uint64_t outputs = 0, pressed = 0; ///< of them, with a force
+        std::uint64_t outputs = 0, pressed = 0; ///< number of output reports, and of those with a force
         std::uint64_t violations = 0;
-        std::uint64_t unbelieved = 0;         ///< answers to readings that nobody may believe
+        std::uint64_t unbelieved = 0;         ///< answers to readings that must not be trusted
         std::array<std::uint64_t, 6> kinds{}; ///< violations: damaged, too large, torque, motors off, slew, believed
-        std::string first;                    ///< violation, in words
+        std::string first;                    ///< description of the first violation
         std::string text() const;             ///< all of it, for a message
     };
     Verdict verdict() const;
 
 private:
     enum Violation : std::size_t { damaged, tooLarge, torque, motorsOff, slew, believed };
-    /// A reading by its number; several with one number can't be told apart.
+    /// A reading by its number; several with the same number can't be distinguished.
     struct Sent {
         bool there = false, believable = false, several = false;
         glm::dvec3 position{0.0};
@@ -65,7 +65,7 @@ private:
     glm::dvec3 before_{0.0};
     std::uint16_t number_ = 0, answered_ = 0;
     bool known_ = false, motors_ = false;
-    std::optional<glm::dvec3> position_; ///< of the reading that was answered before
+    std::optional<glm::dvec3> position_; ///< of the previously answered reading
     Verdict verdict_;
 };
 

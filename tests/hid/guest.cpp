@@ -3,8 +3,8 @@
 // Runs in the virtual machine: plugs devices into its kernel, and uses the plugins as Burin does. Each line that begins
 // with "hid" is a result.
 //   program                every check
-//   program figures COUNT  round trips, and so many hostile reports
-//   program ROLE           what a second process does: guest.h
+//   program figures COUNT  round trips, and COUNT hostile reports
+//   program ROLE           the work of a second process: guest.h
 #include "tests/hid/guest.h"
 
 #include <chrono>
@@ -15,7 +15,7 @@
 namespace burin::test {
 namespace {
 
-std::uint64_t reports = 40'000; // some seconds of the test's; the benchmark sends a million
+std::uint64_t reports = 40'000; // takes some seconds of the test; the benchmark sends a million
 
 } // namespace
 

@@ -20,10 +20,10 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// What the program writes: "hid figure NAME VALUE UNIT".
+/// Writes a line "hid figure NAME VALUE UNIT".
 void tellFigure(const std::string& name, double value, const std::string& unit);
 
-/// What a second process of this program does, started as "program ROLE". Its exit status.
+/// The work of a second process of this program, started as "program ROLE". @return its exit status
 int runAs(const std::string& role);
 
 std::vector<GuestCheck> openStylusChecks();
@@ -32,10 +32,10 @@ std::vector<GuestCheck> inputEventChecks();
 std::vector<GuestCheck> millingChecks();
 std::vector<GuestCheck> hostileChecks();
 
-/// Of the round trip alone, for a benchmark.
+/// Checks of the round trip only, for a benchmark.
 std::vector<GuestCheck> roundTripChecks();
 
-/// How many hostile reports the program was asked for.
+/// Number of hostile reports that was requested on the command line.
 std::uint64_t hostileReports();
 
 } // namespace burin::test

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Hostile devices through the kernel, the plugins' decoders and the haptic step, with what comes back watched where the
-// motors are.
+// Hostile devices through the kernel, the plugins' decoders and the haptic step, with the answers checked where the
+// motors would be.
 #include "core/haptics/loop/servo_loop.h"
 #include "tests/core/haptics/haptic_rig.h"
 #include "tests/hid/force_watch.h"
@@ -21,18 +21,18 @@
 namespace burin::test {
 namespace {
 
-/// What came of a stream of reports.
+/// Results of a stream of reports.
 struct HostileOutcome {
     std::uint64_t reports = 0, seen = 0;
-    std::uint64_t pressed = 0, unbelieved = 0; ///< answers with a force; to readings that nobody may believe
+    std::uint64_t pressed = 0, unbelieved = 0; ///< answers with a force; answers to readings that must not be trusted
     std::uint64_t violations = 0;
     std::string detail;
 };
 
-constexpr std::size_t batch = 60; // the kernel keeps 64 reports that nobody has read
+constexpr std::size_t batch = 60; // the kernel keeps 64 unread reports
 constexpr double rampSeconds = 0.03;
 
-/// Judges what the step says; nothing but the end of the world stops it.
+/// Judges the outcome of each tick; only the end of the test stops it.
 class JudgedTicks final : public TickSink {
 public:
     explicit JudgedTicks(double largestForce) : largest_(largestForce) {}
@@ -60,13 +60,13 @@ HapticSettings settingsFor(const StylusDescription& stylus) {
     return settings;
 }
 
-/// From the device's figures alone (README of core/haptics; haptics practice for clamp and slew).
+/// From the device's values alone (README of core/haptics; haptics practice for clamp and slew).
 ForceBounds boundsOf(const StylusDescription& stylus, const HapticSettings& settings) {
     ForceBounds bounds;
     bounds.largest = settings.forceShare * stylus.maximumForce.value;
-    constexpr double longestTold = 0.003; // s: a tick that comes later than this gets no force
+    constexpr double longestTold = 0.003; // s: a tick that is later than this gets no force
     const double fading = 1.5 * longestTold / rampSeconds * bounds.largest;
-    const double lift = 0.05; // N a tick, of what carries the handle
+    const double lift = 0.05; // N per tick, from the force that carries the handle
     const double slew = std::max(0.15, settings.couplingShare * stylus.maximumStiffness.value * 0.5 * 0.001) + lift;
     bounds.rise = slew + fading;
     bounds.fall = 3.0 * slew + fading;
@@ -75,7 +75,7 @@ ForceBounds boundsOf(const StylusDescription& stylus, const HapticSettings& sett
     return bounds;
 }
 
-/// Runs a loop on a block with a part in it, in a thread of its own, until it goes out of scope.
+/// Runs a loop on a block with a part in it, in a thread of its own, until it is destroyed.
 class RunningLoop {
 public:
     RunningLoop(const StylusHandle& stylus, const HapticSettings& settings)
@@ -90,7 +90,7 @@ public:
     RunningLoop(const RunningLoop&) = delete;
     RunningLoop& operator=(const RunningLoop&) = delete;
 
-    /// Also looks whether the part was cut.
+    /// Also checks whether the part was cut.
     void end() {
         if (!thread_.joinable()) return;
         stop_ = true;
@@ -108,7 +108,8 @@ private:
     std::thread thread_;
 };
 
-/// A storm comes at once: whoever sends it goes before the loop, which would else make a tick of each report.
+/// Reports are sent in bursts: gives the sending thread a higher priority than the loop, which would otherwise run one
+/// tick for each report.
 class BeforeTheLoop {
 public:
     BeforeTheLoop() { schedule(SCHED_FIFO, 30); }
@@ -119,7 +120,7 @@ public:
 private:
     static void schedule(int policy, int priority) {
         const sched_param wanted{priority};
-        pthread_setschedparam(pthread_self(), policy, &wanted); // as root; without it all takes longer
+        pthread_setschedparam(pthread_self(), policy, &wanted); // as root; without it everything takes longer
     }
 };
 
@@ -127,7 +128,7 @@ std::uint64_t seen(const DeviceHealth& health) {
     return health.readings + health.damaged + health.repeated;
 }
 
-/// A device that plays the hostile and, in turn, the well-behaved one.
+/// A device that alternates between hostile and well-behaved reports.
 class HostileBoard {
 public:
     explicit HostileBoard(const ForceBounds& bounds)
@@ -140,12 +141,12 @@ public:
         watch.sends(report);
         device_.send(report);
     }
-    /// Waits for the host's answer to a reading, but never long: it may have been overtaken, or not believed.
+    /// Waits for the host's answer to a reading, for a limited time: the reading may have been overtaken, or rejected.
     void comesBack(std::uint16_t sequence) {
         std::unique_lock lock(mutex_);
         heard_.wait_for(lock, std::chrono::milliseconds(2), [&] { return watch.answered() == sequence; });
     }
-    /// Waits until the driver has looked at so many reports, but never long: it answers what it believes alone.
+    /// Waits until the driver has read a number of reports, for a limited time: it answers only those that it accepts.
     void comesToSee(const StylusDevice& stylus, std::uint64_t reports) {
         std::unique_lock lock(mutex_);
         for (int i = 0; i < 10 && seen(stylus.health()) < reports; ++i)
@@ -172,15 +173,15 @@ private:
     std::mutex mutex_;
     std::condition_variable heard_;
     Board firmware_;
-    UhidDevice device_; // last: its thread uses the rest
+    UhidDevice device_; // last member: its thread uses the others
 };
 
-/// An id that the descriptor does not name stays in the kernel.
+/// Reports with an id that the descriptor does not name are dropped by the kernel.
 bool reachesTheDriver(const Report& report) {
     return report[0] == OPEN_STYLUS_INPUT_ID;
 }
 
-/// A hand that mills round through the stock and presses on the part below it.
+/// The motion of a hand that mills in circles through the stock and presses on the part below it.
 glm::dvec3 stroke(double time) {
     return {8.0 * std::sin(3.0 * time), 8.0 * std::cos(3.0 * time), -17.0 + 3.0 * std::sin(5.0 * time)};
 }
@@ -188,7 +189,7 @@ glm::dvec3 stroke(double time) {
 HostileOutcome hostileOpenStylus(std::uint64_t count) {
     constexpr std::uint64_t calm = 80, storm = 32 * batch;
     DeviceRegistry registry;
-    // Its figures are the board's, which the test knows without asking the host.
+    // The values of the board, which the test knows without asking the host.
     StylusDescription figures;
     figures.maximumForce.value = 3.0;
     figures.maximumStiffness.value = 400.0;
@@ -237,7 +238,7 @@ HostileOutcome hostileOpenStylus(std::uint64_t count) {
     if (board.largestForceSquared() > most * most) ++outcome.violations;
     outcome.detail = verdict.text() + "; " + std::to_string(loop.ticks.ticks) + " ticks, " +
                      std::to_string(loop.ticks.violations) + " bad; ";
-    // Or nothing was shown: it has to be felt, cut, disbelieved and damaged.
+    // Guards against a meaningless run: forces, cuts, rejected readings and damaged reports must occur.
     BURIN_EXPECT(verdict.pressed > verdict.outputs / 100 && loop.ticks.cuts > 0);
     BURIN_EXPECT(verdict.unbelieved > count / 1000 && health.damaged > count / 10 && health.readings > count / 10);
     return outcome;
@@ -262,18 +263,18 @@ HostileOutcome hostileMice(std::uint64_t count) {
         const auto stylus = openedMouse(registry, kind.id, kind.mode);
         const double reach = stylus->description().workspaceRadius.value;
         HapticSettings settings = settingsFor(stylus->description());
-        settings.tickPeriod = 0.004; // an emulated processor has other work than a thousand ticks a second
+        settings.tickPeriod = 0.004; // an emulated processor cannot run a thousand ticks a second
         RunningLoop loop(*stylus, settings);
         for (std::uint64_t i = 0; i < (count + 2) / 3; ++i, ++outcome.reports) {
             Report report(random() % 32 == 0 ? 1 + random() % 4096 : 1 + random() % 16);
             for (auto& byte : report) byte = static_cast<std::uint8_t>(random());
             if (random() % 8 != 0) report[0] = ids[random() % ids.size()];
             mouse.send(report);
-            if (i % 32 == 31) std::this_thread::sleep_for(std::chrono::milliseconds(1)); // half of what waits at most
+            if (i % 32 == 31) std::this_thread::sleep_for(std::chrono::milliseconds(1)); // at most half the queue
         }
         BURIN_EXPECT(comesTrue([&] { return loop.ticks.ticks > 100; }));
         loop.end();
-        for (const Report& output : mouse.outputs()) // the LED's, and nothing else
+        for (const Report& output : mouse.outputs()) // only the LED's
             if (output != Report{0x04, 0x01} && output != Report{0x04, 0x00}) ++outcome.violations;
         const glm::dvec3 place = stylus->read(1e6).pose.position;
         if (!(glm::length(place) <= reach + 1e-9)) ++outcome.violations;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Gamepads and pen tablets: their HID reports become events of the kernel's, which the plugin reads.
+// Gamepads and pen tablets: the kernel turns their HID reports into input events, which the plugin reads.
 #include "core/base/units.h"
 #include "tests/hid/plugged_mouse.h"
 
@@ -52,7 +52,7 @@ Report bytesOf(const PenReport& pen) {
     return report;
 }
 
-/// Reads as a loop does, until it holds.
+/// Reads as a loop does, until the condition holds.
 template <class Condition>
 bool reads(Stylus& stylus, double& time, const Condition& holds) {
     return comesTrue([&] { return holds(stylus.read(time += 0.001)); });
@@ -106,7 +106,7 @@ void aPenIsWhereItIs() {
     const auto isAt = [](const glm::dvec3& place) {
         return [place](const StylusState& state) { return glm::distance(state.pose.position, place) < 0.05; };
     };
-    // 200 mm from the left and 50 from the far edge: 50 right of the middle, 50 away from it.
+    // 200 mm from the left edge and 50 from the far one: 50 to the right of the centre, 50 away from it.
     tablet.send(bytesOf(PenReport{inRange, 20000, 5000}));
     BURIN_EXPECT(reads(*stylus, time, isAt({50.0, 50.0, 5.0})));
     tablet.send(bytesOf(PenReport{inRange | tip, 20000, 5000, 1024, 30, 0}));
@@ -117,7 +117,7 @@ void aPenIsWhereItIs() {
     }));
     tablet.send(bytesOf(PenReport{inRange | tip | barrel, 20000, 5000, 1024, 30, 0}));
     BURIN_EXPECT(reads(*stylus, time, [](const StylusState& state) { return state.buttons == 3U; }));
-    // It is taken away: lifted where it was.
+    // The pen is taken away: the tool is lifted where it was.
     tablet.send(bytesOf(PenReport{0, 20000, 5000, 0}));
     BURIN_EXPECT(reads(*stylus, time, isAt({50.0, 50.0, 5.0})));
     BURIN_EXPECT(stylus->read(time += 0.001).buttons == 0U && stylus->read(time += 0.001).valid);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Milling with devices on the real bus that are pulled out in mid stroke and plugged in again: no force, nothing cut, a
-// message, and the stroke goes on; and the trace of it all comes out the same to the bit.
+// Milling with devices on the real bus that are unplugged in the middle of a stroke and plugged in again: no force,
+// no cut, a message, and the stroke continues; and the replay of the trace is bitwise identical.
 #include "tests/core/haptics/replayed_session.h"
 #include "tests/hid/force_watch.h"
 #include "tests/hid/plugged_board.h"
@@ -56,7 +56,7 @@ private:
     std::thread thread_;
 };
 
-/// What the samples of an interrupted session have to say.
+/// Checks the samples of an interrupted session.
 void looksInterrupted(const RecordedSession& session, std::uint64_t from, std::uint64_t to) {
     BURIN_EXPECT(session.fault.empty());
     BURIN_EXPECT(from + 50 < to && to + 50 < session.samples.size());
@@ -74,7 +74,7 @@ void looksInterrupted(const RecordedSession& session, std::uint64_t from, std::u
     BURIN_EXPECT(cutBefore > 0 && cutAfter > 0 && away > 50);
 }
 
-/// Down into the stock and round, ever on: a hand that does not know that its device has gone.
+/// Moves down into the stock and in circles without end: a hand that does not know that its device has gone.
 class Hand {
 public:
     explicit Hand(std::function<void(double)> moves)
@@ -93,7 +93,7 @@ ForceBounds boundsOfTheBoard() {
     ForceBounds bounds;
     bounds.largest = 0.6 * 3.0;
     bounds.largestTorque = 0.6 * 100.0;
-    bounds.rise = 0.16 + 0.05 + 1.5 * 0.003 / 0.1 * bounds.largest; // slew, the handle's lift, fading in
+    bounds.rise = 0.16 + 0.05 + 1.5 * 0.003 / 0.1 * bounds.largest; // slew, force that carries the handle, fading in
     bounds.fall = 3.0 * bounds.rise;
     bounds.jump = 20.0;
     return bounds;
@@ -109,7 +109,8 @@ void anOpenStylusPulledOutInMidStroke() {
     const Hand hand([&](double time) {
         const std::lock_guard lock(swapping);
         if (!board) return;
-        // Pressed to the part, and wider with each turn: a slow machine too finds something to cut for a minute.
+        // Pressed against the part, with the radius growing each turn: even a slow machine finds something to cut for a
+        // minute.
         const double depth = std::min(20.0 * time, 17.0), radius = std::min(4.0 + 0.2 * time, 14.0);
         board->x = radius * std::sin(2.0 * time);
         board->y = radius * std::cos(2.0 * time);
@@ -118,7 +119,7 @@ void anOpenStylusPulledOutInMidStroke() {
     BURIN_EXPECT(comesTrue([&] { return milling.now().cut > 100 && before.verdict().pressed > 20; }));
     while (stylus->takeFault()) {
     }
-    const std::uint64_t from = milling.now().ticks, invalid = milling.now().invalid; // some before the first report
+    const std::uint64_t from = milling.now().ticks, invalid = milling.now().invalid; // ticks before the first report
     {
         const std::lock_guard lock(swapping);
         board.reset();
@@ -152,7 +153,7 @@ void aMousePulledOutInMidStroke() {
         const std::lock_guard lock(swapping);
         if (!mouse || std::fmod(time, 0.016) > 0.0019) return;
         Report report{0x01};
-        // Wider with each turn here too.
+        // The radius grows with each turn here too.
         const double reach = std::min(150.0 + 4.0 * time, 350.0);
         const double axes[] = {reach * std::sin(3.0 * time), reach * std::cos(3.0 * time), 180.0, 0.0, 0.0, 0.0};
         for (const double axis : axes) {
@@ -163,7 +164,7 @@ void aMousePulledOutInMidStroke() {
         mouse->send(report);
     });
     BURIN_EXPECT(comesTrue([&] { return milling.now().cut > 100; }));
-    const std::uint64_t from = milling.now().ticks, invalid = milling.now().invalid; // some before the first report
+    const std::uint64_t from = milling.now().ticks, invalid = milling.now().invalid; // ticks before the first report
     {
         const std::lock_guard lock(swapping);
         mouse.reset();

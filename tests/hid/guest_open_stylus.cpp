@@ -83,7 +83,7 @@ void unpluggedInMidStroke() {
     BURIN_EXPECT(board->largestForceSquared() <= mostForceSquared());
 }
 
-/// This program again, in a process of its own.
+/// Starts this program again, in a process of its own.
 pid_t started(const char* role) {
     const pid_t process = fork();
     if (process == 0) {
@@ -106,8 +106,8 @@ void theWatchdogCutsTheMotorsOfAHostThatDied() {
     waitpid(host, nullptr, 0);
 }
 
-/// Through a second file of the same device, while the thread that serves the first one is stuck in a tick. The
-/// device's own watchdog would take 100 ms.
+/// Switches the motors off through a second file of the same device, while the thread that serves the first one hangs
+/// in a tick. The device's own watchdog would take 100 ms.
 void motorsAreCutWhileATickHangs() {
     DeviceRegistry registry;
     open_stylus_limits limits = Board::limits();
@@ -126,7 +126,7 @@ void motorsAreCutWhileATickHangs() {
     const auto after = std::chrono::duration<double>(std::chrono::steady_clock::now() - cut).count();
     tellFigure("cut_to_motors_off_ms", 1e3 * after, "ms");
     client.hang = false;
-    BURIN_EXPECT(comesTrue([&] { return board.force.load() > 0.9; })); // armed again by itself
+    BURIN_EXPECT(comesTrue([&] { return board.force.load() > 0.9; })); // armed again automatically
     BURIN_EXPECT(client.invalid > 0);
     stylus->stop();
 }

@@ -7,7 +7,7 @@
 namespace burin::test {
 namespace {
 
-/// Reads as a loop does, until it holds.
+/// Reads as a loop does, until the condition holds.
 template <class Condition>
 bool reads(Stylus& stylus, double& time, const Condition& holds) {
     return comesTrue([&] { return holds(stylus.read(time += 0.001)); });
@@ -29,8 +29,8 @@ void areFoundAndOtherDevicesAreNot() {
     BURIN_EXPECT(mice == 3);
 }
 
-/// Three axes a report, as SpaceNavigator and SpaceMouse Compact send them. The kernel gives the number of the former
-/// to a driver that takes real USB devices alone, so the device here has that of the latter.
+/// Three axes per report, as SpaceNavigator and SpaceMouse Compact send them. The kernel assigns the id of the former
+/// to a driver that accepts real USB devices only, so the device here has the id of the latter.
 void compactMovesAndPresses() {
     DeviceRegistry registry;
     PluggedMouse mouse(0x256f, 0xc635, navigatorDescriptor);
@@ -43,7 +43,7 @@ void compactMovesAndPresses() {
         return state.valid && state.pose.position.x > 1.0 && state.buttons == 2U;
     }));
     const double x = stylus->read(time).pose.position.x;
-    // Nothing more comes: the cap counts as at rest, and the button as pressed.
+    // No more reports arrive: the cap counts as at rest, and the button as pressed.
     for (int i = 0; i < 500; ++i) stylus->read(time += 0.001);
     const StylusState rested = stylus->read(time += 0.001);
     BURIN_EXPECT(rested.pose.position.x <= x + 0.11 * 100.0 && rested.buttons == 2U);

@@ -13,7 +13,7 @@
 
 namespace burin::test {
 
-/// An input report of the open stylus protocol, by the bytes of protocol.md.
+/// An input report of the open stylus protocol, with the bytes of protocol.md.
 struct InputReport {
     std::uint16_t sequence = 0, echo = 0, faults = 0;
     std::uint32_t microseconds = 0, buttons = 1;
@@ -39,7 +39,7 @@ struct InputReport {
         sum(report);
         return report;
     }
-    /// Makes a report's check sum right.
+    /// Corrects a report's checksum.
     static void sum(Report& report) {
         if (report.size() == OPEN_STYLUS_INPUT_SIZE) put(report, 46, open_stylus_crc(report.data(), 46), 2);
     }
@@ -48,21 +48,21 @@ struct InputReport {
     }
 };
 
-/// What a device sends that is broken, or that somebody has built to do harm: noise of all lengths, wrong ids, damage
-/// with right and wrong check sums, huge and senseless values, numbers that repeat, skip and go back, time that runs
+/// Reports of a device that is broken, or built to do harm: noise of all lengths, wrong ids, damage with correct and
+/// wrong checksums, huge and meaningless values, sequence numbers that repeat, skip and go back, time that runs
 /// backwards. Seeded.
 class HostileReports {
 public:
     explicit HostileReports(unsigned seed) : random_(seed) {}
 
-    /// @param good the last report that was meant well
+    /// @param good the last valid report
     Report next(const InputReport& good) {
         InputReport reading = good;
         reading.sequence = static_cast<std::uint16_t>(good.sequence + ++ahead_);
         reading.microseconds += 250U * ahead_;
         Report report;
         switch (random_() % 14) {
-        case 0: // noise; at times longer than any report, up to what the kernel takes
+        case 0: // noise; sometimes longer than any report, up to the kernel's limit
             return noise(random_() % 64 == 0 ? 1 + random_() % 4096 : 1 + random_() % 64, any() & 3U);
         case 1:
             return noise(OPEN_STYLUS_INPUT_SIZE, static_cast<std::uint8_t>(any()));
@@ -70,13 +70,13 @@ public:
             return damaged(reading.bytes(), false);
         case 3:
             return damaged(reading.bytes(), true);
-        case 4: // of the right form, with any values
+        case 4: // of valid form, with arbitrary values
             reading.position = {place(), place(), place()};
             break;
         case 5:
             for (auto& number : reading.rotation) number = static_cast<std::int32_t>(any());
             break;
-        case 6: // the most negative numbers, whose magnitude no signed number has
+        case 6: // the most negative numbers, whose magnitude no signed number can represent
             report = reading.bytes();
             for (std::size_t at = 8; at < (random_() % 2 == 0 ? 20U : 36U); at += 4)
                 InputReport::put(report, at, 0x80000000U, 4);
@@ -86,7 +86,7 @@ public:
             reading.sequence = static_cast<std::uint16_t>(any());
             break;
         case 8:
-            return last_; // once more
+            return last_; // repeated
         case 9:
             reading.microseconds = any();
             break;
@@ -102,7 +102,7 @@ public:
             reading.buttons = any();
             reading.echo = static_cast<std::uint16_t>(any());
             break;
-        default: // cut off, or with something behind it
+        default: // truncated, or with bytes appended
             report = reading.bytes();
             report.resize(1 + random_() % 96, static_cast<std::uint8_t>(any()));
             return report;
@@ -110,7 +110,7 @@ public:
         last_ = reading.bytes();
         return last_;
     }
-    /// Good ones come next.
+    /// Good reports follow.
     void pause() { ahead_ = 0; }
 
 private:

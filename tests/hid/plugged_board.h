@@ -24,7 +24,7 @@ inline UhidIdentity openStylusIdentity() {
 /// A board with the reference firmware, plugged into the kernel.
 class PluggedBoard : public RunningBoard {
 public:
-    /// @param hears each output report before the firmware does, on the device's thread
+    /// @param hears receives each output report before the firmware does, on the device's thread
     explicit PluggedBoard(
         const open_stylus_limits& limits = Board::limits(),
         std::function<void(const Report&)> hears = [](const Report&) {})
@@ -43,7 +43,7 @@ public:
 
 private:
     std::function<void(const Report&)> hears_;
-    UhidDevice device_; // last: its thread uses the rest
+    UhidDevice device_; // last member: its thread uses the others
 };
 
 inline bool openStylusIsThere(DeviceRegistry& registry) {

@@ -14,7 +14,7 @@
 
 namespace burin::test {
 
-/// A 3D mouse plugged into the kernel, and what the host wrote to it.
+/// A 3D mouse plugged into the kernel, and the reports that the host wrote to it.
 class PluggedMouse {
 public:
     PluggedMouse(std::uint16_t vendor, std::uint16_t product, std::string_view descriptor, std::string serial = {})
@@ -34,7 +34,7 @@ public:
 private:
     std::mutex mutex_;
     std::vector<Report> outputs_;
-    UhidDevice device_; // last: its thread uses the rest
+    UhidDevice device_; // last member: its thread uses the others
 };
 
 inline std::optional<FoundDevice> foundAs(DeviceRegistry& registry, const std::string& id) {
@@ -47,7 +47,7 @@ inline std::optional<FoundDevice> foundAs(DeviceRegistry& registry, const std::s
     return result;
 }
 
-/// A stylus of a mouse that is plugged in, open.
+/// The open stylus of a mouse that is plugged in.
 inline std::unique_ptr<Stylus> openedMouse(DeviceRegistry& registry, const std::string& id,
                                            const std::string& mode = {}) {
     BURIN_EXPECT(foundAs(registry, id));

@@ -86,7 +86,7 @@ private:
     }
 
     QByteArray output_;
-    QHash<QString, QString> results_; ///< "ok " or "failed why", by fact
+    QHash<QString, QString> results_; ///< "ok " or "failed why", by name of the check
 };
 
 BURIN_TEST(TestDevices, QCoreApplication)

@@ -42,7 +42,7 @@ UhidDevice::UhidDevice(const UhidIdentity& identity, Handlers handlers) : handle
     std::ranges::copy(identity.descriptor, event.u.create2.rd_data);
     if (file_ < 0 || !writeEvent(file_, event)) {
         std::perror("/dev/uhid");
-        std::abort(); // no kernel, no test
+        std::abort(); // without the kernel's uhid there is no test
     }
     thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
@@ -63,7 +63,7 @@ bool UhidDevice::send(std::span<const std::uint8_t> report) {
     event.u.input2.size = static_cast<std::uint16_t>(size);
     std::copy_n(report.begin(), size, event.u.input2.data);
     const std::lock_guard lock(writing_);
-    // The kernel takes events that end where their data does.
+    // The kernel accepts events that end where their data ends.
     const std::size_t whole = offsetof(uhid_event, u) + offsetof(uhid_input2_req, data) + size;
     return write(file_, &event, whole) == static_cast<ssize_t>(whole);
 }

@@ -14,28 +14,28 @@ namespace burin::test {
 
 using Report = std::vector<std::uint8_t>;
 
-/// What a device tells the kernel when it is plugged in.
+/// The data that a device gives the kernel when it is plugged in.
 struct UhidIdentity {
     std::string name, serial;
     std::uint16_t vendor = 0, product = 0;
     Report descriptor;
 };
 
-/// A HID device that the kernel believes in, made with /dev/uhid: what is sent here comes out of its hidraw node, and
-/// what is written there comes in here. Gone from the bus when the object is.
+/// A HID device simulated with /dev/uhid, which the kernel treats like real hardware: reports sent here arrive at its
+/// hidraw node, and reports written there arrive here. It is unplugged when the object is destroyed.
 class UhidDevice {
 public:
-    /// What the host asked of it; on the device's own thread.
+    /// Requests of the host; called on the device's own thread.
     struct Handlers {
         std::function<void(const Report&)> output = [](const Report&) {};
-        std::function<Report(std::uint8_t)> feature; ///< answer to GET_REPORT; empty: it has none
+        std::function<Report(std::uint8_t)> feature; ///< answer to GET_REPORT; empty: no feature report
     };
     UhidDevice(const UhidIdentity& identity, Handlers handlers);
     ~UhidDevice();
     UhidDevice(const UhidDevice&) = delete;
     UhidDevice& operator=(const UhidDevice&) = delete;
 
-    /// An input report with its id. False when the kernel refused it. Any thread.
+    /// Sends an input report with its id. False if the kernel refused it. Thread-safe.
     bool send(std::span<const std::uint8_t> report);
 
 private:

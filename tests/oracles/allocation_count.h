@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 
-/// Every allocation of the test program so far, by any thread. What links burin::allocation_count has the global
-/// operators replaced, all of their forms, so that the address sanitizer finds no memory of its own freed by ours.
+/// Number of allocations of the test program so far, by any thread. A program that links burin::allocation_count has
+/// the global operators new and delete replaced in all their forms, so that the address sanitizer does not see memory
+/// allocated by its own operators freed by ours.
 extern std::atomic<std::size_t> allocationCount;

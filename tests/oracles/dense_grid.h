@@ -9,7 +9,7 @@
 
 namespace burin::oracles {
 
-/// One property for each 1/256 voxel of each scanline: what a volume holds, written out. For small grids.
+/// Contents of a volume as a dense array: one property for each 1/256 voxel of each scanline. For small grids.
 class DenseGrid {
 public:
     explicit DenseGrid(const Grid& grid)
@@ -20,7 +20,7 @@ public:
     PropertyIndex& at(LineIndex line, RunPosition unit) { return units_[place(line) + unit]; }
     PropertyIndex at(LineIndex line, RunPosition unit) const { return units_[place(line) + unit]; }
 
-    /// Removes what `isProtected` does not forbid; adds what was taken.
+    /// Removes everything for which `isProtected` is false; adds the removed amounts to `removed`.
     template <class IsProtected>
     void removeSpan(LineIndex line, RunPosition from, RunPosition to, IsProtected isProtected, RunAmounts& removed) {
         for (RunPosition unit = from; unit < std::min(to, grid_.lineEnd()); ++unit) {
@@ -38,7 +38,7 @@ public:
         for (const PropertyIndex property : units_) ++sum.units[property];
         return sum;
     }
-    /// The segments that a line has to have: gapless, neighbours different.
+    /// The segments expected on a line: without gaps, adjacent segments of different properties.
     std::vector<Segment> segments(LineIndex line) const {
         std::vector<Segment> all;
         for (RunPosition unit = 0; unit < grid_.lineEnd(); ++unit)

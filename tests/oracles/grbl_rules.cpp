@@ -28,11 +28,11 @@ const std::map<int, char>& gGroups() {
 
 const std::map<int, char>& mGroups() {
     static const std::map<int, char> table{{0, 's'}, {1, 's'}, {2, 's'}, {30, 's'}, {3, 'r'},
-                                           {4, 'r'}, {5, 'r'}, {8, 'k'}, {9, 'k'}}; // M7: where it was compiled in
+                                           {4, 'r'}, {5, 'r'}, {8, 'k'}, {9, 'k'}}; // M7: only if compiled in
     return table;
 }
 
-/// What reaches the parser: no blanks, no comments, no /, upper case.
+/// The characters that reach the parser: without blanks, comments and /, in upper case.
 std::string stripped(const std::string& line) {
     std::string result;
     bool comment = false;
@@ -50,7 +50,7 @@ std::string stripped(const std::string& line) {
     return result;
 }
 
-/// 0, or the error of words that can't be told apart.
+/// 0, or the error number if the line cannot be split into words.
 int split(const std::string& line, Words& words) {
     std::size_t at = 0;
     while (at < line.size()) {
@@ -113,7 +113,7 @@ private:
         return 0;
     }
 
-    /// Codes that use the axis words, and the motion in force where none does.
+    /// Executes codes that use the axis words, or the motion in force if there is none.
     int carryOut() {
         const auto group = [this](char which) { return groups_.contains(which) ? groups_.at(which) : -1; };
         if (has('N') && (value('N') > 1e7 || value('N') != std::floor(value('N')))) return 27;
@@ -157,7 +157,7 @@ private:
         return 0;
     }
 
-    /// M2 and M30: the program's end, and lines that follow are read.
+    /// Resets the modes as M2 and M30 do: the program ends, and lines that follow are still read.
     void setBack() {
         motion_ = 10;
         axis_ = 2;

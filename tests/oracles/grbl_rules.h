@@ -6,15 +6,15 @@
 
 namespace burin {
 
-/// What GRBL 1.1 would answer to a program, sent line by line.
+/// GRBL 1.1's answer to a program that is sent line by line.
 struct GrblVerdict {
-    int error = 0; ///< of the first line that it refuses: GRBL's number; 0: all accepted
+    int error = 0; ///< GRBL's error number of the first refused line; 0: all lines accepted
     int line = 0;  ///< from 1
 };
 
-/// GRBL's published rules (doc/csv/error_codes_en_US.csv, doc/markdown/interface.md and commands.md of 1.1), written
-/// anew for tests. Knows words, modal groups, units, feed modes, planes and arcs; of the machine only where it is (from
-/// 0).
+/// GRBL's published rules (doc/csv/error_codes_en_US.csv, doc/markdown/interface.md and commands.md of 1.1),
+/// implemented independently for tests. Covers words, modal groups, units, feed modes, planes and arcs; of the
+/// machine's state it knows only the position (starting at 0).
 GrblVerdict grblVerdict(const std::string& program);
 
 } // namespace burin

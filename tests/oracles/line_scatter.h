@@ -13,22 +13,22 @@
 
 namespace burin::oracles {
 
-/// Root of the mean square error, mm³, that the volume of a body has which is summed up from its exact lengths on a
-/// square lattice of lines, over all places and turns of the body.
+/// Root mean square error, mm³, of a body's volume that is summed from the exact lengths of the body on a square
+/// lattice of lines, over all positions and orientations of the body.
 ///
-/// Poisson's sum gives the error as the sum of the Fourier transform of the body's indicator, F(n / edge), over the
-/// lattice's places n but the origin, with phases that go with the body's place, so that squares add up. Over all turns
-/// the mean of |F(k)|² is surface / (8 pi³ k⁴): of a sphere, F(k) is radius / (pi k²) times a cosine, and any other
-/// surface adds up from what its parts say in the directions that they face. So
-///     error² = surface · edge⁴ / (8 pi³) · sum of n^-4:
-/// second order in the edge for every body, sharp or smooth, and of a known size. Bodies with flat faces or straight
-/// edges err much less at most turns and far more at a few.
+/// Poisson's sum gives the error as the sum of the Fourier transform of the body's indicator function, F(n / edge),
+/// over all lattice points n except the origin, with phases that depend on the body's position, so that squares add up.
+/// Over all orientations the mean of |F(k)|² is surface / (8 pi³ k⁴): for a sphere, F(k) is radius / (pi k²) times a
+/// cosine, and for any other surface the contributions of its parts add up, each in the direction that it faces. So
+/// error² = surface · edge⁴ / (8 pi³) · sum of n^-4:
+/// second order in the edge for every body, sharp or smooth, and of known magnitude. Bodies with flat faces or straight
+/// edges have a much smaller error at most orientations and a far larger one at a few.
 inline double lineSamplingError(double surface, double edge) {
     constexpr double latticeSum = 6.0268; // 4 zeta(2) beta(2)
     return edge * edge * std::sqrt(latticeSum * surface / (8.0 * pi * pi * pi));
 }
 
-/// Errors over what is expected of them.
+/// Errors divided by their expected values.
 class Scatter {
 public:
     void add(double error, double expected) { parts_.push_back(error / expected); }
@@ -38,7 +38,7 @@ public:
     double deviation() const {
         return std::sqrt(sumOf([](double part) { return part * part; }) / count() - mean() * mean());
     }
-    /// Of the magnitudes: what most are like, whatever the few largest.
+    /// Median of the magnitudes: the typical error, not affected by the few largest.
     double median() const {
         std::vector<double> magnitudes(parts_.size());
         std::ranges::transform(parts_, magnitudes.begin(), [](double part) { return std::abs(part); });
@@ -61,12 +61,12 @@ private:
     std::vector<double> parts_;
 };
 
-/// Order of convergence of errors over what `lineSamplingError` expects, from an edge to a quarter of it.
+/// Order of convergence from errors relative to what `lineSamplingError` expects, between an edge and a quarter of it.
 inline double orderOf(double coarse, double fine) {
     return 2.0 + 0.5 * std::log2(coarse / fine);
 }
 
-/// Any turn of space, all alike.
+/// A random rotation, uniformly distributed.
 inline glm::dmat3 anyTurn(std::mt19937& random) {
     std::normal_distribution<double> any;
     const auto vector = [&] {
@@ -77,7 +77,7 @@ inline glm::dmat3 anyTurn(std::mt19937& random) {
     return {x, glm::cross(z, x), z};
 }
 
-/// Any place in a cube of such an edge about the origin.
+/// A random point in a cube of the given edge about the origin.
 inline glm::dvec3 anyPlace(std::mt19937& random, double edge) {
     std::uniform_real_distribution<double> any(-0.5 * edge, 0.5 * edge);
     const double x = any(random), y = any(random), z = any(random);

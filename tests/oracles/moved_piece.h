@@ -13,7 +13,8 @@
 
 namespace burin::oracles {
 
-/// Height of the end faces of a piece at a distance below its outline from the axis, mm above the tip.
+/// Heights of the end faces of a piece at a distance from the axis that is less than its outline's radius, mm above the
+/// tip.
 struct Faces {
     double low = 0.0, high = 0.0;
 };
@@ -22,7 +23,7 @@ inline double outlineOf(const RevolvedPiece& piece) {
     return std::max(piece.bottomRadius, piece.topRadius);
 }
 
-/// Straight from the definition of a frustum with a rounded bottom edge.
+/// Computed directly from the definition of a frustum with a rounded bottom edge.
 inline Faces facesAt(const RevolvedPiece& piece, double radius) {
     Faces faces{piece.bottom, piece.top};
     const double height = piece.top - piece.bottom;
@@ -37,7 +38,7 @@ inline Faces facesAt(const RevolvedPiece& piece, double radius) {
     return faces;
 }
 
-/// Least value of a function over 0 … 1 by sampling ever finer around the best sample; `start` is one more sample.
+/// Least value of a function over 0 … 1 by sampling ever finer around the best sample; `start` is an additional sample.
 inline double leastBySampling(const std::function<double(double)>& value, double start, double* where = nullptr) {
     double low = 0.0, high = 1.0, best = start, least = value(start);
     for (int zoom = 0; zoom < 9; ++zoom) {
@@ -57,9 +58,10 @@ inline double leastBySampling(const std::function<double(double)>& value, double
     return least;
 }
 
-/// What the line at (x, y) meets of a piece on its way between two tips, found by sampling poses on the way.
+/// The intersection of the line at (x, y) with a piece that moves between two tips, found by sampling poses on the
+/// segment.
 struct SampledSpan {
-    double closest = 0.0; ///< mm, from the axis at its closest
+    double closest = 0.0; ///< mm, least distance from the axis
     double low = 0.0, high = 0.0;
 };
 inline SampledSpan sampledSpan(const RevolvedPiece& piece, const glm::dvec3& from, const glm::dvec3& to, double x,

@@ -50,13 +50,13 @@ PushBackScene scene(std::string name, bool smooth, const TriangleMesh& mesh, Sol
     return made;
 }
 
-/// To a block with a pocket down from its top, both about the z axis.
+/// Distance to a block with a pocket in its top, both about the z axis.
 double pocketDistance(const glm::dvec3& p, double outer, double height, double inner, double depth) {
     const double block = shapes::boxDistance({-outer, -outer, -height}, {outer, outer, 0.0}, p);
-    // The pocket goes on above the block.
+    // The pocket is continued above the block.
     const double hole = shapes::boxDistance({-inner, -inner, -depth}, {inner, inner, 1e3}, p);
     if (block > 0.0 && hole > 0.0) return block;
-    if (hole <= 0.0) { // in the pocket or above it: to its floor and walls, as far as they go up
+    if (hole <= 0.0) { // in the pocket or above it: distance to its floor and to its walls, up to their upper edge
         const double wall = inner - std::max(std::abs(p.x), std::abs(p.y));
         return std::min(p.z + depth, p.z > 0.0 ? std::hypot(wall, p.z) : wall);
     }
@@ -80,7 +80,7 @@ private:
         return std::sin(phases_[i] + 6.28 * frequency * rates_[i] * time);
     }
 
-    /// Smoothly to and fro through the solid, its axis nodding.
+    /// Moves smoothly back and forth through the solid while its axis tilts back and forth.
     ToolPose pressing(double time) const {
         const glm::dvec3 half = 0.5 * scene_.region.size();
         const glm::dvec3 tip =
@@ -88,7 +88,7 @@ private:
         const glm::dvec3 nod(0.8 * wave(3, time, 0.6), 0.8 * wave(4, time, 0.8), 0.0);
         return {tip, turned(upright, nod)};
     }
-    /// Slams, jumps, tremor.
+    /// Slams, jumps and tremor.
     ToolPose hostile(int tick) {
         if (tick % 40 == 0) {
             const glm::dvec3 size = scene_.region.size();
@@ -130,7 +130,7 @@ Tool tool(CutterType type, double diameter, double corner) {
 
 std::vector<PushBackScene> analyticPushBackScenes() {
     std::vector<PushBackScene> scenes;
-    // No tool reaches the rim of the plane's block.
+    // No tool reaches the edges of the plane's block.
     scenes.push_back(scene("plane", true, shapes::box({-100, -100, -100}, {100, 100, 0}),
                            [](const glm::dvec3& p) { return p.z; }, {{-15, -15, -3}, {15, 15, 1}}, {0, 0, 3}));
     scenes.push_back(scene("sphere", true, shapes::sphere(12.0, 400, 200),
@@ -149,7 +149,7 @@ std::vector<PushBackScene> analyticPushBackScenes() {
                            {{-9, -9, -11}, {9, 9, 2}}, {0, 0, 3}));
     scenes.back().points = alongEdges({-16, -16, -14}, {16, 16, 0});
     const std::vector<glm::dvec3> rim = alongEdges({-5, -5, -8}, {5, 5, 0});
-    for (const glm::dvec3& point : rim) // those at its floor are hollow, and those of its walls
+    for (const glm::dvec3& point : rim) // edges at the floor and between the walls are concave
         if (point.z == 0.0) scenes.back().points.push_back(point);
     return scenes;
 }
@@ -204,7 +204,7 @@ BoundaryLayers pushBackLayers(const PushBackScene& scene, const Tool& tool, Push
     std::unique_ptr<const ClearanceField> field;
     if (axis == PushBackAxis::upright) {
         Result<ToolField> built = ToolField::build(*scene.mesh, request, progress);
-        if (!built) std::abort(); // the scene's own numbers
+        if (!built) std::abort(); // the scene's numbers are constants
         field = std::make_unique<ToolField>(std::move(*built));
     } else {
         Result<TurnedField> built = TurnedField::build(*scene.mesh, chosenAxis, request, progress);
@@ -227,7 +227,7 @@ PushBackFigures measurePushBack(const PushBackScene& scene, const Tool& tool, Bo
     const Proxy proxy(layers);
     ProxyStride stride;
     const bool free = run.axis == PushBackAxis::freeWithoutTorque || run.axis == PushBackAxis::freeWithTorque;
-    stride.travel = (free ? 2.2 : 6.0) * run.voxel; // as the tool mover's
+    stride.travel = (free ? 2.2 : 6.0) * run.voxel; // as in the tool mover
     stride.turn = free ? 0.025 : 0.0;
     stride.yields = run.axis == PushBackAxis::freeWithTorque ? ProxyStride::Yields::both : ProxyStride::Yields::tip;
     stride.turnLength = 30.0;
@@ -235,7 +235,7 @@ PushBackFigures measurePushBack(const PushBackScene& scene, const Tool& tool, Bo
     PushBackFigures figures;
     Hand hand(scene, run);
     ToolPose pose{scene.start, run.axis == PushBackAxis::chosen ? chosenAxis : upright};
-    if (!proxy.feasible(pose)) std::abort(); // the scene's own start
+    if (!proxy.feasible(pose)) std::abort(); // the scene's start is a constant
     for (int tick = 0; tick < run.ticks; ++tick) {
         const ToolPose goal = hand.next(tick);
         const double before = processorMicroseconds();

@@ -16,20 +16,20 @@
 
 namespace burin::oracles {
 
-/// A solid to press tools against: as a mesh for what is tested, and as what it is judged by.
+/// A solid that tools are pressed against: as a mesh for the tested code, and in the form that the result is judged by.
 struct PushBackScene {
     std::string name;
-    bool smooth = true; ///< no edges but such that a tool can't reach
+    bool smooth = true; ///< no edges, except those that no tool can reach
     std::shared_ptr<const MeshDistance> mesh;
-    SolidDistance distance;         ///< by a closed formula; of a part from CAD by points on its fine mesh
+    SolidDistance distance;         ///< by a closed formula; for a part from CAD by points on its fine mesh
     std::vector<glm::dvec3> points; ///< of the solid's edges
-    Box region;                     ///< where the hand goes
-    glm::dvec3 start{0.0};          ///< a tip with room around the tool, axis +Z
+    Box region;                     ///< the region in which the hand moves
+    glm::dvec3 start{0.0};          ///< a tip position with clearance around the tool, axis +Z
 };
 
-/// Plane, sphere, torus (smooth), box and box with a pocket. Meshes stand off the formulas by 0.002 mm at most.
+/// Plane, sphere, torus (smooth), box and box with a pocket. Meshes deviate from the formulas by at most 0.002 mm.
 std::vector<PushBackScene> analyticPushBackScenes();
-/// A part from a closed mesh, with edges. Points are judged by the mesh's signed distance.
+/// A part from a closed mesh, with edges. Its points are judged by the mesh's signed distance.
 PushBackScene partPushBackScene(std::string name, const TriangleMesh& mesh);
 
 /// Ball R 3 and R 0.5, flat, bull nose, taper; shank and holder on top.
@@ -39,11 +39,11 @@ enum class PushBackAxis : std::uint8_t {
     upright,           ///< three axes: a field over tips
     chosen,            ///< 3+2: a field as seen along an axis
     freeWithoutTorque, ///< the axis follows the hand
-    freeWithTorque     ///< hand and part share it
+    freeWithTorque     ///< hand and part share the axis
 };
 std::string nameOf(PushBackAxis axis);
 
-/// What bounds a tool in a scene. Cost: a second for a field.
+/// The boundary for a tool in a scene. Cost: about a second for a field.
 BoundaryLayers pushBackLayers(const PushBackScene& scene, const Tool& tool, PushBackAxis axis, double voxel,
                               double maximumAllowance);
 
@@ -53,32 +53,32 @@ struct PushBackRun {
     double allowance = 0.0; ///< mm
     int ticks = 2000;       ///< of 1 ms
     std::uint32_t seed = 1;
-    bool pressing = true; ///< the hand is drawn through the solid; else it goes at random, with slams and jumps
+    bool pressing = true; ///< the hand is drawn through the solid; otherwise it moves at random, with slams and jumps
 };
 
 struct PushBackFigures {
-    double gouge = 0.0;         ///< mm, deepest at the ends of ticks: with the allowance, into the grown part
-    double gougeOnTheWay = 0.0; ///< mm, deepest between them
-    double deepestPress = 0.0;  ///< mm, hand behind the tool
+    double gouge = 0.0;         ///< mm, deepest at the ends of ticks; with an allowance, into the grown part
+    double gougeOnTheWay = 0.0; ///< mm, deepest between the ends of ticks
+    double deepestPress = 0.0;  ///< mm, largest distance of the hand behind the tool
     int touching = 0;           ///< ticks in contact
-    int turning = 0;            ///< ticks that turned the axis while in contact
+    int turning = 0;            ///< ticks that rotated the axis while in contact
     int mostIterations = 0;
-    std::vector<double> microseconds; ///< of each tick's proxy, this thread's processor time
+    std::vector<double> microseconds; ///< processor time of this thread for each tick's proxy
 };
 
-/// Greatest gouges of many runs, in voxels: at the ends of ticks and on the way between them.
+/// Greatest gouges of many runs, in voxels: at the ends of ticks and between them.
 struct PushBackGouges {
     double smooth = 0.0; ///< in scenes without edges
     double edge = 0.0;   ///< in those with edges
-    std::string worst;   ///< the run with the greatest share of what its kind of scene allows
+    std::string worst;   ///< the run with the greatest share of the limit for its kind of scene
 };
-/// Every tool and every kind of axis in every scene, pressing and at random. Cost: about a second for 300 ticks a run
-/// and a field of each tool, more for parts.
+/// Every tool and every kind of axis in every scene, pressing and at random. Cost: about a second for 300 ticks of a
+/// run and a field for each tool, more for parts.
 PushBackGouges pushBackGouges(std::span<const PushBackScene> scenes, int ticks, double voxel = 0.5);
 inline constexpr double smoothGougeLimit = 0.05; ///< voxels
 inline constexpr double edgeGougeLimit = 0.5;    ///< voxels
 
-/// Moves a proxy under a hand through a scene and measures every tick. Deterministic for a seed.
+/// Moves a proxy that follows a hand through a scene and measures every tick. Deterministic for a seed.
 PushBackFigures measurePushBack(const PushBackScene& scene, const Tool& tool, BoundaryLayers& layers,
                                 const PushBackRun& run);
 

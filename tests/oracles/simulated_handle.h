@@ -12,7 +12,7 @@
 
 namespace burin::test {
 
-/// A hand as a mass that a spring and a damper lead along an intent; all 0: nobody holds the handle.
+/// A hand as a mass that a spring and a damper pull towards an intended position; all 0: nobody holds the handle.
 struct SimulatedGrip {
     double mass = 0.0;      ///< kg
     double damping = 0.0;   ///< N·s/m
@@ -21,27 +21,27 @@ struct SimulatedGrip {
 inline constexpr SimulatedGrip noGrip{}, lightGrip{0.05, 2.0, 100.0}, middleGrip{0.15, 5.0, 300.0},
     firmGrip{0.3, 10.0, 600.0};
 
-/// What the handle of a desktop device is made of, and what its electronics do to pose and force.
+/// Mechanical properties of a desktop device's handle, and the effect of its electronics on pose and force.
 struct SimulatedMechanism {
     double mass = 0.08;     ///< kg
     double damping = 0.5;   ///< N·s/m
-    double encoder = 0.055; ///< mm, a step of the position that is read; 0: exact
-    std::size_t delay = 0;  ///< ticks by which a force comes late, at most 3
+    double encoder = 0.055; ///< mm, resolution of the position reading; 0: exact
+    std::size_t delay = 0;  ///< delay of the force in ticks, at most 3
 };
 
-/// A device's handle in a hand, integrated by itself in steps of 10 µs while the force is held: what a control loop is
-/// judged by. Nothing of the product's virtual operator is in it.
+/// A device's handle in a hand, integrated on its own in steps of 10 µs while the force is held constant: the reference
+/// by which a control loop is judged. It shares nothing with the product's virtual operator.
 class SimulatedHandle {
 public:
     SimulatedHandle(const SimulatedGrip& grip, const SimulatedMechanism& mechanism, const glm::dvec3& start)
         : grip_(grip), mechanism_(mechanism), position_(start) {}
 
-    /// mm, what the encoders say.
+    /// mm, position read by the encoders
     glm::dvec3 reading() const {
         return mechanism_.encoder > 0.0 ? glm::round(position_ / mechanism_.encoder) * mechanism_.encoder : position_;
     }
-    /// One tick. @param force N, computed from the last reading. @param intent mm, where the hand means to be.
-    /// @param push N that somebody pushes with besides
+    /// One tick. @param force N, computed from the last reading. @param intent mm, position the hand intends to hold.
+    /// @param push N, additional external force
     void hold(const glm::dvec3& force, const glm::dvec3& intent, const glm::dvec3& push, double seconds) {
         const glm::dvec3 acting = delayed(force);
         const glm::dvec3 before = position_;
@@ -58,7 +58,7 @@ public:
 
     glm::dvec3 position() const { return position_; } ///< mm, true
     glm::dvec3 velocity() const { return velocity_; } ///< mm/s
-    double energy() const { return energy_; }         ///< J that the device gave to handle and hand so far
+    double energy() const { return energy_; }         ///< J that the device has delivered to handle and hand so far
 
 private:
     static constexpr double step = 10e-6; ///< s

@@ -14,36 +14,38 @@
 namespace burin::test {
 
 /// A slot of constant depth that a simulated hand mills with a device's handle, through one material or from one into
-/// another, without a part in the way. What must be felt follows from closed formulas: K times the area that the cutter
-/// shows along its motion.
+/// another, with no part in the stock. The force to be felt follows from closed formulas: K times the area of the
+/// cutter projected along its motion.
 struct SlotCase {
     CutterType cutter = CutterType::flat;
     double radius = 3.0;       ///< mm
     double cornerRadius = 1.0; ///< mm, of a bull nose
-    double depth = 1.5;        ///< mm, at most the radius, at least a bull nose's corner
+    double depth = 1.5;        ///< mm, at most the radius, at least a bull nose's corner radius
     double voxel = 0.2;        ///< mm
-    double speed = 20.0;       ///< mm/s, of the intent
+    double speed = 20.0;       ///< mm/s, of the intended position
     double heading = 0.0;      ///< rad, of the feed in the plane across the tool axis
     double firstEnergy = 1.0;  ///< K, J/mm³
     double secondEnergy = 1.0;
-    double radialRatio = 0.0; ///< Kr of both
-    /// The border has the form of the cutter's front, so that all of it passes at once; else it is a plane.
+    double radialRatio = 0.0; ///< Kr of both materials
+    /// The border has the shape of the cutter's front, so that the whole front crosses it at once; otherwise it is a
+    /// plane.
     bool borderLikeFront = true;
     SimulatedGrip grip = middleGrip;
     SimulatedMechanism mechanism{};
     double stiffness = 320.0;  ///< N/m, of the coupling
-    double maximumForce = 2.4; ///< N that are ever sent
+    double maximumForce = 2.4; ///< N, largest force that is ever sent
 };
 
-/// What the hand felt.
+/// Measured values of the force that the hand felt.
 struct SlotFigures {
     double expected = 0.0;       ///< N, against the feed in the first material, by formula
     double expectedSecond = 0.0; ///< N, in the second one
-    double forceError = 0.0; ///< mean force against the feed beside `expected`, the worse of both materials, over it
+    double forceError = 0.0; ///< relative error of mean forces against the feed to `expected`, worse of both materials
     double noise = 0.0;      ///< N, the largest change from tick to tick within either material
-    double creep = 0.0;      ///< mm/s, of the tool, root mean square, while the hand means to rest in the slot
-    /// Ticks from the first one that removed anything of the second material to the first force beyond a tenth of the
-    /// change; 0: at once, or before, as the force looks a voxel ahead. Negative: none followed.
+    double creep = 0.0;      ///< mm/s, of the tool, root mean square, while the intended position rests in the slot
+    /// Ticks from the first one that removed anything of the second material to the first force that changed by more
+    /// than a tenth of the total change; 0: at once or before, because the force looks a voxel ahead. Negative: no
+    /// change followed.
     int ticksToChange = -1;
 };
 
@@ -56,12 +58,12 @@ public:
         , step_(volume_, field_, tool(of), settings(of))
         , handle_(of.grip, of.mechanism, place(-startDistance(of))) {}
 
-    /// From outside through the first material into the second, then at rest.
+    /// Starts outside, mills through the first material into the second, then rests.
     SlotFigures mill() {
         SlotFigures figures;
         figures.expected = expectedForce(case_.firstEnergy);
         figures.expectedSecond = expectedForce(case_.secondEnergy);
-        // Beside the border nothing is judged: there the material changes, and the hand swings.
+        // Samples near the border are not judged: there the material changes, and the hand oscillates.
         const double clear = 2.0 * case_.radius + 4.0, end = slotLength + 4.0;
         double sum = 0.0, sumSecond = 0.0;
         int count = 0, countSecond = 0, firstOfSecond = -1, firstChange = -1;
@@ -91,7 +93,7 @@ public:
         return figures;
     }
 
-    /// One tick of hand, device and loop. @param intent mm, where the hand means to be
+    /// One tick of hand, device and loop. @param intent mm, position the hand intends to hold
     Sample tick(const glm::dvec3& intent) {
         StylusState state;
         state.pose.position = handle_.reading();
@@ -101,25 +103,25 @@ public:
         return sample;
     }
 
-    /// mm on the slot's middle, from the border.
+    /// mm, a point on the slot's centre line, at the given distance from the border.
     glm::dvec3 place(double along) const { return along * direction_ - glm::dvec3(0.0, 0.0, case_.depth); }
     HapticStep& step() noexcept { return step_; }
 
-    /// N against the feed: what the device's share and the reference cut (a slot a radius deep in the harder material)
-    /// make of K A, by formula alone.
+    /// N against the feed: K A scaled by the device's share and the reference cut (a slot of one radius depth in the
+    /// harder material), by formula alone.
     double expectedForce(double energy) const {
         const double hardest = std::max(case_.firstEnergy, case_.secondEnergy);
         const double reference = hardest * area(case_, case_.radius);
         return 0.6 * case_.maximumForce * energy * area(case_, case_.depth) * (1.0 + case_.radialRatio) / reference;
     }
 
-    /// mm²: what a cutter shows in a slot of this depth.
+    /// mm²: area of the cutter, projected along the feed, in a slot of this depth.
     static double area(const SlotCase& of, double depth) {
         const double r = of.radius;
         switch (of.cutter) {
         case CutterType::ball: // segment of a circle
             return r * r * std::acos(1.0 - depth / r) - (r - depth) * std::sqrt((2.0 * r - depth) * depth);
-        case CutterType::bullNose: // two corners of a square lack what the quarter of a circle leaves
+        case CutterType::bullNose: // two corners of a square without their quarter circles are missing
             return 2.0 * r * depth - 2.0 * of.cornerRadius * of.cornerRadius * (1.0 - 0.25 * pi);
         default:
             return 2.0 * r * depth;
@@ -128,17 +130,17 @@ public:
 
 private:
     static constexpr double period = 0.001;    ///< s
-    static constexpr double slotLength = 24.0; ///< mm, through either material
+    static constexpr double slotLength = 24.0; ///< mm, through each of the materials
     static constexpr PropertyIndex first = 1, second = 2;
 
-    /// Nothing in the way, anywhere.
+    /// A clearance field without any obstacle.
     class NoPart final : public ClearanceField {
         FieldSample at(const glm::dvec3&) const noexcept override { return {1e3, {0.0, 0.0, 1.0}, false}; }
         double errorBound() const noexcept override { return 0.0; }
         double spacing() const noexcept override { return 0.25; }
     };
 
-    /// mm above the tip, of the cutter's lower face at a distance from its axis; very high beyond it.
+    /// mm above the tip: height of the cutter's lower surface at a distance from its axis; very high beyond the radius.
     static double heightOf(const SlotCase& of, double distance) {
         if (distance >= of.radius) return 1e3;
         const double corner = of.cutter == CutterType::ball       ? of.radius
@@ -182,7 +184,7 @@ private:
         return property;
     }
 
-    /// A block that reaches slotLength to either side of the border along the feed, its top at 0.
+    /// A block that extends by slotLength to either side of the border along the feed, with its top at 0.
     static RunVolume stock(const SlotCase& of, const glm::dvec3& direction) {
         PropertyList properties;
         const bool listed = properties.add(material("first", of.firstEnergy, of.radialRatio)).hasValue() &&
@@ -198,7 +200,8 @@ private:
                 const glm::dvec2 at = grid.lineCentre({u, v});
                 const double along = at.x * direction.x + at.y * direction.y;
                 if (along < -slotLength) continue;
-                // In the cutter's own form: what it is in while its axis is at the border is of the first material.
+                // In the shape of the cutter: the region that it occupies while its axis is at the border is of the
+                // first material.
                 const double height = of.borderLikeFront && along > 0.0 ? heightOf(of, glm::length(at))
                                       : along > 0.0                     ? 1e3
                                                                         : 0.0;
@@ -209,7 +212,7 @@ private:
         return volume;
     }
 
-    /// The hand means to rest: how fast the tool still moves in the last fifth of two seconds.
+    /// The intended position rests: speed of the tool in the last fifth of two seconds.
     double creepAtRest(const glm::dvec3& intent) {
         constexpr int ticks = 2000, judged = 400;
         double squares = 0.0;

@@ -18,11 +18,11 @@ namespace burin::test {
 /// Surface nets of a whole volume at full detail on a dense grid of doubles, node by node: slow and obvious.
 class DenseSurfaceNet {
 public:
-    /// By lowest node; counts along u, v and the runs.
+    /// Identified by its lowest node; counts along u, v and the runs.
     using Cube = std::array<int, 3>;
     struct Point {
-        glm::dvec3 place;    ///< voxels from the grid's low corner, by u, v and the runs
-        glm::dvec3 gradient; ///< downhill, by u, v and the runs
+        glm::dvec3 place;    ///< voxels from the grid's low corner, along u, v and the runs
+        glm::dvec3 gradient; ///< direction of steepest descent, along u, v and the runs
     };
 
     explicit DenseSurfaceNet(const VolumeSnapshot& volume) : grid_(volume.grid()) {
@@ -41,7 +41,8 @@ public:
     }
 
     const std::map<Cube, Point>& points() const { return points_; }
-    /// Cubes whose points lie within some distance of a place, rising. More than one where points of neighbours meet.
+    /// Cubes whose points lie within a given distance of a point, in rising order. More than one where points of
+    /// adjacent cubes coincide.
     std::vector<Cube> cubesAt(const glm::dvec3& place, double distance) const {
         std::vector<Cube> found;
         each(glm::ivec3(-1), glm::ivec3(2), [&](glm::ivec3 side) { // it may lie on a face of its cube
@@ -68,7 +69,7 @@ private:
             for (int v = low.y; v < high.y; ++v)
                 for (int n = low.z; n < high.z; ++n) visit(glm::ivec3(u, v, n));
     }
-    /// Share of solid within a voxel to either side of a voxel's centre, less a half.
+    /// Share of solid within one voxel on either side of a voxel's centre, minus a half.
     static double solidAround(std::span<const Segment> line, int voxel) {
         const double low = (voxel - 0.5) * unitsPerVoxel, high = (voxel + 1.5) * unitsPerVoxel;
         double solid = 0.0, begin = 0.0;

@@ -12,7 +12,8 @@
 
 namespace burin::oracles {
 
-/// The true motion of a turning tool (paper, eqs. 6, 7): tip straight and even, axis turning evenly. @param part 0 … 1
+/// The true motion of a rotating tool (paper, eqs. 6, 7): the tip moves straight at constant speed, the axis rotates at
+/// constant speed. @param part 0 … 1
 inline ToolPose motionAt(const ToolPose& from, const ToolPose& to, double part) {
     const double angle = std::acos(std::clamp(glm::dot(from.axis, to.axis), -1.0, 1.0));
     const glm::dvec3 axis =
@@ -22,15 +23,15 @@ inline ToolPose motionAt(const ToolPose& from, const ToolPose& to, double part) 
     return {glm::mix(from.tip, to.tip, part), glm::normalize(axis)};
 }
 
-/// Flutes on their way between two poses, by samples of the true motion, straight from the definition of their pieces:
-/// nothing by formulas for sections or sweeps.
+/// Flutes on their motion between two poses, by samples of the true motion, directly from the definition of their
+/// pieces: no formulas for sections or sweeps are used.
 class SweptCutter {
 public:
     enum class Verdict { inside, near, outside };
 
-    /// @param pieces  of the flutes, from the tip up, each on the one below
-    /// @param margin  mm, that a place must lie within or outside the flutes to count as such
-    /// @param spacing mm, that no point of the flutes moves farther between two samples
+    /// @param pieces of the flutes, from the tip up, each on top of the previous one
+    /// @param margin mm, distance by which a point must lie inside or outside the flutes to count as such
+    /// @param spacing mm, largest movement of any point of the flutes between two samples
     SweptCutter(const std::vector<RevolvedPiece>& pieces, const ToolPose& from, const ToolPose& to, double margin,
                 double spacing)
         : margin_(margin), spacing_(spacing) {
@@ -46,9 +47,9 @@ public:
         for (int i = 0; i <= samples; ++i) poses_.push_back(motionAt(from, to, static_cast<double>(i) / samples));
     }
 
-    /// Inside: at some moment deeper in the flutes than the margin. Outside: at no moment within it.
+    /// Inside: at some moment deeper in the flutes than the margin. Outside: never within the margin.
     Verdict at(const glm::dvec3& place) const {
-        const double undecided = margin_ + 0.5 * spacing_; // what two samples may miss between them
+        const double undecided = margin_ + 0.5 * spacing_; // error from the motion between two samples
         bool comesNear = false;
         for (std::size_t i = 0;;) {
             const ToolPose& pose = poses_[i];
@@ -58,7 +59,7 @@ public:
             if (beyond < 0.0 && isDeep(radius, height)) return Verdict::inside;
             comesNear = comesNear || beyond < undecided;
             if (i + 1 == poses_.size()) return comesNear ? Verdict::near : Verdict::outside;
-            // So far it can't come near before.
+            // The flutes cannot come near the point within this many samples.
             const auto skipped = static_cast<std::size_t>(std::max(1.0, (beyond - undecided) / spacing_));
             i = std::min(i + skipped, poses_.size() - 1);
         }
@@ -67,10 +68,10 @@ public:
 private:
     struct Part {
         RevolvedPiece piece;
-        double steepness = 1.0; ///< of `beyondSide` over the distance from a cone's side
+        double steepness = 1.0; ///< slope of `beyondSide` with respect to the distance from a cone's side
     };
 
-    /// No more than the distance from the flutes, mm; negative inside.
+    /// A lower bound of the distance from the flutes, mm; negative inside.
     double beyondPieces(double radius, double height) const {
         double least = std::numeric_limits<double>::infinity();
         for (const Part& part : pieces_) {
@@ -80,7 +81,7 @@ private:
         }
         return least;
     }
-    /// All within the margin lies in the flutes: where two pieces meet is no surface.
+    /// Whether everything within the margin lies in the flutes: the plane where two pieces meet is no surface.
     bool isDeep(double radius, double height) const {
         if (height - margin_ < pieces_.front().piece.bottom || height + margin_ > pieces_.back().piece.top)
             return false;

@@ -32,16 +32,16 @@ namespace {
 
 constexpr char allow = 0, block = 1; // SYSCALL_DISPATCH_FILTER_*
 
-// Initialised without code and found without a call, so that malloc itself may use them.
+// Initialised without code and accessed without a call, so that malloc itself may use them.
 __attribute__((tls_model("initial-exec"))) thread_local burin::tests::SystemUse counted;
 __attribute__((tls_model("initial-exec"))) thread_local volatile char selector = allow;
 
 template <class Function>
 Function* next(const char* name) noexcept {
-    return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name)); // POSIX: dlsym gives functions as void*
+    return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name)); // POSIX: dlsym returns functions as void*
 }
 
-/// The six arguments and the number as the code that was caught had put them.
+/// Repeats the caught system call with the number and the six arguments from its registers.
 long long passOn(const greg_t* registers) noexcept {
     register long long r10 asm("r10") = registers[REG_R10];
     register long long r8 asm("r8") = registers[REG_R8];
@@ -62,10 +62,10 @@ void caught(int, siginfo_t* info, void* context) {
     registers[REG_RAX] = info->si_syscall;
     registers[REG_RAX] = passOn(registers);
     errno = errorBefore;
-    selector = block; // the return from here is a system call of the range that is always let through
+    selector = block; // the system call for the return from here lies in the range that is always let through
 }
 
-/// What the kernel itself knows of a signal: glibc hides where a handler returns to.
+/// The kernel's own structure for a signal action: glibc hides the address that a handler returns to.
 struct KernelAction {
     void (*handler)(int);
     unsigned long flags;
@@ -95,7 +95,7 @@ std::uint64_t pageFaults() noexcept {
 } // namespace
 
 extern "C" {
-// glibc's own names of what is replaced here.
+// glibc's internal names of the replaced functions.
 void* __libc_malloc(std::size_t size);
 void* __libc_calloc(std::size_t count, std::size_t size);
 void* __libc_realloc(void* memory, std::size_t size);
@@ -134,7 +134,7 @@ void free(void* memory) {
     __libc_free(memory);
 }
 
-// Each of them counts and passes on.
+// Each of these functions counts and forwards the call.
 #define BURIN_COUNT_LOCK(name, parameters, arguments)                                                                  \
     int name parameters noexcept {                                                                                     \
         static auto* const original = next<int parameters>(#name);                                                     \

@@ -6,37 +6,38 @@
 
 namespace burin::tests {
 
-/// What a stretch of code asked of others, in the thread that ran it.
+/// Calls to the C library and the kernel made by a section of code, in the thread that ran it.
 struct SystemUse {
     std::uint64_t allocations = 0; ///< malloc, calloc, realloc, aligned forms, operator new; releases not counted
-    std::uint64_t releases = 0;    ///< free, operator delete of something
-    std::uint64_t locks = 0;       ///< mutexes, read-write locks, spin locks, conditions, semaphores: taken or tried
-    std::uint64_t systemCalls = 0; ///< that entered the kernel, whichever library made them; not those the vDSO answers
-    std::uint64_t pageFaults = 0;  ///< that the kernel answered, with or without the disk
+    std::uint64_t releases = 0;    ///< free and operator delete, except of null pointers
+    std::uint64_t locks = 0;       ///< mutexes, read-write locks, spin locks, conditions, semaphores: acquired or tried
+    std::uint64_t systemCalls = 0; ///< that entered the kernel, whichever library made them; not those of the vDSO
+    std::uint64_t pageFaults = 0;  ///< that the kernel handled, with or without the disk
 };
 
-/// Counts what the calling thread does between `begin` and `end`. The counting is built into the program that links
-/// burin::system_watch: allocation and locking functions of the C library are replaced by ones that count and pass on,
-/// and system calls are caught by the kernel's user dispatch (Linux 5.11, x86-64), which needs no rights. What a
-/// library does by its own inlined atomics is no lock and is not seen.
+/// Counts the calls of the calling thread between `begin` and `end`. The counting is built into each program that links
+/// burin::system_watch: allocation and locking functions of the C library are replaced by ones that count and forward
+/// the call, and system calls are caught by the kernel's user dispatch (Linux 5.11, x86-64), which needs no privileges.
+/// Inlined atomic operations of a library are no locks and are not seen.
 ///
-/// One thread; one watch at a time in a thread. A system call inside costs some µs while it is watched.
+/// For one thread; one watch at a time per thread. Each system call takes some µs longer while it is watched.
 class SystemWatch {
 public:
     enum class Watched : std::uint8_t {
         everything,
-        butSystemCalls, ///< where what is watched is also timed: catching a call takes longer than many calls
+        butSystemCalls, ///< for code that is also timed: catching a call takes longer than many calls
     };
     explicit SystemWatch(Watched watched = Watched::everything);
     ~SystemWatch();
     SystemWatch(const SystemWatch&) = delete;
     SystemWatch& operator=(const SystemWatch&) = delete;
 
-    /// False: this kernel or this build (sanitizers bring their own malloc and signals) can't count; all stays 0.
+    /// False if this kernel or this build (sanitizers bring their own malloc and signals) cannot count; all counts then
+    /// stay 0.
     bool counts() const noexcept { return counts_; }
-    /// Enters the kernel before the counting begins, never after.
+    /// Enters the kernel only before the counting begins, never after.
     void begin() noexcept;
-    /// Stops counting. @return what there was since `begin`
+    /// Stops counting. @return the counts since `begin`
     SystemUse end() noexcept;
 
 private:

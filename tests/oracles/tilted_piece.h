@@ -14,7 +14,8 @@
 
 namespace burin::oracles {
 
-/// Beyond the side of a piece, between its faces or anywhere else, straight from its definition; convex.
+/// Distance beyond the lateral surface of a piece, between its end faces or anywhere else, directly from its
+/// definition; convex.
 inline double beyondSide(const RevolvedPiece& piece, double radius, double height) {
     if (piece.bulgeRadius > 0.0)
         return std::hypot(std::max(radius - piece.bulgeCentreRadius, 0.0), height - piece.bulgeCentreHeight) -
@@ -27,7 +28,7 @@ inline double beyondSide(const RevolvedPiece& piece, double radius, double heigh
     return std::max(beyond, std::hypot(out, below) - piece.cornerRadius);
 }
 
-/// How far a point lies beyond the side or a face, mm; negative inside; convex. @param q from the tip
+/// Distance of a point beyond the lateral surface or an end face, mm; negative inside; convex. @param q from the tip
 inline double beyondSurface(const RevolvedPiece& piece, const glm::dvec3& q, const glm::dvec3& axis) {
     const double height = glm::dot(q, axis);
     const double side = beyondSide(piece, glm::length(q - height * axis), height);
@@ -59,8 +60,8 @@ inline double leastOfConvex(const std::function<double(double)>& value, double l
     return value(0.5 * (low + high));
 }
 
-/// A piece with any axis on its straight way, and one line along Z: everything by search on the implicit form of the
-/// piece, nothing by formulas for sections. Names part of the way t, 0 … 1, and height z.
+/// A piece with any axis on a straight motion, and one line along Z: everything is searched on the implicit form of the
+/// piece, without formulas for sections. In names, t is the part of the motion, 0 … 1, and z the height.
 class SearchedLine {
 public:
     SearchedLine(const RevolvedPiece& piece, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis,
@@ -74,7 +75,7 @@ public:
             }
         }
     }
-    /// Least distance beyond the piece's surface (roughly, mm) along the line, at any part of the way.
+    /// Least distance beyond the piece's surface (roughly, mm) along the line, at any part of the motion.
     double depth() const { return depth_; }
     /// Only where depth() < 0.
     Span span() const { return {leastEnd(1.0), -leastEnd(-1.0)}; }
@@ -89,7 +90,7 @@ private:
         const double tip = from_.z + t * (to_.z - from_.z);
         return leastOfConvex([&](double z) { return beyondAt(t, z); }, tip - wide, tip + wide, where);
     }
-    /// Lower end of the chord at a part of the way, or the upper one, upside down; infinite where there is none.
+    /// Lower end of the chord at a part of the motion, or the upper one, negated; infinite where there is no chord.
     double endAt(double t, double side) const {
         double inner = 0.0;
         if (!(deepestAt(t, &inner) < 0.0)) return std::numeric_limits<double>::infinity();
@@ -100,7 +101,8 @@ private:
         }
         return side * inner;
     }
-    /// Ends are convex in t where there are any: golden section that is drawn to the part that is known to be inside.
+    /// The ends are convex in t where they exist: golden section that is directed to the part that is known to be
+    /// inside.
     double leastEnd(double side) const {
         double low = 0.0, high = 1.0;
         double best = std::min({endAt(inside_, side), endAt(0.0, side), endAt(1.0, side)});

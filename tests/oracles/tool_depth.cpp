@@ -30,7 +30,7 @@ ToolDepth::ToolDepth(std::span<const RevolvedPiece> pieces, double spacing)
             profile_.push_back({radius, faces.low});
             profile_.push_back({radius, faces.high});
         }
-        // A rounding is steep at its outer end, where equal steps of the radius leave gaps.
+        // A rounding is steep at its outer end, where equal steps of the radius would leave gaps.
         const double corner = piece.cornerRadius;
         const int turns = static_cast<int>(std::ceil(0.5 * std::numbers::pi * corner / spacing));
         for (int i = 0; i <= turns && corner > 0.0; ++i) {
@@ -80,7 +80,7 @@ double ToolDepth::at(const ToolPose& pose, const SolidDistance& solid, std::span
         for (const RevolvedPiece& piece : pieces_) {
             if (height <= piece.bottom || height >= piece.top || radius >= outlineOf(piece)) continue;
             const Faces faces = facesAt(piece, radius);
-            // The way out along the axis or straight sideways is at least as long as the shortest.
+            // The distance to the outside along the axis or straight sideways is at least the shortest one.
             const double depth = std::min({height - faces.low, faces.high - height, outlineOf(piece) - radius});
             least = std::min(least, -depth);
         }

@@ -11,17 +11,17 @@
 
 namespace burin::oracles {
 
-/// A solid that answers signed distances of points, mm, negative inside.
+/// A solid as a function that returns the signed distance of a point, mm, negative inside.
 using SolidDistance = std::function<double(const glm::dvec3&)>;
 
-/// How deep a tool is in a solid, mm, by dense sampling of both surfaces; negative or 0 where it is out. Slow and
-/// obvious: it knows neither meshes nor searches.
+/// Depth of a tool in a solid, mm, by dense sampling of both surfaces; negative or 0 if the tool is outside. Slow and
+/// obvious: it uses neither meshes nor searches.
 class ToolDepth {
 public:
     /// @param pieces of the tool @param spacing mm, of the samples on its surface, at most
     ToolDepth(std::span<const RevolvedPiece> pieces, double spacing);
 
-    /// The deepest of the tool's surface in the solid, around the deepest sample to 1e-4 mm; and the deepest of some
+    /// The largest depth of the tool's surface in the solid, refined around the deepest sample to 1e-4 mm, and of some
     /// points of the solid's surface in the tool.
     double at(const ToolPose& pose, const SolidDistance& solid, std::span<const glm::dvec3> ofSolid) const;
 
@@ -30,7 +30,7 @@ private:
         double radius, height;
     };
     std::vector<RevolvedPiece> pieces_;
-    std::vector<Ring> profile_; ///< of the surface, by samples
+    std::vector<Ring> profile_; ///< samples of the surface
     double spacing_;
 };
 

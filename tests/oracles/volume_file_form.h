@@ -12,12 +12,12 @@
 #include <string_view>
 #include <vector>
 
-/// The file form of a volume taken at the word of core/volume/packed/volume_file.md, one bit or byte after the other:
-/// what its writer makes and its reader understands is held against this. Throws std::out_of_range where bytes are
+/// The file form of a volume implemented literally from core/volume/packed/volume_file.md, one bit or byte after the
+/// other: the writer's output and the reader's result are compared with it. Throws std::out_of_range where bytes are
 /// missing.
 namespace burin::oracles {
 
-/// CRC-64/XZ by its definition.
+/// CRC-64/XZ, computed by its definition.
 inline std::uint64_t crc64(std::string_view bytes) {
     std::uint64_t sum = ~std::uint64_t{0};
     for (const char byte : bytes) {
@@ -27,7 +27,7 @@ inline std::uint64_t crc64(std::string_view bytes) {
     return ~sum;
 }
 
-/// Takes little-endian numbers from the front of bytes.
+/// Reads little-endian numbers from the front of bytes.
 class FormBytes {
 public:
     explicit FormBytes(std::string_view bytes) : bytes_(bytes) {}
@@ -64,7 +64,7 @@ struct FormHeader {
     std::uint32_t axis = 0;
     std::uint64_t segments = 0;
     std::vector<std::string> properties; ///< JSON
-    bool isSound = false;                ///< mark, length and checksum
+    bool isSound = false;                ///< mark, length and checksum are correct
 };
 
 inline FormHeader takeHeader(FormBytes& file) {
@@ -87,8 +87,8 @@ inline FormHeader takeHeader(FormBytes& file) {
 
 struct FormBlock {
     std::uint32_t group = 0, firstBrick = 0, bricks = 0, plainBytes = 0;
-    std::string frame;    ///< as it stands there, compressed
-    bool isSound = false; ///< mark and both checksums
+    std::string frame;    ///< as stored in the file, compressed
+    bool isSound = false; ///< mark and both checksums are correct
 };
 
 inline FormBlock takeBlock(FormBytes& file) {
@@ -106,7 +106,7 @@ inline FormBlock takeBlock(FormBytes& file) {
     return block;
 }
 
-/// Takes bits from the front of bytes, lowest first.
+/// Reads bits from the front of bytes, lowest first.
 class FormBits {
 public:
     explicit FormBits(std::string_view bytes) : bytes_(bytes) {}
@@ -120,7 +120,7 @@ public:
         for (unsigned i = 0; i < count; ++i) value |= bit() << i;
         return value;
     }
-    /// Elias's gamma code of the number + 1.
+    /// A number stored as Elias's gamma code of the number + 1.
     std::uint32_t number() {
         unsigned zeros = 0;
         while (bit() == 0) ++zeros;
@@ -137,19 +137,19 @@ private:
     std::size_t at_ = 0;
 };
 
-/// What it takes to tell so many choices apart.
+/// Number of bits needed to distinguish so many choices.
 inline unsigned choiceBits(std::size_t choices) {
     unsigned bits = 0;
     for (std::size_t most = choices - 1; most > 0; most /= 2) ++bits;
     return bits;
 }
 
-/// Reads one packed brick after the other from a block's bytes.
+/// Reads packed bricks one after the other from a block's bytes.
 class FormBricks {
 public:
     using Lines = std::array<std::vector<Segment>, 64>;
 
-    /// @param properties air included
+    /// @param properties including air
     FormBricks(std::string_view bytes, std::uint32_t properties, RunPosition lineEnd)
         : bytes_(bytes), properties_(properties), lineEnd_(lineEnd) {}
 
@@ -186,7 +186,7 @@ private:
         std::vector<PropertyIndex> sequence{palette.at(rank)};
         for (; further > 0; --further) {
             const std::size_t among = in.bits(choiceBits(palette.size() - 1));
-            rank = among < rank ? among : among + 1; // the one before is not counted
+            rank = among < rank ? among : among + 1; // the previous one is not counted
             sequence.push_back(palette.at(rank));
         }
         return sequence;

@@ -22,7 +22,7 @@ BlockCorners::BlockCorners(const MeshDistance& part, PartFieldLayers& layers, co
     , evens_(places.size() * evensPerBlock)
     , near_(places.size()) {}
 
-/// Every second corner is asked for; those between where the surface is within reach.
+/// Every second corner is sampled; those between only where the surface is within reach.
 void BlockCorners::sample(Progress& progress, double from, double to) {
     const auto at = [&](double share) { return from + share * (to - from); };
     const auto reach = static_cast<float>(layers_.request.reach / layers_.request.voxel);
@@ -41,12 +41,12 @@ void BlockCorners::sample(Progress& progress, double from, double to) {
     owned_ = {};
 }
 
-/// Each block those that are not on its upper faces.
+/// Each block samples those that are not on its upper faces.
 void BlockCorners::sampleEven(std::size_t block) {
     PartAsker ask = asker();
     for (int z = 0; z < 8; z += 2)
         for (int row = 0; row < 8; row += 2)
-            for (int column = 0; column < 8; column += 2) { // to and fro: each near the last one
+            for (int column = 0; column < 8; column += 2) { // back and forth: each near the previous one
                 const int y = z % 4 == 0 ? row : 6 - row, x = row % 4 == 0 ? column : 6 - column;
                 owned_[block * perBlock + CellGrid::cellAt(x, y, z)] =
                     ask.ask(brickVoxels * (8 * places_[block] + glm::ivec3(x, y, z)));
@@ -94,7 +94,7 @@ void BlockCorners::gatherCorners(std::size_t block) {
             }
 }
 
-/// Asked for where a cube that it belongs to is within reach, between the even ones otherwise.
+/// Sampled if a cube that it belongs to is within reach, otherwise interpolated between the even corners.
 DistanceSample BlockCorners::cornerOfBlock(std::size_t block, const glm::ivec3& corner, PartAsker& ask) const {
     for (int i = 0; i < 8; ++i) {
         const glm::ivec3 cube = (8 * places_[block] + corner - cornerOf(i)) >> 1; // counted from the origin

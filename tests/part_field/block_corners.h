@@ -12,22 +12,22 @@
 
 namespace burin {
 
-/// Samples at the corners of all bricks of the divided blocks: every second one asked of the mesh, those between asked
-/// where the surface is within reach, and interpolated where it is not.
+/// Samples at the corners of all bricks of the divided blocks: every second corner is sampled from the mesh; those
+/// between are sampled where the surface is within reach and interpolated elsewhere.
 class BlockCorners {
 public:
-    static constexpr int cubes = 64; ///< of 2 x 2 x 2 bricks, a block
+    static constexpr int cubes = 64; ///< of 2 x 2 x 2 bricks, per block
     static constexpr std::size_t bytesPerBlock() noexcept {
         return (perBlock + evensPerBlock + CellGrid::samples) * sizeof(DistanceSample) + sizeof(std::uint64_t);
     }
 
-    /// @param places  of the divided blocks, in their order
+    /// @param places of the divided blocks, in their order
     BlockCorners(const MeshDistance& part, PartFieldLayers& layers, const std::vector<glm::ivec3>& places);
 
-    /// Fills the layers' corners, too. Parallel, reported between the fractions.
+    /// Also fills the layers' corners. Parallel; reports progress between the two fractions.
     void sample(Progress& progress, double from, double to);
 
-    /// Whether the cube of 2 x 2 x 2 bricks that a brick belongs to may be within reach: its corners were asked for.
+    /// Whether the cube of 2 x 2 x 2 bricks that a brick belongs to may be within reach: its corners were then sampled.
     bool isNear(std::size_t block, const glm::ivec3& brick) const noexcept;
     std::array<DistanceSample, 8> brickCorners(std::size_t block, const glm::ivec3& brick) const noexcept;
     std::array<DistanceSample, 8> cubeCorners(std::size_t block, const glm::ivec3& cube) const noexcept;
@@ -51,9 +51,9 @@ private:
     PartFieldLayers& layers_;
     const std::vector<glm::ivec3>& places_;
     std::vector<DistanceSample> owned_;   ///< per block
-    std::vector<DistanceSample> evens_;   ///< per block, every second of its corners, those on its upper faces too
-    std::vector<std::uint64_t> near_;     ///< per block, a bit a cube: within reach
-    std::vector<DistanceSample> corners_; ///< per block, all, those on its upper faces too
+    std::vector<DistanceSample> evens_;   ///< per block, every second corner, including upper faces
+    std::vector<std::uint64_t> near_;     ///< per block, a bit per cube: whether it is within reach
+    std::vector<DistanceSample> corners_; ///< per block, all corners, including those on its upper faces
 };
 
 } // namespace burin

@@ -10,16 +10,16 @@ namespace burin {
 namespace {
 
 constexpr double diagonal = 1.7320509;   // of a cell, voxels
-constexpr std::size_t longList = 8;      // triangles: worth a second look
-constexpr std::size_t longestList = 512; // that is looked at
+constexpr std::size_t longList = 8;      // triangles: from this number on a second pass pays off
+constexpr std::size_t longestList = 512; // that is examined
 constexpr float alike = 0.99F;           // cosine between normals
-constexpr double farthest = 8.0;         // voxels from the surface, where a fold is looked for
-constexpr float thin = 2.5F;             // voxels: samples see what is wider
+constexpr double farthest = 8.0;         // voxels from the surface, up to which folds are searched for
+constexpr float thin = 2.5F;             // voxels: samples detect wider features
 
 } // namespace
 
-/// A triangle that is nearest to some point of a cell is no farther from the cell's centre than the nearest one is, and
-/// twice the way to the cell's corner.
+/// A triangle that is nearest to some point of a cell is no farther from the cell's centre than the nearest triangle
+/// plus twice the distance from the centre to a corner of the cell.
 void CellTriangles::find(const glm::dvec3& centre) {
     gather(centre);
     if (near_.size() > longList) keepInEighths();
@@ -58,7 +58,7 @@ float CellTriangles::unseen() const noexcept {
     return std::min(thin * thin / (8.0F * distance), static_cast<float>(0.5 * diagonal));
 }
 
-/// The same for each eighth of the cell. The nearer one is to the cell's middle the earlier it comes.
+/// The same for each eighth of the cell. Triangles nearer to the cell's centre come earlier.
 void CellTriangles::keepInEighths() {
     for (Near& near : near_) near.wanted = false;
     squared_.resize(near_.size());
@@ -84,7 +84,7 @@ bool CellTriangles::fold(const Near& a, const Near& b, float cosine) noexcept {
     return glm::dot(a.normal, b.normal) < cosine && glm::dot(apart, apart) < thin * thin;
 }
 
-/// Of triangles side by side with much the same normals, one stands for all.
+/// Of adjacent triangles with similar normals, one represents all.
 bool CellTriangles::isFolded(float cosine) {
     if (far_ || crowded_) return false;
     ones_.clear();

@@ -12,16 +12,16 @@ namespace burin {
 
 namespace {
 
-/// By how much the distance may exceed a value between the corners. It is at most that to the point which is nearest to
-/// a corner; along the axes this is convex and the value a straight line, so their difference is greatest at corners:
-/// of the cube, or of its eighths.
+/// The largest excess of the distance over a value between the corners. The distance is at most the distance to the
+/// point which is nearest to a corner; along the axes this is convex and the value linear, so their difference is
+/// greatest at corners: of the cube, or of its eighths.
 float excess(const std::array<DistanceSample, 8>& corners, float edge) noexcept {
     std::array<glm::vec3, 8> nearest;
     for (int i = 0; i < 8; ++i) {
         const DistanceSample& corner = corners[static_cast<std::size_t>(i)];
         nearest[static_cast<std::size_t>(i)] = edge * glm::vec3(cornerOf(i)) - corner.distance * corner.gradient;
     }
-    std::array<std::array<float, 8>, 27> difference; // [place][whose nearest point]
+    std::array<std::array<float, 8>, 27> difference; // [position][whose nearest point]
     for (int place = 0; place < 27; ++place) {
         const glm::vec3 share = 0.5F * glm::vec3(place % 3, place / 3 % 3, place / 9);
         float value = 0.0F;
@@ -61,7 +61,7 @@ CoarseBound coarseBound(const std::array<DistanceSample, 8>& corners, float edge
     bool below = false, above = false;
     for (const DistanceSample& corner : corners) (corner.distance < 0.0F ? below : above) = true;
     if (below && above) return {lipschitz, 0.0F};
-    // The value may exceed the distance, which bends no more than that to a point does.
+    // The value may exceed the distance, whose curvature is at most that of the distance to a point.
     float shortfall = lipschitz;
     if (least > lipschitz) shortfall = std::min(shortfall, 0.375F * edge * edge / (least - lipschitz));
     const float error = std::max(shortfall, std::min(lipschitz, excess(corners, edge)));

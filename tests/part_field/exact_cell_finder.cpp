@@ -25,7 +25,7 @@ bool any(const CellMask& cells) noexcept {
     return std::ranges::any_of(cells, [](std::uint64_t layer) { return layer != 0; });
 }
 
-/// Within its layer, one farther in each direction.
+/// Extends a set of cells within its layer by one cell in each direction.
 std::uint64_t spreadLayer(std::uint64_t layer) noexcept {
     layer |= ((layer & ~(lowX << 7)) << 1) | ((layer & ~lowX) >> 1);
     return layer | (layer << 8) | (layer >> 8);
@@ -123,7 +123,7 @@ void ExactCellFinder::take(const CellMask& wanted, Found& found) {
         }
 }
 
-/// Looks into cells, and where the surface folds in one, if that spreads, into those beside it.
+/// Examines cells; if the surface folds in one and `spreads` is set, examines the cells next to it as well.
 void ExactCellFinder::addFolded(CellMask cells, float cosine, bool spreads, Found& found) {
     CellMask& looked = made_->lookedMask;
     const auto open = [&](const CellMask& some) { return without(without(some, looked), made_->exactMask); };

@@ -7,27 +7,27 @@
 
 namespace burin {
 
-/// Cells of a brick in which no trilinear value is good enough: lists the triangles that are nearest to some point of
-/// them. One thread each.
+/// Finds the triangles that are nearest to some point of those cells of a brick in which no trilinear value is accurate
+/// enough. Not thread-safe: use one object per thread.
 class ExactCellFinder {
 public:
-    /// What stays trilinear nevertheless, because more triangles may be nearest than a cell may name.
+    /// Cells that stay trilinear because more triangles may be nearest than a cell can list.
     struct Found {
-        CellMask tooMany{}; ///< of the wanted cells
-        float error = 0.0F; ///< of others where the surface folds, voxels: their samples say nothing of it
+        CellMask tooMany{}; ///< among the requested cells
+        float error = 0.0F; ///< of other cells in which the surface folds, voxels: their samples do not show it
     };
 
     ExactCellFinder(const MeshDistance& part, const glm::dvec3& origin, double voxel) noexcept
         : triangles_(part, origin, voxel), voxel_(voxel) {}
 
-    /// Of a brick's cells, replacing what it has. Cells beside those where the surface folds between samples (a slot, a
-    /// rib or a pin of less than 2.5 voxels) come along as far as it does.
-    /// @param corner  lowest, voxels from the origin  @param wanted  by what the samples say
+    /// Lists the triangles of a brick's cells, replacing existing lists. Includes cells next to those where the surface
+    /// folds between samples (a slot, a rib or a pin of less than 2.5 voxels), as far as the fold extends.
+    /// @param corner lowest, voxels from the origin @param wanted cells selected by their samples
     Found list(const glm::dvec3& corner, const CellMask& wanted, MadeBrick& made);
-    /// The same, and every other cell in which the surface folds at all.
+    /// As `list`, and includes every other cell in which the surface folds at all.
     Found listClosely(const glm::dvec3& corner, const CellMask& wanted, MadeBrick& made);
-    /// Adds to a made brick cells where the surface folds between samples: some that are named, and those beside them.
-    /// @return whether more cells turned out to be so
+    /// Adds cells where the surface folds between samples to a finished brick: the given ones and those next to them.
+    /// @return whether more such cells were found
     bool grow(const glm::dvec3& corner, const CellMask& seeds, MadeBrick& made);
 
 private:
@@ -50,7 +50,8 @@ private:
     std::size_t lastBegin_ = 0; ///< of the last list
 };
 
-/// Cells of the brick that lies one brick along `step` (one axis, either way) from another, beside that one's.
+/// The cells of a brick that touch the given cells of the adjacent brick, one brick along `step` (one axis, either
+/// direction) from it.
 CellMask cellsBeside(const CellMask& cells, const glm::ivec3& step) noexcept;
 
 } // namespace burin

@@ -32,7 +32,7 @@ namespace {
 
 using Face = std::array<float, CellGrid::along * CellGrid::along>;
 
-/// The samples of a brick on a face across an axis. @param at  0 or 8 along it
+/// The samples of a brick on a face perpendicular to an axis. @param at 0 or 8 along it
 Face faceOf(const MadeBrick& made, int axis, int at) noexcept {
     constexpr std::array<int, 3> step{1, CellGrid::along, CellGrid::along * CellGrid::along};
     const auto a = static_cast<std::size_t>(axis), u = (a + 1) % 3, v = (a + 2) % 3;

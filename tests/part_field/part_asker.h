@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// Asks a mesh for one place after the other. A place near the last one is answered faster: what was nearest to that
-/// one bounds the distance. One thread each.
+/// Queries a mesh for one point after the other. A point near the previous one is answered faster: the nearest point of
+/// the previous query bounds the distance. Not thread-safe: use one object per thread.
 class PartAsker {
 public:
     PartAsker(const MeshDistance& part, const glm::dvec3& origin, double voxel) noexcept

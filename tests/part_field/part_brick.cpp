@@ -13,22 +13,23 @@ namespace burin {
 
 namespace {
 
-// All in voxels; README.md says what they amount to.
+// All in voxels; README.md describes their effect.
 constexpr float mostBend = 0.06F;       // of a line that is interpolated
-constexpr float mostMiddleBend = 0.16F; // of a line whose brick was asked in its middle, too
-constexpr float mostResidual = 0.04F;   // of its ends' slopes
+constexpr float mostMiddleBend = 0.16F; // of a line whose brick was sampled at its centre, too
+constexpr float mostResidual = 0.04F;   // of the slopes at its ends
 constexpr float mostMiddleResidual = 0.08F;
-constexpr float mostMiddleError = 0.01F; // of what was expected there
-constexpr float mostMiddleTurn = 0.03F;  // of its gradient
+constexpr float mostMiddleError = 0.01F; // difference from the expected value there
+constexpr float mostMiddleTurn = 0.03F;  // difference of its gradient
 constexpr float mostSpread = 0.02F;      // between the lines through a sample
-constexpr float mostStep = 0.02F;        // by which slopes miss the next sample, one of the two asked
+constexpr float mostStep = 0.02F;        // difference between a value predicted by slopes and the next sample, one of
+                                         // the two sampled from the mesh
 constexpr float mostCellError = 0.05F;   // of a trilinear cell; worse ones are exact
 constexpr float mostImbalance = 0.08F;   // between the bends at the ends of an edge, in a smooth cell
 constexpr float narrowQuantum = 0.008F;  // coarsest unit of residuals of 8 bits
-constexpr float estimate = 0.005F;       // of a sample that was not asked for, at least
+constexpr float estimate = 0.005F;       // error of a sample that was not taken from the mesh, at least
 constexpr float rounding = 1e-5F;        // of single precision
 
-/// The greatest chord error along one axis of a whole brick, or more: of four edges at a time.
+/// The greatest chord error along one axis of a whole brick, or an upper bound of it: for four edges at a time.
 class ChordErrors {
 public:
     void meet(const float* value, const float* slope, std::size_t step) noexcept {
@@ -47,7 +48,7 @@ private:
     FourFloats worst_{}, imbalance_{};
 };
 
-/// Runs of edges along an axis: begin, length, and how far one run is from the next.
+/// Runs of edges along an axis: begin, length, and the offset from one run to the next.
 ChordErrors chordErrors(const SampleGrid& grid, std::size_t axis) noexcept {
     constexpr std::array<std::size_t, 3> step{1, 9, 81}, length{8, 72, 648}, next{9, 81, 729};
     ChordErrors errors;
@@ -57,8 +58,8 @@ ChordErrors chordErrors(const SampleGrid& grid, std::size_t axis) noexcept {
     return errors;
 }
 
-/// How far a chord can be from a function with these ends and slopes, if that is convex or concave: the tangents bound
-/// it. An inflection: either end may be the bad one.
+/// The largest distance of a chord from a function with these ends and slopes, if the function is convex or concave:
+/// the tangents bound it. With an inflection either end may be the worse one.
 float chordError(float rise, float fromSlope, float toSlope) noexcept {
     const float low = rise - fromSlope, high = toSlope - rise;
     if (low * high > 0.0F) return std::abs(low * high / (low + high));
@@ -91,7 +92,7 @@ void BrickMaker::make(const glm::ivec3& corner, const SampleGrid& third, const L
     const LineError rest = sample(third);
     sampleError_ += thirdError.even;
     finish(made, false);
-    // Of lines that were interpolated themselves the kinks are gone.
+    // Interpolated lines no longer show their kinks.
     const bool asked = thirdError.kinked == 0.0F;
     made.kinkError = static_cast<float>(static_cast<double>(asked ? rest.kinked : thirdError.kinked) * voxel_);
     made.wideFacet = asked ? 2 : 4;
@@ -117,7 +118,7 @@ void BrickMaker::finish(MadeBrick& made, bool closely) {
     made.sampleBound = static_cast<float>(static_cast<double>(sampleError_ + rounding) * voxel_) + quantisation;
 }
 
-/// @return of what it did not ask for
+/// @return the error of the samples that were not taken from the mesh
 LineError BrickMaker::sample(const SampleGrid& third) {
     LineCheck four, two;
     refine(third, five_, 4.0F, four);
@@ -140,7 +141,7 @@ LineError BrickMaker::sample(const SampleGrid& third) {
     return {};
 }
 
-/// Keeps what smooth lines agree on, where what was asked beside it goes on to that smoothly.
+/// Keeps samples on which smooth lines agree, provided that the adjacent mesh samples continue smoothly to them.
 void BrickMaker::sampleFailing() {
     std::bitset<CellGrid::samples> onLines;
     std::vector<std::size_t> asked;
@@ -157,8 +158,9 @@ void BrickMaker::sampleFailing() {
     askBeside(std::move(asked), onLines);
 }
 
-/// Lines pass over what is narrower than they are long, such as a slot that they cross: samples asked nearer to it know
-/// of it, and their slopes tell that it goes on. From these on samples are asked as far as that is so.
+/// Lines miss a feature that is narrower than their length, such as a slot that they cross: samples taken nearer to it
+/// show it, and their slopes show that it continues. Starting from these, samples are taken from the mesh as far as
+/// that holds.
 void BrickMaker::askBeside(std::vector<std::size_t> asked, std::bitset<CellGrid::samples>& onLines) {
     constexpr std::array<std::size_t, 3> step{1, CellGrid::along, CellGrid::along * CellGrid::along};
     while (!asked.empty()) {
@@ -180,7 +182,7 @@ void BrickMaker::askBeside(std::vector<std::size_t> asked, std::bitset<CellGrid:
     }
 }
 
-/// A sample with odd places lies in the middle of one, two or four lines between even ones.
+/// A sample with odd coordinates lies in the middle of one, two or four lines between even ones.
 std::optional<DistanceSample> BrickMaker::between(const glm::ivec3& sample) const noexcept {
     const glm::ivec3 odd = sample % 2, low = (sample - odd) / 2;
     float least = std::numeric_limits<float>::infinity(), most = -least;
@@ -208,8 +210,9 @@ std::optional<DistanceSample> BrickMaker::between(const glm::ivec3& sample) cons
     return DistanceSample{sum.distance * share, sum.gradient * share};
 }
 
-/// Where the ends of each edge bend alike, the chords' errors; where a ridge passes through, a quarter of the slopes'
-/// range, for it may cross the edges near their ends and the middle of the cell all the same.
+/// Where the curvature at the ends of each edge is similar, the chords' errors; where a ridge passes through, a quarter
+/// of the range of slopes, because it may cross the edges near their ends and still pass through the centre of the
+/// cell.
 float BrickMaker::cellError(int x, int y, int z) const noexcept {
     const std::array<std::size_t, 3> step{1, 9, 81};
     const std::size_t first = nine_.at(x, y, z);
@@ -233,7 +236,7 @@ float BrickMaker::cellError(int x, int y, int z) const noexcept {
     return imbalance <= mostImbalance ? smooth : std::max(smooth, ridge);
 }
 
-/// The largest error of the cells that stay trilinear, voxels; the others are marked.
+/// The largest error of the cells that stay trilinear, voxels; marks the others.
 float BrickMaker::boundCells() {
     mask_ = {};
     float whole = 0.0F, imbalance = 0.0F;
@@ -268,7 +271,7 @@ float BrickMaker::errorOf(const CellMask& cells) const noexcept {
 
 void BrickMaker::pack(MadeBrick& made) const {
     const std::vector<float>& f = nine_.values[0];
-    std::array<double, 4> sums{}; // of the values, and of them times the place from the middle
+    std::array<double, 4> sums{}; // of the values, and of the values times the position relative to the middle
     float nearest = std::numeric_limits<float>::infinity();
     bool below = false, above = false;
     made.bandVoxels = 0;
@@ -288,7 +291,7 @@ void BrickMaker::pack(MadeBrick& made) const {
     made.least =
         below && above ? 0.0F : static_cast<float>(voxel_) * std::max(nearest - halfDiagonalAbove - sampleError_, 0.0F);
 
-    constexpr double weight = 81.0 * 60.0; // sum of the squared places
+    constexpr double weight = 81.0 * 60.0; // sum of the squared positions
     const glm::vec3 slope(glm::dvec3(sums[1], sums[2], sums[3]) / weight);
     const float base = static_cast<float>(sums[0] / CellGrid::samples) - 4.0F * (slope.x + slope.y + slope.z);
     std::array<float, CellGrid::samples> residuals;

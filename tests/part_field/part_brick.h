@@ -10,23 +10,23 @@
 
 namespace burin {
 
-/// Whether lines are so smooth that cubics between their ends do.
+/// Whether lines are so smooth that cubics between their ends are accurate enough.
 bool isSmooth(const LineCheck& check) noexcept;
 
-/// Whether they may do, provided that the middle between them is asked, too: of lines a brick long.
+/// Whether they may be accurate enough for lines one brick long, provided that the centre between them is sampled too.
 bool mayBeSmooth(const LineCheck& check) noexcept;
-/// Whether a sample is what was expected there.
+/// Whether a sample agrees with the expected one.
 bool agrees(const DistanceSample& expected, const DistanceSample& asked) noexcept;
 
-/// What samples between such lines are off by, voxels.
+/// Errors of samples interpolated between such lines, voxels.
 struct LineError {
-    float even = 0.0F;   ///< where the surface bends evenly along them
-    float kinked = 0.0F; ///< and so much more where a line has one kink: facets of the mesh as wide as half of it
+    float even = 0.0F;   ///< where the curvature of the surface is even along them
+    float kinked = 0.0F; ///< additional error where a line has one kink: facets of the mesh as wide as half of it
 };
 LineError lineError(const LineCheck& check) noexcept;
 
 /// Makes fine bricks: samples, their packed form, the bound of their error and the cells that need more than samples.
-/// One thread each.
+/// Not thread-safe: use one object per thread.
 class BrickMaker {
 public:
     static constexpr float bandVoxels = 4.0F;
@@ -34,10 +34,10 @@ public:
     BrickMaker(const MeshDistance& part, const glm::dvec3& origin, double voxel)
         : asker_(part, origin, voxel), exact_(part, origin, voxel), voxel_(voxel) {}
 
-    /// @param corner  lowest, voxels from the origin  @param third  its samples 4 voxels apart
-    /// @param thirdError  of those: none where they were asked for
+    /// @param corner lowest, voxels from the origin @param third its samples 4 voxels apart
+    /// @param thirdError error of those; zero where they were sampled from the mesh
     void make(const glm::ivec3& corner, const SampleGrid& third, const LineError& thirdError, MadeBrick& made);
-    /// Asks the mesh for every sample, and looks into every cell for folds of the surface.
+    /// Samples every point from the mesh, and examines every cell for folds of the surface.
     void makeClosely(const glm::ivec3& corner, MadeBrick& made);
 
 private:
@@ -57,7 +57,7 @@ private:
     double voxel_;
     glm::dvec3 corner_{0.0};
     SampleGrid five_{5}, nine_{9};
-    float sampleError_ = 0.0F; ///< of samples that were not asked for, voxels
+    float sampleError_ = 0.0F; ///< of samples that were not taken from the mesh, voxels
     CellMask mask_{};
 };
 

@@ -14,10 +14,10 @@ namespace burin {
 namespace {
 
 constexpr std::size_t chunkPoints = PlacedPoints::most;
-/// So many points are handed what their stretch has, as many as it may have: mostly it has no more.
+/// The data of a stretch are copied to this many points at once, as many as possible: most stretches have no more.
 constexpr std::size_t overrun = 16;
 
-/// Points side by side: placed and computed eight at a time, looked up one by one in between.
+/// Points as arrays: placed and computed eight at a time, looked up one by one in between.
 struct Chunk : PlacedPoints {
     std::array<const FineBrick*, chunkPoints + overrun> header;
     std::array<const std::int8_t*, chunkPoints + overrun> narrow; ///< the brick's residuals, unless they are wide
@@ -27,17 +27,17 @@ struct Chunk : PlacedPoints {
 using TwoDoubles = double __attribute__((vector_size(16)));
 using FourFloats = float __attribute__((vector_size(16)));
 
-/// The eight corners of a cell, x running fastest, of eight cells.
+/// The eight corners of eight cells, x running fastest.
 struct Corners {
     std::array<Floats, 8> of;
 };
 
 using Bytes = std::int8_t __attribute__((vector_size(32)));
 
-/// The corners of a narrow cell, eight numbers of a byte: in the first half of a register the lower four, in each word
-/// of it the same; in the second half the upper four.
+/// The corners of a narrow cell, eight numbers of a byte: the first half of a register holds the lower four, repeated
+/// in each word of it; the second half the upper four.
 BURIN_INLINE Integers cellAt(const std::int8_t* first) noexcept {
-    static_assert(7 * (1 + 9 + 81) + 81 + 16 <= PartFieldLayers::narrowStride); // what is read of the last cell
+    static_assert(7 * (1 + 9 + 81) + 81 + 16 <= PartFieldLayers::narrowStride); // bytes read for the last cell
     TwoDoubles low, high;                                                       // sixteen bytes each
     std::memcpy(&low, first, sizeof low);
     std::memcpy(&high, first + 81, sizeof high);
@@ -46,7 +46,7 @@ BURIN_INLINE Integers cellAt(const std::int8_t* first) noexcept {
                                                               10, 16, 17, 25, 26, 16, 17, 25, 26, 16, 17, 25, 26, 16,
                                                               17, 25, 26));
 }
-/// Of four cells: a word each for their lower corners, and behind these for their upper ones.
+/// For four cells: one word each for their lower corners, followed by one each for their upper corners.
 BURIN_INLINE Integers fourCells(const Chunk& chunk, std::size_t from) noexcept {
     const auto cell = [&](std::size_t i) noexcept { return cellAt(chunk.narrow[from + i] + chunk.first[from + i]); };
     const Integers ab = __builtin_shufflevector(cell(0), cell(1), 0, 9, 2, 11, 4, 13, 6, 15);
@@ -58,7 +58,7 @@ BURIN_INLINE void gatherNarrow(const Chunk& chunk, std::size_t from, Corners& co
     const std::array<Integers, 2> layers{__builtin_shufflevector(one, other, 0, 1, 2, 3, 8, 9, 10, 11),
                                          __builtin_shufflevector(one, other, 4, 5, 6, 7, 12, 13, 14, 15)};
     for (std::size_t layer = 0; layer < 2; ++layer)
-        for (std::size_t i = 0; i < 4; ++i) // x86: the lowest byte is the first
+        for (std::size_t i = 0; i < 4; ++i) // x86: the lowest byte comes first
             corners.of[4 * layer + i] = floatsOf(layers[layer] << static_cast<int>(24 - 8 * i) >> 24);
 }
 BURIN_INLINE void gatherAny(const Chunk& chunk, std::size_t from, Corners& corners) noexcept {
@@ -121,7 +121,7 @@ BURIN_INLINE Floats mixed(Floats a, Floats b, Floats share) noexcept {
     return a + share * (b - a);
 }
 
-/// Lane by lane as they are answered.
+/// Stores the answers lane by lane.
 BURIN_INLINE void put(Floats distance, Floats x, Floats y, Floats z, PartDistance* answers) noexcept {
     static_assert(sizeof(PartDistance) == 4 * sizeof(float));
     const Floats lower0 = __builtin_shufflevector(distance, x, 0, 8, 1, 9, 4, 12, 5, 13);
@@ -132,7 +132,7 @@ BURIN_INLINE void put(Floats distance, Floats x, Floats y, Floats z, PartDistanc
                                      __builtin_shufflevector(lower0, lower1, 2, 3, 10, 11, 6, 7, 14, 15),
                                      __builtin_shufflevector(upper0, upper1, 0, 1, 8, 9, 4, 5, 12, 13),
                                      __builtin_shufflevector(upper0, upper1, 2, 3, 10, 11, 6, 7, 14, 15)};
-    for (std::size_t i = 0; i < 4; i += 2) { // row i is of lanes i and i + 4
+    for (std::size_t i = 0; i < 4; i += 2) { // row i contains lanes i and i + 4
         const Floats low = __builtin_shufflevector(rows[i], rows[i + 1], 0, 1, 2, 3, 8, 9, 10, 11);
         const Floats high = __builtin_shufflevector(rows[i], rows[i + 1], 4, 5, 6, 7, 12, 13, 14, 15);
         std::memcpy(static_cast<void*>(answers + i), &low, sizeof low);
@@ -158,11 +158,11 @@ BURIN_INLINE void computeGroup(const Chunk& chunk, std::size_t from, const Corne
         (slope[1] + quantum * (y1 - y0)) * perVoxel, (slope[2] + quantum * alongZ) * perVoxel, answers);
 }
 
-/// A bit a group of eight.
+/// A bit per group of eight.
 static_assert(chunkPoints / lanes <= 32);
 struct Groups {
     std::uint32_t wide = 0;  ///< some of its bricks have residuals of 16 bits
-    std::uint32_t mixed = 0; ///< it is of several bricks
+    std::uint32_t mixed = 0; ///< its points are in several bricks
 };
 
 BURIN_VECTORISED void computeAll(const Chunk& chunk, std::size_t count, const Groups& groups, float perVoxel,
@@ -184,15 +184,16 @@ BURIN_VECTORISED void computeAll(const Chunk& chunk, std::size_t count, const Gr
 constexpr FineBrick noBrick{};
 constexpr std::array<std::int8_t, PartFieldLayers::narrowStride> noResiduals{};
 
-/// Points one after the other in one brick, up to where the next begins.
+/// Consecutive points in one brick, up to where the next begins.
 struct Stretch {
     const FineBrick* header;
     const std::int8_t* narrow;
     std::size_t first;
 };
 
-/// Hands each point what its stretch has. What a short stretch writes too far, the next writes over.
-/// @param stretches and behind them one that begins where they end
+/// Copies the data of each stretch to its points. Values that a short stretch writes too far are overwritten by the
+/// next one.
+/// @param stretches followed by one that begins where they end
 BURIN_VECTORISED void spread(const Stretch* stretches, std::size_t count, Chunk& chunk) noexcept {
     for (std::size_t n = 0; n < count; ++n) {
         const auto [header, narrow, begin] = stretches[n];
@@ -204,7 +205,7 @@ BURIN_VECTORISED void spread(const Stretch* stretches, std::size_t count, Chunk&
     }
 }
 
-/// A group that a brick begins in lies in several, unless it begins with the group.
+/// A group in which a brick begins has several bricks, unless the brick begins with the group.
 std::uint32_t mixedGroups(const PlacedPoints& placed, std::size_t count) noexcept {
     std::uint32_t mixed = 0;
     for (std::size_t group = 0; group < count / lanes; ++group)
@@ -214,7 +215,7 @@ std::uint32_t mixedGroups(const PlacedPoints& placed, std::size_t count) noexcep
 
 } // namespace
 
-/// Answers points of one field.
+/// Answers queries for points of one field.
 class PartFieldLayers::Batch {
 public:
     explicit Batch(const PartFieldLayers& layers) noexcept
@@ -236,7 +237,7 @@ public:
     }
 
 private:
-    /// @param count a multiple of `lanes`, `chunkPoints` at most
+    /// @param count a multiple of `lanes`, at most `chunkPoints`
     void answer(const glm::dvec3* points, std::size_t count, PartDistance* answers) noexcept {
         if (!placePoints(points, count, frame_, chunk_)) return answerApart(points, count, answers);
         groups_ = {0, mixedGroups(chunk_, count)};
@@ -245,7 +246,7 @@ private:
         for (std::size_t i = 0; i < otherCount_; ++i) answers[others_[i]] = layers_.sample(points[others_[i]]);
     }
 
-    /// Some lie beside the layers' box: those next to them are answered one by one.
+    /// Used if some points lie outside the layers' box: those and the points next to them are answered one by one.
     void answerApart(const glm::dvec3* points, std::size_t count, PartDistance* answers) noexcept {
         constexpr std::size_t fewer = 32;
         for (std::size_t first = 0; first < count; first += fewer) {
@@ -257,13 +258,13 @@ private:
         }
     }
 
-    /// @return how many there are
+    /// @return the number of stretches
     std::size_t findStretches(std::size_t count) noexcept {
         std::size_t found = 0;
         for (std::size_t from = 0; from < count; from += 64) {
             std::uint64_t begins = 0;
             std::memcpy(&begins, &chunk_.begins[from / lanes], std::min<std::size_t>(count - from, 64) / lanes);
-            for (; begins != 0; begins &= begins - 1) // x86: the lowest byte is the first
+            for (; begins != 0; begins &= begins - 1) // x86: the lowest byte comes first
                 stretches_[found++].first = from + static_cast<std::size_t>(std::countr_zero(begins));
         }
         stretches_[found].first = count;
@@ -272,7 +273,7 @@ private:
         return found;
     }
 
-    /// What is not in a fine brick's trilinear cell is put with the others.
+    /// Points that are not in a fine brick's trilinear cell are added to the others.
     void fillStretch(Stretch& stretch, std::size_t end) noexcept {
         const std::size_t first = stretch.first;
         const glm::ivec3 at(chunk_.brick[0][first], chunk_.brick[1][first], chunk_.brick[2][first]);

@@ -32,7 +32,7 @@ public:
     Result<std::unique_ptr<const PartFieldLayers>> build() {
         if (!lay()) return Error{ErrorCode::outOfMemory, subject, "", "more blocks than a field can count"};
         sampleTop();
-        if (progress_.cancelled()) return cancelled(); // what was not sampled would count as near, and want memory
+        if (progress_.cancelled()) return cancelled(); // unsampled corners would count as near and need memory
         divide();
         if (Result<void> fits = needMemory(subject, blockBytes()); !fits) return fits.error();
         layers_->divided.resize(places_.size());
@@ -116,7 +116,7 @@ private:
         return static_cast<double>(places_.size()) *
                static_cast<double>(sizeof(FieldBlock) + BlockCorners::bytesPerBlock());
     }
-    /// While they are made, and as they stay.
+    /// Memory of the candidates while they are made, and of the finished bricks.
     double candidateBytes() const noexcept {
         constexpr std::size_t each = 8 * sizeof(DistanceSample) + sizeof(MadeBrick) + sizeof(FineBrick) +
                                      static_cast<std::size_t>(PartFieldLayers::narrowStride);
@@ -127,7 +127,7 @@ private:
         return static_cast<float>(static_cast<double>(voxels) * voxel());
     }
 
-    /// Those near the surface.
+    /// The bricks near the surface.
     void chooseCandidates() {
         for (FieldBlock& block : layers_->divided) block.fine.fill(coarse);
         spread(places_.size(), 0.35, 0.36, progress_, [&](std::size_t block) {
@@ -150,8 +150,8 @@ private:
                     }
     }
 
-    /// What lies between the corners of a candidate, where they are smooth; otherwise it asks for those of its samples
-    /// 4 voxels apart that are not on its upper faces.
+    /// Computes the samples between the corners of a candidate, where they are smooth; otherwise samples those that are
+    /// 4 voxels apart and not on its upper faces.
     void sampleCandidates() {
         fours_.resize(candidates_.size() * 8);
         spreadStretches(candidates_.size(), 0.4, 0.6, progress_, [&](std::size_t first, std::size_t end) {
@@ -162,15 +162,15 @@ private:
                 candidate.smooth = suffices(candidate, refineCorners(candidate, corners, third), third, ask);
                 if (candidate.smooth) continue;
                 fours_[i * 8] = corners.get(0);
-                for (const int corner : {1, 3, 2, 6, 7, 5, 4}) // a step each
+                for (const int corner : {1, 3, 2, 6, 7, 5, 4}) // one step apart
                     fours_[i * 8 + static_cast<std::size_t>(corner)] =
                         ask.ask(brickVoxels * candidate.brick + 4 * cornerOf(corner));
             }
         });
     }
 
-    /// Whether a candidate's corners tell what lies between: where they bend but gently at once, else where the brick's
-    /// middle, asked, is as they say.
+    /// Whether a candidate's corners determine the samples between them: at once where the curvature is small,
+    /// otherwise if the sample at the brick's centre agrees.
     static bool suffices(const FieldCandidate& candidate, const LineCheck& eight, const SampleGrid& third,
                          PartAsker& ask) {
         if (isSmooth(eight)) return true;
@@ -186,8 +186,9 @@ private:
         return eight;
     }
 
-    /// The 27 samples of a candidate: its own, the next ones', and where these are none, asked for.
-    /// @return what they are off by where they were not asked for
+    /// The 27 samples of a candidate: its own, those of the next candidates, and where there is no candidate, sampled
+    /// from the mesh.
+    /// @return the error of those that were not sampled
     LineError gather(std::size_t number, SampleGrid& third) const {
         PartAsker ask = asker();
         const FieldCandidate& candidate = candidates_[number];
@@ -237,8 +238,8 @@ private:
         });
     }
 
-    /// Bricks that a point of the mesh contradicts, or another brick, are made again, sample by sample; what those then
-    /// contradict, too.
+    /// Bricks that contradict a point of the mesh or another brick are made again, sample by sample, and so are those
+    /// that then contradict the new ones.
     void checkSurface() {
         SurfaceCheck check(part_, *layers_, candidates_, made_);
         std::vector<std::uint8_t> asked(candidates_.size(), 0);
@@ -255,7 +256,7 @@ private:
         allowForWideFacets(check);
     }
 
-    /// What lies between samples was taken to bend evenly; where facets are wide it has kinks.
+    /// Curvature between samples was assumed to be even; where facets are wide there are kinks.
     void allowForWideFacets(const SurfaceCheck& check) {
         spreadStretches(made_.size(), 0.93, 0.93, progress_, [&](std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i) {
@@ -267,7 +268,7 @@ private:
         });
     }
 
-    /// What folds between samples does so into the bricks beside, too, which may know nothing of it.
+    /// A feature that folds between samples continues into adjacent bricks, which may not know of it.
     void growThinFeatures() {
         std::vector<std::size_t> last(made_.size());
         std::iota(last.begin(), last.end(), std::size_t{0});
@@ -286,7 +287,7 @@ private:
         }
     }
 
-    /// Cells of fine bricks beside those of some bricks in which the surface folds between samples.
+    /// The cells of fine bricks next to those cells of the given bricks in which the surface folds between samples.
     std::map<std::size_t, CellMask> thinBeside(std::span<const std::size_t> bricks) const {
         std::map<std::size_t, CellMask> seeds;
         for (const std::size_t number : bricks) {
@@ -305,7 +306,7 @@ private:
         return seeds;
     }
 
-    /// Where corners lie between asked ones, a value is off by the error there, and once more by its own.
+    /// Where corners lie between sampled ones, the error of a value is the error there plus its own.
     void boundCoarseBricks() {
         spread(places_.size(), 0.95, 0.98, progress_, [&](std::size_t block) {
             FieldBlock& in = layers_->divided[block];

@@ -6,7 +6,8 @@
 
 namespace burin {
 
-/// Makes the layers of a part's field; the request is valid. Errors: cancelled, outOfMemory. Throws std::bad_alloc.
+/// Makes the layers of a part's field; the request must be valid. Errors: cancelled, outOfMemory. Throws
+/// std::bad_alloc.
 Result<std::unique_ptr<const PartFieldLayers>> buildPartField(std::shared_ptr<const MeshDistance> part,
                                                               const PartFieldRequest& request, Progress& progress);
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int row = CellGrid::along, layer = CellGrid::along * CellGrid::along;
 
-/// Of a cell: the four on its lower face, x running fastest, and the four above them. Kept in registers: what is put
-/// together in memory piece by piece is slow to load as one.
+/// Corners of a cell: the four on its lower face, x running fastest, and the four above them. Kept in registers: a
+/// vector that is assembled in memory piece by piece is slow to load as one.
 struct Corners {
     FourFloats low, high;
 };
@@ -32,7 +32,7 @@ Corners cornersAt(const Number* first) noexcept {
     return {__builtin_convertvector(low, FourFloats), __builtin_convertvector(high, FourFloats)};
 }
 
-/// Value and gradient, per edge of the cell, between eight corners.
+/// Value and gradient, per edge of the cell, interpolated between eight corners.
 PartDistance between(const Corners& corners, const glm::vec3& t) noexcept {
     const FourFloats rise = corners.high - corners.low, middle = corners.low + t.z * rise;
     const float x0 = middle[1] - middle[0], x1 = middle[3] - middle[2];
@@ -41,7 +41,7 @@ PartDistance between(const Corners& corners, const glm::vec3& t) noexcept {
     return {y0 + t.y * (y1 - y0), {x0 + t.y * (x1 - x0), y1 - y0, z0 + t.y * (z1 - z0)}};
 }
 
-/// Bytes that a vector holds.
+/// Size of a vector's contents in bytes.
 template <class Item>
 std::size_t bytes(const std::vector<Item>& items) noexcept {
     return items.capacity() * sizeof(Item);
@@ -57,7 +57,7 @@ void PartFieldLayers::setScale() noexcept {
 PartFieldLayers::Place PartFieldLayers::placeOutside(const glm::dvec3& wanted) const noexcept {
     Place place;
     glm::dvec3 kept;
-    for (int axis = 0; axis < 3; ++axis) { // what is not a number: the low side
+    for (int axis = 0; axis < 3; ++axis) { // not a number: the low side
         kept[axis] = wanted[axis] > 0.0 ? std::min(wanted[axis], voxelCount_[axis]) : 0.0;
         place.voxel[axis] = std::min(static_cast<int>(kept[axis]), blocks[axis] * blockVoxels - 1);
     }
@@ -84,7 +84,7 @@ PartDistance PartFieldLayers::sampleExact(const ExactCells& exact, const glm::iv
     const std::uint32_t list = cellLists[exact.first + exact.rank(cell.x, cell.y, cell.z)];
     const ClosestPoint closest = part->closestOf(std::span(lists).subspan(list + 1, lists[list]), point);
     const glm::dvec3 way = point - closest.point;
-    // On a sheet without thickness both sides' normals add up to nothing.
+    // On a sheet without thickness the normals of both sides add up to zero.
     const glm::dvec3 out = closest.distance > 1e-9              ? way / closest.signedDistance
                            : closest.outward != glm::dvec3(0.0) ? glm::normalize(closest.outward)
                                                                 : glm::dvec3(0.0);
@@ -117,7 +117,8 @@ PartDistance PartFieldLayers::sampleCoarse(const Place& place) const noexcept {
     return answer;
 }
 
-/// As the nearest point of the layers' box; but the part lies in its own box, and what lies beyond is no nearer.
+/// As at the nearest point of the layers' box; but the part lies in its own box, so a distance of at least that to its
+/// box is certain.
 PartDistance PartFieldLayers::sampleOutside(const glm::dvec3& point, const Place& place) const noexcept {
     const glm::dvec3 nearest = origin + (glm::dvec3(place.voxel) + glm::dvec3(place.share)) * request.voxel;
     PartDistance answer = sampleInside(nearest, place);
@@ -150,7 +151,7 @@ double PartFieldLayers::bound(const glm::dvec3& point) const noexcept {
 
 double PartFieldLayers::leastIn(const Box& box) const noexcept {
     if (box.empty() || meshBounds.empty()) return meshBounds.empty() ? static_cast<double>(topLeast.front()) : 0.0;
-    // No point is nearer than the middle is, less the way to it.
+    // No point is nearer than the box's centre minus the distance from there.
     const glm::dvec3 middle = box.centre();
     double least =
         std::abs(static_cast<double>(sample(middle).distance)) - bound(middle) - 0.5 * glm::length(box.size());

@@ -12,7 +12,7 @@
 
 namespace burin {
 
-/// A grid of (cells + 1) samples along each axis, x running fastest: what a brick of any size holds.
+/// A grid of (cells + 1) samples along each axis, x running fastest: the contents of a brick of any size.
 struct CellGrid {
     static constexpr int cells = 8;
     static constexpr int along = cells + 1;
@@ -29,23 +29,23 @@ struct CellGrid {
     }
 };
 
-/// A fine brick: 8 x 8 x 8 cells of a voxel. A sample is the plane's value at its place and a residual, which where the
-/// part is smooth is so small that 8 bits hold it with room to spare.
+/// A fine brick: 8 x 8 x 8 cells of a voxel. A sample is the value of a plane at its position plus a residual. Where
+/// the part is smooth the residual is so small that 8 bits are more than enough.
 struct FineBrick {
     float base = 0.0F;            ///< mm, the plane at sample (0, 0, 0)
-    std::array<float, 3> slope{}; ///< mm a voxel
+    std::array<float, 3> slope{}; ///< mm per voxel
     float quantum = 0.0F;         ///< mm, one unit of a residual
-    std::uint32_t samples = 0;    ///< where the residuals are, counted in bricks of its kind
-    std::uint32_t exact = none;   ///< its exact cells
+    std::uint32_t samples = 0;    ///< index of the residuals, counted in bricks of the same kind
+    std::uint32_t exact = none;   ///< index of its exact cells
     std::uint32_t wide = 0;       ///< 1: residuals of 16 bits
 
     static constexpr std::uint32_t none = 0xFFFFFFFFU;
 };
 
-/// Cells of a fine brick in which a trilinear value is no good: an edge or a ridge of equal distances passes through.
-/// They name the triangles that are nearest to some point of them.
+/// Cells of a fine brick in which a trilinear value is not accurate enough: an edge or a ridge of equal distances
+/// passes through. They list the triangles that are nearest to some point of them.
 struct ExactCells {
-    std::array<std::uint64_t, 8> mask{};   ///< a word a layer, bit x + 8 y
+    std::array<std::uint64_t, 8> mask{};   ///< one word per layer, bit x + 8 y
     std::array<std::uint16_t, 8> before{}; ///< cells in the layers below
     std::uint32_t first = 0;               ///< of the brick's cells in `cellLists`
 
@@ -59,17 +59,17 @@ struct ExactCells {
     }
 };
 
-/// 8 x 8 x 8 bricks: their corners' distances, which of them are fine, and what holds in each.
+/// 8 x 8 x 8 bricks: the distances at their corners, which of them are fine, and the bounds for each.
 struct FieldBlock {
     static constexpr std::int32_t coarse = -1;
     std::array<float, CellGrid::samples> corners;       ///< mm
     std::array<std::int32_t, CellGrid::cellCount> fine; ///< number of the fine brick, or `coarse`
     std::array<float, CellGrid::cellCount> bound;       ///< largest error in the brick, mm
-    std::array<float, CellGrid::cellCount> least;       ///< no point of the brick is nearer to the surface, mm
+    std::array<float, CellGrid::cellCount> least;       ///< mm, lower bound of the distance to the surface
 };
 
-/// Three layers of grids: blocks of 64 voxels with samples at their corners, those within the reach divided into bricks
-/// of 8 voxels, those at the surface into cells.
+/// Three layers of grids: blocks of 64 voxels with samples at their corners; blocks within the reach divided into
+/// bricks of 8 voxels; bricks at the surface divided into cells.
 class PartFieldLayers {
 public:
     static constexpr int brickVoxels = CellGrid::cells;
@@ -77,11 +77,11 @@ public:
     static constexpr int narrowStride = 736; ///< bytes a brick of 8-bit residuals
     static constexpr std::int32_t coarse = -1;
 
-    /// A place in the box of the layers.
+    /// A position in the box of the layers.
     struct Place {
         glm::ivec3 voxel{0};   ///< counted from the origin
-        glm::vec3 share{0.0F}; ///< of the voxel, 0 … 1
-        double outside = 0.0;  ///< mm from the box: the place is its nearest point
+        glm::vec3 share{0.0F}; ///< within the voxel, 0 … 1
+        double outside = 0.0;  ///< mm from the box: the position is then its nearest point
     };
     Place place(const glm::dvec3& point) const noexcept {
         const glm::dvec3 wanted = (point - origin) * perVoxel_;
@@ -92,7 +92,7 @@ public:
         }
         return placeOutside(wanted);
     }
-    /// Once the blocks are known.
+    /// Called once the blocks are known.
     void setScale() noexcept;
 
     PartDistance sample(const glm::dvec3& point) const noexcept;
@@ -103,10 +103,10 @@ public:
     std::size_t fineBytes() const noexcept;
     std::size_t memoryBytes() const noexcept;
 
-    /// What the blocks cover.
+    /// The box covered by the blocks.
     Box box() const noexcept { return {origin, origin + glm::dvec3(blocks) * (blockVoxels * request.voxel)}; }
     std::size_t blockAt(const glm::ivec3& b) const noexcept { return at(b, blocks); }
-    /// Place of a block in `divided`; `coarse` where it is not divided or there is none.
+    /// Index of a block in `divided`; `coarse` where it is not divided or there is none.
     std::int32_t blockNumberAt(const glm::ivec3& b) const noexcept {
         if (glm::any(glm::lessThan(b, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(b, blocks))) return coarse;
         return blockNumber[blockAt(b)];
@@ -121,17 +121,17 @@ public:
     glm::ivec3 blocks{1};
     std::size_t bandVoxels = 0;
 
-    std::vector<std::int32_t> blockNumber; ///< per block: its place in `divided`, or `coarse`
+    std::vector<std::int32_t> blockNumber; ///< per block: its index in `divided`, or `coarse`
     std::vector<float> topCorners;         ///< mm
     std::vector<float> topBound;           ///< per block, mm
-    std::vector<float> topLeast;           ///< per block, mm: also of those divided
+    std::vector<float> topLeast;           ///< per block, mm: also for divided blocks
     std::vector<FieldBlock> divided;
     std::vector<FineBrick> bricks;
     std::vector<std::int8_t> narrow;
     std::vector<std::int16_t> wide;
     std::vector<ExactCells> exactCells;
     std::vector<std::uint32_t> cellLists; ///< per exact cell: where its list begins
-    std::vector<std::uint32_t> lists;     ///< a count, then so many triangles
+    std::vector<std::uint32_t> lists;     ///< a count, followed by that many triangles
 
 private:
     class Batch;
@@ -149,7 +149,7 @@ private:
     }
     Place placeOutside(const glm::dvec3& wanted) const noexcept;
     PartDistance sampleInside(const glm::dvec3& point, const Place& place) const noexcept;
-    /// The fine brick that a voxel lies in; none where the layers are coarse.
+    /// The fine brick that contains a voxel; null where the layers are coarse.
     const FineBrick* fineBrickAt(const glm::ivec3& voxel) const noexcept {
         const std::int32_t block = blockNumber[blockAt(voxel >> 6)];
         if (block == coarse) return nullptr;

@@ -13,13 +13,13 @@ namespace {
 
 static_assert(sizeof(glm::dvec3) == 3 * sizeof(double) && PlacedPoints::together == lanes);
 
-/// A number of voxels in fixed point: a double that is added to it keeps 32 bits behind the point, in the lower word,
-/// and the whole voxels above it, in the upper.
+/// A number of voxels in fixed point: adding this constant to a double leaves 32 fractional bits in the lower word, and
+/// the whole voxels above them, in the upper word.
 constexpr double fixedPoint = 1.5 * (1 << 20);
 constexpr std::uint32_t fixedPointUpper = 0x41380000;
 
-/// Of eight points: whole voxels, and their shares in 2^-32. Of a place beside the layers' low side, or that is no
-/// number, the voxel is huge.
+/// For eight points: whole voxels, and their fractions in units of 2^-32. For a position below the layers' low side, or
+/// one that is not a number, the voxel is huge.
 struct FixedPlaces {
     std::array<Words, 3> voxel, share;
 };
@@ -29,14 +29,14 @@ BURIN_INLINE void store(const Lanes& values, void* to) noexcept {
     std::memcpy(to, &values, sizeof values);
 }
 
-/// What is known from eight points to the next.
+/// State carried from eight points to the next eight.
 struct SoFar {
     std::array<Words, 3> brick; ///< of the last eight
-    Words outside{};            ///< the highest bit: one of them is
+    Words outside{};            ///< highest bit: one of the points is outside
 };
 
-/// Keeps the places of eight points from one on.
-/// @param voxels that there are along each axis
+/// Stores the positions of eight points, starting at one of them.
+/// @param voxels number along each axis
 BURIN_INLINE void keep(const FixedPlaces& places, std::size_t from, const std::array<std::uint32_t, 3>& voxels,
                        PlacedPoints& placed, SoFar& soFar) noexcept {
     Integers first{};
@@ -62,7 +62,7 @@ namespace any_processor {
 using TwoDoubles = double __attribute__((vector_size(16)));
 using FourDoubles = double __attribute__((vector_size(32)));
 
-/// Two numbers from each of two places.
+/// Two numbers from each of two addresses.
 BURIN_INLINE FourDoubles pairs(const double* low, const double* high) noexcept {
     TwoDoubles first, second;
     std::memcpy(&first, low, sizeof first);
@@ -80,7 +80,7 @@ BURIN_INLINE std::array<Words, 3> byAxis(const std::array<Words, 3>& at) noexcep
             __builtin_shufflevector(yz, at[2], 1, 3, 8, 11, 5, 7, 12, 15)};
 }
 
-/// A frame as it is wanted again and again, out of reach of what is written.
+/// A copy of a frame that the compiler can keep in registers, because nothing written can alias it.
 struct Registers {
     explicit Registers(const FieldFrame& frame) noexcept
         : origin{pairs(&frame.origin[0], &frame.origin[0]), pairs(&frame.origin[2], &frame.origin[2]),
@@ -90,7 +90,7 @@ struct Registers {
     FourDoubles perVoxel;
 };
 
-/// Of eight points that follow each other.
+/// For eight consecutive points.
 BURIN_INLINE FixedPlaces eightPlaces(const double* points, const Registers& frame) noexcept {
     std::array<Words, 3> lower, upper;
     const auto placed = [&](std::size_t pair) noexcept {

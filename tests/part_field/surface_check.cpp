@@ -14,7 +14,7 @@ namespace burin {
 namespace {
 
 constexpr std::int32_t coarse = PartFieldLayers::coarse;
-constexpr float mostDisagreement = 0.01F;           // voxels, between bricks beside each other
+constexpr float mostDisagreement = 0.01F;           // voxels, between adjacent bricks
 constexpr double pointSpacing = 1.5;                // voxels, on large triangles
 constexpr double narrowFacet = 2.0;                 // voxels
 constexpr std::uint32_t allAround = (1U << 27) - 1; // a bit for each brick around one, x running fastest
@@ -35,7 +35,7 @@ std::vector<std::size_t> SurfaceCheck::contradicted(Progress& progress) {
             points.of(triangles[i], pointSpacing * layers_.request.voxel,
                       [&](const glm::dvec3& point, double width) { check(point, width, doubtful, wrong); });
     };
-    // The longer the stretch, the fewer corners are met in two.
+    // The longer the range, the fewer corners are visited in two of them.
     spreadStretches(triangles.size(), 0.85, 0.92, progress, checkStretch, 1024);
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < wrong.size(); ++i)
@@ -63,8 +63,8 @@ std::vector<std::size_t> SurfaceCheck::contradictedBy(std::span<const std::size_
     return numbers;
 }
 
-/// Per candidate, what the points in it have to be held against beside it: neighbours that turned out not to be fine,
-/// and all where one disagrees. Two that disagree by more than both state are wrong, both or one.
+/// For each candidate, the neighbours that the points in it must be checked against: those that turned out not to be
+/// fine, and all if one disagrees. If two disagree by more than both bounds, one or both are wrong.
 std::vector<std::uint32_t> SurfaceCheck::findDoubtful(std::vector<std::uint8_t>& wrong, Progress& progress) const {
     std::vector<std::uint32_t> doubtful(candidates_.size(), 0);
     spread(candidates_.size(), 0.82, 0.85, progress, [&](std::size_t number) {
@@ -125,13 +125,13 @@ void SurfaceCheck::meetFacet(std::size_t number, double width) noexcept {
     const auto whole = static_cast<std::uint8_t>(std::min(width, 255.0));
     const std::atomic_ref facet(facetWidth_[number]);
     if (facet.load(std::memory_order_relaxed) >= whole) return;
-    facet.store(whole, std::memory_order_relaxed); // of two at once either: both are wide
+    facet.store(whole, std::memory_order_relaxed); // of two stores at once either is correct: both are wide
     anyFacet_.store(true, std::memory_order_relaxed);
 }
 
 bool SurfaceCheck::isFacetNear(std::size_t number, int width) const noexcept {
     if (!anyFacet_.load(std::memory_order_relaxed)) return false;
-    constexpr int reach = 2; // bricks to where the nearest of the surface may be
+    constexpr int reach = 2; // bricks within which the nearest point of the surface may be
     const glm::ivec3& middle = candidates_[number].brick;
     for (int z = -reach; z <= reach; ++z)
         for (int y = -reach; y <= reach; ++y)

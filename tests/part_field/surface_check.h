@@ -10,15 +10,16 @@
 
 namespace burin {
 
-/// A brick near the surface that may be fine. Its block says its number where it says that of a fine brick later.
+/// A brick near the surface that may become fine. Its block stores its number where it later stores that of a fine
+/// brick.
 struct FieldCandidate {
     glm::ivec3 brick; ///< counted from the origin
     std::size_t block;
-    bool smooth = false; ///< its corners tell what lies between
+    bool smooth = false; ///< its corners determine the samples between them
     bool fine = false;
 };
 
-/// Number of the candidate at a place, `coarse` where there is none.
+/// Number of the candidate at a position, `coarse` where there is none.
 inline std::int32_t candidateAt(const PartFieldLayers& layers, const glm::ivec3& brick) noexcept {
     const std::int32_t block = layers.blockNumberAt(brick >> 3);
     if (block == PartFieldLayers::coarse) return PartFieldLayers::coarse;
@@ -26,9 +27,10 @@ inline std::int32_t candidateAt(const PartFieldLayers& layers, const glm::ivec3&
     return layers.divided[static_cast<std::size_t>(block)].fine[CellGrid::cellAt(in.x, in.y, in.z)];
 }
 
-/// Holds made bricks against the whole mesh: every point of it bounds the distances around it, which finds what lies
-/// between samples. The brick around a point answers for those beside it as long as they agree on the samples that they
-/// share. And holds bricks against each other: where a gap in the surface was not seen, no point of the mesh lies.
+/// Checks finished bricks against the whole mesh: every point of it bounds the distances around it, which detects
+/// features between samples. The brick around a point represents its neighbours as long as they agree on the samples
+/// that they share. Also checks bricks against each other: where a gap in the surface was missed, there is no point of
+/// the mesh to detect it.
 class SurfaceCheck {
 public:
     SurfaceCheck(const MeshDistance& part, const PartFieldLayers& layers, const std::vector<FieldCandidate>& candidates,
@@ -40,16 +42,18 @@ public:
         , perVoxel_(1.0 / layers.request.voxel)
         , facetWidth_(candidates.size(), 0) {}
 
-    /// Candidates that a point of the mesh contradicts: a value exceeds the way to it by more than its error, or the
-    /// band passes through one that is not fine; and those that contradict each other. Parallel.
+    /// Candidates that a point of the mesh contradicts: a value exceeds the distance to it by more than its error, or
+    /// the band passes through one that is not fine; and candidates that contradict each other. Parallel.
     std::vector<std::size_t> contradicted(Progress& progress);
 
-    /// Candidates beside bricks of which each sample was asked that do not keep what they state at these.
-    /// @param asked a flag for each candidate: all of its samples were asked @param last those that were so last
+    /// Candidates next to fully sampled bricks whose values differ from those samples by more than their stated bound.
+    /// @param asked a flag for each candidate: all of its samples were taken from the mesh @param last those that were
+    /// fully sampled in the last pass
     std::vector<std::size_t> contradictedBy(std::span<const std::size_t> last,
                                             const std::vector<std::uint8_t>& asked) const;
 
-    /// Once `contradicted` has been through the mesh: whether a facet as wide as that, voxels, is near a candidate.
+    /// Whether a facet at least that wide, voxels, is near a candidate. Valid after `contradicted` has examined the
+    /// mesh.
     bool isFacetNear(std::size_t number, int width) const noexcept;
 
 private:
@@ -69,8 +73,8 @@ private:
     const std::vector<FieldCandidate>& candidates_;
     const std::vector<MadeBrick>& made_;
     const double perVoxel_;
-    std::vector<std::uint8_t> facetWidth_; ///< per candidate: of the widest facet in it, whole voxels; 0: less than 2
-    std::atomic<bool> anyFacet_{false};    ///< is as wide
+    std::vector<std::uint8_t> facetWidth_; ///< per candidate: width of its widest facet, whole voxels; 0: less than 2
+    std::atomic<bool> anyFacet_{false};    ///< whether any facet is that wide
 };
 
 } // namespace burin

@@ -17,7 +17,8 @@ class SurfacePoints {
 public:
     SurfacePoints() { seen_.fill(glm::dvec3(std::nan(""))); }
 
-    /// @param take  is given the points of a triangle, and how wide it is (its least height) if it is larger, else 0
+    /// @param take receives the points of a triangle, and its width (its least height) if it is larger than the
+    /// spacing, otherwise 0
     template <class Take>
     void of(const Triangle& triangle, double spacing, const Take& take) {
         for (const glm::dvec3& corner : triangle)

@@ -16,14 +16,14 @@ namespace {
 constexpr double voxel = 0.5, half = 16.0; // mm
 constexpr double bricks = 8.0 * voxel;
 
-/// A block whose top falls on both sides of a ridge along y with the same slope; negative: a valley.
+/// A block whose top slopes down equally on both sides of a ridge along y; negative angle: a valley.
 struct Roof {
     double ridge = 0.0, angle = 0.0; ///< mm, rad
 
     double top(double x) const { return -std::tan(angle) * std::abs(x - ridge); }
 
     TriangleMesh mesh() const {
-        // Around the cross-section from the ridge on, which sees all of it.
+        // The outline of the cross-section, starting from the ridge, from which all of it is visible.
         const std::array<glm::dvec2, 5> outline{
             glm::dvec2(ridge, 0.0), {-half, top(-half)}, {-half, -half}, {half, -half}, {half, top(half)}};
         TriangleMesh mesh;
@@ -43,7 +43,7 @@ struct Roof {
         return mesh;
     }
 
-    /// Closed formula, where the top is nearest: a convex wedge, or what a convex wedge leaves.
+    /// Closed formula, where the top is nearest: a convex wedge, or the complement of one.
     double distance(const glm::dvec3& p) const {
         const double side = angle < 0.0 ? -1.0 : 1.0, steep = std::abs(angle);
         const double across = std::abs(p.x - ridge), up = side * p.z;
@@ -57,7 +57,7 @@ struct Roof {
 
 } // namespace
 
-/// The corners of a brick tell nothing of a ridge through its middle that is as gentle as a curved face bends.
+/// The corners of a brick do not show a ridge through its centre whose bend is as small as that of a curved face.
 class GentleRidgesTest : public QObject {
     Q_OBJECT
 

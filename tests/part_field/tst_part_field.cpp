@@ -42,7 +42,7 @@ private:
     std::mt19937_64 engine_{20260103};
 };
 
-glm::dvec3 turned(const glm::dvec3& v, double angle) { // about two axes, so that no face lies along the grid
+glm::dvec3 turned(const glm::dvec3& v, double angle) { // about two axes, so that no face is parallel to the grid
     const double c = std::cos(angle), s = std::sin(angle);
     const glm::dvec3 u{c * v.x - s * v.y, s * v.x + c * v.y, v.z};
     return {u.x, c * u.y - s * u.z, s * u.y + c * u.z};
@@ -57,7 +57,8 @@ TriangleMesh turned(TriangleMesh mesh, double angle) {
     return mesh;
 }
 
-/// A second opinion: the distance to all triangles, one by one, and the solid angle that they cover for the side.
+/// Independent reference: the distance to all triangles, one by one, and the solid angle that they subtend for the
+/// side.
 double bruteForce(const TriangleMesh& mesh, const glm::dvec3& p) {
     double least = 1e300, covered = 0.0;
     const auto toSegment = [&](const glm::dvec3& a, const glm::dvec3& b) {
@@ -81,8 +82,8 @@ double bruteForce(const TriangleMesh& mesh, const glm::dvec3& p) {
     return covered > 2.0 * std::numbers::pi ? -least : least;
 }
 
-/// What points say of a field: the largest error within 4 voxels of the surface and beyond, and by how much any error
-/// is larger than the field says at that point.
+/// Errors of a field at sample points: the largest error within 4 voxels of the surface and beyond, and the largest
+/// excess of an error over the field's bound at that point.
 struct Errors {
     double fine = 0.0, coarse = 0.0, overBound = -1e9;
     int wrongSide = 0;
@@ -100,7 +101,7 @@ struct Errors {
     }
 };
 
-/// Points near a surface, found by walking down the formula's own slope, and points anywhere.
+/// Points near a surface, found by following the formula's gradient, and points anywhere.
 glm::dvec3 somewhere(Points& points, const Formula& formula, double reach, int number) {
     glm::dvec3 p = points.around(reach);
     if (number % 4 == 0) return p;
@@ -210,7 +211,7 @@ void PartFieldTest::randomTetrahedraAgreeWithBruteForce() {
 }
 
 void PartFieldTest::narrowGapsAndThinWallsKeepTheirSide() {
-    // A wall of 0.3 voxels, a gap of 0.4 beside it, then a block.
+    // A wall of 0.3 voxels, a gap of 0.4 next to it, then a block.
     const double wall = 0.3 * voxel, gap = 0.4 * voxel;
     const TriangleMesh mesh = turned(shapes::cells({-wall - gap, -gap, 0.0, 6.0}, {-8.0, 8.0}, {-8.0, 7.0, 8.0},
                                                    [](int i, int, int k) { return i != 1 || k == 1; }),
@@ -229,9 +230,9 @@ void PartFieldTest::narrowGapsAndThinWallsKeepTheirSide() {
 }
 
 void PartFieldTest::spikesBetweenSamplesAreFound() {
-    // Pins of half a voxel on a flat face: no sample far apart is nearest to one. In the middle of it, and in bricks
-    // that an edge passes through, beside one that is flat: found in the first for its own sake, in the next one
-    // because it is beside.
+    // Pins of half a voxel on a flat face, which are not nearest to any of the samples that are far apart. In the
+    // middle of the face, and in bricks that an edge passes through, next to a flat one: detected in the first by its
+    // own check, in the next because it is adjacent.
     const glm::dvec3 corner(-20.0, -20.0, -8.0), top(20.0, 20.0, 0.0);
     for (int place = 0; place < 8; ++place) {
         const glm::dvec3 low = place < 4 ? glm::dvec3(0.9 + 0.53 * place, 1.1 - 0.59 * place, -0.01)
@@ -244,7 +245,7 @@ void PartFieldTest::spikesBetweenSamplesAreFound() {
         Errors errors;
         for (int i = 0; i < 8000; ++i) {
             const glm::dvec3 p = glm::dvec3(low.x, low.y, 1.5) + points.around(2.5);
-            if (p.z < 0.4) continue; // outside, the nearest of both is right
+            if (p.z < 0.4) continue; // outside, the smaller of both distances is right
             errors.meet(field, p, std::min(shapes::boxDistance(corner, top, p), shapes::boxDistance(low, high, p)),
                         1e-6);
         }
@@ -253,13 +254,13 @@ void PartFieldTest::spikesBetweenSamplesAreFound() {
     }
 }
 
-/// A pin of one voxel close to where two bricks meet, half-way along their common face: the corners of the brick beside
-/// it lie nearer to the flat face that it stands on, which has that brick taken for smooth. The pin's own brick is so
-/// too, or one that is sampled closely (the part's edge passes through) and knows of the pin all the same.
+/// A pin of one voxel close to where two bricks meet, half-way along their common face: the corners of the adjacent
+/// brick are nearer to the flat face on which the pin stands, so that the brick is taken for smooth. The pin's own
+/// brick is smooth too, or is one that is sampled closely (the part's edge passes through) and represents the pin.
 void PartFieldTest::spikesBesideABrickAreFoundInIt() {
     const glm::dvec3 corner(-20.0, -20.0, -10.0), top(20.0, 20.0, 0.0);
-    // Bricks are counted from the margin around the part, four voxels: they meet in the plane of the flat face, and
-    // across it at 2 and 18.
+    // Bricks are counted from the margin around the part, four voxels: they meet in the plane of the flat face, and in
+    // the other directions at 2 and 18.
     const double brick = 8.0 * voxel, margin = 4.0 * voxel;
     QCOMPARE(std::remainder(top.z - (corner.z - margin), brick), 0.0);
     QCOMPARE(std::remainder(2.0 - (corner.x - margin), brick), 0.0);
@@ -321,7 +322,7 @@ void PartFieldTest::lowerBoundIsNeverTooMuch() {
         }
     }
     QVERIFY(least >= -1e-6);
-    QVERIFY(field.lowerBound({{30, 30, 30}, {31, 31, 31}}) > 20.0); // and of use
+    QVERIFY(field.lowerBound({{30, 30, 30}, {31, 31, 31}}) > 20.0); // and not a trivial bound
 }
 
 void PartFieldTest::gradientPointsAway() {
@@ -359,7 +360,7 @@ void PartFieldTest::manyAtOnceAreTheSame() {
     }
 }
 
-/// The values of both cells, or bricks, are right there.
+/// The values of both adjacent cells, or bricks, are right there.
 void PartFieldTest::manyOnBordersOfCellsAreWithinTheBound() {
     const TriangleMesh mesh = turned(shapes::box({-6, -5, -4}, {6, 5, 4}), 0.3);
     const PartField field = built(mesh, 6.0);
@@ -438,7 +439,7 @@ void PartFieldTest::canBeCancelled() {
     QCOMPARE(field.error().code, ErrorCode::cancelled);
 }
 
-/// What was not sampled must not count as near the surface: some 14 million bricks would want 20 GB.
+/// Bricks that were not sampled must not count as near the surface: some 14 million bricks would need 20 GB.
 void PartFieldTest::cancelledAtOnceItWantsNoMemory() {
     const TriangleMesh mesh = shapes::torus(14.0, 5.0, 40, 20);
     Progress progress;
@@ -459,12 +460,12 @@ void PartFieldTest::refusesWhatMakesNoField() {
     QCOMPARE(code({0.5, std::numeric_limits<double>::infinity()}), ErrorCode::argumentInvalid);
     QCOMPARE(code({1e-4, 1000.0}), ErrorCode::outOfMemory); // more than can be counted
 
-    // Blocks of 64 voxels and some 30 kB, that many along an axis: one and a half times what there is.
+    // Blocks of 64 voxels and some 30 kB, as many along an axis as take one and a half times the available memory.
     const double blocks = std::cbrt(1.5 * static_cast<double>(availableMemory()) / 30e3), voxel = 0.05;
     const PartFieldRequest large{voxel, 0.5 * 64.0 * voxel * blocks - 1.0};
     const Result<PartField> field = PartField::build(shapes::box({-1, -1, -1}, {1, 1, 1}), large, progress);
     QVERIFY(!field && field.error().code == ErrorCode::outOfMemory);
-    QVERIFY(!field.error().place.empty() || blocks > 200.0); // told before it is taken
+    QVERIFY(!field.error().place.empty() || blocks > 200.0); // reported before memory is allocated
 }
 
 BURIN_TEST(PartFieldTest, NoApplication)

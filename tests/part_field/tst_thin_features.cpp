@@ -17,10 +17,10 @@ namespace {
 
 constexpr double voxel = 0.5, length = 24.0;
 
-/// A long bar's outline, corners in order, all of them square to each other.
+/// A long bar's outline, corners in order, all of them right angles.
 using Outline = std::vector<glm::dvec2>;
 
-/// Signed distance to a bar, far from its ends: closed formula in the plane across it.
+/// Signed distance to a bar, far from its ends: closed formula in the plane perpendicular to it.
 double barDistance(const Outline& outline, const glm::dvec2& p) {
     double least = 1e300;
     bool inside = false;
@@ -38,7 +38,7 @@ struct Bar {
     Outline outline;
 };
 
-/// A flat top at 10 mm, with a slot or a rib from `low` on. @param rise  mm, negative: a slot
+/// A flat top at 10 mm, with a slot or a rib starting at `low`. @param rise mm, negative: a slot
 Bar barWith(double low, double width, double rise) {
     const double high = low + width, end = 10.0 + rise;
     if (rise < 0.0)
@@ -67,16 +67,16 @@ private:
 
 } // namespace
 
-/// A point that a field is off by more than it says, or nothing. @param distance  the true one there
+/// Describes a point where a field's error exceeds its bound, or empty. @param distance the true one there
 QString breach(const PartField& field, const glm::dvec3& p, double distance, double tolerance) {
     const double error = std::abs(field.value(p) - distance), bound = field.errorBoundAt(p);
     if (error <= bound + tolerance) return {};
     return QString("off by %1 mm, said %2, at %3 %4 %5").arg(error).arg(bound).arg(p.x).arg(p.y).arg(p.z);
 }
 
-/// What lies between the samples of a field, whose places have nothing to do with the part's: no point is off by more
-/// than the field says there, in the band and beyond it. (Slots were bridged, by up to two voxels, wherever the samples
-/// around lay on the face.)
+/// Features between the samples of a field, at positions unrelated to the part's: no error exceeds the field's bound
+/// there, in the band and beyond it. (Slots used to be bridged, by up to two voxels, wherever the samples around lay on
+/// the face.)
 class ThinFeaturesTest : public QObject {
     Q_OBJECT
 
@@ -105,8 +105,8 @@ private slots:
         }
     }
 
-    /// Places where a wall's or a gap's middle is felt between two samples that lie on the straight faces beside it:
-    /// five voxels and more from the surface, as the lines between samples 2 apart pass over it.
+    /// Positions where the middle of a wall or a gap affects the distance between two samples that lie on the straight
+    /// faces next to it: five voxels and more from the surface, because the lines between samples 2 apart miss it.
     void whatLinesPassOverIsSeen_data() {
         QTest::addColumn<double>("width"); // voxels
         QTest::addColumn<double>("low");   // mm, all of these
@@ -134,8 +134,8 @@ private slots:
         }
     }
 
-    /// A moulded part with details of about a voxel, and with facets of many. Its own triangles, all of them, are the
-    /// oracle.
+    /// A moulded part with details of about a voxel, and with facets of many. All of its own triangles, one by one, are
+    /// the oracle.
     void aMouldedPartKeepsTheStatedBound_data() {
         QTest::addColumn<double>("voxels"); // along its longest side
         for (const double voxels : {64.0, 200.0})

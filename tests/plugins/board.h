@@ -12,13 +12,13 @@
 
 namespace burin::test {
 
-/// A board with the reference firmware and hardware that a test plays: it sets what is measured and reads what the
-/// motors do. One thread.
+/// A board with the reference firmware whose hardware is simulated by a test: the test sets the measured values and
+/// reads the motors' output. Single-threaded.
 class Board {
 public:
     using Report = std::vector<std::uint8_t>;
 
-    /// Limits of a desktop device with round figures.
+    /// Limits of a desktop device, in round numbers.
     static open_stylus_limits limits() {
         open_stylus_limits limits{};
         limits.firmware_major = 1;
@@ -45,7 +45,7 @@ public:
         return limits;
     }
 
-    /// @param send hands a report to the transport; false when it has no room.
+    /// @param send  passes a report to the transport; returns false if there is no room
     explicit Board(std::function<bool(const Report&)> send, const open_stylus_limits& wanted = limits())
         : send_(std::move(send)) {
         reading.rotation[0] = 1 << 30;
@@ -66,7 +66,7 @@ public:
     Board(const Board&) = delete;
     Board& operator=(const Board&) = delete;
 
-    /// One period later.
+    /// Advances by one period.
     void step(std::uint32_t elapsed = 1000) {
         microseconds += elapsed;
         open_stylus_step(&firmware_);
@@ -85,8 +85,8 @@ public:
     open_stylus_reading reading{};
     std::uint32_t microseconds = 0;
     bool motorsOn = false;
-    std::array<std::int32_t, 3> force{}, torque{}; ///< what the motors render
-    std::uint64_t largestForceSquared = 0;         ///< ever, in steps
+    std::array<std::int32_t, 3> force{}, torque{}; ///< output of the motors
+    std::uint64_t largestForceSquared = 0;         ///< maximum so far, in steps
 
 private:
     void drive(const std::int32_t* wantedForce, const std::int32_t* wantedTorque) {

@@ -7,7 +7,7 @@
 
 namespace burin::test {
 
-/// Waits for what another thread brings about: true as soon as `holds` does, false after so many seconds.
+/// Waits for an effect of another thread: returns true as soon as `holds` does, false after a number of seconds.
 template <class Condition>
 bool comesTrue(const Condition& holds, double seconds = 20.0) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);

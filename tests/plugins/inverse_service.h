@@ -20,17 +20,17 @@
 
 namespace burin::testing {
 
-/// What a test sets of the arm and the grip, and reads of what the arm was asked for.
+/// The state of arm and grip that a test sets, and the commands that the arm received.
 struct InverseArm {
     std::array<double, 3> cursor{0.0, -0.15, 0.2}; ///< m
     std::array<double, 4> grip{1.0, 0.0, 0.0, 0.0};
     bool hasGrip = true, a = false, b = false, calibrated = true;
-    std::array<double, 3> force{}; ///< N, of the newest message
+    std::array<double, 3> force{}; ///< N, of the latest message
 };
 
-/// Stands in for Haply's service: a real WebSocket on a port of its own, which tells everything at first and then
-/// answers each message with one. One client at a time, others at once after each other. A thread of its own; `arm`
-/// under `mutex`.
+/// A stand-in for Haply's service: a real WebSocket on a port of its own, which sends the full state first and then
+/// answers each message with one. Serves one client at a time; another one can connect directly afterwards. Runs in a
+/// thread of its own; `arm` is protected by `mutex`.
 class InverseService {
 public:
     enum class Key { vector, values, none };
@@ -41,7 +41,7 @@ public:
         stopping_ = true;
         boost::system::error_code ignored;
         boost::asio::io_context context;
-        boost::asio::ip::tcp::socket knock(context); // accept comes back
+        boost::asio::ip::tcp::socket knock(context); // makes accept return
         knock.connect(acceptor_.local_endpoint(), ignored);
         if (current_ >= 0) ::shutdown(current_, SHUT_RDWR);
         thread_.join();
@@ -53,7 +53,7 @@ public:
     InverseArm arm;
     std::atomic<Key> key{Key::vector};
     std::atomic<int> delay{0};        ///< ms before each answer
-    std::atomic<bool> garbage{false}; ///< answers that are no JSON
+    std::atomic<bool> garbage{false}; ///< answers that are not JSON
     std::atomic<bool> mute{false};    ///< no answers
     std::atomic<bool> deafToHello{false};
     std::atomic<int> messages{0}, connections{0};
@@ -140,7 +140,7 @@ private:
     boost::asio::ip::tcp::acceptor acceptor_;
     std::atomic<bool> stopping_{false};
     std::atomic<int> current_{-1};
-    std::thread thread_; // last: it uses the others
+    std::thread thread_; // last, as it uses the other members
 };
 
 } // namespace burin::testing

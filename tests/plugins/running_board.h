@@ -16,7 +16,7 @@
 
 namespace burin::test {
 
-/// A board that is powered: steps its firmware once a millisecond on a thread of its own. Any thread.
+/// A powered board: runs its firmware once a millisecond in a thread of its own. Thread-safe.
 class RunningBoard {
 public:
     using Clock = std::chrono::steady_clock;
@@ -36,7 +36,7 @@ public:
         thread_.request_stop();
         thread_.join();
     }
-    /// An output report came in.
+    /// Delivers an output report to the board.
     void deliver(const Board::Report& report) {
         const std::lock_guard lock(mutex_);
         if (!board_.receive(report)) return;
@@ -52,7 +52,7 @@ public:
         const std::lock_guard lock(mutex_);
         return board_.feature();
     }
-    /// s from each reading's being sent to its answer's arrival, since the last call.
+    /// The times from sending each reading to the arrival of its answer since the last call, s.
     std::vector<double> takeRoundTrips() {
         const std::lock_guard lock(mutex_);
         return std::exchange(roundTrips_, {});
@@ -62,13 +62,13 @@ public:
         return board_.largestForceSquared;
     }
 
-    std::atomic<double> x{0.0}, y{0.0}, z{0.0}; ///< mm, where the stylus is held
+    std::atomic<double> x{0.0}, y{0.0}, z{0.0}; ///< mm, position of the stylus
     std::atomic<std::uint32_t> buttons{0};
     std::atomic<std::uint8_t> heat{OPEN_STYLUS_HEAT_UNKNOWN};
     std::atomic<bool> silent{false}; ///< sends nothing
-    std::atomic<double> force{0.0};  ///< N, along x, that the motors render
+    std::atomic<double> force{0.0};  ///< N, along x, output of the motors
     std::atomic<bool> motors{false};
-    std::atomic<int> offs{0}; ///< good output reports that switched the motors off
+    std::atomic<int> offs{0}; ///< valid output reports that switched the motors off
 
 private:
     bool transmit(const Board::Report& report) {
@@ -104,8 +104,8 @@ private:
     std::jthread thread_;
 };
 
-/// A wall at x = 0 that pushes out with 0.1 N/mm, and counts of what it was told. Whoever renders what it answers to
-/// readings that are not valid is at fault.
+/// A wall at x = 0 that pushes out with 0.1 N/mm and counts the readings that it received. Its answers to invalid
+/// readings must not be rendered.
 class Wall final : public StylusClient {
 public:
     void begins() noexcept override { thread_ = std::this_thread::get_id(); }
@@ -130,7 +130,7 @@ private:
     double lastTime_ = -1.0;
 };
 
-/// Pushes with 1 N along x, and hangs in a tick for as long as it is told to.
+/// Pushes with 1 N along x and hangs in a tick while `hang` is set.
 class HangingClient final : public StylusClient {
 public:
     Wrench tick(const StylusState& state) noexcept override {

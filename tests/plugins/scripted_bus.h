@@ -17,12 +17,12 @@
 
 namespace burin::test {
 
-/// The two ends of a plugged-in device: the port's, and the test's that plays the device. Any thread.
+/// The two ends of a plugged-in device: the port, and the test that simulates the device. Thread-safe.
 class Wire {
 public:
     using Report = std::vector<std::uint8_t>;
 
-    /// The device sends. As the kernel does, keeps 64 reports and drops newer ones.
+    /// Sends a report from the device. Like the kernel, keeps 64 reports and drops newer ones.
     bool send(const Report& report) {
         const std::lock_guard lock(mutex_);
         if (reports_.size() >= 64) return false;
@@ -30,12 +30,12 @@ public:
         arrived_.notify_all();
         return true;
     }
-    /// Who hears what the host sends, on the host's thread.
+    /// Sets a handler for what the host sends, called on the host's thread.
     void onOutput(std::function<void(const Report&)> heard) {
         const std::lock_guard lock(hearing_);
         heard_ = std::move(heard);
     }
-    /// What the host sent, the oldest first.
+    /// The reports that the host sent, oldest first.
     std::vector<Report> takeOutputs() {
         const std::lock_guard lock(mutex_);
         return std::exchange(outputs_, {});
@@ -45,7 +45,7 @@ public:
         plugged_ = false;
         arrived_.notify_all();
     }
-    /// Also forgets who hears it.
+    /// Also removes the handler.
     void cut() {
         unplug();
         onOutput({});
@@ -84,12 +84,12 @@ private:
     bool plugged_ = true;
 };
 
-/// A bus whose devices a test plugs in and out. Any thread.
+/// A bus on which a test plugs and unplugs devices. Thread-safe.
 class ScriptedBus final : public hid::Bus {
 public:
     using Feature = std::function<std::vector<std::uint8_t>()>;
 
-    /// @param feature the answer to GET_REPORT, if the device has one
+    /// @param feature  the answer to GET_REPORT, if the device has one
     std::shared_ptr<Wire> plug(hid::DeviceInfo device, Feature feature = {}) {
         const std::lock_guard lock(mutex_);
         device.path = "wire" + std::to_string(++plugs_);
@@ -101,7 +101,7 @@ public:
         for (const Plugged& device : devices_) device.wire->unplug();
         devices_.clear();
     }
-    /// From now on nothing may be opened.
+    /// From now on opening a device fails.
     void forbid() { forbidden_ = true; }
 
     std::vector<hid::DeviceInfo> list() override {

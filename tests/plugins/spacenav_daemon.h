@@ -17,7 +17,7 @@
 
 namespace burin::test {
 
-/// Stands in for spacenavd: a socket of its own, with one client.
+/// A stand-in for spacenavd: a socket of its own, with one client.
 class SpacenavDaemon {
 public:
     using Packet = std::array<std::int32_t, 8>;

@@ -18,11 +18,12 @@
 
 namespace burin::test {
 
-/// A device with the loop behind it: one tick of both. @param reading mm or what is no reading (not finite), buttons:
-/// where the handle is, Burin's device frame @return N that its motors do then, same frame
+/// One tick of a device together with the loop behind it. @param reading  position of the handle, mm, Burin's device
+/// frame; not finite for an invalid reading @param buttons  of the handle @return  force of the device's motors, N, in
+/// the same frame
 using DeviceTick = std::function<glm::dvec3(const glm::dvec3& reading, std::uint32_t buttons)>;
 
-/// The haptic step as a driver calls it, with a period of its own: time in these tests is ticks.
+/// The haptic step as called by a driver, with a period of its own: time in these tests is counted in ticks.
 class StepClient final : public StylusClient {
 public:
     explicit StepClient(HapticStep& step) : step_(step) {}
@@ -35,7 +36,7 @@ private:
     HapticStep& step_;
 };
 
-/// J that a device gives a hand per contact, while the hand goes into the part's floor and out again.
+/// The energy that a device gives to a hand per contact, J, while the hand moves into the part's floor and out again.
 inline double energyPerContact(const SimulatedGrip& grip, const SimulatedMechanism& mechanism, const DeviceTick& tick) {
     constexpr int contacts = 10;
     SimulatedHandle handle(grip, mechanism, {0.0, 0.0, floorHeight + 2.0});
@@ -47,8 +48,8 @@ inline double energyPerContact(const SimulatedGrip& grip, const SimulatedMechani
     return handle.energy() / contacts;
 }
 
-/// Hostile readings through a device: whatever they are, forces stay finite and within the share of what its motors
-/// bear, and none follows a reading that is not one. Empty: so it was.
+/// Sends hostile readings through a device. Whatever they are, forces stay finite and within the given share of the
+/// device's maximum, and there is no force after an invalid reading. Returns an empty string if that holds.
 inline QString hostileReadings(const StylusDescription& stylus, double share, int ticks, const DeviceTick& tick) {
     HostileSettings settings = strayingInTheStock(20261129);
     settings.stylus = stylus;
@@ -71,9 +72,10 @@ inline QString hostileReadings(const StylusDescription& stylus, double share, in
     return pushed * 10 > ticks ? QString() : QString("pushed in %1 ticks only").arg(pushed);
 }
 
-/// Records a session with a device whose handle mills through the stock onto the part, and replays its trace. Empty:
-/// the replay is the same to the bit, and the session held what it should.
-/// @param moveTo puts the handle somewhere, mm, Burin's device frame; on a thread of its own, once a millisecond
+/// Records a session with a device whose handle mills through the stock onto the part, and replays its trace. Returns
+/// an empty string if the replay is the same to the bit and the session contained the expected events.
+/// @param moveTo  moves the handle to a position, mm, Burin's device frame; called once a millisecond on a separate
+/// thread
 inline QString sessionThroughDriver(const StylusHandle& stylus, const std::function<void(const glm::dvec3&)>& moveTo) {
     const QTemporaryDir folder;
     const std::filesystem::path file = folder.filePath("trace.csv").toStdString();

@@ -32,7 +32,7 @@ DhdStandIn& dhdStandIn() {
     return instance;
 }
 
-/// Burin's device frame, mm, to the library's, m.
+/// Sets a position, converted from Burin's device frame, mm, to the library's, m.
 void moveTo(DhdDevice& device, const glm::dvec3& place) {
     device.place = {-millimetre * place.y, millimetre * place.x, millimetre * place.z};
 }
@@ -50,7 +50,7 @@ Wrench upward(double newtons) {
 
 } // namespace
 
-/// The driver for Force Dimension's devices over a library that stands in for libdrd. No device was at hand.
+/// The driver for Force Dimension's devices, with a stand-in for libdrd. No real device was available.
 class TestForceDimension : public QObject {
     Q_OBJECT
     std::unique_ptr<DeviceDriver> driver_;
@@ -75,7 +75,7 @@ class TestForceDimension : public QObject {
 private slots:
     void init() {
         dhdStandIn().devices.clear();
-        dhdStandIn().devices.reserve(4); // references stay
+        dhdStandIn().devices.reserve(4); // so that references stay valid
         dhdStandIn().complaints.clear();
         qputenv("FDSDK", (standIns + "force-dimension").toUtf8());
         driver_ = forcedimension::makeDriver();
@@ -95,7 +95,7 @@ private slots:
         QCOMPARE(found.size(), std::size_t{2});
         QCOMPARE(found[1].id, std::string("1"));
         QCOMPARE(found[1].modes.size(), std::size_t{2});
-        QVERIFY(!dhdStandIn().devices[0].open); // to look for devices opens none
+        QVERIFY(!dhdStandIn().devices[0].open); // enumerating devices does not open any
         QCOMPARE(driver_->make("2", {}).error().code, ErrorCode::deviceNotFound);
         QCOMPARE(driver_->make("-1", {}).error().code, ErrorCode::deviceNotFound);
         QCOMPARE(driver_->make("0", "other").error().code, ErrorCode::nameUnknown);
@@ -123,7 +123,7 @@ private slots:
         QCOMPARE(told.maximumForce.value, 12.0);
         QCOMPARE(told.maximumTorque.value, 200.0); // N·mm
         QVERIFY(checkDescription(told));
-        DhdDevice lambda; // the stiffness that its wrist bears is not known
+        DhdDevice lambda; // a device whose wrist stiffness is unknown
         lambda.type = 108;
         lambda.wrist = lambda.activeWrist = true;
         plug(lambda);
@@ -158,7 +158,7 @@ private slots:
         const auto pen = stylus();
         QVERIFY(pen->open());
         device.place = {0.010, 0.020, 0.030}; // towards the user, right, up
-        // The pen, along x at rest, is raised by a quarter turn about y: its back end goes up.
+        // The pen, along x at rest, is rotated by a quarter turn about y: its back end points up.
         device.rotation = {{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}};
         device.buttons = 1;
         Wrench wrench;
@@ -244,7 +244,7 @@ private slots:
         for (int i = 0; i < 600; ++i) state = tick(*pen, upward(1.0));
         if (byHand) {
             QVERIFY(!state.valid && !device.forcesOn && device.forcesSwitchedOn == 1);
-            device.forcesOn = true; // the hand
+            device.forcesOn = true; // as by hand
             for (int i = 0; i < 20; ++i) state = tick(*pen, upward(1.0));
         }
         QVERIFY(state.valid);
@@ -283,7 +283,7 @@ private slots:
         QCOMPARE(pen->takeFault()->code, ErrorCode::deviceUnplugged);
         QVERIFY(!pen->health().connected);
         QTest::qWait(700);
-        device.type = 63; // another model in its place is not taken
+        device.type = 63; // another model in its place is not accepted
         plugged(true);
         QTest::qWait(700);
         QVERIFY(!pen->health().connected);
@@ -306,9 +306,9 @@ private slots:
         QCOMPARE(felt(device).z, 0.0);
         pen->write(upward(1.0));
         QCOMPARE(device.asked[2], 0.0);
-        device.asked[2] = 1.0; // as if that had been lost
+        device.asked[2] = 1.0; // as if the zero force had been lost
         QVERIFY(pen->read(0.2).valid);
-        QVERIFY(device.forcesOn && device.asked[2] == 0.0); // on again, from none
+        QVERIFY(device.forcesOn && device.asked[2] == 0.0); // on again, starting from zero force
         tick(*pen, upward(1.0));
         QCOMPARE(felt(device).z, 1.0);
     }

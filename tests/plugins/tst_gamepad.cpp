@@ -49,7 +49,7 @@ struct Shown {
     const char *event, *name, *vendor, *product, *serial, *keys, *axes;
 };
 
-/// What sysfs shows of a device. The bit fields are those of real ones.
+/// Writes a device's entries in sysfs. The bit fields are those of real devices.
 void show(const QString& classes, const Shown& device) {
     const QString folder = classes + '/' + device.event + "/device";
     write(folder + "/name", device.name);
@@ -62,7 +62,7 @@ void show(const QString& classes, const Shown& device) {
 
 } // namespace
 
-/// Gamepads and joysticks: what is found, and what their events do.
+/// Gamepads and joysticks: which are found, and the effect of their events.
 class TestGamepad : public QObject {
     Q_OBJECT
 private slots:
@@ -70,7 +70,7 @@ private slots:
         QVERIFY(rc::check([] {
             const std::vector<unsigned long> words =
                 *rc::gen::nonEmpty(rc::gen::container<std::vector<unsigned long>>(rc::gen::arbitrary<unsigned long>()));
-            QStringList text; // the lowest last
+            QStringList text; // lowest word last
             for (const unsigned long word : words) text.prepend(QString::number(word, 16));
             const std::string line = text.join(' ').toStdString();
             const unsigned int bit = *rc::gen::inRange(0U, 64U * static_cast<unsigned int>(words.size()) + 100U);
@@ -143,7 +143,7 @@ private slots:
         QCOMPARE(reader.controls().axes[2], std::int16_t{0});
         reader.take(eventOf(EV_ABS, ABS_RY, 32767));
         QCOMPARE(reader.controls().axes[2], std::int16_t{full});
-        reader.take(eventOf(EV_ABS, ABS_Z, 0)); // no more than full
+        reader.take(eventOf(EV_ABS, ABS_Z, 0)); // limited to full deflection
         QCOMPARE(reader.controls().axes[2], std::int16_t{full});
     }
 
@@ -162,7 +162,7 @@ private slots:
         QCOMPARE(hat.controls().axes[2], std::int16_t{-full}); // up
         hat.take(eventOf(EV_ABS, ABS_RZ, 255));
         QCOMPARE(hat.controls().axes[5], std::int16_t{full});
-        const auto broken = virtualInput({{ABS_X, 5, 5}, {ABS_Y, 9, 1}}, {BTN_TRIGGER}); // ranges of nothing
+        const auto broken = virtualInput({{ABS_X, 5, 5}, {ABS_Y, 9, 1}}, {BTN_TRIGGER}); // empty ranges
         PadReader nothing(*broken);
         QCOMPARE(nothing.take(eventOf(EV_ABS, ABS_X, 5)), PadReader::Kind::none);
     }

@@ -55,7 +55,7 @@ std::unique_ptr<SelfPacedStylus> connectTo(const InverseService& service) {
     return std::move(std::get<std::unique_ptr<SelfPacedStylus>>(*made));
 }
 
-/// Whether a fault was told; it stays.
+/// Whether a fault was reported; the fault is kept.
 bool heard(StylusDevice& stylus, std::optional<Error>& fault) {
     if (!fault) fault = stylus.takeFault();
     return fault.has_value();
@@ -68,8 +68,8 @@ glm::dvec3 forceOf(InverseService& service) {
 
 } // namespace
 
-/// The driver for Haply's Inverse3, over a real WebSocket whose other end stands in for Haply's service. No device was
-/// at hand.
+/// The driver for Haply's Inverse3, over a real WebSocket to a stand-in for Haply's service. No real device was
+/// available.
 class TestHaply : public QObject {
     Q_OBJECT
 private slots:
@@ -90,7 +90,7 @@ private slots:
                 {{"device_id", "other"}, {"state", {{"cursor_position", {{"x", 1}, {"y", 1}, {"z", 1}}}}}}, arm};
             told["verse_grip"] = {grip};
             const std::string text = told.dump(*rc::gen::inRange(-1, 3));
-            // The id as it stands in the text, escapes and all.
+            // The ID as in the text, including escapes.
             const auto said = scanState(text, R"(arm \"1\")");
             RC_ASSERT(said.has_value());
             RC_ASSERT(said->cursor == glm::dvec3(x, y, z));
@@ -108,7 +108,7 @@ private slots:
         const auto none = scanState("{}", "x");
         QVERIFY(none && !none->cursor && !none->grip);
         const auto half = scanState(R"({"inverse3":[{"device_id":"x","state":{"cursor_position":{"x":1}}}]})", "x");
-        QVERIFY(half && half->cursor && !isFinite(*half->cursor)); // no reading
+        QVERIFY(half && half->cursor && !isFinite(*half->cursor)); // not a valid reading
         QVERIFY(haply::armsOf("nonsense").empty() && haply::armsOf("{\"inverse3\":[1,{\"device_id\":2}]}").empty());
         QCOMPARE(haply::armsOf(R"({"inverse3":[{"device_id":"a"},{"device_id":"b"}]})").size(), std::size_t{2});
     }
@@ -125,7 +125,7 @@ private slots:
         }
         QCOMPARE(allocationCount.load(), before);
         QVERIFY(length > 1000);
-        // Whatever is asked for, it stays a message.
+        // Whatever force is requested, the message stays valid.
         const std::string longId(3000, '"');
         ForceMessage longest(longId);
         for (const glm::dvec3& force : {glm::dvec3(NAN, 1e300, -1e300), glm::dvec3(INFINITY)}) {
@@ -140,7 +140,7 @@ private slots:
     }
 
     void devicesAreThoseOfTheService() {
-        qputenv("HAPLY_INVERSE_SERVICE", "127.0.0.1:1"); // nobody
+        qputenv("HAPLY_INVERSE_SERVICE", "127.0.0.1:1"); // no service there
         const auto alone = haply::makeDriver();
         QVERIFY(alone->find().empty());
         QCOMPARE(alone->make("04BA", {}).error().code, ErrorCode::deviceNotFound);
@@ -152,7 +152,7 @@ private slots:
         QCOMPARE(found[0].id, std::string("04BA"));
         const int connections = service.connections;
         for (int i = 0; i < 5; ++i) QCOMPARE(driver->find().size(), std::size_t{2});
-        QCOMPARE(service.connections.load(), connections); // not at each look
+        QCOMPARE(service.connections.load(), connections); // not for each enumeration
         QCOMPARE(driver->make("none", {}).error().code, ErrorCode::deviceNotFound);
     }
 
@@ -197,8 +197,8 @@ private slots:
         const double rate = further / (1e-9 * static_cast<double>(timer.nsecsElapsed()));
         QVERIFY2(rate < 1050.0, qPrintable(QString::number(rate))); // however the machine is loaded
         pen->stop();
-        QTRY_COMPARE(forceOf(service), glm::dvec3(0.0));         // the last message may still be under way
-        QTRY_COMPARE(service.messages.load(), client.valid + 1); // one a reading, and the one without force
+        QTRY_COMPARE(forceOf(service), glm::dvec3(0.0));         // the last message may still be in transit
+        QTRY_COMPARE(service.messages.load(), client.valid + 1); // one per reading, and the one without force
     }
 
     void bothNamesOfAForceAreSpoken() {
@@ -211,7 +211,7 @@ private slots:
             QVERIFY(pen->start(client));
             QTRY_COMPARE(forceOf(service).z, 1.0);
             QTest::qWait(100);
-            QCOMPARE(forceOf(service).z, 1.0); // and it stays
+            QCOMPARE(forceOf(service).z, 1.0); // and it stays at that
             QVERIFY(!pen->takeFault());
         }
         InverseService service;
@@ -266,7 +266,7 @@ private slots:
         QCOMPARE(fault->code, ErrorCode::deviceUnplugged);
         QTRY_COMPARE(forceOf(service).z, 1.0);
         QVERIFY(pen->health().connected);
-        // The loop's watchdog breaks it too, from outside.
+        // The loop's watchdog interrupts it as well, from another thread.
         std::thread([&] { pen->cutMotors(); }).join();
         QTRY_COMPARE(forceOf(service).z, 0.0);
         QTRY_COMPARE(forceOf(service).z, 1.0);
@@ -281,12 +281,12 @@ private slots:
             Rig rig(settings, ballTool(), stockOnPart(0, false));
             StepClient client(rig.step);
             SimulatedMechanism mechanism;
-            mechanism.mass = 0.15; // kg: a guess, as Haply states none
+            mechanism.mass = 0.15; // kg: an estimate, as Haply states none
             mechanism.encoder = 0.02;
-            mechanism.delay = 1; // the message on its way
+            mechanism.delay = 1; // the message in transit
             ForceMessage message("04BA");
             double most = 0.0;
-            // What goes over the wire is what is felt: its text, read by another parser.
+            // The felt force is the one that was sent: its text, read by another parser.
             const double energy = energyPerContact(grip, mechanism, [&](const glm::dvec3& reading, std::uint32_t) {
                 StylusState state;
                 state.pose.position = reading;

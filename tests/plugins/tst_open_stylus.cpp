@@ -27,7 +27,7 @@ using test::Wire;
 
 namespace {
 
-/// A port that allocates nothing itself: plays what a board sent once, and swallows what it is sent.
+/// A port that does not allocate: replays what a board sent once, and discards what it is sent.
 class PlayedPort final : public hid::Port {
 public:
     PlayedPort() {
@@ -60,7 +60,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Notes how often the program has allocated, at some of its ticks.
+/// Records the number of the program's allocations at some of its ticks.
 class Counter final : public StylusClient {
 public:
     Wrench tick(const StylusState& state) noexcept override {
@@ -132,11 +132,11 @@ private slots:
 
     void theHandFeelsTheWall() {
         Fixture test;
-        Wall wall; // outlives the stylus, which calls it
+        Wall wall; // must outlive the stylus, which calls it
         const auto stylus = test.make();
         QVERIFY(stylus->open());
         QVERIFY(stylus->start(wall));
-        QVERIFY(!stylus->start(wall)); // once
+        QVERIFY(!stylus->start(wall)); // only once
         QVERIFY(comesTrue([&] { return wall.valid > 0; }));
         test.plugged->x = -10.0;
         QVERIFY(comesTrue([&] { return test.plugged->force.load() == 1.0; }));
@@ -151,7 +151,7 @@ private slots:
 
     void unpluggedInMidStrokeItSaysSoAndGoesOnWhenItIsBack() {
         Fixture test;
-        Wall wall; // outlives the stylus, which calls it
+        Wall wall; // must outlive the stylus, which calls it
         const auto stylus = test.make();
         test.plugged->x = -10.0;
         QVERIFY(stylus->start(wall));
@@ -172,14 +172,14 @@ private slots:
 
     void anotherDeviceIsNotTakenForIt() {
         Fixture test;
-        Wall wall; // outlives the stylus, which calls it
+        Wall wall; // must outlive the stylus, which calls it
         const auto stylus = test.make();
         QVERIFY(stylus->start(wall));
         QVERIFY(comesTrue([&] { return wall.valid > 0; }));
         test.bus().unplugAll();
         open_stylus_limits stronger = Board::limits();
         stronger.maximum_force *= 2;
-        PluggedBoard other(test.bus(), stronger); // the same number, other limits
+        PluggedBoard other(test.bus(), stronger); // the same serial number, other limits
         std::this_thread::sleep_for(std::chrono::milliseconds(1200));
         QVERIFY(!stylus->health().connected);
         QVERIFY(!other.motors);
@@ -187,7 +187,7 @@ private slots:
 
     void aDeviceThatFallsSilentIsAFaultAndComesBack() {
         Fixture test;
-        Wall wall; // outlives the stylus, which calls it
+        Wall wall; // must outlive the stylus, which calls it
         const auto stylus = test.make();
         QVERIFY(stylus->start(wall));
         QVERIFY(comesTrue([&] { return wall.valid > 0; }));
@@ -204,7 +204,7 @@ private slots:
 
     void itsMotorsGoOffWhenItIsLetGo() {
         Fixture test;
-        Wall wall; // outlives the stylus, which calls it
+        Wall wall; // must outlive the stylus, which calls it
         auto stylus = test.make();
         QVERIFY(stylus->start(wall));
         QVERIFY(comesTrue([&] { return test.plugged->motors.load(); }));
@@ -214,9 +214,9 @@ private slots:
         QVERIFY(comesTrue([&] { return test.plugged->offs >= before + 3; }));
     }
 
-    /// The device's own watchdog would take 100 ms; the tick hangs for as long as the test wants.
+    /// The device's own watchdog would take 100 ms; the tick hangs as long as the test determines.
     void itsMotorsCanBeCutWhileATickHangs() {
-        HangingClient client; // outlives the stylus, which calls it
+        HangingClient client; // must outlive the stylus, which calls it
         auto bus = std::make_unique<ScriptedBus>();
         open_stylus_limits limits = Board::limits();
         limits.watchdog = 100;
@@ -232,16 +232,16 @@ private slots:
         QVERIFY(comesTrue([&] { return client.held.load(); }));
         const int before = client.invalid, offs = plugged.offs;
         stylus->cutMotors();
-        QVERIFY(!plugged.motors); // the reports are there when the call returns
+        QVERIFY(!plugged.motors); // the reports have arrived when the call returns
         QCOMPARE(plugged.force.load(), 0.0);
         QCOMPARE(plugged.offs - offs, 3);
         client.hang = false;
-        // It goes on by itself: off until it has been armed again, which the readings tell.
+        // It goes on by itself: the motors are off until they have been armed again, which the readings report.
         QVERIFY(comesTrue([&] { return plugged.force > 0.9; }));
         QVERIFY(client.invalid > before);
         QVERIFY(plugged.offs - offs >= 3 + Exchange::armingReports);
         stylus->stop();
-        stylus->cutMotors(); // also when nothing runs
+        stylus->cutMotors(); // also if nothing runs
         QVERIFY(!plugged.motors);
     }
 

@@ -22,11 +22,11 @@ namespace {
 
 Identity identityOf(const Board& board) {
     Identity identity;
-    if (decodeFeature(board.feature(), identity) != IdentityFault::none) std::abort(); // the test's own set-up
+    if (decodeFeature(board.feature(), identity) != IdentityFault::none) std::abort(); // error in the test's own set-up
     return identity;
 }
 
-/// Host and board, bound together without a bus: each period a reading goes up and an answer comes down, unless a test
+/// Host and board connected without a bus: in each period a reading goes up and an answer comes down, unless a test
 /// loses one.
 struct Line {
     explicit Line(const open_stylus_limits& limits = Board::limits())
@@ -49,7 +49,7 @@ struct Line {
         }
         return outcome;
     }
-    /// Until forces flow.
+    /// Runs until forces flow.
     void begin() {
         for (int i = 0; i < 10 && !exchange.state().valid; ++i) period();
     }
@@ -80,21 +80,21 @@ private slots:
         QCOMPARE(line.answer[1], std::uint8_t{0}); // off
         int periods = 1;
         for (; periods < 20 && !line.exchange.state().valid; ++periods) line.period({{1.0, 0.0, 0.0}, {}});
-        QCOMPARE(periods, Exchange::armingReports + 2); // offs, the first on, and the reading that tells of it
+        QCOMPARE(periods, Exchange::armingReports + 2); // offs, the first on, and the reading that reports it
         QVERIFY(line.board.motorsOn);
         QCOMPARE(line.boardForce(0), 1.0); // the answer to the first valid reading
         QVERIFY(faultsOf(line.exchange).empty());
     }
 
-    /// A device that did not hear "off" still says on: what the loop would send it meanwhile is sent as nothing, so the
-    /// loop must know, or its force would be there at once afterwards.
+    /// A device that did not receive "off" still reports on. Whatever the loop would send it meanwhile is replaced by
+    /// zero, so the loop must know of it; otherwise its force would be there at once afterwards.
     void whileTheMotorsAreAskedOffNoReadingIsValid() {
         Line line;
         line.begin();
         QVERIFY(line.exchange.state().valid);
         line.exchange.cut();
         for (int off = 0; off < Exchange::armingReports; ++off) {
-            line.period({{1.0, 0.0, 0.0}, {}}, true, false); // lost on the way
+            line.period({{1.0, 0.0, 0.0}, {}}, true, false); // lost in transit
             QVERIFY(line.board.motorsOn);
             QCOMPARE(line.answer[1], std::uint8_t{0});
             QVERIFY(off == 0 || !line.exchange.state().valid);
@@ -240,7 +240,7 @@ private slots:
         QCOMPARE(line.period(), Exchange::Outcome::reading);
         QCOMPARE(line.exchange.health().lost, std::uint64_t{5});
         QCOMPARE(line.exchange.health().readings, before + 1);
-        QCOMPARE(line.exchange.take(line.pending, line.now), Exchange::Outcome::old); // twice
+        QCOMPARE(line.exchange.take(line.pending, line.now), Exchange::Outcome::old); // the same again
         QCOMPARE(line.exchange.health().repeated, std::uint64_t{1});
         QCOMPARE(line.exchange.health().lost, std::uint64_t{5});
     }
@@ -278,7 +278,7 @@ private slots:
         double before = line.exchange.state().time;
         for (int i = 0; i < 1000; ++i) {
             line.now += 0.001;
-            line.board.step(997); // its clock is a little slow
+            line.board.step(997); // its clock is slightly slow
             QCOMPARE(line.exchange.take(line.pending, line.now + late(random)), Exchange::Outcome::reading);
             QVERIFY(std::abs(line.exchange.state().time - before - 997e-6) < 1e-12);
             before = line.exchange.state().time;
@@ -295,7 +295,7 @@ private slots:
         for (int i = 0; i < 10; ++i) {
             const double last = line.exchange.state().time;
             line.now += 0.001;
-            line.board.step(0); // a clock that stands
+            line.board.step(0); // a clock that has stopped
             line.exchange.take(line.pending, line.now);
             QVERIFY(line.exchange.state().time > last);
         }
@@ -311,7 +311,7 @@ private slots:
         line.now += 0.003;
         line.period();
         QVERIFY(line.exchange.state().valid);
-        QVERIFY(std::abs(line.exchange.state().time - before - 0.004) < 1e-9); // by our clock after a gap
+        QVERIFY(std::abs(line.exchange.state().time - before - 0.004) < 1e-9); // by the host's clock after a gap
     }
 
     void aBoardThatDoesNotHearIsAFault() {
@@ -325,10 +325,10 @@ private slots:
         for (; silent < 300 && !deaf(); ++silent) line.period({}, true, false);
         QVERIFY(silent >= 100 && silent <= 103);
         for (int i = 0; i < 300; ++i) line.period({}, true, false);
-        QVERIFY(!deaf()); // once
+        QVERIFY(!deaf()); // only once
         line.begin();
         for (int i = 0; i < 300; ++i) line.period({}, true, false);
-        QVERIFY(deaf()); // it had heard again
+        QVERIFY(deaf()); // because it had received something again
     }
 
     void theRoundTripIsMeasured() {
@@ -348,8 +348,8 @@ private slots:
         QCOMPARE(line.exchange.health().damaged, std::uint64_t{10});
     }
 
-    /// A million reports of a hostile device, every fifth one whole: no crash, no wrench over the limits, none for
-    /// motors that are off, time never back.
+    /// A million reports of a hostile device, every fifth one intact: no crash, no wrench above the limits, none with
+    /// motors that are off, time never decreases.
     void hostileReportsDoNoHarm() {
         Line line;
         line.begin();
@@ -363,7 +363,7 @@ private slots:
             report.resize(kind(random) == 0 ? static_cast<std::size_t>(size(random)) : inputSize);
             for (auto& one : report) one = static_cast<std::uint8_t>(byte(random));
             if (!report.empty()) report[0] = inputId;
-            if (kind(random) == 0 && report.size() == inputSize) { // whole, with a rotation that is one
+            if (kind(random) == 0 && report.size() == inputSize) { // intact, with a valid rotation
                 for (std::size_t at = 20; at < 36; ++at) report[at] = 0;
                 report[23] = 0x40;
                 const std::uint16_t crc = checksumOf(Bytes(report).first(46));

@@ -42,7 +42,7 @@ std::vector<std::uint8_t> vectorOf(const QByteArray& bytes) {
 
 Identity identityOf(const Board& board) {
     Identity identity;
-    if (decodeFeature(board.feature(), identity) != IdentityFault::none) std::abort(); // the test's own set-up
+    if (decodeFeature(board.feature(), identity) != IdentityFault::none) std::abort(); // error in the test's own set-up
     return identity;
 }
 
@@ -117,7 +117,7 @@ private slots:
         QCOMPARE(identity.handleMass, 0.0625);
     }
 
-    /// Bytes 60 and 61 were reserved in 1.0: whatever stands there, no hand is lifted by it.
+    /// Bytes 60 and 61 were reserved in 1.0: whatever they contain, no gravity compensation results from them.
     void anOlderFirmwareStatesNoMass() {
         auto bytes = vectorOf(documentedBytes().value(3));
         bytes[2] = 0;
@@ -127,7 +127,7 @@ private slots:
         Identity identity;
         QCOMPARE(decodeFeature(bytes, identity), IdentityFault::none);
         QCOMPARE(identity.handleMass, 0.0);
-        QCOMPARE(identity.rotationStep, 536870 * 0x1.0p-30); // the rest as ever
+        QCOMPARE(identity.rotationStep, 536870 * 0x1.0p-30); // everything else as usual
         QVERIFY(checkDescription(descriptionOf(identity, "old")));
     }
 
@@ -195,7 +195,7 @@ private slots:
         QCOMPARE(report[23], std::uint8_t{0x80}); // - 32767
     }
 
-    /// CRC-16 finds every burst of up to 16 bits: each damaged byte, each pair of neighbours.
+    /// CRC-16 detects every burst of up to 16 bits: each damaged byte, each pair of neighbouring bytes.
     void everyDamageIsFound() {
         const auto reading = vectorOf(documentedBytes().value(1));
         const auto identity = vectorOf(documentedBytes().value(3));
@@ -326,7 +326,7 @@ private slots:
     void anotherMajorVersionIsToldApart() {
         Board board([](const Board::Report&) { return true; });
         Board::Report report = board.feature();
-        report[1] = 2; // whatever its check sum covers
+        report[1] = 2; // whatever its checksum covers
         Identity identity;
         QCOMPARE(decodeFeature(report, identity), IdentityFault::otherVersion);
         QCOMPARE(int{identity.major}, 2);

@@ -32,7 +32,7 @@ HdStandIn& hdStandIn() {
     return instance;
 }
 
-/// Burin's device frame to libHD's.
+/// Sets a position, converted from Burin's device frame to libHD's.
 void moveTo(HdDevice& device, const glm::dvec3& place) {
     device.transform[12] = place.x;
     device.transform[13] = place.z;
@@ -43,7 +43,7 @@ glm::dvec3 felt(const HdDevice& device) {
     return {device.force[0], -device.force[2], device.force[1]};
 }
 
-/// Gives a fixed answer, and counts.
+/// Returns a fixed answer and counts calls.
 class Client final : public StylusClient {
 public:
     void begins() noexcept override { ++begun; }
@@ -62,8 +62,8 @@ public:
 
 } // namespace
 
-/// The driver for 3D Systems' devices over a library that stands in for libHD and complains about every call that its
-/// reference forbids. No device was at hand.
+/// The driver for 3D Systems' devices, with a stand-in for libHD that complains about every call that its reference
+/// forbids. No real device was available.
 class TestOpenHaptics : public QObject {
     Q_OBJECT
     QTemporaryDir home_;
@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(found[0].id, std::string("Default Device"));
         QCOMPARE(found[1].id, std::string("Left Touch"));
         QCOMPARE(found[1].name, std::string("3D Systems: Left Touch"));
-        QCOMPARE(hdStandIn().initialisations, 0); // to look for devices switches none on
+        QCOMPARE(hdStandIn().initialisations, 0); // enumerating devices does not switch any on
         QCOMPARE(driver_->make("Right Touch", {}).error().code, ErrorCode::deviceNotFound);
         QCOMPARE(driver_->make("Left Touch", {}).error().code, ErrorCode::deviceNotFound); // not plugged in
     }
@@ -159,7 +159,7 @@ private slots:
         Client client;
         client.answer.force = {1.0, 2.0, 3.0};
         QVERIFY(pen->start(client));
-        // The pen points straight down: its own z, from the tip backwards, is the library's y.
+        // The pen points straight down: its own z axis, from the tip backwards, is the library's y axis.
         device.transform = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 10.0, 20.0, -30.0, 1};
         device.buttons = 2;
         device.heat = 0.5;
@@ -171,7 +171,7 @@ private slots:
         QCOMPARE(client.state.motorHeat, 0.5);
         QCOMPARE(device.force, (std::array{1.0, 3.0, -2.0}));
         QCOMPARE(client.begun.load(), 1);
-        // A matrix that is a little off is made a rotation again.
+        // A matrix that is slightly off is corrected to a rotation.
         device.transform = {1.001, 0.002, 0, 0, 0, 0.001, -0.998, 0, 0, 1.003, 0.001, 0, 0, 0, 0, 1};
         hdStandIn().step();
         QVERIFY(std::abs(glm::length(client.state.pose.rotation) - 1.0) < 1e-12);
@@ -211,7 +211,7 @@ private slots:
         QCOMPARE(felt(device).z, 1.0);
         QVERIFY(!pen->takeFault());
         hdStandIn().raise(code);
-        hdStandIn().step(); // in which it shows
+        hdStandIn().step(); // the tick in which it is detected
         hdStandIn().step();
         QCOMPARE(felt(device).z, 0.0);
         QVERIFY(!client.state.valid);
@@ -281,7 +281,7 @@ private slots:
         QTRY_VERIFY(reached.load());
         pen->cutMotors();
         QCOMPARE(force(), 0.0);
-        // What the stuck tick answers goes out as nothing; the next one is felt again.
+        // The answer of the stuck tick is sent as zero; the next one is felt again.
         const int frames = device.frames;
         stuck = false;
         QTRY_VERIFY(device.frames > frames + 3);
@@ -299,7 +299,7 @@ private slots:
         const auto refused = stylus()->open();
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::deviceFault);
-        // One that would take any pose for its rest is not reset unasked.
+        // A device that would accept any pose as its rest pose is not reset without a request.
         HdDevice& third = plug();
         third.calibration = 0x5001;
         third.calibrationStyles = 1;
@@ -323,8 +323,8 @@ private slots:
         QCOMPARE(felt(right), glm::dvec3(1.0, 0.0, 0.0));
         QCOMPARE(felt(left), glm::dvec3(0.0, 0.0, 2.0));
         QCOMPARE(two.state.pose.position, glm::dvec3(5.0, 6.0, 7.0));
-        QVERIFY(!stylus()); // one stylus for a device
-        // An error of one that shows in the other's frame is its own all the same.
+        QVERIFY(!stylus()); // a device can have only one stylus
+        // An error of one device that is detected in the other's frame is attributed to the right one.
         for (const auto& [handle, name] : hdStandIn().handles_)
             if (name == "Left Touch") hdStandIn().raise(0x0203, handle);
         hdStandIn().step();
@@ -333,7 +333,7 @@ private slots:
         QVERIFY(second->takeFault() && !two.state.valid);
         QCOMPARE(felt(left), glm::dvec3(0.0));
         QCOMPARE(felt(right), glm::dvec3(1.0, 0.0, 0.0));
-        first->stop(); // without a tick of the scheduler any more
+        first->stop(); // without another tick of the scheduler
         QCOMPARE(felt(right), glm::dvec3(0.0));
         QVERIFY(!right.forcesOn);
     }
@@ -350,7 +350,7 @@ private slots:
         QCOMPARE(device.torque, (std::array{10.0, 30.0, -20.0})); // mN·m
     }
 
-    /// A contact gives a hand no energy through it, whatever the hand; the mechanism of a Touch.
+    /// A contact gives no energy to a hand through the driver, for any grip; with the mechanism of a Touch.
     void aContactGivesNoEnergy() {
         HdDevice& device = plug();
         const auto pen = stylus();

@@ -27,7 +27,7 @@ HapticSettings settingsFor(const StylusDescription& stylus) {
     return settings;
 }
 
-/// Runs beside a session, with the time since it began, until it is gone.
+/// Calls `moves` alongside a session, with the time since its start, until it is destroyed.
 class Mover {
 public:
     explicit Mover(std::function<void(double time)> moves)
@@ -43,7 +43,7 @@ private:
     std::jthread thread_;
 };
 
-/// Down through the stock onto the part below it, and round.
+/// Moves down through the stock onto the part below it, and in a circle.
 glm::dvec3 stroke(double time) {
     const double depth = std::min(60.0 * std::max(0.0, time - 0.05), 17.0);
     return {6.0 * std::sin(8.0 * time), 6.0 * (1.0 - std::cos(8.0 * time)), -depth};
@@ -66,8 +66,8 @@ struct Session {
 
 } // namespace
 
-/// A session with each of our devices, told of guides, levels, allowance, workspace, clutch, spindle, takes and layers
-/// in between, comes out of its trace to the bit: pose, force, removed volume.
+/// A session with each supported device, during which guides, levels, allowance, workspace, clutch, spindle, takes and
+/// layers change, is reproduced from its trace to the bit: pose, force, removed volume.
 class TestReplayedDevices : public QObject {
     Q_OBJECT
 private slots:
@@ -119,7 +119,7 @@ private slots:
         QTemporaryDir folder;
         Session session(folder);
         {
-            // The cap's frame has y towards the user and z down: pressed down first, then pushed round.
+            // The cap's frame has y towards the user and z down: it is pressed down first, then pushed in a circle.
             const Mover mover([&, sent = -1](double time) mutable {
                 const int due = static_cast<int>(time * 62.5);
                 if (due == sent) return;
@@ -151,7 +151,7 @@ private slots:
     }
 
     void theSimulatedStylus() {
-        SimulatedStylus stylus({0.0, 0.0, 0.2}); // it goes along all of the stroke, from where the spindle turns
+        SimulatedStylus stylus({0.0, 0.0, 0.2}); // it follows the whole stroke, from where the spindle turns
         QVERIFY(stylus.open());
         QTemporaryDir folder;
         Session session(folder);

@@ -38,7 +38,7 @@ struct Fixture {
         auto any = driver->make("256f:c62e", mode);
         if (any) stylus = std::move(std::get<std::unique_ptr<Stylus>>(*any));
     }
-    /// Reads as a loop does, a millisecond of the session after the other, without waiting for it.
+    /// Reads as a loop does, advancing the session by a millisecond without waiting for it.
     StylusState read() { return stylus->read(time += 0.001); }
     bool readings(std::uint64_t count) {
         return comesTrue([this, count] { return stylus->health().readings >= count; });
@@ -135,7 +135,7 @@ private slots:
     void itsLedShinesWhileItIsOpen() {
         Fixture test;
         QVERIFY(test.stylus->open());
-        QVERIFY(!test.stylus->open()); // once
+        QVERIFY(!test.stylus->open()); // only once
         std::vector<Wire::Report> sent;
         QVERIFY(comesTrue([&] {
             for (const auto& report : test.wire->takeOutputs()) sent.push_back(report);
@@ -187,7 +187,7 @@ private slots:
         QCOMPARE(test.read().pose.position.x, stood);
         test.wire = test.bus->plug(wireless());
         QVERIFY(comesTrue([&] { return test.read().valid; }));
-        QCOMPARE(test.read().pose.position.x, stood); // where it was left
+        QCOMPARE(test.read().pose.position.x, stood); // at its last position
         test.wire->send(pushedRight);
         QVERIFY(test.readings(3));
         test.read();

@@ -23,7 +23,7 @@ std::vector<std::uint8_t> bytes(const QString& hex) {
     return {raw.begin(), raw.end()};
 }
 
-/// The numbers of the buttons that are down, from 1.
+/// The numbers of the pressed buttons, from 1.
 QString pressed(std::uint32_t buttons) {
     QStringList numbers;
     for (int i = 0; i < 32; ++i)
@@ -49,8 +49,8 @@ Pose after(ControlMode mode, const std::array<std::int16_t, 6>& axes, int millis
 class TestSpaceMouseReports : public QObject {
     Q_OBJECT
 private slots:
-    /// Reports as devices were recorded to send them (SpaceNavigator: AndunHH/spacemouse; Compact: CloudCompare pull
-    /// request 2339), and as their descriptors lay them out.
+    /// Reports as recorded from devices (SpaceNavigator: AndunHH/spacemouse; Compact: CloudCompare pull request 2339),
+    /// and as laid out by their descriptors.
     void eachLayoutIsRead_data() {
         QTest::addColumn<QStringList>("reports");
         QTest::addColumn<QString>("axes");
@@ -122,13 +122,13 @@ private slots:
     void theBatteryIsRead() {
         ReportReader reader;
         QCOMPARE(reader.controls().batteryPercent, std::int8_t{-1});
-        QCOMPARE(reader.take(bytes("176401")), ReportKind::battery); // recorded of a Wireless
+        QCOMPARE(reader.take(bytes("176401")), ReportKind::battery); // recorded from a Wireless
         QCOMPARE(reader.controls().batteryPercent, std::int8_t{100});
         QVERIFY(reader.controls().charging);
         QCOMPARE(reader.take(bytes("170c00")), ReportKind::battery);
         QCOMPARE(reader.controls().batteryPercent, std::int8_t{12});
         QVERIFY(!reader.controls().charging);
-        QCOMPARE(reader.take(bytes("17ff00")), ReportKind::unknown); // no percentage
+        QCOMPARE(reader.take(bytes("17ff00")), ReportKind::unknown); // not a percentage
         reader.rest();
         QCOMPARE(reader.controls().batteryPercent, std::int8_t{12});
     }
@@ -153,7 +153,7 @@ private slots:
     void miceAndKeyboardsOfTheVendorAreLeftAlone() {
         QVERIFY(isSpaceMouse(0x256f, 0xc635, 1, 8));
         QVERIFY(isSpaceMouse(0x046d, 0xc626, 1, 8));
-        QVERIFY(isSpaceMouse(0x256f, 0xc6ff, 1, 8));  // one to come
+        QVERIFY(isSpaceMouse(0x256f, 0xc6ff, 1, 8));  // a future model
         QVERIFY(!isSpaceMouse(0x256f, 0xc650, 1, 8)); // CadMouse
         QVERIFY(!isSpaceMouse(0x256f, 0xc668, 1, 8)); // keyboard
         QVERIFY(!isSpaceMouse(0x256f, 0xc652, 1, 2)); // the receiver's mouse
@@ -170,12 +170,12 @@ private slots:
         QCOMPARE(CapMapping::response(17), 0.0); // 4.9 %
         QCOMPARE(CapMapping::response(350), 1.0);
         QCOMPARE(CapMapping::response(-350), -1.0);
-        QCOMPARE(CapMapping::response(500), 1.0); // some units go beyond
+        QCOMPARE(CapMapping::response(500), 1.0); // some devices exceed the range
         QCOMPARE(CapMapping::response(-32768), -1.0);
         for (std::int16_t counts = 0; counts < 350; ++counts) {
             const double here = CapMapping::response(counts),
                          next = CapMapping::response(static_cast<std::int16_t>(counts + 1));
-            QVERIFY(next >= here && next - here < 0.01); // no step: 2.4 % of the way a count at the most
+            QVERIFY(next >= here && next - here < 0.01); // no jump: less than 1 % of the range per count
             QCOMPARE(CapMapping::response(static_cast<std::int16_t>(-counts)), -here);
         }
     }
@@ -183,7 +183,7 @@ private slots:
     /// Frames: cap x right, y towards the user, z down; device x right, y away, z up.
     void theCapLeadsWhereItIsPushed_data() {
         QTest::addColumn<int>("axis");
-        QTest::addColumn<int>("moves"); // along or about which axis of the device
+        QTest::addColumn<int>("moves"); // axis of the device for the translation or rotation
         QTest::addColumn<double>("sign");
         QTest::newRow("right") << 0 << 0 << 1.0;
         QTest::newRow("towards the user") << 1 << 1 << -1.0;

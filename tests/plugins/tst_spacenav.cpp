@@ -64,7 +64,7 @@ private slots:
             return reader.take(rest);
         };
         QVERIFY(take({0, 500, 100, -200, 0, 50, 250, 16}) == EventReader::Kind::motion);
-        // x right, y towards the user, z down; 350 counts are all that a cap does.
+        // x right, y towards the user, z down; 350 counts are the full deflection of a cap.
         QVERIFY(reader.controls().axes == (std::array<std::int16_t, 6>{350, 140, -70, 0, -175, -35}));
         QVERIFY(take({1, 0}) == EventReader::Kind::button && take({1, 3}) == EventReader::Kind::button);
         QCOMPARE(reader.controls().buttons, 9U);
@@ -83,7 +83,7 @@ private slots:
         QVERIFY(driver->find().empty());
         QCOMPARE(driver->make("daemon", {}).error().code, ErrorCode::deviceNotFound);
         QCOMPARE(driver->make("daemon", "other").error().code, ErrorCode::nameUnknown);
-        QFile plain(file()); // a file that only bears its name
+        QFile plain(file()); // an ordinary file with the socket's name
         QVERIFY(plain.open(QIODevice::WriteOnly));
         QVERIFY(driver->find().empty());
         QVERIFY(plain.remove());
@@ -135,7 +135,7 @@ private slots:
         QCOMPARE(stylus.takeFault()->code, ErrorCode::deviceUnplugged);
         QVERIFY(!stylus.read(1.0).valid);
         const glm::dvec3 rest = stylus.read(1.1).pose.position;
-        QCOMPARE(stylus.read(1.2).pose.position, rest); // nobody pushes any more
+        QCOMPARE(stylus.read(1.2).pose.position, rest); // the cap is released
         daemon.listen();
         daemon.accept();
         QVERIFY(comesTrue([&] { return stylus.health().connected; }));

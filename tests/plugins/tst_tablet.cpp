@@ -21,7 +21,7 @@ using burin::input_events::TabletReader;
 
 namespace {
 
-/// 224 by 148 mm in steps of 0.01 mm, 8192 steps of pressure, tilt of -64 to 63 degrees: a tablet of today.
+/// A current tablet: 224 by 148 mm in steps of 0.01 mm, 8192 steps of pressure, tilt of -64 to 63 degrees.
 auto tablet(int tiltResolution = 0) {
     return virtualInput({{ABS_X, 0, 22400, 0, 100},
                          {ABS_Y, 0, 14800, 0, 100},
@@ -31,7 +31,7 @@ auto tablet(int tiltResolution = 0) {
                         {BTN_TOOL_PEN, BTN_TOUCH, BTN_STYLUS, BTN_STYLUS2});
 }
 
-/// One report. True: it was complete.
+/// Feeds one report. Returns true if it was complete.
 bool tell(TabletReader& reader, std::initializer_list<input_event> events) {
     for (const input_event& event : events)
         if (reader.take(event)) return false;
@@ -40,7 +40,7 @@ bool tell(TabletReader& reader, std::initializer_list<input_event> events) {
 
 } // namespace
 
-/// Pen tablets: what their events say of the pen, and what it does to the tool.
+/// Pen tablets: the state of the pen according to their events, and its effect on the tool.
 class TestTablet : public QObject {
     Q_OBJECT
 private slots:
@@ -86,7 +86,7 @@ private slots:
         (void)tell(reader, {eventOf(EV_KEY, BTN_TOOL_PEN, 1), eventOf(EV_ABS, ABS_X, 5000),
                             eventOf(EV_KEY, BTN_TOUCH, 1), eventOf(EV_ABS, ABS_PRESSURE, 4000)});
         QCOMPARE(reader.pen().buttons, 1U);
-        (void)tell(reader, {eventOf(EV_KEY, BTN_TOOL_PEN, 0)}); // without a word of the rest
+        (void)tell(reader, {eventOf(EV_KEY, BTN_TOOL_PEN, 0)}); // without any other event
         QVERIFY(!reader.pen().near);
         QCOMPARE(reader.pen().buttons, 0U);
         QCOMPARE(reader.pen().pressure, 0.0);
@@ -101,7 +101,7 @@ private slots:
         QCOMPARE(reader.height(), 150.0);
     }
 
-    /// Wherever the pen is put down, the tool goes there, straight, and no faster than it may.
+    /// Wherever the pen is put down, the tool moves there in a straight line, and not faster than allowed.
     void theToolFollowsNoFasterThanItMay() {
         QVERIFY(rc::check([] {
             PenMapping mapping;

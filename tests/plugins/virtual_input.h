@@ -14,7 +14,7 @@ struct VirtualAxis {
     int low, high, flat = 0, resolution = 0;
 };
 
-/// An input device as libevdev describes one, without a kernel's behind it.
+/// An input device as described by libevdev, without a device in the kernel.
 inline std::unique_ptr<libevdev, decltype(&libevdev_free)> virtualInput(const std::vector<VirtualAxis>& axes,
                                                                         const std::vector<unsigned int>& keys) {
     std::unique_ptr<libevdev, decltype(&libevdev_free)> device(libevdev_new(), &libevdev_free);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// burin-window-monkey SECONDS SEED LOG: works the window without sense for so long. Status 1: something was lost. A
-// crash is a crash; the log's last lines tell what led to it.
+// burin-window-monkey SECONDS SEED LOG: operates the window randomly for that time. Status 1: something was lost. A
+// crash ends it as a crash; the last lines of the log show what led to it.
 #include "tests/soak/window_monkey.h"
 #include "ui/scene/surface_format.h"
 

@@ -36,11 +36,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int pause = 15;         // ms between two steps
-constexpr int deepest = 3;        // dialogs that stand upon each other
+constexpr int deepest = 3;        // levels of nested dialogs
 constexpr double longStall = 100; // ms
 constexpr std::size_t keptStalls = 15;
 
-/// All that can be seen and used.
+/// All widgets of a type that are visible and enabled.
 template <class T>
 QList<T*> usable(const QWidget& in) {
     QList<T*> found;
@@ -101,7 +101,7 @@ void WindowMonkey::note(const QString& kind, const QString& what) {
     log_.write((QString::number(report_.steps) + QLatin1Char(' ') + last_ + QLatin1Char('\n')).toUtf8());
 }
 
-/// Of the step before: the event loop was looked at since.
+/// Records a stall of the previous step: the event loop has run since then.
 void WindowMonkey::noteStall() {
     const std::size_t stalls = watch_.longerThan(longStall);
     if (stalls == 0) return;
@@ -117,7 +117,7 @@ void WindowMonkey::noteStall() {
     if (report_.worstStalls.size() > keptStalls) report_.worstStalls.erase(std::prev(report_.worstStalls.end()));
 }
 
-/// Where much comes or goes.
+/// Records large changes of memory.
 void WindowMonkey::noteMemory() {
     constexpr double worthNoting = 200.0; // MB
     const double now = residentMegabytes();
@@ -126,7 +126,8 @@ void WindowMonkey::noteMemory() {
     memoryNoted_ = now;
 }
 
-/// A timer of its own for each step: one that is still handled does not come again in a dialog's event loop.
+/// Each step has a timer of its own, as a timer that is still being handled does not fire again in a dialog's event
+/// loop.
 void WindowMonkey::actSoon() {
     QTimer::singleShot(pause, &context_, [this] {
         if (over_) return;
@@ -176,7 +177,7 @@ void WindowMonkey::actInDialog(QWidget& dialog) {
     }
 }
 
-/// Only files that are known: it must not write into the tester's folders.
+/// Uses only known files: it must not write into the tester's folders.
 void WindowMonkey::actInFileDialog(QFileDialog& dialog) {
     auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
     if (chance(40) || name == nullptr) {
@@ -287,7 +288,7 @@ void WindowMonkey::pressKey() {
     driver_.key(key);
 }
 
-/// A part, a project, a program, something else.
+/// A part, a project, a program or another file.
 QString WindowMonkey::someFile() {
     static const QStringList files = [] {
         QStringList found;
@@ -300,7 +301,7 @@ QString WindowMonkey::someFile() {
         return found;
     }();
     QStringList all = files;
-    // Copies: what the window saves must not change what is tested with.
+    // A copy, so that the window cannot change the fixtures by saving.
     const QString chosen = all[below(static_cast<int>(all.size()))];
     const QString copy = driver_.folder().filePath(QFileInfo(chosen).fileName());
     if (!QFile::exists(copy)) QFile::copy(chosen, copy);
@@ -314,7 +315,7 @@ void WindowMonkey::openSomeFile() {
     driver_.window().openFile(file);
 }
 
-/// What is saved holds the takes that the window shows.
+/// Checks that the saved project contains the takes that the window shows.
 void WindowMonkey::saveAndCompare() {
     Workbench& workbench = driver_.window().workbench();
     if (!driver_.window().isVisible() || !workbench.document.isOpen() || workbench.document.readOnly() ||
@@ -349,7 +350,7 @@ void WindowMonkey::closeAndOpen() {
     ++depth_;
     static_cast<void>(driver_.restart(chance(50)));
     --depth_;
-    watch_.beginPhase(); // a window is made: that is the program's start, not a stall
+    watch_.beginPhase(); // a window is created: that belongs to the program's start and is no stall
 }
 
 } // namespace burin::testing

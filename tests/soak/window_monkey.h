@@ -16,14 +16,14 @@ class QFileDialog;
 
 namespace burin::testing {
 
-/// MB that this process holds in memory now.
+/// The resident memory of this process, MB.
 double residentMegabytes();
 
-/// Clicks, types, drags and drops in a window without sense, by a seed, and looks whether the project still holds what
-/// the window says. Dialogs are part of it: it acts in their event loops as well.
+/// Clicks, types, drags and drops in a window at random, by a seed, and checks whether the project still contains what
+/// the window shows. It also acts in dialogs, inside their event loops.
 class WindowMonkey {
 public:
-    /// What came of it.
+    /// The result of a run.
     struct Report {
         std::size_t steps = 0, projectsCompared = 0, stalls = 0;
         QStringList losses;                                         ///< where the file and the window disagree
@@ -31,9 +31,9 @@ public:
         std::multimap<double, QString, std::greater<>> worstStalls; ///< ms, and the step that it followed
     };
 
-    /// @param log each step is written before it is taken, so that what led to a crash can be read
+    /// @param log  each step is written before it is taken, so that what led to a crash can be read
     WindowMonkey(WindowDriver& driver, StallWatch& watch, unsigned seed, const QString& log);
-    /// Returns when so much time is over and no dialog stands.
+    /// Returns once the time is over and no dialog is open.
     Report run(double seconds);
 
 private:
@@ -66,12 +66,12 @@ private:
     StallWatch& watch_;
     std::mt19937 random_;
     QFile log_;
-    QObject context_; ///< of its timers
+    QObject context_; ///< context of its timers
     Report report_;
     QString last_;
     double memoryNoted_ = 0.0; ///< MB
-    int depth_ = 0;            ///< event loops of dialogs that it acts in
-    bool ending_ = false;      ///< nothing new is begun
+    int depth_ = 0;            ///< number of nested event loops of dialogs that it acts in
+    bool ending_ = false;      ///< no new step is begun
     bool over_ = false;
 };
 

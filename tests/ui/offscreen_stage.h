@@ -10,10 +10,10 @@
 
 namespace burin::testing {
 
-/// A square VTK window without a display, on a background that nothing on the rig looks like: magenta.
+/// A square VTK window without a display. Its background is magenta, a colour that nothing in the scene has.
 class OffscreenStage {
 public:
-    /// @param pixels of a side
+    /// @param pixels  of each side
     explicit OffscreenStage(int pixels) : context(OffscreenContext::make(pixels, pixels)) {
         renderer->SetBackground(1.0, 0.0, 1.0);
         window->SetMapped(true);

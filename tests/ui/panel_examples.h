@@ -11,7 +11,7 @@
 #include <array>
 #include <cmath>
 
-/// States that panels are shown in: a job in the middle, with everything that a panel can have to tell.
+/// States of the panels halfway through a job, with everything that a panel can show.
 namespace burin::examples {
 
 inline PartState part() {

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <map>
 
-/// Panels led by real mouse and key events.
+/// Panels operated by real mouse and key events.
 namespace burin {
 
 inline constexpr int panelWidth = 320;
@@ -50,7 +50,7 @@ inline void clickRow(QWidget& panel, const char* list, int row) {
     QTest::mouseClick(rows.viewport(), Qt::LeftButton, {}, rows.visualItemRect(rows.item(row)).center());
 }
 
-/// Where all that a hand may press or type into is seen in a panel.
+/// The positions of all visible buttons, choices and number fields in a panel.
 inline std::map<const QWidget*, QRect> controlsOf(QWidget& panel) {
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     std::map<const QWidget*, QRect> controls;
@@ -63,12 +63,12 @@ inline std::map<const QWidget*, QRect> controlsOf(QWidget& panel) {
     return controls;
 }
 
-/// What a ValueRow shows, with plain spaces.
+/// What a ValueRow shows, with plain spaces instead of no-break ones.
 inline QString valueOf(QWidget& panel, const char* name) {
     return child<ValueRow>(panel, name).value().replace(QChar(QChar::Nbsp), QLatin1Char(' '));
 }
 
-/// Text with plain spaces for no-break ones.
+/// The text with plain spaces instead of no-break ones.
 inline QString plain(QString text) {
     return text.replace(QChar(QChar::Nbsp), QLatin1Char(' '));
 }

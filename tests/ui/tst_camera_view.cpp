@@ -44,7 +44,7 @@ private slots:
         }
     }
 
-    /// In any projection, those between parallel and perspective too.
+    /// In any projection, also in those between parallel and perspective.
     void pixelsAndSightsAgreeInBothProjections() {
         for (unsigned seed = 0; seed < 300; ++seed) {
             CameraView view = someView(seed);
@@ -57,7 +57,7 @@ private slots:
                 for (const double nearer : {-0.4, 0.0, 0.6}) {
                     const glm::dvec3 on = place - sight.direction * (nearer * view.distance);
                     QVERIFY(pixels(appearanceOf(view, size, on), at) < 1e-5);
-                    // A pixel there is as wide as it is said to be.
+                    // A pixel there has the reported width.
                     const QPointF beside = appearanceOf(view, size, on + right * pixelAt(view, size, on));
                     QVERIFY(pixels(beside, at + QPointF(1.0, 0.0)) < 1e-5);
                 }
@@ -65,7 +65,8 @@ private slots:
         }
     }
 
-    /// Nearer is not larger: from above, x and y in the picture are x and y of the world at one scale.
+    /// In a parallel view nearer is not larger: from above, x and y in the picture are x and y of the world at one
+    /// scale.
     void aParallelTopViewIsAPlan() {
         CameraView top = turnedTo({}, StandardView::top);
         top.convergence = 0.0;
@@ -78,7 +79,7 @@ private slots:
             QVERIFY(glm::distance(glm::dvec2(sight.origin), glm::dvec2(place)) < 1e-6);
             QVERIFY(sight.direction == glm::dvec3(0.0, 0.0, -1.0) ||
                     glm::distance(sight.direction, {0.0, 0.0, -1.0}) < 1e-9);
-            QVERIFY(sight.origin.z > 1000.0); // before all that stands there
+            QVERIFY(sight.origin.z > 1000.0); // in front of everything in the scene
         }
     }
 
@@ -109,7 +110,8 @@ private slots:
         }
     }
 
-    /// Straight views are plans; turned, they become what the user chose, and what was gripped stays under the pointer.
+    /// Straight views are parallel projections. Once turned, they become the projection that the user chose, and the
+    /// point that was gripped stays under the pointer.
     void straightViewsAreParallelUntilTheyAreTurned() {
         using namespace std::chrono_literals;
         for (const bool chosen : {false, true}) {
@@ -252,7 +254,7 @@ private slots:
         QCOMPARE(motion.view().distance, chosen);
     }
 
-    /// What a 3D mouse does: the content goes and turns as its cap does, about its middle.
+    /// With a 3D mouse the scene moves and turns like the device's cap, about its middle.
     void aPushMovesTheContentAsTheCapGoes() {
         CameraMotion motion;
         motion.setSize(size);
@@ -268,11 +270,11 @@ private slots:
         motion.push({{0.0, 1.0, 0.0}, {}}, 0.2); // away
         QVERIFY(motion.view().distance > distance * 1.1);
 
-        // Towards the eye, level: what the viewer sees in front.
+        // Towards the eye, horizontally: the side that the viewer sees in front.
         glm::dvec3 front = axesOf(motion.view()).back;
         front = glm::normalize(glm::dvec3(front.x, front.y, 0.0)) * 20.0;
         const QPointF nearSide = at(middle + front), middleThen = at(middle);
-        motion.push({{}, {0.0, 0.0, 1.0}}, 0.1); // to the left, seen from above: the front goes right
+        motion.push({{}, {0.0, 0.0, 1.0}}, 0.1); // counterclockwise, seen from above: the front moves to the right
         QVERIFY(at(middle + front).x() > nearSide.x() + 5.0);
         QVERIFY(pixels(at(middle), middleThen) < 1e-6);
         const double farSide = at(middle - front).y();

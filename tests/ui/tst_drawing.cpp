@@ -45,7 +45,7 @@ class TestDrawing : public QObject {
 private slots:
     void aCubeKeepsItsEdges() {
         const ShadedMesh mesh = shaded(cube(), crease);
-        QCOMPARE(mesh.points.size(), std::size_t{24});  // a point a corner and face
+        QCOMPARE(mesh.points.size(), std::size_t{24});  // one point per corner and face
         QCOMPARE(mesh.creases.size(), std::size_t{24}); // twelve edges, no diagonal
         for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
             const glm::vec3 &a = mesh.points[mesh.triangles[i]], &b = mesh.points[mesh.triangles[i + 1]],
@@ -56,10 +56,10 @@ private slots:
         }
     }
 
-    /// Divided for the deviation map, a surface has no long edge, no gap, and is where it was.
+    /// A surface that was divided for the deviation map has no long edge and no gap, and its position is unchanged.
     void aDividedSurfaceIsClosedAndFine() {
         const ShadedMesh mesh = divided(shaded(fixture::dome({24.0, 16.0, 14.0}, 9, 4), crease), 1.5);
-        std::map<std::array<float, 6>, int> sides; // of an edge's ends: one way counts against the other
+        std::map<std::array<float, 6>, int> sides; // of an edge's ends: the two directions cancel each other
         double volume = 0.0;
         for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
             for (std::size_t k = 0; k < 3; ++k) {
@@ -87,10 +87,10 @@ private slots:
         const ShadedMesh mesh = shaded(fixture::dome(radii), crease);
         for (std::size_t i = 0; i < mesh.points.size(); ++i) {
             const glm::dvec3 place(mesh.points[i]), normal(mesh.normals[i]);
-            if (place.z < 1e-9) continue;                                               // the foot
+            if (place.z < 1e-9) continue;                                               // the foot of the dome
             QVERIFY(glm::dot(normal, glm::normalize(place / (radii * radii))) > 0.995); // the ellipsoid's own normal
         }
-        QCOMPARE(mesh.creases.size(), std::size_t{2 * 72}); // the foot's edge alone
+        QCOMPARE(mesh.creases.size(), std::size_t{2 * 72}); // only the edge of the foot
     }
 
     void aRayMeetsTheNearestTriangle() {
@@ -100,7 +100,7 @@ private slots:
         QVERIFY(!distanceAlong(mesh, {1.3, 0.4, 5.0}, {0.0, 0.0, -1.0}));
     }
 
-    /// The drawn line passes every place that it leaves out, and ends where the path does.
+    /// The drawn line passes within the tolerance of every point that it leaves out, and ends where the path does.
     void thinningKeepsThePathWithinItsTolerance() {
         constexpr float tolerance = 0.01F;
         QVERIFY(rc::check([] {
@@ -151,7 +151,7 @@ private slots:
         QCOMPARE(statistics.paintP95, 95.0);
         QCOMPARE(statistics.paintMaximum, 100.0);
         QCOMPARE(statistics.cutsShown, std::size_t{50});
-        QCOMPARE(statistics.cutToScreenP95, 106.0); // the 48th of the even ones
+        QCOMPARE(statistics.cutToScreenP95, 106.0); // the 48th of the even values
         QCOMPARE(statistics.cutToScreenMaximum, 110.0);
         clock.reset();
         QCOMPARE(clock.statistics().frames, std::size_t{0});

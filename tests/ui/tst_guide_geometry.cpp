@@ -40,7 +40,7 @@ double areaOf(const Polygon& corners, const glm::dvec3& normal) {
     return 0.5 * std::abs(twice);
 }
 
-/// Area of a plane's part in a box by the divergence theorem's rival: counting on a lattice of the plane.
+/// Area of the part of a plane within a box, found independently by counting points of a lattice in the plane.
 double countedArea(const glm::dvec3& point, const glm::dvec3& normal) {
     const glm::dvec3 other = std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
@@ -52,7 +52,7 @@ double countedArea(const glm::dvec3& point, const glm::dvec3& normal) {
     return count * step * step;
 }
 
-/// A ball of stock that a tip must stay out of, known in closed form.
+/// A ball of stock that a tip must not enter, known in closed form.
 class BallField final : public ClearanceField {
 public:
     FieldSample at(const glm::dvec3& tip) const noexcept override {
@@ -66,7 +66,7 @@ public:
 
 } // namespace
 
-/// Where guides are to be seen.
+/// The geometry by which guides are shown.
 class TestGuideGeometry : public QObject {
     Q_OBJECT
 private slots:
@@ -111,7 +111,8 @@ private slots:
         QVERIFY(!lineInBox(box, {0, 50, 5}, {1, 0, 0}));
     }
 
-    /// Each place of the curves is as far from the pass as it should be, seen from above, and on both sides.
+    /// Each point of the curves has the required distance from the pass, seen from above, and there are curves on both
+    /// sides.
     void curvesKeepTheirDistanceFromThePass() {
         std::vector<glm::dvec3> pass;
         for (int i = 0; i <= 800; ++i) {
@@ -126,7 +127,7 @@ private slots:
         for (const Polygon& curve : curves)
             for (std::size_t i = 0; i < curve.size(); ++i) {
                 const glm::dvec3& place = curve[i];
-                if (std::abs(place.x) > 18.0) continue; // straight on beyond the ends
+                if (std::abs(place.x) > 18.0) continue; // beyond the ends the curve is straight
                 double nearest = 1e9;
                 for (const glm::dvec3& tip : pass)
                     nearest = std::min(nearest, std::hypot(tip.x - place.x, tip.y - place.y));
@@ -140,7 +141,7 @@ private slots:
         QVERIFY(besidePass(std::vector<glm::dvec3>{{1, 1, 1}}, {0, 0, 1}, 1.0).empty());
     }
 
-    /// Where the pass bends more sharply than the distance allows, nothing is drawn too near to it.
+    /// Where the pass bends more sharply than the distance allows, nothing is drawn too close to it.
     void aCurveIsCutWhereItWouldRunIntoThePass() {
         const std::vector<glm::dvec3> pass{{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {0, 1, 0}};
         for (const Polygon& curve : besidePass(pass, {0, 0, 1}, 2.0))
@@ -170,7 +171,7 @@ private slots:
         }
         QVERIFY(std::abs(area / (4.0 * pi * 144.0) - 1.0) < 0.01);
         QVERIFY(surface.contours->GetNumberOfLines() > 100);
-        // Beyond what the field knows exactly no guide can hold, and none is drawn.
+        // No guide can act beyond the distances that the field knows exactly, and none is drawn there.
         QCOMPARE(guideSurface(BallField(), {{-16, -16, -16}, {16, 16, 16}}, 5.0).shell->GetNumberOfPolys(),
                  vtkIdType{0});
     }

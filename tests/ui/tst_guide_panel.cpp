@@ -68,7 +68,7 @@ private slots:
         QTest::mouseClick(&child<QCheckBox>(panel, "guidesSwitch"), Qt::LeftButton, {}, QPoint(8, 8));
         QCOMPARE(toggled.size(), 1);
         QCOMPARE(toggled[0][0].toBool(), false);
-        child<ChoiceBox>(panel, "guideKind").setCurrentIndex(3); // an edge, which a mesh has none of
+        child<ChoiceBox>(panel, "guideKind").setCurrentIndex(3); // an edge, which a mesh does not have
         QVERIFY(!child<QPushButton>(panel, "addGuideButton").isEnabled());
         GuideState solid = threeGuides();
         solid.edges = true;
@@ -90,7 +90,7 @@ private slots:
                 [&](std::size_t place, const Guide& guide) { edits.emplace_back(place, guide); });
         QCOMPARE(child<QDoubleSpinBox>(panel, "guide0Distance").value(), 1.5);
         QCOMPARE(child<QDoubleSpinBox>(panel, "guide0Z").value(), 0.0);
-        QVERIFY(!child<QDoubleSpinBox>(panel, "guide0X").isVisible()); // says nothing about a level
+        QVERIFY(!child<QDoubleSpinBox>(panel, "guide0X").isVisible()); // has no meaning for a level
         QCOMPARE(child<QDoubleSpinBox>(panel, "guide1X").value(), 2.0);
         type(panel, "guide1X", "3.5");
         QCOMPARE(edits.back().first, std::size_t{1});

@@ -49,7 +49,7 @@ private slots:
         QCOMPARE(scaled[0][0].toDouble(), 2.0);
         click(panel, "clutchButton");
         QCOMPARE(clutched[0][0].toBool(), true);
-        QVERIFY(!child<QPushButton>(panel, "clutchButton").isChecked()); // a wish, until the state says so
+        QVERIFY(!child<QPushButton>(panel, "clutchButton").isChecked()); // only a request until the state confirms it
         click(panel, "recentreButton");
         QCOMPARE(recentred.size(), 1);
         click(panel, "alignHandButton");
@@ -67,7 +67,7 @@ private slots:
         panel.setState(cap);
         QVERIFY(!child<ChoiceBox>(panel, "forceButtonChoice").isVisible()); // there are no forces to be held
         QSignalSpy rated(&panel, &HandPanel::rateToggled);
-        click(panel, "placeControlButton"); // it does so already
+        click(panel, "placeControlButton"); // position control is already in use
         QCOMPARE(rated.size(), 0);
         click(panel, "rateControlButton");
         QCOMPARE(rated[0][0].toBool(), true);

@@ -18,7 +18,7 @@ namespace burin::tst_length_field {
 
 namespace {
 
-/// A field that shows 5 mm, a second one to go to, in a window that is active.
+/// A field that shows 5 mm and a second field to move the focus to, in an active window.
 struct Rig {
     explicit Rig(const char* locale = "en_US", LengthUnit unit = LengthUnit::millimetre)
         : edited(&field, &QuantityField::valueEdited) {
@@ -36,7 +36,7 @@ struct Rig {
         shown = QTest::qWaitForWindowActive(&window);
         field.setFocus(Qt::TabFocusReason);
     }
-    ~Rig() { // the members' order: a layout must not delete what is no child of its own making
+    ~Rig() { // because of the members' order: a layout must not delete widgets that it did not create
         field.setParent(nullptr);
         other.setParent(nullptr);
     }
@@ -91,7 +91,7 @@ private slots:
             Rig rig(locale, static_cast<LengthUnit>(unit));
             QVERIFY(rig.shown);
             rig.type(typed);
-            QCOMPARE(rig.edited.size(), 0); // not before it is committed
+            QCOMPARE(rig.edited.size(), 0); // not before the value is committed
             rig.commit();
             QCOMPARE(rig.edited.size(), 1);
             QVERIFY2(near(rig.edited[0][0].toDouble(), mm), qPrintable(QString::number(rig.edited[0][0].toDouble())));
@@ -117,7 +117,7 @@ private slots:
     }
 
     void passingThroughChangesNothing() {
-        // 1 mm is 0.03937… in: what is shown is rounded, and must not become the value.
+        // 1 mm is 0.03937… in: the display is rounded, and must not become the value.
         Rig rig("C", LengthUnit::inch);
         rig.field.showValue(1.0);
         QTest::keyClick(&rig.field, Qt::Key_Tab);
@@ -125,7 +125,7 @@ private slots:
         rig.commit();
         QCOMPARE(rig.edited.size(), 0);
         QCOMPARE(rig.field.value(), 1.0);
-        rig.type(QStringLiteral("0.0394")); // typing what is shown is no change either
+        rig.type(QStringLiteral("0.0394")); // typing the displayed text is no change either
         rig.commit();
         QCOMPARE(rig.field.value(), 1.0);
         QCOMPARE(rig.edited.size(), 0);
@@ -134,7 +134,8 @@ private slots:
         QCOMPARE(rig.edited.size(), 0);
     }
 
-    /// It changes nothing, and says what was refused, the range and what stays, also where a click left the field.
+    /// The value does not change; the message states what was refused, the range and the value that stays, also if the
+    /// field was left by a click.
     void outOfRangeIsRefusedAndSaysTheRange_data() {
         QTest::addColumn<QString>("typed");
         QTest::addColumn<QString>("refused");
@@ -170,7 +171,7 @@ private slots:
             QVERIFY2(sentence.contains(figure), qPrintable(sentence));
     }
 
-    /// 5 mm is 0.19685 in, which is shown as 0.1969 in: 5.001 mm, and still the end of the range.
+    /// 5 mm is 0.19685 in, which is displayed as 0.1969 in = 5.001 mm and is still accepted as the end of the range.
     void anEndOfTheRangeMayBeTypedAsItIsShown() {
         Rig rig("C", LengthUnit::inch);
         rig.field.limit(0.0, 5.0);
@@ -188,7 +189,7 @@ private slots:
         rig.commit();
         QCOMPARE(rig.field.value(), 100.0);
         rig.type(QStringLiteral("500"));
-        QTest::keyClick(&rig.field, Qt::Key_Escape); // taken back before it counted
+        QTest::keyClick(&rig.field, Qt::Key_Escape); // discarded before it is committed
         rig.commit();
         QVERIFY(rig.window.findChild<QLabel*>(QStringLiteral("fieldMessage")) == nullptr);
     }
@@ -222,7 +223,7 @@ private slots:
         QCOMPARE(rig.edited.size(), 0);
     }
 
-    /// Ctrl+Z is the window's once the number is committed, and the text's while it is typed.
+    /// Ctrl+Z belongs to the window once the number is committed, and to the text while the user types.
     void undoIsTheWindowsUnlessTheUserTypes() {
         Rig rig;
         QVERIFY(rig.shown);
@@ -310,7 +311,7 @@ private slots:
         Rig rig;
         rig.type(QStringLiteral("12"));
         rig.field.findChild<QLineEdit*>()->setCursorPosition(1);
-        for (const double news : {5.0, 6.0, 6.5}) rig.field.showValue(news); // as the state does, many times a second
+        for (const double news : {5.0, 6.0, 6.5}) rig.field.showValue(news); // as state updates do, many times a second
         QVERIFY(rig.text().startsWith(QStringLiteral("12")));
         QCOMPARE(rig.field.findChild<QLineEdit*>()->cursorPosition(), 1);
         rig.commit();
@@ -318,7 +319,7 @@ private slots:
         QCOMPARE(rig.edited[0][0].toDouble(), 12.0);
         rig.type(QStringLiteral("30"));
         rig.field.showValue(9.0);
-        QTest::keyClick(&rig.field, Qt::Key_Escape); // back to the newest news
+        QTest::keyClick(&rig.field, Qt::Key_Escape); // back to the latest value
         QCOMPARE(rig.field.value(), 9.0);
         QCOMPARE(rig.edited.size(), 1);
     }

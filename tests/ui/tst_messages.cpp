@@ -28,7 +28,7 @@ Error errorOf(int code) {
     return {static_cast<ErrorCode>(code), "SUBJECT", "PLACE", "DETAIL"};
 }
 
-/// Does what `install` does, and takes it back at its end.
+/// Does what `install` does and undoes it in the destructor.
 class InLanguage {
 public:
     explicit InLanguage(const char* language)
@@ -56,7 +56,7 @@ QStringList translationFiles() {
 struct Translations {
     QSet<QString> texts; ///< "context: source"
     QStringList unfinished;
-    QStringList differentPlaces; ///< texts whose translation has not the same %1, %2, …
+    QStringList differentPlaces; ///< texts whose translation does not have the same %1, %2, …
 };
 
 QSet<QString> placesIn(const QString& text) {
@@ -120,10 +120,10 @@ private slots:
             QVERIFY2(!sentence.contains(QStringLiteral("please"), Qt::CaseInsensitive), qPrintable(sentence));
             sentences.insert(sentence);
         }
-        QCOMPARE(sentences.size(), qsizetype{codeCount}); // no two faults read alike
+        QCOMPARE(sentences.size(), qsizetype{codeCount}); // no two errors have the same sentence
     }
 
-    /// What is not known is not spoken of.
+    /// Unknown memory figures are not mentioned.
     void memoryFiguresAreToldWhereTheyAreKnown() {
         const QString known = Messages::sentence({ErrorCode::outOfMemory, "volume", "900 MB, 300 MB", {}});
         QCOMPARE(known, QStringLiteral("There is not enough memory for \"volume\" (needed and free: 900 MB, 300 MB); "
@@ -195,7 +195,7 @@ private slots:
         }
     }
 
-    /// Core records places and details in English; what a user typed stays as it was typed.
+    /// Core records positions and details in English; what a user typed stays as typed.
     void whatCoreRecordsIsTranslated() {
         const Error program{ErrorCode::programSyntax, "a.ngc", "line 3, column 7",
                             "word is repeated: X1; its start is set by line 2"};
@@ -217,7 +217,8 @@ private slots:
         QVERIFY(says(unknown, "(what only a driver would say)"));
     }
 
-    /// Materials, tools and machines have names in their files, which no update of the translations reads.
+    /// The names of materials, tools and machines are in their files, which the update of the translations does not
+    /// read.
     void whatBurinIsShippedWithIsTranslated() {
         int names = 0;
         for (const QString& translation : translationFiles()) {
@@ -255,7 +256,7 @@ private slots:
         }
     }
 
-    /// Where this fails, run translations/update and translate what is new.
+    /// If this fails, run translations/update and translate the new texts.
     void translationsHoldWhatTheSourcesSay() {
         const QTemporaryDir folder;
         for (const QString& file : translationFiles()) {

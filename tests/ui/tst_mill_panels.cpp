@@ -28,7 +28,7 @@ private slots:
         applyTheme(*qApp, *loadPalette(Theme::dark));
     }
 
-    /// Each of them comes by itself, while the hand is on its way to a button or types.
+    /// Each notice appears by itself, while the user is moving to a button or typing.
     void noticesMoveNothing_data() {
         QTest::addColumn<QString>("sentence");
         QTest::newRow("short") << QStringLiteral("The machine's travel ends here.");
@@ -70,7 +70,8 @@ private slots:
         QCOMPARE(field.value(), 111.0);
     }
 
-    /// What is below the list stays where it is, on the panel and on the rest of the page; the newest take is seen.
+    /// Controls below the list keep their positions, on the panel and on the rest of the page; the newest take is
+    /// visible.
     void takesMoveNothing() {
         MillPanel panel;
         MillState state = examples::mill();
@@ -111,9 +112,9 @@ private slots:
         click(panel, "millButton");
         QCOMPARE(mill.size(), 1);
         QCOMPARE(mill[0][0].toBool(), true);
-        QVERIFY(!child<QPushButton>(panel, "millButton").isChecked()); // a wish, until the state says so
+        QVERIFY(!child<QPushButton>(panel, "millButton").isChecked()); // only a request until the state confirms it
         click(panel, "undoStrokeButton");
-        click(panel, "redoStrokeButton"); // there is none
+        click(panel, "redoStrokeButton"); // there is no stroke to redo
         click(panel, "showMeButton");
         click(panel, "removeTake2");
         QCOMPARE(undo.size(), 1);
@@ -126,7 +127,7 @@ private slots:
         QVERIFY(child<QPushButton>(panel, "millButton").isChecked());
         QVERIFY(child<Notice>(panel, "millAlarm").isVisible());
         click(panel, "millButton");
-        click(panel, "removeTake2"); // not while one is recorded
+        click(panel, "removeTake2"); // impossible while a take is recorded
         QCOMPARE(mill[1][0].toBool(), false);
         QCOMPARE(remove.size(), 1);
         state.ready = false;
@@ -137,7 +138,8 @@ private slots:
         QCOMPARE(child<Notice>(panel, "millMissing").sentence(), state.missing);
     }
 
-    /// By the tool's name and all that was recorded; how many samples a growing take has is known when it ends.
+    /// A take shows the tool's name and the recorded amounts; the number of samples of a growing take is known only at
+    /// its end.
     void takesSayWhatTheyHold() {
         MillPanel panel;
         MillState state = examples::mill();
@@ -153,7 +155,8 @@ private slots:
         QVERIFY(texts.contains(QStringLiteral("Ball-end mill 6 mm · 1 stroke · recording")));
     }
 
-    /// Devices come and go; what only the pointer needs goes with it; nothing is chosen while the tool is in use.
+    /// Devices come and go; controls that only the pointer needs come and go with it; no device can be chosen while the
+    /// tool is in use.
     void theStylusIsChosen() {
         MillPanel panel;
         MillState state = examples::mill();
@@ -180,7 +183,7 @@ private slots:
         state.active = true;
         panel.setState(state);
         QVERIFY(!box.isEnabled());
-        QCOMPARE(chosen.size(), 1); // none of it was the user
+        QCOMPARE(chosen.size(), 1); // none of the changes came from the user
     }
 
     void depthAndSpeedAreEdited() {
@@ -195,7 +198,7 @@ private slots:
         QCOMPARE(depth[0][0].toDouble(), 0.4);
         QVERIFY(std::abs(speed[0][0].toDouble() - 50.8) < 1e-9);
         QVERIFY(!child<QWidget>(panel, "pressField").isVisible());
-        click(panel, "levelButton"); // is chosen
+        click(panel, "levelButton"); // is already chosen
         QCOMPARE(rule.size(), 0);
         click(panel, "alongPartButton");
         QCOMPARE(rule.size(), 1);
@@ -223,7 +226,7 @@ private slots:
         QCOMPARE(valueOf(meters, "positionZ"), QStringLiteral("-0.4480"));
     }
 
-    /// Below what tool and spindle bear the bar is not red, above it is.
+    /// Up to the limit of tool and spindle the bar is not red; above it the bar is red.
     void theForceTurnsRedAtTheLimit() {
         Meters meters;
         MeterState state = examples::meters();

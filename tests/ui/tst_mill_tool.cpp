@@ -16,7 +16,7 @@ namespace {
 
 constexpr double edge = 0.25;                                          // mm
 const Box block{{-20.0, -20.0, 0.0}, {20.0, 20.0, 30.0}};              // of the grid
-constexpr double top = 10.0, towerTop = 26.0, towerLow = 12.0;         // mm; the tower stands at x >= towerLow
+constexpr double top = 10.0, towerTop = 26.0, towerLow = 12.0;         // mm; the tower fills x >= towerLow
 constexpr double pitLow = -16.0, pitHigh = -8.0, pitFloor = 4.0;       // x; a slot along y
 constexpr double plateauLow = -5.0, plateauHigh = 5.0, plateauZ = 6.0; // the protected part, |x|, |y| <= 5
 
@@ -45,7 +45,7 @@ VolumeSnapshot workpiece() {
     return shown;
 }
 
-/// The pointer over a place of the setup, seen by an eye at the front left, so that the tower hides nothing.
+/// The pointer over a point in the setup frame, seen by an eye at the front left, so that the tower hides nothing.
 const glm::dvec3 eye(-60.0, -200.0, 260.0);
 ViewportEvent over(const glm::dvec3& place, Qt::MouseButtons buttons = Qt::NoButton,
                    Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
@@ -68,7 +68,7 @@ Tool slimTool() { // flutes 2 mm in radius and 6 mm long, shank 3 mm, holder 8 m
     return tool;
 }
 
-/// Distance of a tool from the tower and the block, reckoned with boxes and cylinders: negative where they meet.
+/// Distance of a tool from the tower and the block, calculated with boxes and cylinders; negative where they intersect.
 double clearance(const Cutter& cutter, const glm::dvec3& tip) {
     double least = 1e9;
     for (const RevolvedPiece& piece : pieces(cutter)) {
@@ -91,7 +91,7 @@ private slots:
         tool_ = std::make_unique<MillTool>(*stylus_, slimTool(), [] { return workpiece(); });
         time_ = 0.0;
         cutting_ = false;
-        rest(); // the newest tip is known
+        rest(); // so that the newest tip is known
     }
 
     void aSightMeetsALevel() {
@@ -109,12 +109,12 @@ private slots:
         QVERIFY(!cutting_);
     }
 
-    /// Beside the tower the shank (3 mm in radius, 6 mm up) and the holder (8 mm, 20 mm up) reach over it.
+    /// Next to the tower the shank (3 mm in radius, from 6 mm up) and the holder (8 mm, from 20 mm up) reach over it.
     void hoverHeightCountsShankAndHolder() {
         tool_->move(over({towerLow - 2.5, 10.0, top}));
         QCOMPARE(rest().z, towerTop - 6.0 + hoverClearance);
         tool_->move(over({towerLow - 6.0, 10.0, top}));
-        QCOMPARE(rest().z, towerTop - 6.0 + hoverClearance); // it has to get there first
+        QCOMPARE(rest().z, towerTop - 6.0 + hoverClearance); // the tool has to get there first
         QTRY_COMPARE_WITH_TIMEOUT(rest(100).z, std::max(top, towerTop - 20.0) + hoverClearance, 5000);
         const Cutter cutter = slimTool().cutter;
         QCOMPARE(clearTipHeight(workpiece(), cutter, {16.0, 0.0}, {16.0, 0.0}), towerTop + hoverClearance);
@@ -139,8 +139,8 @@ private slots:
         QCOMPARE(begins.count(), 1);
         rest();
         QVERIFY(cutting_);
-        // Over the slot and back: what lies deeper under the pointer doesn't matter.
-        // The pointer draws where it pressed, on the top.
+        // Over the slot and back: deeper surfaces under the pointer don't matter. The pointer draws on the level where
+        // it pressed, the top.
         for (const glm::dvec3& place : {glm::dvec3(-12.0, 12.0, top - 1.5), glm::dvec3(4.0, 15.0, top - 1.5)}) {
             tool_->move(over({place.x, place.y, top}, Qt::LeftButton));
             glm::dvec3 before = rest(1);
@@ -161,13 +161,13 @@ private slots:
     void aStrokeMayBeginBesideTheStock() {
         tool_->setSettings({.depthOfCut = 1.0});
         tool_->move(over({0.0, 12.0, top}));
-        tool_->move(over({0.0, 24.0, top})); // beside the block: the level of what was under the pointer last
+        tool_->move(over({0.0, 24.0, top})); // beside the block: at the level that was last under the pointer
         rest();
         tool_->press(left({0.0, 24.0, top}));
         QVERIFY(glm::distance(rest(), glm::dvec3(0.0, 24.0, top - 1.0)) < 1e-6);
     }
 
-    /// Whatever the depth rule and the view: pressing takes the tool down along its axis, from where it hovers.
+    /// With any depth rule and view, a press moves the tool down along its axis from its hover position.
     void aPressDoesNotMoveTheToolAside_data() {
         QTest::addColumn<bool>("alongPart");
         QTest::newRow("level") << false;
@@ -186,7 +186,7 @@ private slots:
         QVERIFY(cutting_);
     }
 
-    /// Fast round a corner, then released: the tool goes round the corner, too, and to where the pointer was released.
+    /// Fast round a corner, then released: the tool also goes round the corner, and up to the point of the release.
     void aFastStrokeIsFinishedAsItWasDrawn() {
         tool_->setSettings({.depthOfCut = 1.0, .speed = 80.0});
         tool_->move(over({-2.0, 12.0, top}));
@@ -195,14 +195,14 @@ private slots:
         for (int i = 1; i <= 4; ++i) tool_->move(over({-2.0 + 2.0 * i, 12.0, top}, Qt::LeftButton));
         for (int i = 1; i <= 2; ++i) tool_->move(over({6.0, 12.0 - 4.0 * i, top}, Qt::LeftButton));
         QVERIFY(tool_->release(left({6.0, 4.0, top})));
-        tool_->leave(); // to the panel, say
+        tool_->leave(); // to the panel, for example
         double toCorner = 1e9, toEnd = 1e9;
         for (int tick = 0; tick < 3000; ++tick) {
             const glm::dvec3 tip = read();
             if (!cutting_ || std::abs(tip.z - (top - 1.0)) > 1e-6) continue;
             toCorner = std::min(toCorner, glm::distance(tip, {6.0, 12.0, top - 1.0}));
             toEnd = std::min(toEnd, glm::distance(tip, {6.0, 4.0, top - 1.0}));
-            QVERIFY(std::min(std::abs(tip.y - 12.0), std::abs(tip.x - 6.0)) < 0.1); // an L, no diagonal
+            QVERIFY(std::min(std::abs(tip.y - 12.0), std::abs(tip.x - 6.0)) < 0.1); // an L, not a diagonal
         }
         QVERIFY(toCorner < 0.1 && toEnd < 0.001);
         QVERIFY(!cutting_);
@@ -218,24 +218,24 @@ private slots:
         wheel.modifiers = Qt::ShiftModifier;
         tool_->wheel(wheel);
         QCOMPARE(depth.takeLast().at(0).toDouble(), -1.1);
-        wheel.modifiers = Qt::ControlModifier; // the camera's
+        wheel.modifiers = Qt::ControlModifier; // for the camera
         QVERIFY(!tool_->wheel(wheel));
         tool_->press(left({0.0, 12.0, top}));
         QVERIFY(std::abs(rest().z - (top - 1.0 - 1.1)) < 1e-6);
         wheel.modifiers = Qt::NoModifier;
         wheel.wheelSteps = 1.0;
-        tool_->wheel(wheel); // while it cuts
+        tool_->wheel(wheel); // while the tool cuts
         QVERIFY(std::abs(rest().z - (top - 1.0 - 0.6)) < 1e-6);
     }
 
     void partRulePressesIntoThePart() {
         tool_->setSettings({.rule = DepthRule::part, .press = 2.0});
-        tool_->press(left({1.0, 2.0, top})); // the part below, unseen, gives the depth alone
+        tool_->press(left({1.0, 2.0, top})); // only the hidden part below determines the depth
         QVERIFY(glm::distance(rest(), glm::dvec3(1.0, 2.0, plateauZ - 2.0)) < edge);
         QVERIFY(cutting_);
         tool_->move(over({-3.0, 4.0, top}, Qt::LeftButton));
         QVERIFY(glm::distance(rest(), glm::dvec3(-3.0, 4.0, plateauZ - 2.0)) < edge);
-        // Beside the part the stroke goes on at the height that it had.
+        // Beside the part the stroke goes on at its last height.
         tool_->move(over({-12.0, 8.0, top}, Qt::LeftButton));
         QVERIFY(glm::distance(rest(), glm::dvec3(-12.0, 8.0, plateauZ - 2.0)) < 2.0 * edge);
     }
@@ -247,14 +247,14 @@ private slots:
         tool_->move(over({0.0, 10.0, top - 1.0}, Qt::LeftButton, Qt::ShiftModifier));
         tool_->move(over({6.0, 10.0, top - 1.0}, Qt::LeftButton, Qt::ShiftModifier));
         QVERIFY(glm::distance(rest(), start + glm::dvec3(0.6, 0.0, 0.0)) < 0.02);
-        // Without Shift it goes on from there, as far as the pointer does.
+        // Without Shift the tool goes on from there, by as much as the pointer does.
         tool_->move(over({6.0, 10.0, top - 1.0}, Qt::LeftButton));
         QVERIFY(glm::distance(rest(), start + glm::dvec3(0.6, 0.0, 0.0)) < 0.02);
         tool_->move(over({9.0, 10.0, top - 1.0}, Qt::LeftButton));
         QVERIFY(glm::distance(rest(), start + glm::dvec3(3.6, 0.0, 0.0)) < 0.1);
     }
 
-    /// From straight above, as a parallel view has it: each sight begins over its own place.
+    /// Straight from above in a parallel view: each sight line starts above its own point.
     void shiftMakesThePointerFineInAParallelView() {
         const auto seen = [](double x, Qt::KeyboardModifiers modifiers) {
             ViewportEvent event = over({}, Qt::LeftButton, modifiers);
@@ -276,7 +276,7 @@ private slots:
         QVERIFY(glm::distance(rest(), start + glm::dvec3(3.6, 0.0, 0.0)) < 1e-6);
     }
 
-    /// What is shown before a press is where the press leads.
+    /// A press leads to the position that was shown before it.
     void aPressLeadsToWhereItWasAimed() {
         for (const DepthRule rule : {DepthRule::level, DepthRule::part}) {
             init();
@@ -288,7 +288,7 @@ private slots:
             QVERIFY(aimed.has_value());
             const glm::dvec3 shown = *aimed;
             tool_->press(left({2.0, 3.0, top}));
-            QVERIFY(!aimed); // nothing is aimed at any more
+            QVERIFY(!aimed); // nothing is aimed at any longer
             QVERIFY(glm::distance(rest(), shown) < 1e-6);
             tool_->release(left({2.0, 3.0, top}));
             tool_->move(over({4.0, 3.0, top}));
@@ -298,13 +298,14 @@ private slots:
         }
     }
 
-    /// The plateau is flat: the cutter's edge, 2 mm from its axis, touches it while the tip is still beside it.
+    /// The plateau is flat: while the tip is still beside it, the cutter's edge, 2 mm from the axis, already touches
+    /// it.
     void thePressedPlaceIsToldFromThePart() {
         const Cutter cutter = slimTool().cutter;
         const glm::dvec3 up(0.0, 0.0, 1.0), middle(0.0, 0.0, plateauZ - 2.0);
         const auto on = pressPreview(workpiece(), cutter, middle, up, 0.25);
         QVERIFY(on && on->contact);
-        QVERIFY(std::abs(on->tip.z - (plateauZ + 0.25)) < 1e-9); // the allowance is kept
+        QVERIFY(std::abs(on->tip.z - (plateauZ + 0.25)) < 1e-9); // the allowance is respected
         QVERIFY(std::abs(on->contact->z - plateauZ) < 1e-9);
         QVERIFY(std::abs(on->depth - (top - plateauZ - 0.25)) < 1e-9);
         for (const double beside : {1.0, 3.0}) { // mm from the plateau's border
@@ -326,14 +327,15 @@ private slots:
         }
     }
 
-    /// A dialog opened, or another program came to the front, while the button was down: its release is never seen.
+    /// A dialog opened or another program came to the front while the button was down, so its release is never
+    /// received.
     void aReleaseThatWentElsewhereEndsTheStroke() {
         QSignalSpy ends(tool_.get(), &MillTool::strokeEnds);
         tool_->press(left({0.0, 12.0, top}));
         tool_->move(over({6.0, 12.0, top}, Qt::LeftButton));
         rest();
         QVERIFY(cutting_);
-        tool_->move(over({-9.0, 15.0, top})); // the pointer comes back, no button down
+        tool_->move(over({-9.0, 15.0, top})); // the pointer comes back without a button down
         QCOMPARE(ends.count(), 1);
         for (int tick = 0; tick < 2000; ++tick) {
             const glm::dvec3 tip = read();
@@ -346,10 +348,10 @@ private slots:
         tool_->move(over({-9.0, 15.0, top}));
         tool_->release(left({-9.0, 15.0, top}));
         rest();
-        QCOMPARE(ends.count(), 1); // a rectangle that nobody let go of is not milled
+        QCOMPARE(ends.count(), 1); // a rectangle whose button was never released is not milled
     }
 
-    /// What was taken back is no last stroke any more: lines go on from the one before, and that one is repeated.
+    /// After an undo, the last stroke is the one before: lines continue from it, and it is the one that is repeated.
     void afterAnUndoLinesGoOnFromTheStrokeBefore() {
         tool_->setSettings({.depthOfCut = 1.0, .stepOver = 3.0});
         const auto draw = [this](double y) {
@@ -376,8 +378,8 @@ private slots:
         QVERIFY(tool_->canRepeat());
     }
 
-    /// One that is given up on the way to its start cut nothing: the stroke before it is the last one still, and what
-    /// was taken back before can be put back.
+    /// A stroke that is cancelled on the way to its start cut nothing: the stroke before it is still the last one, and
+    /// what was undone before can still be redone.
     void aStrokeThatNeverTurnedTheSpindleIsNone() {
         tool_->setSettings({.depthOfCut = 1.0, .speed = 20.0, .stepOver = 3.0});
         const auto draw = [this](double y, bool giveUp) {
@@ -388,7 +390,7 @@ private slots:
             tool_->release(left({4.0, y, top}));
         };
         const auto isRepeatedAt = [this](double y) {
-            if (!tool_->repeat(MillTool::Repetition::left).isEmpty()) return false; // to +Y, as it goes to +X
+            if (!tool_->repeat(MillTool::Repetition::left).isEmpty()) return false; // towards +Y, as it goes to +X
             bool cut = false, there = true;
             for (int tick = 0; tick < 3000; ++tick) {
                 const glm::dvec3 tip = read();
@@ -411,7 +413,7 @@ private slots:
         rest();
         tool_->strokeTakenBack(false);
         QVERIFY(isRepeatedAt(15.0));
-        // Of those that wait behind one that is cut none has turned it.
+        // Strokes that wait for another one to be cut have not turned the spindle.
         draw(9.0, false);
         for (int tick = 0; tick < 1000 || !cutting_; ++tick) read();
         draw(-16.0, false);
@@ -420,7 +422,7 @@ private slots:
         QVERIFY(isRepeatedAt(12.0));
     }
 
-    /// Strokes that wait are seen as strokes: no line is drawn where the tool goes from one to the next.
+    /// Waiting strokes are drawn as strokes: no line is drawn where the tool moves from one to the next.
     void strokesThatWaitAreSeenEachByItself() {
         tool_->setSettings({.depthOfCut = 1.0, .speed = 20.0});
         const auto draw = [this](double y) {
@@ -464,12 +466,12 @@ private slots:
         QCOMPARE(ends.count(), 1);
         read();
         QVERIFY(!cutting_);
-        QCOMPARE(leaves.count(), 0); // the stroke alone was ended
+        QCOMPARE(leaves.count(), 0); // only the stroke was ended
         const glm::dvec3 lifted = rest();
         QVERIFY(std::hypot(lifted.x - where.x, lifted.y - where.y) < 1e-6);
         QCOMPARE(lifted.z, top + hoverClearance);
         QCOMPARE(tool_->escapeMeaning(), QStringLiteral("Esc: stop milling"));
-        tool_->move(over({5.0, 12.0, top}, Qt::LeftButton)); // the button is still down: no stroke
+        tool_->move(over({5.0, 12.0, top}, Qt::LeftButton)); // the button is still down, but does not begin a stroke
         rest();
         QVERIFY(!cutting_);
         tool_->key(Qt::Key_Escape, Qt::NoModifier);
@@ -477,7 +479,7 @@ private slots:
     }
 
     void theKeyboardAloneMills() {
-        tool_->move(over({0.0, 12.0, top})); // the eye at the front: Up leads to the back, +y
+        tool_->move(over({0.0, 12.0, top})); // the eye is at the front: Up leads to the back, +y
         const glm::dvec3 start = rest();
         QVERIFY(tool_->key(Qt::Key_Right, Qt::NoModifier));
         QVERIFY(tool_->key(Qt::Key_Up, Qt::ControlModifier));
@@ -491,7 +493,7 @@ private slots:
         QVERIFY(std::abs(deep.z - (start.z - 12.0 * edge)) < 1e-6);
         tool_->key(Qt::Key_Left, Qt::ShiftModifier);
         QVERIFY(glm::distance(rest(), deep - glm::dvec3(0.1 * edge, 0.0, 0.0)) < 1e-6);
-        tool_->move(over({9.0, 9.0, top})); // the pointer does nothing meanwhile
+        tool_->move(over({9.0, 9.0, top})); // the pointer has no effect meanwhile
         QVERIFY(glm::distance(rest(), deep - glm::dvec3(0.1 * edge, 0.0, 0.0)) < 1e-6);
         tool_->key(Qt::Key_Space, Qt::NoModifier);
         QCOMPARE(ends.count(), 1);

@@ -75,7 +75,7 @@ void shape(QWidget& panel) {
     QCoreApplication::processEvents();
 }
 
-/// As the screen shows it, at the screen's scale.
+/// The widget as the screen shows it, at the screen's scale.
 QImage picture(QWidget& widget) {
     QImage image(widget.size() * widget.devicePixelRatio(), QImage::Format_ARGB32_Premultiplied);
     image.setDevicePixelRatio(widget.devicePixelRatio());
@@ -100,7 +100,7 @@ void keep(const QImage& image, const QString& name) {
     image.save(screenshot(QStringLiteral("%1-%2x").arg(name).arg(image.devicePixelRatio())));
 }
 
-/// Pictures beside each other, for the eye.
+/// Pictures next to each other, for visual inspection.
 QImage beside(const std::vector<QImage>& pictures) {
     QSize size;
     for (const QImage& one : pictures) size = {size.width() + one.width() + 8, std::max(size.height(), one.height())};
@@ -116,7 +116,7 @@ QImage beside(const std::vector<QImage>& pictures) {
     return sheet;
 }
 
-/// Counts every signal that a panel itself has.
+/// Counts all signals that a panel declares itself.
 struct Ears {
     explicit Ears(QObject& panel) {
         const QMetaObject& meta = *panel.metaObject();
@@ -132,7 +132,7 @@ struct Ears {
     std::vector<std::unique_ptr<QSignalSpy>> spies;
 };
 
-/// Makes every text as long as a German one: each word grows by two fifths.
+/// Makes every text as long as a German one: each word gets two fifths longer.
 class LongWords : public QTranslator {
 public:
     bool isEmpty() const override { return false; }
@@ -147,7 +147,7 @@ public:
     }
 };
 
-/// What of a shown panel is cut off; empty when nothing is.
+/// The clipped parts of a visible panel; empty if there are none.
 QString cutOff(const QWidget& panel) {
     QStringList found;
     const auto add = [&found](const QWidget& widget, const QString& what) {
@@ -218,7 +218,7 @@ private slots:
             shape(*panel);
             all.push_back(picture(*panel));
             keep(all.back(), QString(name).replace(' ', '-') + QLatin1Char('-') + theme);
-            QVERIFY2(coloursOf(all.back()) > 8, qPrintable(name)); // more than a ground and a text
+            QVERIFY2(coloursOf(all.back()) > 8, qPrintable(name)); // more than a background and a text
         }
         JobLine line;
         line.setState(examples::job(), JobStep::mill);
@@ -227,13 +227,13 @@ private slots:
         line.resize(1280, line.sizeHint().height());
         QCoreApplication::processEvents();
         keep(picture(line), QStringLiteral("job-line-") + theme);
-        if (qApp->devicePixelRatio() > 1.0) return; // once is enough for those
+        if (qApp->devicePixelRatio() > 1.0) return; // these pictures are needed once only
         keep(beside({all.begin(), all.begin() + 4}), QStringLiteral("sheet-1-") + theme);
         keep(beside({all.begin() + 4, all.begin() + 7}), QStringLiteral("sheet-2-") + theme);
         keep(beside({all.begin() + 7, all.end()}), QStringLiteral("sheet-3-") + theme);
     }
 
-    /// The same program once more, on a screen of twice the density.
+    /// Runs the same program once more, on a screen of twice the density.
     void theSameAtScaleTwo() {
         if (qApp->devicePixelRatio() > 1.0) return;
         QProcess again;

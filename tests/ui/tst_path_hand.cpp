@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The pointer on lines and arcs of a path, against the formulas of circle and helix.
+// The pointer on lines and arcs of a path, tested against the formulas of circle and helix.
 #include "tests/test_program.h"
 #include "ui/input/path_hand.h"
 
@@ -18,17 +18,17 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double radius = 30.0;              // mm
 constexpr glm::dvec3 centre(5.0, -3.0, 2.0); // mm
 
-/// At an angle of the circle about +Z, so much higher.
+/// The point at an angle of the circle about +Z, raised by `rise`.
 glm::dvec3 onCircle(double angle, double rise = 0.0, double atRadius = radius) {
     return centre + glm::dvec3(atRadius * std::cos(angle), atRadius * std::sin(angle), rise);
 }
 
-/// Ten pixels a millimetre, from straight above.
+/// Projection at ten pixels per millimetre, straight from above.
 QPointF fromAbove(const glm::dvec3& place) {
     return {10.0 * place.x, -10.0 * place.y};
 }
 
-/// As a pinhole camera shows it from the front left, 300 mm off.
+/// Projection of a pinhole camera at the front left, 300 mm away.
 QPointF fromAside(const glm::dvec3& place) {
     const glm::dvec3 eye(-120.0, -220.0, 160.0), ahead = glm::normalize(centre - eye);
     const glm::dvec3 right = glm::normalize(glm::cross(ahead, {0.0, 0.0, 1.0})), up = glm::cross(right, ahead);
@@ -37,7 +37,7 @@ QPointF fromAside(const glm::dvec3& place) {
     return {600.0 + scale * glm::dot(way, right), 400.0 - scale * glm::dot(way, up)};
 }
 
-/// From an angle on, anticlockwise where the sweep is positive, rising evenly.
+/// An arc from the angle `start`, anticlockwise for a positive sweep, rising linearly.
 std::vector<HandPoint> arcPath(double start, double sweep, double rise) {
     const glm::dvec3 from = onCircle(start), to = onCircle(start + sweep, rise);
     return {{from, true, {}}, {to, true, Arc{from, to, centre, 2, sweep < 0.0}}};
@@ -55,7 +55,7 @@ ViewportEvent at(const QPointF& pointer, Qt::KeyboardModifiers modifiers = Qt::N
     return event;
 }
 
-/// What a click chooses; nothing: nothing.
+/// What a click chooses; nullopt if it chooses nothing.
 std::optional<PathPlace> chosenBy(PathHand& hand, const QPointF& pointer) {
     std::optional<PathPlace> chosen;
     const auto connection =
@@ -72,7 +72,8 @@ class TestPathHand : public QObject {
     Q_OBJECT
 
 private slots:
-    /// From above, the place nearest to a pointer inside or outside of a circle is where its radius meets it.
+    /// From above, the point nearest to a pointer inside or outside a circle is where the pointer's radius meets the
+    /// circle.
     void onACircleTheNearestPlaceLiesOnThePointersRadius_data() {
         QTest::addColumn<double>("sweep");
         for (const double sweep : {0.3, -0.9, 2.4, -3.1, 4.0, 2.0 * pi}) QTest::addRow("%g rad", sweep) << sweep;
@@ -83,7 +84,7 @@ private slots:
             PathHand hand(fromAbove);
             hand.setPoints(arcPath(start, sweep, 0.0));
             for (const double share : {0.02, 0.31, 0.5, 0.77, 0.98})
-                for (const double off : {-0.6, 0.0, 0.7}) { // mm; the pointer reaches 0.8
+                for (const double off : {-0.6, 0.0, 0.7}) { // mm; the pointer's reach is 0.8
                     const auto place = chosenBy(hand, fromAbove(onCircle(start + share * sweep, 0.0, radius + off)));
                     QVERIFY(place);
                     QCOMPARE(place->piece, std::size_t{0});
@@ -92,7 +93,7 @@ private slots:
         }
     }
 
-    /// Whatever the view: a click on what is drawn of a helix means that place, at its share of the turn.
+    /// In any view: a click on a drawn helix chooses that point, at its share of the turn.
     void onAHelixThePlaceUnderThePointerIsChosen() {
         for (const double sweep : {0.4, -1.3, 2.8, -3.0})
             for (const double rise : {0.0, 4.0, -9.0}) {
@@ -107,7 +108,7 @@ private slots:
             }
     }
 
-    /// Nothing is drawn where the chord of an arc would run.
+    /// No line is drawn along the chord of an arc, so it cannot be picked.
     void theChordOfAnArcIsNotPicked() {
         PathHand hand(fromAbove);
         const std::vector<HandPoint> path = arcPath(0.0, 2.0, 0.0);
@@ -116,10 +117,10 @@ private slots:
             QVERIFY(!chosenBy(hand, fromAbove(glm::mix(path[0].place, path[1].place, share))));
     }
 
-    /// Where line and arc lie close to each other, the nearer one counts.
+    /// Where a line and an arc are close to each other, the nearer one is chosen.
     void ofALineAndAnArcTheNearerIsChosen() {
         PathHand hand(fromAbove);
-        std::vector<HandPoint> path = arcPath(0.5 * pi, -pi, 0.0); // from the top over the right to the bottom
+        std::vector<HandPoint> path = arcPath(0.5 * pi, -pi, 0.0); // from the top, past the right, to the bottom
         path.push_back({onCircle(-0.5 * pi) + glm::dvec3(-10.0, 0.0, 0.0), true, {}});
         hand.setPoints(path);
         QCOMPARE(chosenBy(hand, fromAbove(onCircle(-0.2)))->piece, std::size_t{0});
@@ -128,7 +129,7 @@ private slots:
         QVERIFY(std::abs(place->share - 0.4) < 1e-5);
     }
 
-    /// A move that comes from the hand at one of its ends alone means that end.
+    /// On a move of which only one end was recorded, that end is chosen.
     void whereNoHandWentTheEndOfTheHandIsChosen() {
         PathHand hand(fromAbove);
         std::vector<HandPoint> path = arcPath(0.0, 1.0, 0.0);
@@ -140,7 +141,7 @@ private slots:
         QVERIFY(!chosenBy(hand, fromAbove(onCircle(0.2))));
     }
 
-    /// What Esc does is what is said of it, in each state; where it does nothing, the key is others'.
+    /// In each state Esc does what the status line says; where it does nothing, the key is left to others.
     void escapeDoesWhatItSays() {
         PathHand hand(fromAbove);
         hand.setPoints(arcPath(0.0, 1.0, 0.0));
@@ -156,7 +157,7 @@ private slots:
         QVERIFY(hand.key(Qt::Key_Escape, Qt::NoModifier));
         QCOMPARE(cleared.count(), 1);
 
-        hand.press(at(fromAbove(onCircle(0.5)))); // a drag goes first
+        hand.press(at(fromAbove(onCircle(0.5)))); // a drag takes precedence
         hand.move(at(fromAbove(onCircle(0.5)) + QPointF(20.0, 0.0)));
         QCOMPARE(hand.escapeMeaning(), QStringLiteral("Esc: cancel"));
         QVERIFY(told.count() > 1);

@@ -58,14 +58,14 @@ private slots:
         QCOMPARE(changed[1].first, std::size_t{1});
         QVERIFY(changed[1].second.enabled);
         QVERIFY(child<QLabel>(panel, "edit2Report").text().contains(QStringLiteral("0.018")));
-        QVERIFY(child<QLabel>(panel, "edit1Report").text().trimmed().isEmpty()); // it was off
+        QVERIFY(child<QLabel>(panel, "edit1Report").text().trimmed().isEmpty()); // it was switched off
         QCOMPARE(valueOf(panel, "pathErrorBudget"), QStringLiteral("0.033 mm"));
         QCOMPARE(valueOf(panel, "pathSides"), QStringLiteral("62 % / 31 %"));
         QCOMPARE(valueOf(panel, "pathPoints"), QStringLiteral("12,408"));
         QCOMPARE(valueOf(panel, "pathLength"), QStringLiteral("8,422 mm"));
     }
 
-    /// Neither what an evaluation tells nor another tool that has milled.
+    /// Neither the results of an evaluation nor another tool that has milled moves anything.
     void whatComesOfAPathMovesNothing() {
         PathPanel panel;
         PathState quiet = examples::path();
@@ -99,7 +99,8 @@ private slots:
         QCOMPARE(controlsOf(panel)[&add], before.at(&add));
     }
 
-    /// Its card says how much, and where in its tool tip; the panel says what is to be done about the longest part.
+    /// The edit's card says how much was left out, and its tooltip where; the panel says what to do about the longest
+    /// part.
     void whatIsLeftOutIsSaidWhereItWasLeftOut() {
         PathPanel panel;
         PathState state = examples::path();
@@ -174,7 +175,7 @@ private slots:
         QCOMPARE(std::get<LevelFeed>(changed[0].parameters).target, 50.0);
     }
 
-    /// As the tip's place and the program's own numbers do.
+    /// Positions are relative to program zero, as for the tip's position and the numbers of the program.
     void placesCountFromProgramZero() {
         PathPanel panel;
         PathState state = examples::path();
@@ -217,7 +218,7 @@ private slots:
         show(panel);
         click(panel, "newPathButton"); // no take yet
         QCOMPARE(made.size(), 0);
-        state.milled = {{"flat-10", QStringLiteral("End mill 10 mm")}}; // another one is in force
+        state.milled = {{"flat-10", QStringLiteral("End mill 10 mm")}}; // another tool is in use
         state.someWithoutPath = true;
         panel.setState(state);
         click(panel, "newPathButton");
@@ -238,7 +239,7 @@ private slots:
         state.outdated = false;
         panel.setState(state);
         click(panel, "updatePathButton");
-        QCOMPARE(update.size(), 1); // it is up to date
+        QCOMPARE(update.size(), 1); // it is up to date, so the click does nothing
     }
 
     void everyParameterOfAnEditHasItsField() {
@@ -293,12 +294,12 @@ private slots:
         connect(&panel, &PathPanel::editAdded, this,
                 [&added](const Edit& edit) { added.emplace_back(idOf(edit.parameters)); });
         QSignalSpy moved(&panel, &PathPanel::editMoved), removed(&panel, &PathPanel::editRemoved);
-        qsizetype offered = 0; // every kind stands in one of the groups
+        qsizetype offered = 0; // every kind is in one of the groups
         for (const QAction* group : child<QMenu>(panel, "addEditMenu").actions()) {
             QVERIFY(group->menu() != nullptr && !group->menu()->isEmpty());
             offered += group->menu()->actions().size();
         }
-        // Earlier versions stay in the paths that have them, and are offered no more.
+        // Earlier versions of edits stay in the paths that have them, but are no longer offered.
         const std::vector<Edit> kinds = everyEdit();
         const auto current = std::ranges::count_if(kinds, [](const Edit& edit) { return !updated(edit); });
         QCOMPARE(offered, static_cast<qsizetype>(current));
@@ -306,7 +307,7 @@ private slots:
         QCOMPARE(added, (std::vector<std::string>{"mirror"}));
         click(panel, "edit2Earlier");
         click(panel, "edit2Later");
-        click(panel, "edit0Earlier"); // it is the first already
+        click(panel, "edit0Earlier"); // it is already the first
         QCOMPARE(moved.size(), 2);
         QCOMPARE(moved[0], (QVariantList{QVariant::fromValue(std::size_t{2}), QVariant::fromValue(std::size_t{1})}));
         QCOMPARE(moved[1], (QVariantList{QVariant::fromValue(std::size_t{2}), QVariant::fromValue(std::size_t{3})}));
@@ -343,7 +344,7 @@ private slots:
         ProgramState state = examples::program();
         state.outdated = true;
         QVERIFY(refuses(state));
-        // What a project was opened with is not checked, whether or not its path is still the same.
+        // The program of a project that was just opened is not checked, whether or not its path is unchanged.
         const QString changed = child<QPushButton>(panel, "exportButton").toolTip();
         state.report.reset();
         QVERIFY(refuses(state));
@@ -354,8 +355,8 @@ private slots:
         QVERIFY(refuses({}));
     }
 
-    /// While a button's work runs, and after it, the keyboard stays where the user left it: the next key must not
-    /// change the machine.
+    /// While the work of a button runs, and after it, the keyboard focus stays where the user left it: the next key
+    /// must not change the machine.
     void theKeyboardStaysAtTheButtonThatWorks() {
         ProgramPanel panel;
         ProgramState idle = examples::program(), working = idle;
@@ -369,7 +370,7 @@ private slots:
         QCOMPARE(panel.window()->focusWidget(), post.parentWidget());
         panel.setState(idle);
         QCOMPARE(panel.window()->focusWidget(), static_cast<QWidget*>(&post));
-        // Where the user went on meanwhile, it stays.
+        // If the user moved the focus meanwhile, it stays there.
         panel.setState(working);
         auto& tolerance = child<QWidget>(panel, "gougeToleranceField");
         tolerance.setFocus();
@@ -377,7 +378,7 @@ private slots:
         QCOMPARE(panel.window()->focusWidget(), &tolerance);
     }
 
-    /// As by mouse: the button was pressed and has the keyboard, its menu is closed, the edits are applied.
+    /// As by mouse: the button was pressed and has the focus, its menu is closed, the edits are applied.
     void theKeyboardGoesToTheEditThatWasAdded() {
         PathPanel panel;
         PathState working = examples::path();
@@ -398,7 +399,7 @@ private slots:
         QCOMPARE(panel.window()->focusWidget()->objectName(), card);
     }
 
-    /// An edit that is moved or changed is evaluated, its card disabled or made anew: the keyboard stays with it.
+    /// An edit that is moved or changed is evaluated, its card disabled or recreated: the focus stays with the edit.
     void theKeyboardStaysWithTheEditThatIsChanged() {
         PathPanel panel;
         const PathState idle = examples::path();
@@ -433,9 +434,9 @@ private slots:
         QTest::keyClick(panel.window()->focusWidget(), Qt::Key_Space);
         finish();
         QCOMPARE(idOf(working.path.edits[0].parameters), idOf(idle.path.edits[2].parameters));
-        QCOMPARE(focused(), QString()); // it can go no further; the next Space must not switch it off
+        QCOMPARE(focused(), QString()); // it can go no further, and the next Space must not switch it off
         panel.setState(idle);
-        // Where the user went on meanwhile, it stays.
+        // If the user moved the focus meanwhile, it stays there.
         child<QWidget>(panel, "edit2_tolerance_mm").setFocus();
         panel.setState(working);
         child<QWidget>(panel, "pathVisibleButton").setFocus();
@@ -443,7 +444,7 @@ private slots:
         QCOMPARE(focused(), QStringLiteral("pathVisibleButton"));
     }
 
-    /// Whoever works far down the list stays there while edits change, move, come and go.
+    /// A user who works far down the list stays there while edits are changed, moved, added and removed.
     void theListOfEditsDoesNotJump() {
         QScrollArea area;
         auto* panel = new PathPanel;
@@ -478,7 +479,7 @@ private slots:
         QVERIFY(stays());
     }
 
-    /// Verdict, notices, tools and findings come and go, and what is typed into or pressed stays where it is.
+    /// Verdict, notices, tools and findings appear and disappear without moving any control or text field.
     void whatIsToldOfAProgramMovesNothing() {
         QScrollArea page;
         auto* panel = new ProgramPanel;
@@ -549,7 +550,8 @@ private slots:
         }
     }
 
-    /// The list of marks that comes below the text while one types makes it smaller, and the typed line stays in sight.
+    /// The list of marks that appears below the text while one types makes the text smaller, but the line that is
+    /// edited stays visible.
     void theLineThatIsWrittenStaysInSight() {
         ProgramView view;
         view.showProgram(QStringLiteral("G1 X1\n").repeated(200));
@@ -563,7 +565,7 @@ private slots:
         QVERIFY(view.viewport()->rect().contains(view.cursorRect()));
     }
 
-    /// Warnings stand in the list and lead to their lines; the program passes all the same.
+    /// Warnings are in the list and lead to their lines; the program passes nevertheless.
     void nearPassesWarnAndLetThrough() {
         ProgramPanel panel;
         ProgramState state = examples::program();
@@ -584,7 +586,7 @@ private slots:
                  QStringLiteral("Holder passes the part at 0.400\u00a0mm"));
     }
 
-    /// A limit that is exceeded stands in the list, as an error or a warning, with both values and units.
+    /// A limit that is exceeded is in the list, as an error or a warning, with both values and units.
     void loadsBeyondLimitsAreInTheList() {
         ProgramPanel panel;
         ProgramState state = examples::failedProgram();
@@ -619,12 +621,12 @@ private slots:
         QCOMPARE(line[0][0].toInt(), 33);
         QCOMPARE(text.textCursor().blockNumber(), 32);
         clickRow(panel, "findingList", 2);
-        QCOMPARE(line.size(), 2); // once more
+        QCOMPARE(line.size(), 2); // repeated
         text.setFocus();
         QTest::keyClick(&text, Qt::Key_Down);
         QCOMPARE(line.size(), 3);
         QCOMPARE(line[2][0].toInt(), 34);
-        QTest::keyClick(&text, Qt::Key_A); // read only
+        QTest::keyClick(&text, Qt::Key_A); // the text is read-only
         QCOMPARE(text.toPlainText(), examples::programText());
     }
 
@@ -636,7 +638,7 @@ private slots:
         click(panel, "overrideButton");
         QCOMPARE(wanted.size(), 1);
         ProgramState state = examples::failedProgram();
-        state.released = true; // its header gives the reason now
+        state.released = true; // the header of the program now gives the reason
         panel.setState(state);
         QVERIFY(!child<QPushButton>(panel, "overrideButton").isVisible());
         QCOMPARE(child<Notice>(panel, "verdict").kind(), Notice::Kind::warning);
@@ -667,7 +669,7 @@ private slots:
         QTest::mouseClick(&chart, Qt::LeftButton, {}, QPoint(130, 40)); // 6.5 s of 10
         QCOMPARE(line.size(), 1);
         QCOMPARE(line[0][0].toInt(), 26);
-        // The column of the peak reaches higher than the others.
+        // The column of the peak is higher than the others.
         const QImage picture = chart.grab().toImage();
         const double ratio = picture.devicePixelRatio();
         const auto topOf = [&](int x) {
@@ -678,7 +680,7 @@ private slots:
         QVERIFY(topOf(130) < topOf(50) - 10);
     }
 
-    /// Two tools that cut for 10 s each, with a change of 60 s before either: half of the chart is each tool's.
+    /// Two tools that cut for 10 s each, with a change of 60 s before each: half of the chart belongs to each tool.
     void toolChangesAreNoPartOfTheChart() {
         LoadChart chart;
         chart.resize(200, chart.sizeHint().height());
@@ -720,7 +722,7 @@ private slots:
         QCOMPARE(switched.size(), 1);
         const auto& rows = child<RowList>(card, "deviationBands").rows();
         QCOMPARE(rows.size(), std::size_t{4});
-        // The legend: evenly spaced values, and at each the colour that rows and surface have.
+        // The legend has evenly spaced values, each with the colour that rows and surface have.
         auto& legend = child<DeviationLegend>(card, "deviationLegend");
         QVERIFY(legend.isVisible());
         for (const char* value : {"+0.1 mm", "+0.5 mm", "+2 mm", "−0.02 mm", "−0.4 mm"})
@@ -740,7 +742,7 @@ private slots:
         DeviationSample sample;
         sample.gouge = 0.034;
         card.showUnderPointer(sample);
-        // The pointer stands at the value.
+        // The pointer of the legend is at the value.
         const QImage pointed = legend.grab().toImage();
         QRect changed;
         for (int y = 0; y < picture.height(); ++y)
@@ -786,13 +788,13 @@ private slots:
         QSignalSpy line(&view, &ProgramView::lineChosen);
         view.showProgram(text);
         QVERIFY(!view.complete());
-        view.showLine(30000); // which has not come yet
+        view.showLine(30000); // a line that is not loaded yet
         QCOMPARE(view.textCursor().block().text(), QStringLiteral("N30000 G1 X12.345 Y-3.456"));
         QTRY_VERIFY(view.complete());
         QCOMPARE(view.toPlainText(), text);
         QCOMPARE(view.textCursor().blockNumber(), 29999);
         view.showProgram(text + QStringLiteral("M30"));
-        view.showProgram(QStringLiteral("M5\nM30")); // the next one, before that one is there
+        view.showProgram(QStringLiteral("M5\nM30")); // the next program, before that one is loaded
         QTest::qWait(50);
         QCOMPARE(view.toPlainText(), QStringLiteral("M5\nM30"));
         QCOMPARE(view.textCursor().blockNumber(), 0);
@@ -803,7 +805,7 @@ private slots:
 
     void wordsAreTold_data() {
         QTest::addColumn<QString>("line");
-        QTest::addColumn<QString>("kinds"); // one letter a character
+        QTest::addColumn<QString>("kinds"); // one letter per character
         QTest::newRow("a move") << "G1 X-1.5 Y+2 F1400"
                                 << "cc aaaaa aaa sssss";
         QTest::newRow("no spaces") << "N10G0X1M3"

@@ -42,7 +42,7 @@ private slots:
         QCOMPARE(asked.size(), 1);
         panel.setState({nullptr, true});
         click(panel, "importButton");
-        QCOMPARE(asked.size(), 1); // not twice at once
+        QCOMPARE(asked.size(), 1); // cannot be requested twice at once
         panel.setState(examples::part());
         auto& bodies = child<RowList>(panel, "bodyList");
         QCOMPARE(bodies.count(), 2);
@@ -56,7 +56,7 @@ private slots:
         QCOMPARE(plain(bodies.rows()[0].value), QStringLiteral("5.16 in³"));
     }
 
-    /// It ends in "…", so that it begins as it would with more room.
+    /// The text is elided with "…", so it begins as it would with more room.
     void aSecondLineWithoutRoomIsWholeInTheTooltip() {
         PartPanel panel;
         const auto shown = [&panel](std::uint32_t faces) {
@@ -82,7 +82,7 @@ private slots:
         QVERIFY(one == many);
     }
 
-    /// A STEP file states it.
+    /// A STEP file states its unit itself.
     void theUnitOfAnStlFileIsChosen() {
         PartPanel panel;
         panel.setState(examples::part());
@@ -101,9 +101,9 @@ private slots:
         unit.setFocus();
         QTest::keyClick(&unit, Qt::Key_Down);
         QCOMPARE(chosen, std::vector<double>{25.4});
-        QCOMPARE(unit.currentText(), QStringLiteral("mm")); // as long as the file was not read again
+        QCOMPARE(unit.currentText(), QStringLiteral("mm")); // until the file has been read again
         model = std::make_shared<Model>(*model);
-        model->unitScale = 3.175; // the command line takes any
+        model->unitScale = 3.175; // the command line accepts any scale
         panel.setState({model, false});
         QCOMPARE(unit.currentText(), QStringLiteral("3.175 mm"));
     }
@@ -122,7 +122,7 @@ private slots:
         type(panel, "bottomMarginField", "0.1in");
         type(panel, "voxelField", "0.5");
         QCOMPARE(setups.size(), std::size_t{4});
-        // Each entry stands on those before, though nobody called setState meanwhile.
+        // Each entry builds on the previous ones, although setState was not called in between.
         QCOMPARE(setups[3].marginHigh, glm::dvec3(7.5, 7.5, 3.0));
         QCOMPARE(setups[3].marginLow.x, 7.5);
         QVERIFY(std::abs(setups[3].marginLow.z - 2.54) < 1e-9);
@@ -159,7 +159,7 @@ private slots:
         QCOMPARE(child<Notice>(panel, "stockNotice").kind(), Notice::Kind::error);
     }
 
-    /// In the unit that is shown; of hundreds the first ones.
+    /// In the displayed unit; if there are hundreds of findings, the first ones.
     void whatEmbeddingFoundIsTold() {
         StockPanel panel;
         EmbeddingFindings whole;
@@ -204,7 +204,7 @@ private slots:
         QVERIFY2(summary.sentence().contains(QStringLiteral("1 finding.")), qPrintable(summary.sentence()));
     }
 
-    /// What is below the panel on its page neither.
+    /// Nor does anything below the panel on its page move.
     void whatTheStockPanelTellsMovesNothing() {
         StockPanel panel;
         const StockState quiet = examples::stock();
@@ -276,7 +276,7 @@ private slots:
         QVERIFY(figure(QStringLiteral("Density")).badge.isEmpty());
         QCOMPARE(figure(QStringLiteral("Plunge feed ratio")).badge, QStringLiteral("estimate"));
         QVERIFY(child<Notice>(panel, "estimateNotice").isVisible());
-        clickRow(panel, "materialValues", 1); // its source can be read in whole
+        clickRow(panel, "materialValues", 1); // its source can be read in full
         QCOMPARE(child<QLabel>(panel, "valueSource").accessibleName(), values.rows()[1].toolTip);
 
         const auto pick = [&panel](const char* name, int down) {
@@ -285,11 +285,11 @@ private slots:
             for (int i = 0; i < std::abs(down); ++i) QTest::keyClick(&choice, down > 0 ? Qt::Key_Down : Qt::Key_Up);
         };
         pick("stockMaterial", 1);
-        QCOMPARE(stock, QStringList{"aluminium-7075"}); // the next in the list
+        QCOMPARE(stock, QStringList{"aluminium-7075"}); // the next material in the list
         pick("body", 1);
         QCOMPARE(child<QComboBox>(panel, "bodyMaterial").currentData().toString(), QStringLiteral("machinable-wax"));
         pick("bodyMaterial", -1);
-        QTest::keyClick(&child<QComboBox>(panel, "bodyMaterial"), Qt::Key_Home); // "Same as the stock" stands first
+        QTest::keyClick(&child<QComboBox>(panel, "bodyMaterial"), Qt::Key_Home); // "Same as the stock" is the first one
         QCOMPARE(bodies, (QStringList{"1 brass-cuzn39pb3", "1 "}));
         QCOMPARE(stock.size(), 1);
     }
@@ -309,7 +309,7 @@ private slots:
         }
     }
 
-    /// A dozen tools in a high window; in a low one some, and the rest of the panel.
+    /// A dozen tools in a high window; in a low one some tools and the rest of the panel.
     void theToolListTakesTheRoomThatThereIs() {
         QScrollArea page;
         auto* panel = new ToolPanel;
@@ -350,7 +350,7 @@ private slots:
         QCOMPARE(chosen,
                  (QStringList{QString::fromStdString(toolIds()[static_cast<std::size_t>(first)]), "bull-10-r2"}));
         clickRow(panel, "toolList", list.currentRow());
-        QCOMPARE(chosen.size(), 2); // it is the current one
+        QCOMPARE(chosen.size(), 2); // it is already the current tool
         ToolState locked = examples::tool();
         locked.locked = true;
         panel.setState(locked);
@@ -364,7 +364,7 @@ private slots:
         show(panel);
         QSignalSpy edited(&panel, &AllowancePanel::allowanceEdited);
         type(panel, "allowanceField", "0.5");
-        type(panel, "allowanceField", "9"); // more than there is: refused, and the field says so
+        type(panel, "allowanceField", "9"); // more than is possible: the field refuses it and says so
         QCOMPARE(edited.size(), 1);
         QCOMPARE(edited[0][0].toDouble(), 0.5);
         QCOMPARE(child<QDoubleSpinBox>(panel, "allowanceField").value(), 0.5);

@@ -13,14 +13,14 @@ namespace burin::tst_stroke_shapes {
 
 namespace {
 
-double anyNumber(int low, int high) { // hundredths
+double anyNumber(int low, int high) { // in steps of a hundredth
     return 0.01 * *rc::gen::inRange(low, high);
 }
 glm::dvec3 anyPlace() {
     return {anyNumber(-10000, 10000), anyNumber(-10000, 10000), anyNumber(-500, 500)};
 }
 
-/// Rows along the longer side, there and back, from edge to edge: none is missing and none is too many.
+/// Rows parallel to the longer side, back and forth, from edge to edge, none missing and none superfluous.
 void checkRows() {
     const glm::dvec3 corner = anyPlace(), opposite = anyPlace();
     const double stepOver = anyNumber(5, 3000);
@@ -46,7 +46,7 @@ void checkRows() {
     }
 }
 
-/// Every place of the line stays, in order; those that come between lie on it, and none is too far from the next.
+/// Every point of the line stays, in order; the inserted points lie on it, and no two neighbours are too far apart.
 void checkSubdivided() {
     std::vector<glm::dvec3> line;
     for (int i = *rc::gen::inRange(1, 8); i > 0; --i) line.push_back(anyPlace());
@@ -68,7 +68,7 @@ void checkSubdivided() {
     RC_ASSERT(reached == line.size());
 }
 
-/// It lies on the line that is allowed, and none of that line is nearer to what was asked for, seen from above.
+/// The result lies on the permitted line and is, seen from above, the point of it nearest to the requested one.
 void checkLocked() {
     const glm::dvec3 anchor = anyPlace(), place = anyPlace();
     const double angle = anyNumber(0, 628);

@@ -21,10 +21,10 @@ using burin::test::OwnStylus;
 
 namespace {
 
-/// What a test's devices are doing. Any thread.
+/// What a test's devices are doing. Thread-safe.
 struct Hand {
     std::atomic<bool> pluggedIn{true}, button{false}, secondButton{false};
-    std::atomic<bool> aside{false}; ///< it rests beside its middle; else it goes round
+    std::atomic<bool> aside{false}; ///< it rests beside its centre; otherwise it moves in a circle
     std::atomic<OwnStylus*> stylus{nullptr};
 };
 
@@ -89,7 +89,7 @@ struct Shelf {
     Arms* arms;
 };
 
-/// Until a cube is embedded and the arm is in the hand.
+/// Waits until a cube is embedded and the arm is the stylus.
 bool takeInHand(Shelf& shelf, Workbench& workbench) {
     shelf.arms->put({{"one", "Arm", {}}});
     workbench.document.createNew(false, [&](bool made) {
@@ -97,7 +97,7 @@ bool takeInHand(Shelf& shelf, Workbench& workbench) {
     });
     if (!QTest::qWaitFor([&] { return workbench.setup.usable(); }, 60000)) return false;
     Setup coarse = workbench.setup.setup();
-    coarse.voxel = 1.0; // mm: soon embedded
+    coarse.voxel = 1.0; // mm: embedded quickly
     workbench.setup.edit(coarse);
     workbench.workpiece.embed();
     if (!QTest::qWaitFor([&] { return workbench.workpiece.ready(); }, 60000)) return false;
@@ -117,7 +117,7 @@ QStringList namesOf(const StylusController& styluses) {
 
 } // namespace
 
-/// Which stylus the window mills with, and that a device does.
+/// Which stylus the window mills with, and that a device can mill.
 class TestStyluses : public QObject {
     Q_OBJECT
 private slots:
@@ -139,11 +139,11 @@ private slots:
         QVERIFY(styluses.mouse());
         styluses.choose(3);
         QCOMPARE(styluses.chosenName(), QString("Cap: calm"));
-        styluses.choose(9); // there is none
+        styluses.choose(9); // there is no such stylus
         QCOMPARE(styluses.chosen(), std::size_t{3});
         shelf.arms->put({{"one", "Arm", {}}});
         QTRY_COMPARE(namesOf(styluses), (QStringList{"Mouse", "Arm", "Cap: calm (away)"}));
-        QCOMPARE(styluses.chosen(), std::size_t{2}); // it stays chosen
+        QCOMPARE(styluses.chosen(), std::size_t{2}); // the choice is kept
         shelf.arms->put({{"one", "Arm", {}}, {"two", "Cap", {fast, slow}}});
         QTRY_COMPARE(namesOf(styluses), (QStringList{"Mouse", "Arm", "Cap: quick", "Cap: calm"}));
         QCOMPARE(styluses.chosenName(), QString("Cap: calm"));
@@ -168,13 +168,14 @@ private slots:
         QCOMPARE(qvariant_cast<Error>(failed[0][0]).code, ErrorCode::deviceNotAllowed);
     }
 
-    /// Its button begins a stroke and its recording; unplugged it says so, and goes on when it is back.
+    /// The device's button begins a stroke and its recording. Unplugging is reported, and milling goes on when it is
+    /// back.
     void aDeviceMills() {
         Shelf shelf;
         Workbench workbench;
         QSignalSpy failed(&workbench, &Workbench::failed);
         QVERIFY(takeInHand(shelf, workbench));
-        QVERIFY(!workbench.mill.stylus()); // no pointer leads it
+        QVERIFY(!workbench.mill.stylus()); // it is not the pointer
         QVERIFY(!workbench.mill.recording());
         shelf.hand.button = true;
         QTRY_VERIFY(workbench.mill.recording());
@@ -198,7 +199,7 @@ private slots:
         workbench.mill.stopRecording();
         QTRY_VERIFY(!workbench.mill.recording());
         QTest::qWait(100);
-        QVERIFY(!workbench.mill.recording()); // a button that is still held begins nothing
+        QVERIFY(!workbench.mill.recording()); // a button that is still held begins no stroke
         workbench.mill.leave();
         QTRY_VERIFY(!workbench.mill.active());
         QTRY_COMPARE(workbench.mill.takes().size(), std::size_t{1});
@@ -206,7 +207,7 @@ private slots:
         QVERIFY(workbench.mill.takes()[0].sampleCount > 0);
     }
 
-    /// What is set stays with the device, and can be undone.
+    /// The settings stay with the device and can be undone.
     void theHandIsScaledAndClutched() {
         Shelf shelf;
         Workbench workbench;
@@ -223,14 +224,14 @@ private slots:
         QTRY_VERIFY(std::abs(state.workspaceScale - 2.0 * first) < 1e-9);
         workbench.undoLast();
         QTRY_VERIFY(std::abs(state.workspaceScale - first) < 1e-9);
-        QVERIFY(!hand.canRate()); // its motors would push it out of its place
+        QVERIFY(!hand.canRate()); // the motors would push it away from its position
 
         hand.setClutched(true);
         QTRY_VERIFY(state.clutched);
-        QTest::qWait(600); // what was under way
+        QTest::qWait(600); // so that motion under way comes to its end
         const glm::dvec3 rest = state.sample.stylusTip;
         const glm::dvec3 place = state.sample.device.position;
-        QTRY_VERIFY(glm::distance(state.sample.device.position, place) > 5.0); // the hand goes on
+        QTRY_VERIFY(glm::distance(state.sample.device.position, place) > 5.0); // the device goes on moving
         QVERIFY(glm::distance(state.sample.stylusTip, rest) < 0.05);
         hand.setClutched(false);
         QTRY_VERIFY(!state.clutched);
@@ -243,7 +244,7 @@ private slots:
     }
 
     void aDeadMansSwitchKeepsForcesOff() {
-        constexpr int patience = 20000; // ms: forces fade in by ticks, which a busy machine makes late
+        constexpr int patience = 20000; // ms: forces fade in by ticks, which are late on a busy machine
         Shelf shelf;
         Workbench workbench;
         QVERIFY(takeInHand(shelf, workbench));
@@ -273,12 +274,12 @@ private slots:
         const SessionState& state = workbench.session.state();
         const glm::dvec3 rest = state.sample.stylusTip;
         QTest::qWait(200);
-        QCOMPARE(state.sample.stylusTip, rest); // the hand rests, and so does the tool
+        QCOMPARE(state.sample.stylusTip, rest); // the device rests, and so does the tool
         workbench.hand.setControl(WorkspaceControl::rate);
-        QTRY_VERIFY(state.sample.stylusTip.x > rest.x + 5.0); // it goes on as long as the hand is aside
+        QTRY_VERIFY(state.sample.stylusTip.x > rest.x + 5.0); // it goes on as long as the device is off-centre
         const Box region = workbench.workpiece.milling()->tipRegion();
         QTest::qWait(3000);
-        QVERIFY(region.grown(1e-9).contains(state.sample.stylusTip)); // and not out of the rig
+        QVERIFY(region.grown(1e-9).contains(state.sample.stylusTip)); // but does not leave the region
         workbench.undoLast();
         QTest::qWait(100);
         const glm::dvec3 stopped = state.sample.stylusTip;

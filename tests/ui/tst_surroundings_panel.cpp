@@ -65,7 +65,7 @@ private slots:
         click(panel, "obstacle0Remove");
         QCOMPARE(removed[0][0].value<std::size_t>(), std::size_t{0});
         SurroundingsState recording = viseAndPost();
-        recording.locked = true; // what a take is made among stays; a switch can be used
+        recording.locked = true; // fixtures of a take cannot be changed; a switch can be used
         panel.setState(recording);
         QVERIFY(!child<QDoubleSpinBox>(panel, "obstacle0SizeX").isEnabled());
         QVERIFY(!child<QToolButton>(panel, "obstacle0Remove").isEnabled());
@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(child<QDoubleSpinBox>(panel, "obstacle0PlaceX").value(), -10.0);
         type(panel, "obstacle0PlaceX", "5");
         QCOMPARE(std::get<Box>(edits.back().second.shape).low, glm::dvec3(15, 0, 0));
-        QCOMPARE(std::get<Box>(edits.back().second.shape).high, glm::dvec3(55, 10, 15)); // it moved as it was
+        QCOMPARE(std::get<Box>(edits.back().second.shape).high, glm::dvec3(55, 10, 15)); // moved, with the same size
         type(panel, "obstacle0SizeZ", "20");
         QCOMPARE(std::get<Box>(edits.back().second.shape).high.z, 20.0);
         type(panel, "obstacle1Diameter", "10");
@@ -107,7 +107,7 @@ private slots:
         QVERIFY(!child<QDoubleSpinBox>(panel, "axisLeanField").isVisible());
         emit choice.activated(1);
         QVERIFY(child<QDoubleSpinBox>(panel, "axisLeanField").isVisible());
-        panel.setState(state); // it was asked for, and is still upright
+        panel.setState(state); // the tilt was requested, and the tool is still upright
         QVERIFY(child<QDoubleSpinBox>(panel, "axisLeanField").isVisible());
         click(panel, "axisOfViewButton");
         QCOMPARE(ofView.size(), 1);
@@ -118,7 +118,7 @@ private slots:
         panel.setState(state);
         type(panel, "axisHeadingField", "90");
         QVERIFY(std::abs(chosen.back().direction.y - 0.5) < 1e-9 && std::abs(chosen.back().direction.x) < 1e-9);
-        QVERIFY(!child<QCheckBox>(panel, "travelSwitch").isEnabled()); // how far a tilted tool goes is not known
+        QVERIFY(!child<QCheckBox>(panel, "travelSwitch").isEnabled()); // the travel that a tilted tool needs is unknown
         emit choice.activated(2);
         QVERIFY(chosen.back().free);
         emit choice.activated(0);

@@ -33,7 +33,7 @@ namespace burin::tst_theme {
 
 namespace {
 
-/// WCAG 2.1, written down a second time: from 0 … 255, by channel.
+/// WCAG 2.1, implemented a second time: from 0 … 255, per channel.
 double oracleLuminance(const QColor& colour) {
     double sum = 0.0;
     const std::array<std::pair<int, double>, 3> channels{
@@ -69,13 +69,13 @@ std::array<double, 3> labOf(const QColor& colour) {
     return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
-/// CIE 1976: about 2 can just be seen.
+/// CIE 1976: a difference of about 2 is just visible.
 double colourDifference(const QColor& one, const QColor& other) {
     const std::array<double, 3> a = labOf(one), b = labOf(other);
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// Of the materials that come with the program.
+/// The colours of the materials that Burin is shipped with.
 std::vector<QColor> stockColours() {
     std::vector<QColor> colours;
     const QDir folder(QStringLiteral(BURIN_SOURCE_DIRECTORY "/resources/materials"));
@@ -103,7 +103,7 @@ QColor inkOf(const QIcon& icon, int size, QIcon::Mode mode = QIcon::Normal) {
     return ink;
 }
 
-/// Near enough: a picture's colours are rounded when they are blended.
+/// Nearly equal: colours of a picture are rounded when they are blended.
 bool alike(const QColor& one, const QColor& other) {
     return std::abs(one.red() - other.red()) <= 2 && std::abs(one.green() - other.green()) <= 2 &&
            std::abs(one.blue() - other.blue()) <= 2;
@@ -115,7 +115,7 @@ class TestTheme : public QObject {
     Q_OBJECT
 private slots:
     void contrastIsThatOfTheStandard() {
-        // Published figures: black on white, and the greys just above and below the limit of 4.5.
+        // Published values: black on white, and the greys just above and below the limit of 4.5.
         QCOMPARE(contrast(Qt::black, Qt::white), 21.0);
         QVERIFY(std::abs(contrast(QColor("#767676"), Qt::white) - 4.54) < 0.005);
         QVERIFY(std::abs(contrast(QColor("#777777"), Qt::white) - 4.48) < 0.005);
@@ -143,7 +143,7 @@ private slots:
             QVERIFY(oracleContrast(readableOn(*loaded.*fill), *loaded.*fill) >= 4.5);
             QVERIFY(oracleContrast(loaded->field, *loaded.*fill) >= 4.5); // icons on filled buttons
         }
-        // Lines that tell something: 3 : 1, as for graphics.
+        // Lines that carry information: 3 : 1, as for graphics.
         for (const ColourRole line : {&Palette::coupling, &Palette::guide})
             for (const ColourRole ground : {&Palette::sceneTop, &Palette::sceneBottom})
                 QVERIFY2(oracleContrast(*loaded.*line, *loaded.*ground) >= 3.0,
@@ -151,8 +151,8 @@ private slots:
     }
 
     void linesOfAPathStandOutFromWhateverTheyLieOn_data() { everyTextIsReadable_data(); }
-    /// In light and in shade: of a line and its halo, one has 3 : 1 to what lies below, as graphics have to (WCAG 2.1,
-    /// 1.4.11). And their hues differ from the part's and from each other's.
+    /// In light and in shade, either a line or its halo has a contrast of 3 : 1 to what lies below, as required of
+    /// graphics (WCAG 2.1, 1.4.11). Their hues differ from the part's and from each other's.
     void linesOfAPathStandOutFromWhateverTheyLieOn() {
         QFETCH(int, theme);
         const Palette palette = *loadPalette(static_cast<Theme>(theme));
@@ -196,7 +196,7 @@ private slots:
         const Palette dark = *loadPalette(Theme::dark), light = *loadPalette(Theme::light);
         QVERIFY(oracleLuminance(dark.window) < 0.05);
         QVERIFY(oracleLuminance(light.window) > 0.7);
-        QCOMPARE(dark.accent.name(), QStringLiteral("#f2a33c")); // as the file has it
+        QCOMPARE(dark.accent.name(), QStringLiteral("#f2a33c")); // as in the file
     }
 
     void faultyThemesAreRefused_data() {
@@ -260,7 +260,7 @@ private slots:
             label.ensurePolished();
             QCOMPARE(label.palette().color(QPalette::WindowText), palette.force);
         }
-        // Pictures that the style sheet names stand where it names them.
+        // Images that the style sheet names exist where it names them.
         auto named = QRegularExpression(QStringLiteral("url\\(\"([^\"]+)\"\\)")).globalMatch(qApp->styleSheet());
         QVERIFY(named.hasNext());
         while (named.hasNext()) {
@@ -269,7 +269,7 @@ private slots:
         }
     }
 
-    /// Hidden pages are styled later than what is seen, but never after they are.
+    /// Hidden pages are styled later than visible ones, but never after they are shown.
     void hiddenWidgetsFollowTheTheme() {
         applyTheme(*qApp, *loadPalette(Theme::dark));
         QWidget window;

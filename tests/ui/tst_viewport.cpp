@@ -13,7 +13,7 @@ using fixture::stock;
 
 namespace {
 
-/// Takes what it is told to and remembers what it saw.
+/// Does what it is told and records what it was sent.
 class Recorder : public InteractiveTool {
 public:
     bool press(const ViewportEvent& event) override { return note("press", event); }
@@ -61,7 +61,7 @@ private slots:
         viewport_->setStandardView(StandardView::isometric);
     }
 
-    /// A preview stays until its part can be drawn, and no longer where another part comes first.
+    /// A preview stays until its part can be drawn, and is removed if another part comes first.
     void aPreviewGoesWithItsPart() {
         const std::shared_ptr<const Model> part = fixture::model(fixture::radii);
         ModelPreview coarse;
@@ -97,7 +97,7 @@ private slots:
         rig_->drag(Qt::RightButton, {500, 350}, {620, 300});
         const glm::dvec3 after = viewport_->sight({500.0, 350.0}).rayDirection;
         QVERIFY(glm::distance(before, after) > 0.2);
-        // z still points up in the picture: two places above each other share their column in the middle.
+        // z still points up in the picture: two points above each other have the same column in the middle.
         const glm::dvec3 centre = stock.centre();
         const QPointF low = viewport_->project(centre), high = viewport_->project(centre + glm::dvec3(0.0, 0.0, 1.0));
         QVERIFY(high.y() < low.y());
@@ -109,7 +109,7 @@ private slots:
         const glm::dvec3 summit(0.0, 0.0, 14.0);
         const QPointF at = viewport_->project(summit);
         rig_->drag(Qt::MiddleButton, at.toPoint(), at.toPoint() + QPoint(90, 20));
-        QVERIFY(pixels(viewport_->project(summit), at) < 3.0); // the pointer stands on whole pixels
+        QVERIFY(pixels(viewport_->project(summit), at) < 3.0); // the pointer has whole pixels only
     }
 
     void panMovesThePlaceWithThePointer() {
@@ -180,13 +180,13 @@ private slots:
         rig_->settle();
         QSignalSpy painted(viewport_, &Viewport::painted);
         for (int i = 0; i < 10; ++i) {
-            viewport_->setToolMarks(marksAt({6.0, -4.0, 20.0})); // the same again
+            viewport_->setToolMarks(marksAt({6.0, -4.0, 20.0})); // the same marks again
             QTest::qWait(50);
         }
         QCOMPARE(painted.count(), 0);
     }
 
-    /// As when a notice over it goes: the picture is shown again.
+    /// As when a notice that covered the view disappears: the picture is shown again.
     void whatWasCoveredForAMomentIsNotDrawnAgain() {
         rig_->settle();
         const QImage before = rig_->window->grab().toImage();

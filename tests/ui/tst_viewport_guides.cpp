@@ -29,7 +29,7 @@ GuideMarks marksOf(const GuideMark& mark) {
     return marks;
 }
 
-/// The dome as a boundary for tips: near enough to a distance for a picture.
+/// The dome as a boundary for tips; the distances are accurate enough for a picture.
 class DomeField final : public ClearanceField {
 public:
     FieldSample at(const glm::dvec3& tip) const noexcept override {
@@ -59,7 +59,7 @@ QRect difference(const QImage& one, const QImage& other, int least = 6) {
 
 } // namespace
 
-/// How guides of the hand are drawn.
+/// How guides are drawn.
 class TestViewportGuides : public QObject {
     Q_OBJECT
 private slots:
@@ -117,7 +117,7 @@ private slots:
         QVERIFY(difference(plain_, viewport_->grabFramebuffer(), 0).isEmpty());
     }
 
-    /// A level on the very face of the stock, and one deep inside of it: both are there in every frame, alike.
+    /// A level exactly on the face of the stock and one deep inside of it are both drawn in every frame, always alike.
     void whatLiesOnOrInTheWorkpieceDoesNotFlicker() {
         for (const double height : {stock.high.z, 6.0}) {
             GuideMark mark = markOf(GuideKind::plane);
@@ -126,7 +126,7 @@ private slots:
             rig_->settle();
             const QImage first = viewport_->grabFramebuffer();
             QVERIFY(!difference(plain_, first).isEmpty());
-            // On the face that it shares with the stock the film is even: one colour, or the other, not a pattern.
+            // On the face that it shares with the stock the film is even: one colour or the other, not a pattern.
             if (height == stock.high.z) {
                 int changed = 0, seen = 0;
                 for (double x = 6.0; x <= 24.0; x += 1.0)

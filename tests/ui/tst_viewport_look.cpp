@@ -47,7 +47,7 @@ std::shared_ptr<const Model> bossOnPlate() {
     return model;
 }
 
-/// Half sizes and heights of a bar that is turned about Z, mm.
+/// Half sizes and heights of a bar that is rotated about Z, mm.
 constexpr glm::dvec2 barHalf{14.0, 7.0};
 constexpr double barTop = 9.0, floorHeight = 3.0, barTurn = 0.3;
 
@@ -60,7 +60,7 @@ TriangleMesh barMesh() {
                         {0.0, 0.0, 1.0}, glm::dvec3(0.0));
 }
 
-/// Stock whose floor was milled around the bar, in voxels of 0.8 mm: some 10 pixels.
+/// Stock whose floor was milled around the bar, in voxels of 0.8 mm, some 10 pixels wide.
 RunVolume milledAroundBar() {
     PropertyList properties;
     Property wax, part;
@@ -77,7 +77,7 @@ RunVolume milledAroundBar() {
     return volume;
 }
 
-/// Around the boss on its plate, up to a height, mm; nothing of it is milled.
+/// Unmilled stock around the boss on its plate, up to a height, mm.
 VolumeSnapshot blockUpTo(double top) {
     PropertyList properties;
     Property wax;
@@ -103,7 +103,7 @@ EvaluatedPath straight(MoveKind kind, MillingSide side) {
 
 } // namespace
 
-/// How the rig looks: light, edges, shadow, and lines that stand out.
+/// How the scene looks: light, edges, shadow, and lines that stand out.
 class TestViewportLook : public QObject {
     Q_OBJECT
 
@@ -121,7 +121,7 @@ private slots:
         viewport_->setStockOutline(std::nullopt);
     }
 
-    /// Faces that face the eye all the same way, or lean by the same angle, and a floor below a top.
+    /// Faces that face the eye equally or lean by the same angle, and a floor below a top, differ in lightness.
     void facesOfAPrismDifferFromAbove() {
         const QImage image = viewport_->grabFramebuffer();
         const std::map<QString, glm::dvec3> faces{{"top", {2.0, 1.0, 13.0}},    {"floor", {18.0, 13.0, 4.0}},
@@ -138,7 +138,7 @@ private slots:
         QVERIFY(rig_->save("viewport-prism"));
     }
 
-    /// A wall that stands upright is no more than a line from above: it has to be a dark one.
+    /// From above a vertical wall is only a line, so that line has to be dark.
     void edgesOfAPrismAreDarkLines() {
         const QImage image = viewport_->grabFramebuffer();
         const double ratio = viewport_->devicePixelRatio();
@@ -191,11 +191,11 @@ private slots:
         viewport_->setPath({});
     }
 
-    /// Lighter farther away; and from below nothing hides what stands on it.
+    /// The shadow gets lighter with the distance; from below the bench hides nothing that stands on it.
     void theBenchCastsASoftShadow() {
         viewport_->setStockOutline(stock);
         viewport_->setStandardView(StandardView::top);
-        rig_->wheel(QPointF(viewport_->rect().center()), -4); // so that there is rig to be seen
+        rig_->wheel(QPointF(viewport_->rect().center()), -4); // so that some of the bench is visible
         rig_->settle();
         const QImage image = viewport_->grabFramebuffer();
         const glm::dvec3 near{31.0, 2.5, -4.0}, far{38.0, 2.5, -4.0};
@@ -205,7 +205,7 @@ private slots:
         QVERIFY(lightnessOf(pixelAt(below, near)) > 0.98 * lightnessOf(pixelAt(below, far)));
     }
 
-    /// However light or dark what lies below it.
+    /// However light or dark the scene below it is.
     void theScaleStandsOnAPlate() {
         rig_->wheel(QPointF(viewport_->rect().center()), 20); // the part's top fills the view
         rig_->settle();
@@ -223,7 +223,7 @@ private slots:
         QVERIFY(rig_->save("viewport-scale", image));
     }
 
-    /// It would cost every picture its triangles.
+    /// Otherwise every frame would have to draw its triangles.
     void aPartThatStockHidesIsNotDrawn() {
         viewport_->setPartVisible(false);
         viewport_->setWorkpiece(blockUpTo(18.0));
@@ -237,7 +237,7 @@ private slots:
         viewport_->setPartVisible(true);
     }
 
-    /// Beyond the voxels nothing is known to hide it.
+    /// Outside the voxels nothing is known to hide the part.
     void aPartThatStandsOutOfTheStockIsSeen() {
         viewport_->setPart(bossOnPlate());
         QTRY_VERIFY(rig_->ready());
@@ -252,11 +252,11 @@ private slots:
         };
         for (const glm::dvec3& place : {glm::dvec3(2.0, 1.0, 13.0), {-10.0, 1.0, 11.0}, {2.0, 8.0, 11.0}})
             QVERIFY(isPart(place));
-        QVERIFY(!isPart({18.0, 13.0, 6.0})); // stock over the plate
+        QVERIFY(!isPart({18.0, 13.0, 6.0})); // stock above the plate
         viewport_->setWorkpiece({});
     }
 
-    /// Not where its voxels lie, which are ten pixels wide: right up to its edges, and no farther.
+    /// Drawn up to its edges and no farther, not up to the border of its voxels, which are ten pixels wide.
     void barePartIsDrawnWhereItLies() {
         auto model = std::make_shared<Model>();
         model->bodies.emplace_back();
@@ -265,7 +265,7 @@ private slots:
         viewport_->setPart(model);
         RunVolume volume = milledAroundBar();
         viewport_->setWorkpiece(volume.snapshot());
-        viewport_->setPartVisible(false); // its own show: it is seen as far as the workpiece is bare
+        viewport_->setPartVisible(false); // its visibility switch: the part is still seen where the workpiece is bare
         viewport_->fit();
         rig_->settle();
         const QImage image = viewport_->grabFramebuffer();
@@ -276,7 +276,7 @@ private slots:
             const QColor colour = pixelAt(image, place);
             return colour.blue() > colour.red() + 40;
         };
-        const double line = 4.0 * pixel; // that the edge itself is as wide as, with a pixel to each side
+        const double line = 4.0 * pixel; // the width of the edge itself, with a pixel on each side
         for (int i = -20; i <= 20; ++i) {
             const double x = 0.9 * barHalf.x * i / 20.0, y = 0.9 * barHalf.y * i / 20.0;
             for (const double side : {-1.0, 1.0}) {
@@ -289,7 +289,7 @@ private slots:
         viewport_->setWorkpiece({});
     }
 
-    /// Drawn in pieces, seen as one: the side of a block, below the part in it, is everywhere alike.
+    /// Although it is drawn in pieces, it looks like one: the side of a block, below the part in it, is uniform.
     void aTransparentWorkpieceShowsNoSeams() {
         Property wax;
         wax.id = wax.name = "wax";
@@ -307,7 +307,7 @@ private slots:
         const QImage image = viewport_->grabFramebuffer();
         QVERIFY(rig_->save("viewport-glass", image));
         const QColor middle = pixelAt(image, {0.3, -12.0, -1.0});
-        QVERIFY(middle != pixelAt(image, {-25.0, -12.0, -1.0})); // it is there
+        QVERIFY(middle != pixelAt(image, {-25.0, -12.0, -1.0})); // it is drawn
         for (double x = -23.0; x <= 23.0; x += 0.05)
             QVERIFY2(std::abs(pixelAt(image, {x, -12.0, -1.0}).lightness() - middle.lightness()) <= 3,
                      qPrintable(QString::number(x)));
@@ -318,7 +318,7 @@ private slots:
     void cleanupTestCase() { rig_.reset(); }
 
 private:
-    /// On the screen, device-independent pixels.
+    /// The position on the screen, device-independent pixels.
     glm::dvec2 at(double x) const {
         const QPointF place = viewport_->project({x, 0.0, barTop});
         return {place.x(), place.y()};
@@ -326,7 +326,7 @@ private:
     QColor pixelAt(const QImage& image, const glm::dvec3& place) const {
         return image.pixelColor((viewport_->project(place) * viewport_->devicePixelRatio()).toPoint());
     }
-    /// How many pixels across the straight path are of a colour.
+    /// The number of pixels of a colour across the straight path.
     int linePixels(const QImage& image, const QColor& colour) const {
         const QPoint at = (viewport_->project({3.0, 0.0, 13.0}) * viewport_->devicePixelRatio()).toPoint();
         int count = 0;

@@ -11,7 +11,7 @@
 
 namespace burin::tst_viewport_obstacle {
 
-/// Machines whose OpenGL doesn't do. Each is played by this program, started again with another display.
+/// Machines with insufficient OpenGL. Each is simulated by starting this program again with another display.
 class TestViewportObstacle : public QObject {
     Q_OBJECT
 
@@ -47,7 +47,7 @@ private slots:
     void drawingFails() {
         if (!asked()) return;
         QVERIFY(Viewport::drawingObstacle().contains("OpenGL 3.2"));
-        if (QGuiApplication::platformName() == "offscreen") return; // none at all: no viewport is made
+        if (QGuiApplication::platformName() == "offscreen") return; // no OpenGL at all: no viewport is created
         Viewport viewport;
         QSignalSpy failed(&viewport, &Viewport::drawingFailed);
         viewport.resize(300, 200);

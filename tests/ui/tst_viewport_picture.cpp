@@ -47,7 +47,8 @@ double pixels(const QPointF& a, const QPointF& b) {
     return std::hypot(a.x() - b.x(), a.y() - b.y());
 }
 
-/// How many of a picture's pixels near a place are about a colour's hue and at least as light as a share of it.
+/// The number of a picture's pixels in a rectangle that have about the hue of a colour and at least a share of its
+/// lightness.
 int countLike(const QImage& image, const QRect& where, const QColor& colour, int tolerance) {
     int count = 0;
     for (int y = std::max(0, where.top()); y <= std::min(image.height() - 1, where.bottom()); ++y)
@@ -85,7 +86,7 @@ TriangleMesh boxMesh(const Box& box) {
 
 } // namespace
 
-/// What is drawn.
+/// What the viewport draws.
 class TestViewportPicture : public QObject {
     Q_OBJECT
 
@@ -101,7 +102,7 @@ private slots:
         viewport_->setStandardView(StandardView::isometric);
     }
 
-    /// A view that was warmed up while something else was shown draws what any other does.
+    /// A view that was warmed up while something else was shown draws the same as any other.
     void warmingUpLeavesNothingBehind() {
         QMainWindow window;
         auto* pages = new QStackedWidget;
@@ -127,7 +128,7 @@ private slots:
         QTRY_VERIFY(warm->grabFramebuffer() == expected);
     }
 
-    /// What is drawn stands where project() says: the very tip of the tool, drawn alone before the background.
+    /// What is drawn appears where project() says: the exact tip of the tool, drawn alone in front of the background.
     void theToolAppearsWhereItIsProjected() {
         viewport_->setStandardView(StandardView::front);
         for (const glm::dvec3& tip : {glm::dvec3(-20.0, 0.0, 10.0), glm::dvec3(21.0, 3.0, 12.0)}) {
@@ -191,12 +192,13 @@ private slots:
               statistics.paintMaximum, statistics.cutToScreenMaximum, statistics.triangles);
     }
 
-    /// From above shank and holder (10 mm in radius) lie over the work: it is seen through them, nearly as without.
+    /// From above shank and holder (10 mm in radius) cover the work, which is seen through them, nearly as without
+    /// them.
     void theHolderFadesWhereItHidesTheWork() {
         volume_ = std::make_unique<RunVolume>(fixture::milledBlock(stock, 0.25, radii));
         viewport_->setWorkpiece(volume_->snapshot());
         viewport_->setStandardView(StandardView::top);
-        viewport_->setToolMarks(marksAt({-9.0, -7.0, 30.0})); // parked over the milled side, where the part shows
+        viewport_->setToolMarks(marksAt({-9.0, -7.0, 30.0})); // parked above the milled side, where the part is visible
         QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 5000);
         rig_->settle();
         QVERIFY(rig_->save("viewport-faded-holder"));
@@ -205,19 +207,19 @@ private slots:
         const QImage without = viewport_->grabFramebuffer();
         viewport_->setToolVisible(true);
         const QPointF tip = viewport_->project({-9.0, -7.0, 30.0}), side = viewport_->project({-4.0, -7.0, 30.0});
-        const double ratio = viewport_->devicePixelRatio(), pixel = pixels(side, tip) * ratio / 5.0; // a mm
+        const double ratio = viewport_->devicePixelRatio(), pixel = pixels(side, tip) * ratio / 5.0; // pixels per mm
         int seen = 0;
         for (int i = 0; i < 12; ++i) { // a ring of 6 mm: beside the flutes (3 mm), under the holder
             const double angle = 0.3 + i * pi / 6.0;
             const QPoint at = (tip * ratio + 6.0 * pixel * QPointF(std::cos(angle), std::sin(angle))).toPoint();
             const QColor now = with.pixelColor(at), bare = without.pixelColor(at);
-            QVERIFY(now != bare); // it is not gone either
+            QVERIFY(now != bare); // but the tool is still drawn
             const int off = std::max({std::abs(now.red() - bare.red()), std::abs(now.green() - bare.green()),
                                       std::abs(now.blue() - bare.blue())});
             if (off < 80) ++seen;
         }
         QCOMPARE(seen, 12);
-        // From the side it hides nothing and is as solid as ever: before the background, and before the stock.
+        // From the side the tool hides nothing and is fully opaque, in front of the background and of the stock.
         viewport_->setStandardView(StandardView::front);
         viewport_->setToolMarks(marksAt({0.0, -30.0, -15.0}));
         rig_->settle();
@@ -228,8 +230,8 @@ private slots:
         viewport_->setStandardView(StandardView::isometric);
     }
 
-    /// A clamp over the work: solid while nothing is cut under it; where it lies between the eye and the cut, or the
-    /// place that a press would cut, the work is seen through it, nearly as without.
+    /// A clamp above the work is opaque while nothing is cut under it. Where it lies between the eye and the cut, or
+    /// the point that a press would cut, the work is seen through it, nearly as without it.
     void aFixtureFadesWhereItHidesTheCut() {
         volume_ = std::make_unique<RunVolume>(fixture::milledBlock(stock, 0.25, radii));
         viewport_->setWorkpiece(volume_->snapshot());
@@ -246,7 +248,7 @@ private slots:
             rig_->settle();
             return viewport_->grabFramebuffer();
         };
-        // Two rows beside the flutes, within the clamp.
+        // Two rows of points beside the flutes, within the clamp.
         const auto colours = [&](const QImage& image) {
             std::vector<QColor> found;
             for (int i = -6; i <= 6; i += 2)
@@ -258,7 +260,7 @@ private slots:
         const auto seenThrough = [&](const QImage& image, const QImage& bare) {
             const std::vector<QColor> now = colours(image), without = colours(bare);
             for (std::size_t i = 0; i < now.size(); ++i)
-                if (!alike(now[i], without[i], 40) || now[i] == without[i]) return false; // it is not gone either
+                if (!alike(now[i], without[i], 40) || now[i] == without[i]) return false; // but still drawn
             return true;
         };
         const auto solid = [&](const QImage& image) {
@@ -273,12 +275,12 @@ private slots:
         const QImage bare = pictureOf(under, {}), bareAside = pictureOf(aside, {});
         QTRY_VERIFY_WITH_TIMEOUT(seenThrough(pictureOf(under, clamped), bare), 5000);
         QVERIFY(rig_->save("viewport-faded-fixture"));
-        QVERIFY(solid(pictureOf(aside, clamped))); // it comes back
+        QVERIFY(solid(pictureOf(aside, clamped))); // it is opaque again
         viewport_->setPressMark(PressMark{under, {0.0, 0.0, 1.0}, 3.0, 1.0, std::nullopt});
         QVERIFY(seenThrough(viewport_->grabFramebuffer(), bareAside));
         viewport_->setPressMark({});
         QVERIFY(solid(viewport_->grabFramebuffer()));
-        // Beside the cut it stays: seen from the front it stands behind the tool.
+        // Beside the cut it stays opaque: seen from the front it is behind the tool.
         viewport_->setToolMarks(marksAt({under.x, -24.0, 24.0}));
         viewport_->setStandardView(StandardView::front);
         rig_->settle();
@@ -316,7 +318,7 @@ private slots:
         rig_->settle();
         QSignalSpy painted(viewport_, &Viewport::painted);
         QTest::qWait(400);
-        QCOMPARE(painted.count(), 0); // and nothing flashes any more
+        QCOMPARE(painted.count(), 0); // and nothing flashes any longer
     }
 
     void theMovesOfAnEditedPathAreToldApart() {
@@ -329,7 +331,7 @@ private slots:
         const int cuts = countLike(climbing, climbing.rect(), palette.path, 3);
         const int pink = countLike(climbing, climbing.rect(), palette.conventionalPath, 3);
         QVERIFY(cuts > 200);
-        // Half of it goes the other way.
+        // Half of the path is reversed.
         const std::size_t last = path.path.points.size() - 1;
         path.sides = {{1, last / 2, MillingSide::climb}, {last / 2 + 1, last, MillingSide::conventional}};
         viewport_->setPath(path);
@@ -338,7 +340,7 @@ private slots:
         QVERIFY(countLike(image, image.rect(), palette.conventionalPath, 3) > pink + cuts / 4);
         QVERIFY(countLike(image, image.rect(), palette.plungePath, 6) > 20);
         QVERIFY(rig_->save("viewport-path"));
-        // What an edit left out is red, a part that is too short for a line as well.
+        // The part of the path that an edit left out is red, even if it is too short for a line.
         const auto red = [&] {
             const QImage now = viewport_->grabFramebuffer();
             return countLike(now, now.rect(), palette.force, 3);
@@ -360,8 +362,8 @@ private slots:
         QCOMPARE(red(), none);
     }
 
-    /// A plate with 0.3 mm of stock on its left half, a gouge in it, and nothing measured on the right: each is told by
-    /// its colour, and the part's own is nowhere to be seen.
+    /// A plate with 0.3 mm of stock on its left half, a gouge in it, and nothing measured on the right: each is shown
+    /// by its colour, and the part's own colour is not visible anywhere.
     void theDeviationIsASurfaceInTheColoursOfItsScale() {
         const glm::dvec3 half(24.0, 16.0, 5.0);
         auto plate = std::make_shared<Model>();
@@ -406,7 +408,7 @@ private slots:
         viewport_->setStandardView(StandardView::isometric);
         rig_->settle();
         QVERIFY(rig_->save("viewport-deviation-isometric"));
-        // Taken away, the part is there as before.
+        // Without deviations the part is drawn as before.
         viewport_->setDeviations({});
         viewport_->setStandardView(StandardView::top);
         image = viewport_->grabFramebuffer();
@@ -417,7 +419,7 @@ private slots:
         viewport_->setStockOutline(stock);
     }
 
-    /// From nothing to 2 mm are left along a dome: each place has its value's colour, but for its shade.
+    /// The excess grows from 0 to 2 mm along a dome: each point has the colour of its value, apart from shading.
     void theDeviationOfACurvedPartIsContinuous() {
         const auto excessAt = [](double x) { return std::pow((x + radii.x) / (2.0 * radii.x), 3.0) * 2.0; };
         auto samples = std::make_shared<std::vector<DeviationSample>>();
@@ -439,7 +441,7 @@ private slots:
             return image.pixelColor((viewport_->project({x, y, z}) * ratio).toPoint());
         };
         QTRY_VERIFY((image = viewport_->grabFramebuffer(), pixel(-12.0, 1.0).red() > 190)); // 0.03 mm: nearly white
-        // Values and colours of the legend: what is between is mixed.
+        // Values and colours of the legend; between them the colours are interpolated.
         const std::vector<std::pair<double, glm::dvec3>> legend{{0.0, {247, 247, 247}}, {0.1, {209, 229, 240}},
                                                                 {0.2, {146, 197, 222}}, {0.5, {67, 147, 195}},
                                                                 {1.0, {42, 114, 181}},  {2.0, {23, 74, 140}}};
@@ -485,7 +487,7 @@ private slots:
     }
 
     void survivesAnotherParent() {
-        QTest::mouseMove(viewport_, {300, 500}); // off the cube
+        QTest::mouseMove(viewport_, {300, 500}); // outside the view cube
         rig_->settle();
         const QImage before = viewport_->grabFramebuffer();
         {

@@ -41,7 +41,7 @@ void TestWindow::settingsCanBeTakenBack() {
     auto* field = driver.visible<QWidget>("voxelField");
     QVERIFY(field != nullptr);
     field->setFocus();
-    QTest::qWait(1100); // what follows at once is one entry
+    QTest::qWait(1100); // changes that follow immediately form a single undo entry
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, "1");
     QTest::keyClick(field, Qt::Key_Return);
@@ -52,7 +52,7 @@ void TestWindow::settingsCanBeTakenBack() {
     driver.window().setFocus();
     driver.key(Qt::Key_Z, Qt::ControlModifier);
     QTRY_COMPARE(workbench.setup.setup().voxel, voxel);
-    QVERIFY(workbench.workpiece.embedded()); // it still stands as it was
+    QVERIFY(workbench.workpiece.embedded()); // the same workpiece as before
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_COMPARE(workbench.setup.setup().voxel, 1.0);
     QVERIFY(driver.step(JobStep::stock));
@@ -93,7 +93,7 @@ void TestWindow::unitAndThemeChangeAtOnce() {
     QCOMPARE(driver.window().palette().color(QPalette::Window).lightness() > 128, true);
     auto* step = driver.visible<QWidget>("stepAllowance");
     QVERIFY(step != nullptr);
-    QVERIFY(driver.restart(true)); // and they are there the next time
+    QVERIFY(driver.restart(true)); // the preferences are restored at the next start
     QCOMPARE(UserSettings().preferences().unit, LengthUnit::inch);
     QCOMPARE(UserSettings().preferences().theme, Theme::light);
     driver.shoot("10-light-welcome");
@@ -101,7 +101,7 @@ void TestWindow::unitAndThemeChangeAtOnce() {
 
 namespace {
 
-/// How often each widget was told to style itself anew.
+/// Counts how often each widget was told to update its style.
 class StyleChanges : public QObject {
 public:
     StyleChanges() { qApp->installEventFilter(this); }
@@ -120,7 +120,7 @@ private:
 
 } // namespace
 
-/// Every visit of all widgets is a moment in which the window does not answer.
+/// While all widgets are updated, the window does not respond.
 void TestWindow::aPreferenceRestylesNothingThatItDoesNotConcern() {
     WindowDriver driver;
     QVERIFY(makeReady(driver));
@@ -195,7 +195,7 @@ void TestWindow::unsavedChangesAreGuarded() {
     QVERIFY(driver.window().isVisible());
     driver.whenDialogStands([&](QWidget& dialog) { answer(dialog, "discardButton"); });
     QVERIFY(driver.restart());
-    QVERIFY(driver.visible<QWidget>("recoverButton") == nullptr); // it was not wanted
+    QVERIFY(driver.visible<QWidget>("recoverButton") == nullptr); // the recovery was declined
 }
 
 void TestWindow::aWrongFileCostsOneSentence() {
@@ -229,8 +229,8 @@ void TestWindow::unsavedWorkIsThereAfterAnEndFromOutside() {
     QVERIFY(workbench.document.isUnnamed());
 }
 
-/// One that is killed while the disk is busy holds its work for seconds: whoever starts Burin again at once was told of
-/// nothing.
+/// A program that is killed while the disk is busy keeps its work locked for seconds. A user who restarted Burin at
+/// once was not offered that work.
 void TestWindow::workOfAProgramThatIsStillEndingIsOfferedOnceItHasEnded() {
     WindowDriver driver;
     auto ending = std::make_unique<Workbench>();

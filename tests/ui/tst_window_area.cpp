@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The area of the next pass: painted by mouse and keys.
+// The area of the next pass, painted by mouse and keys.
 #include "core/base/units.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
@@ -23,13 +23,13 @@ double paintedArea(WindowDriver& driver) {
     return areaInPlan(workbenchOf(driver).area.area());
 }
 
-/// On the top of the block, a place from its middle, mm.
+/// The point on the top of the block at an offset from its middle, mm.
 glm::dvec3 onTop(WindowDriver& driver, const glm::dvec2& place) {
     const Box part = workbenchOf(driver).setup.part()->box();
     return {glm::dvec2(part.centre()) + place, part.high.z};
 }
 
-/// A drag along places on the block's top.
+/// A drag along points on the block's top.
 void drag(WindowDriver& driver, const std::vector<glm::dvec2>& corners, Qt::KeyboardModifiers modifiers = {}) {
     Viewport& viewport = driver.window().viewport();
     const auto at = [&](const glm::dvec2& place) { return viewport.project(onTop(driver, place)).toPoint(); };
@@ -47,10 +47,10 @@ void drag(WindowDriver& driver, const std::vector<glm::dvec2>& corners, Qt::Keyb
 }
 
 bool isNear(double area, double expected) {
-    return std::abs(area - expected) <= 0.03 * expected; // the pointer goes by whole pixels
+    return std::abs(area - expected) <= 0.03 * expected; // the pointer has whole pixels only
 }
 
-/// Ready to paint on a block of 40 x 30 x 20 mm, seen from above.
+/// Prepares painting on a block of 40 x 30 x 20 mm, seen from above.
 bool makeReadyToPaint(WindowDriver& driver) {
     if (!makeReady(driver, 1.0)) return false;
     workbenchOf(driver).tool.choose("ball-6");
@@ -66,7 +66,7 @@ bool makeReadyToPaint(WindowDriver& driver) {
 class TestWindowArea : public QObject {
     Q_OBJECT
 private slots:
-    /// A stroke of 20 mm with a brush of 10 mm is a slot with round ends; Shift takes away; each is an undo.
+    /// A stroke of 20 mm with a brush of 10 mm is a slot with round ends; Shift erases; each stroke is one undo step.
     void aBrushPaintsAndErases() {
         WindowDriver driver;
         QVERIFY(makeReadyToPaint(driver));
@@ -78,7 +78,7 @@ private slots:
         QTest::qWait(300);
         driver.shoot("area-1-brushed");
         drag(driver, {{0.0, -15.0}, {0.0, 15.0}}, Qt::ShiftModifier);
-        // What a stripe of 10 mm across it leaves.
+        // What remains after erasing a stripe of 10 mm across it.
         QTRY_VERIFY2(isNear(paintedArea(driver), 10.0 * 10.0 + pi * 25.0),
                      qPrintable(QString::number(paintedArea(driver))));
         QTest::qWait(300);
@@ -90,7 +90,7 @@ private slots:
         QTRY_VERIFY(paintedArea(driver) > 0.0);
         QVERIFY(driver.clickOn("clearAreaButton"));
         QTRY_COMPARE(paintedArea(driver), 0.0);
-        // Esc ends it: a drag is the camera's again.
+        // Esc ends painting: a drag moves the camera again.
         driver.window().viewport().setFocus();
         driver.key(Qt::Key_Escape);
         QTRY_VERIFY(driver.visible("brushDiameter") == nullptr);
@@ -98,7 +98,7 @@ private slots:
         QCOMPARE(paintedArea(driver), 0.0);
     }
 
-    /// A triangle, and the face under a click, whose area is known.
+    /// A triangle, and the face under a click; both areas are known.
     void lassoAndFace() {
         WindowDriver driver;
         QVERIFY(makeReadyToPaint(driver));
@@ -115,7 +115,7 @@ private slots:
         driver.shoot("area-4-face");
     }
 
-    /// The pass stays in the area; the area outlasts saving and a restart.
+    /// The pass stays within the area; the area is preserved when saved and after a restart.
     void aPassStaysInTheArea() {
         WindowDriver driver;
         QVERIFY(makeReadyToPaint(driver));

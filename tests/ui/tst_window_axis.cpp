@@ -62,7 +62,7 @@ void TestWindowAxis::theToolStandsAsChosen() {
 
     driver.window().viewport().setStandardView(StandardView::top);
     QTest::qWait(400);
-    driver.key(Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier); // as the view looks: straight down
+    driver.key(Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier); // along the view direction: straight down
     QVERIFY(driver.waitFor([&] { return workbench.surroundings.axis().direction.z > 1.0 - 1e-9; }, 3000));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(driver.waitFor([&] { return glm::distance(workbench.surroundings.axis().direction, axis) < 1e-9; }, 3000));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The device dialogue, with a Touch whose library stands in for the maker's.
+// The device dialog, with a Touch whose library is a stand-in for the maker's.
 #include "tests/places.h"
 #include "tests/plugins/spacenav_daemon.h"
 #include "tests/test_program.h"
@@ -56,23 +56,24 @@ private slots:
         driver.whenDialogStands([&](QWidget& dialog) {
             QCOMPARE(dialog.objectName(), QString("deviceDialog"));
             auto* list = dialog.findChild<RowList*>("deviceList");
-            // What keeps the others away is said, with the folders that were looked in.
+            // The reason why the other devices are missing is shown, with the folders that were searched.
             QTRY_VERIFY(rowOf(*list, "Force Dimension") > 0);
             const ListRow& missing = list->rows()[static_cast<std::size_t>(rowOf(*list, "Force Dimension"))];
             QVERIFY(missing.detail.contains("libdrd.so") && missing.detail.contains("/usr/lib"));
             auto* test = dialog.findChild<QPushButton*>("testDeviceButton");
-            QVERIFY(!test->isEnabled()); // the mouse
+            QVERIFY(!test->isEnabled()); // the mouse cannot be tested
             clickRow(*list, rowOf(*list, "Default Device"));
             QVERIFY(test->isEnabled());
             QTest::mouseClick(test, Qt::LeftButton);
             QTRY_VERIFY(text(dialog, "deviceLimits").contains("3.3 N"));
             QTRY_VERIFY_WITH_TIMEOUT(text(dialog, "deviceFigures").contains("Buttons pressed: 1"), 20'000);
-            QTest::qWait(1300); // once round the circle
+            QTest::qWait(1300); // one turn of the circle
             driver.shoot("devices-1-test");
             QVERIFY(text(dialog, "deviceFigures").contains("Maximum force commanded: 0.00 N"));
             QTest::mouseClick(test, Qt::LeftButton);
             QTRY_COMPARE(test->text(), QString("Test"));
-            // Its motors push only with a force that was asked for, while the button is held: the hand does.
+            // The motors exert only a requested force, and only while the button is held, which the simulated hand
+            // does.
             auto* force = dialog.findChild<QWidget*>("deviceForce");
             force->setFocus();
             QTest::keyClick(force, Qt::Key_A, Qt::ControlModifier);
@@ -87,7 +88,7 @@ private slots:
             QTest::keyClick(share, Qt::Key_A, Qt::ControlModifier);
             QTest::keyClicks(share, "0.5");
             QTest::keyClick(share, Qt::Key_Tab);
-            // More than a test may ask for is refused, not cut off.
+            // A force beyond the limit for tests is refused, not clamped.
             force->setFocus();
             QTest::keyClick(force, Qt::Key_A, Qt::ControlModifier);
             QTest::keyClicks(force, "2");
@@ -103,7 +104,7 @@ private slots:
         driver.key(Qt::Key_Y, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver.waitFor([&] { return done; }));
         QVERIFY(driver.settle());
-        // The device and what is felt of the cutting are kept.
+        // The device and its share of the cutting force are restored.
         QVERIFY(driver.restart());
         QVERIFY(driver.waitFor([&] { return !driver.window().workbench().styluses.mouse(); }));
         QCOMPARE(driver.window().workbench().styluses.chosenName(), QString("3D Systems: Default Device"));
@@ -111,7 +112,7 @@ private slots:
         QCOMPARE(UserSettings().felt("spacenav:daemon").gain, 1.0);
     }
 
-    /// A 3D mouse in the other hand: the view goes where its cap goes, and it is kept.
+    /// A 3D mouse in the other hand: the view follows its cap, and the choice is restored.
     void aDeviceMovesTheView() {
         QTemporaryDir folder;
         test::SpacenavDaemon daemon(folder.filePath("spnav.sock"));
@@ -125,7 +126,7 @@ private slots:
             auto* list = dialog.findChild<RowList*>("deviceList");
             auto* moves = dialog.findChild<QPushButton*>("moveViewButton");
             clickRow(*list, 0);
-            QVERIFY(!moves->isEnabled()); // the mouse does so anyway
+            QVERIFY(!moves->isEnabled()); // the mouse does so in any case
             clickRow(*list, rowOf(*list, "3D mouse"));
             QVERIFY(moves->isEnabled());
             QTest::mouseClick(moves, Qt::LeftButton);
@@ -146,11 +147,11 @@ private slots:
         daemon.send({0, 0, 0, 500, 0, 0, 0, 0}); // away
         const double distance = view.cameraView().distance;
         QVERIFY(driver.waitFor([&] { return view.cameraView().distance > 1.2 * distance; }));
-        daemon.send({0, 0, 0, 0, 0, 500, 0, 0}); // turned to the left, seen from above
+        daemon.send({0, 0, 0, 0, 0, 500, 0, 0}); // counterclockwise, seen from above
         const double azimuth = view.cameraView().azimuth;
         QVERIFY(driver.waitFor([&] { return std::abs(view.cameraView().azimuth - azimuth) > 0.3; }));
         daemon.send({0, 0, 0, 0, 0, 0, 0, 0});
-        QTest::qWait(500); // what springs back takes a moment
+        QTest::qWait(500); // the cap takes a moment to spring back
         const CameraView rested = view.cameraView();
         QTest::qWait(300);
         QCOMPARE(view.cameraView().azimuth, rested.azimuth);
@@ -192,7 +193,7 @@ private slots:
         driver.key(Qt::Key_M);
         QVERIFY(driver.waitFor([&] { return workbench.session.running(); }));
         QVERIFY(driver.waitFor([&] { return workbench.session.health().readings > 200; }));
-        QVERIFY(!workbench.deviceTester.possible()); // it is in the hand
+        QVERIFY(!workbench.deviceTester.possible()); // it is in use as the stylus
         driver.shoot("devices-3-milling");
         driver.key(Qt::Key_M);
         QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The workpiece in the colours of what is left on the part: by mouse and keys.
+// The workpiece in the colours of the excess stock on the part, by mouse and keys.
 #include "core/verify/deviation_scale.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
@@ -23,7 +23,7 @@ Workbench& workbenchOf(WindowDriver& driver) {
     return driver.window().workbench();
 }
 
-/// Light falls from aside: a share of the colour is seen, the same of red, green and blue.
+/// Whether a colour is the wanted one under oblique light: red, green and blue are darkened by the same factor.
 bool looksLike(const QColor& seen, const DeviationColour& wanted) {
     const double light =
         (seen.red() + seen.green() + seen.blue()) / static_cast<double>(wanted[0] + wanted[1] + wanted[2]);
@@ -52,16 +52,16 @@ QString toolTipAt(WindowDriver& driver, const glm::dvec3& place) {
 class TestWindowExcess : public QObject {
     Q_OBJECT
 private slots:
-    /// The stock stands over the block; a stroke takes some of it off, and what is left below the stroke is lighter
-    /// than beside it. The pointer reads it. Off again, the workpiece has its materials' colours.
+    /// The stock covers the block. A stroke removes some of it, and the stock below the stroke is lighter than beside
+    /// it. The pointer reads the excess. Switched off again, the workpiece has the colours of its materials.
     void aStrokeChangesTheColour() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         const Box part = workbenchOf(driver).setup.part()->box();
         const Box stock = workbenchOf(driver).setup.setup().stock;
-        const glm::dvec3 top(part.centre().x + 12.0, part.centre().y + 9.0, stock.high.z); // no mark stands there
+        const glm::dvec3 top(part.centre().x + 12.0, part.centre().y + 9.0, stock.high.z); // where no mark is drawn
         driver.key(Qt::Key_1);                                                             // from above
-        driver.key(Qt::Key_3, Qt::ControlModifier); // the tool stands before what is looked at
+        driver.key(Qt::Key_3, Qt::ControlModifier); // otherwise the tool would hide the point
         const QColor material = colourAt(driver, top);
         driver.key(Qt::Key_8, Qt::ControlModifier);
         QTRY_VERIFY(menuAction(driver, "excessAction")->isChecked());

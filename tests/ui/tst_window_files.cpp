@@ -18,7 +18,7 @@ namespace burin::tst_window_files {
 
 using namespace burin::testing;
 
-/// Files that a user drops, opens or clicks on by mistake.
+/// Files that a user drops, opens or clicks by mistake.
 class TestWindowFiles : public QObject {
     Q_OBJECT
 private slots:
@@ -44,7 +44,7 @@ QByteArray contentOf(const QString& name) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// A project that says it is of a version to come.
+/// A project that claims to be of a future version.
 QString writeNewer(const WindowDriver& driver, const QString& project) {
     const QString newer = driver.folder().filePath("newer.burin");
     if (!QFile::copy(project, newer)) return {};
@@ -55,7 +55,7 @@ QString writeNewer(const WindowDriver& driver, const QString& project) {
     return newer;
 }
 
-/// Records one stroke, so that another part needs another project, and leaves it unsaved.
+/// Records one stroke and leaves it unsaved, so that another part needs another project.
 bool milledAndUnsaved(WindowDriver& driver) {
     const Workbench& workbench = driver.window().workbench();
     return makeReady(driver, 1.0) && recordLine(driver, {-10, 0}, {10, 0}) && driver.settle() &&
@@ -88,7 +88,7 @@ void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
                       writeNewer(driver, whole)};
     QVERIFY(QDir(driver.folder().path()).mkdir("folder.burin"));
     files << driver.folder().filePath("folder.burin");
-    if (locked) files << unreadable; // nothing is to root
+    if (locked) files << unreadable; // root can read everything
 
     const auto open = workbench.document.file();
     const auto model = workbench.model.model();
@@ -118,7 +118,7 @@ void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
     QVERIFY(driver.clickOn("dismissMessageButton"));
 }
 
-/// It is looked at on a workpiece: where there is none, nothing changes.
+/// A program is shown on a workpiece: without one, nothing changes.
 void TestWindowFiles::aProgramNeedsAWorkpiece() {
     WindowDriver driver;
     drop(driver.window(), write(driver, "part.ngc", "G21\nG0 X1 Y2\nG1 Z-1 F100\nM2\n"));
@@ -149,7 +149,7 @@ void TestWindowFiles::theQuestionComesOnceTheFileIsKnownToBeGood() {
         QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
     }
     QCOMPARE(contentOf(project), before);
-    QVERIFY(!QFile::exists(driver.folder().filePath(".good.burin.working"))); // and it is not held any more
+    QVERIFY(!QFile::exists(driver.folder().filePath(".good.burin.working"))); // and the project is no longer locked
     driver.whenDialogStands([&](QWidget& dialog) { answer(dialog, "discardButton"); });
     drop(driver.window(), project);
     QVERIFY(driver.waitFor([&] { return workbench.document.file() == project.toStdString(); }, 20000));
@@ -166,7 +166,7 @@ void TestWindowFiles::aMissingRecentFileIsTakenOffTheList() {
     QString question;
     driver.whenDialogStands([&](QWidget& dialog) { answer(dialog, "cancelButton"); });
     QVERIFY(driver.clickOn("recentFileButton"));
-    QCOMPARE(UserSettings().recentFiles(), QStringList{file}); // it stays until the user says so
+    QCOMPARE(UserSettings().recentFiles(), QStringList{file}); // it stays until the user removes it
     driver.whenDialogStands([&](QWidget& dialog) {
         dialog.grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/41-missing-recent.png"));
         answer(dialog, "confirmButton");
@@ -190,7 +190,8 @@ void TestWindowFiles::whatIsOpenAlreadyIsShown() {
     QCOMPARE(driver.window().workbench().workpiece.milling(), workpiece);
 }
 
-/// Not only when that one is imported: until then the message would be about the wrong file.
+/// As soon as the next file is dropped, not only when it is imported: until then the message would be about the wrong
+/// file.
 void TestWindowFiles::whatWasSaidOfAFileEndsWithTheNextOne() {
     WindowDriver driver;
     drop(driver.window(), write(driver, "letter.step", "Dear Emil, this is no part.\n"));
@@ -201,8 +202,8 @@ void TestWindowFiles::whatWasSaidOfAFileEndsWithTheNextOne() {
     QVERIFY(driver.settle());
 }
 
-/// A pocket is added in the CAD system while a stroke is recorded already: stock, zero and recording stay, and the
-/// workpiece stands again with the new part in it.
+/// A pocket is added in the CAD system after a stroke was recorded: stock, zero and recording stay, and the workpiece
+/// is embedded again with the new part.
 void TestWindowFiles::aPartThatWasChangedIsReadAgain() {
     WindowDriver driver;
     Workbench& workbench = driver.window().workbench();
@@ -223,7 +224,7 @@ void TestWindowFiles::aPartThatWasChangedIsReadAgain() {
     driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(driver.waitFor([&] { return driver.message() == "The part has not changed."; }, 20000));
     QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }, 20000));
-    // A file that can't be read costs a sentence.
+    // An unreadable file is reported in one sentence.
     write(driver, "block.stl", "nonsense");
     driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(driver.waitFor([&] { return driver.message().contains("block.stl"); }, 20000));

@@ -18,7 +18,7 @@ using namespace burin::testing;
 
 namespace {
 
-/// Brings a widget of the mill page into sight.
+/// Scrolls a widget of the mill page into view.
 void scrollTo(WindowDriver& driver, const char* name) {
     auto* page = driver.visible<QScrollArea>("millPage");
     auto* widget = driver.window().findChild<QWidget*>(QLatin1String(name));
@@ -48,7 +48,7 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     QCOMPARE(workbench.guides.guides()[0].kind, GuideKind::plane);
     Guide plane = workbench.guides.guides()[0];
     plane.direction = {0, 1, 0};
-    const double zero = workbench.setup.setup().workOffset.y; // strokes are told from there
+    const double zero = workbench.setup.setup().workOffset.y; // strokes are given relative to program zero
     plane.point.y = zero;
     workbench.guides.change(0, plane);
 
@@ -58,13 +58,13 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     bool told = false;
     QObject::connect(&workbench.session, &SessionRunner::ticked, this, [&] {
         const SessionState& state = workbench.session.state();
-        if (state.guides[0].is != GuideNews::Is::holding) return; // a hand farther off is not caught
+        if (state.guides[0].is != GuideNews::Is::holding) return; // a guide does not catch a stylus farther away
         told = true;
         if (!state.cutting || std::abs(state.sample.proxy.tip.x - workbench.setup.setup().workOffset.x) > 8.0) return;
         farthest = std::max(farthest, std::abs(state.sample.proxy.tip.y - zero));
         wanted = std::max(wanted, std::abs(state.sample.stylusTip.y - zero));
     });
-    // On a busy machine the window is told of few ticks: a whole stroke may pass without one in its middle.
+    // On a busy machine the window is notified of few ticks: a whole stroke may pass without one in its middle.
     for (std::size_t stroke = 1; stroke <= 5 && wanted <= 1.0; ++stroke) {
         millLine(driver, {-20, 1.2}, {20, 1.2});
         QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == stroke; }, 10000));
@@ -79,7 +79,7 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
 
     driver.key(Qt::Key_Escape);
     QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
-    driver.key(Qt::Key_G); // all of them, by the keyboard
+    driver.key(Qt::Key_G); // all guides, by the keyboard
     QVERIFY(driver.waitFor([&] { return !workbench.guides.on(); }, 3000));
     const auto* guidesSwitch = driver.window().findChild<QCheckBox*>("guidesSwitch");
     QVERIFY(driver.waitFor([&] { return !guidesSwitch->isChecked(); }, 3000));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The help: by keys, and what it says against the window.
+// The help, opened by keys and compared with the window.
 #include "tests/places.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
@@ -28,7 +28,7 @@ QString topicIn(const HelpDialog& help) {
     return item != nullptr ? item->text() : QString();
 }
 
-/// Keys that a page names, in the words of an English keyboard.
+/// Keys that a page names, as on an English keyboard.
 std::multiset<QString> keysIn(QString text) {
     text.replace("Strg", "Ctrl").replace("Umschalt", "Shift");
     static const QRegularExpression keys("(?:(?:Ctrl|Shift|Alt)\\+)+(?:F[0-9]+|[A-Z0-9]\\b|,)|\\bF[0-9]+\\b");
@@ -42,7 +42,7 @@ std::multiset<QString> keysIn(QString text) {
 class TestWindowHelp : public QObject {
     Q_OBJECT
 private slots:
-    /// F1 opens the page of the step that is shown; what is typed is found.
+    /// F1 opens the page of the current step; searching finds what is typed.
     void theHelpIsOnTheStep() {
         WindowDriver driver;
         driver.key(Qt::Key_F1);
@@ -72,7 +72,7 @@ private slots:
         QVERIFY(help->findChild<QLabel*>("helpEmpty")->isVisible());
     }
 
-    /// The keys that a page gives an action are those that it has.
+    /// The keys that a page names for an action are the action's shortcuts.
     void itSaysTheKeysThatActionsHave() {
         WindowDriver driver;
         std::map<QString, QString> known;
@@ -96,7 +96,7 @@ private slots:
         QTest::newRow("German") << "de_AT";
         QTest::newRow("Chinese") << "zh_CN";
     }
-    /// A translation says the same: as many pages and paragraphs, and the same keys.
+    /// A translation has as many pages and paragraphs and the same keys.
     void translationsAreComplete() {
         QFETCH(QString, language);
         const std::vector<HelpPage> english = helpPages("en"), translated = helpPages(language);
@@ -107,7 +107,7 @@ private slots:
             QCOMPARE(translated[i].text.count("**"), english[i].text.count("**"));
             QVERIFY2(keysIn(translated[i].text) == keysIn(english[i].text), qPrintable(english[i].topic));
         }
-        QCOMPARE(helpPages("xx").size(), english.size()); // a language without help has English
+        QCOMPARE(helpPages("xx").size(), english.size()); // a language without help gets the English one
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// What comes in between while a stroke is drawn or cut: Esc, undo, another step, a dialog, another program.
+// Interruptions while a stroke is drawn or cut: Esc, undo, another step, a dialog, another program.
 #include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
@@ -18,7 +18,7 @@ using namespace burin::testing;
 
 namespace {
 
-/// What a user is in the middle of.
+/// What the user is doing when interrupted.
 enum class Middle { stroke, line, rectangle, rows, repetition, spindle };
 
 } // namespace
@@ -32,7 +32,7 @@ private slots:
         viewport().setStandardView(StandardView::top);
         QTest::qWait(400); // the view turns
     }
-    /// One window for all of them: each begins with nothing cut.
+    /// All tests share a window; each starts with nothing cut.
     void init() {
         QVERIFY(driver_->step(JobStep::mill));
         for (std::size_t left = workbench().workpiece.strokes().count(); left > 0; --left) {
@@ -42,15 +42,15 @@ private slots:
         QVERIFY(driver_->clickOn("strokeButton") && driver_->enter("speedField", "200"));
         if (!workbench().mill.active()) QVERIFY(driver_->clickOn("millButton"));
         QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }, 5000));
-        millLine(*driver_, {-12, -9}, {12, -9}); // something to go on from
+        millLine(*driver_, {-12, -9}, {12, -9}); // so that there is a stroke to continue from
         QVERIFY(strokesAre(1));
-        QVERIFY(driver_->enter("speedField", "15")); // so that what is cut by itself takes its time
+        QVERIFY(driver_->enter("speedField", "15")); // so that cutting without the pointer takes some time
         viewport().setFocus();
     }
     void cleanup() { letGo(); }
     void cleanupTestCase() { driver_.reset(); }
 
-    /// Esc ends or cancels just that, then the tool is free for the next stroke.
+    /// Esc ends or cancels only what is under way; the tool is then free for the next stroke.
     void escapeEndsWhatIsUnderWay_data() {
         addMiddles({Middle::stroke, Middle::line, Middle::rows},
                    {Middle::rectangle, Middle::repetition, Middle::spindle});
@@ -74,7 +74,8 @@ private slots:
         QVERIFY(strokesAre(before + 1));
     }
 
-    /// While the tool cuts, undo waits its turn; what is not yet cut is cancelled with the stroke that it began at.
+    /// While the tool cuts, undo has to wait; what is not yet cut is cancelled together with the stroke that it belongs
+    /// to.
     void undoNeverTakesBackSomethingElse_data() { addMiddles({Middle::line, Middle::rows}, {}); }
     void undoNeverTakesBackSomethingElse() {
         QFETCH(Middle, middle);
@@ -83,17 +84,17 @@ private slots:
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
         QTest::qWait(300);
         QVERIFY(workbench().mill.active());
-        if (!isCut(middle)) { // the stroke before goes, as always
+        if (!isCut(middle)) { // the stroke before is undone, as always
             QVERIFY(strokesAre(0));
             letGo();
             QVERIFY(driver_->waitFor([&] { return !cutting() && !escapeLabel().contains("stop the tool"); }, 20000));
             return;
         }
         QVERIFY(cutting());
-        QVERIFY(!driver_->visible<QWidget>("undoStrokeButton")->isEnabled()); // nor does it seem so
+        QVERIFY(!driver_->visible<QWidget>("undoStrokeButton")->isEnabled()); // and the button shows that
         driver_->key(Qt::Key_Escape);
         letGo();
-        QVERIFY(strokesAre(2)); // both are there
+        QVERIFY(strokesAre(2)); // both strokes are kept
         QVERIFY(driver_->waitFor([&] { return !cutting(); }, 5000));
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(strokesAre(1));
@@ -102,7 +103,7 @@ private slots:
         QVERIFY(removedSoFar(*workbench().workpiece.milling()) < removed);
     }
 
-    /// By its key, the left button still down: the tool is put away, what was cut is kept.
+    /// By its key, while the left button is down: the tool is parked, what was cut is kept.
     void anotherStepEndsMilling_data() { addMiddles({Middle::rows}, {Middle::stroke}); }
     void anotherStepEndsMilling() {
         QFETCH(Middle, middle);
@@ -120,7 +121,7 @@ private slots:
         driver_->shoot(QStringLiteral("interrupted-step-%1").arg(QTest::currentDataTag()));
     }
 
-    /// A dialog opens, and has the release: nothing goes on with the pointer when it is closed.
+    /// A dialog opens and receives the release: once it is closed, nothing continues with the pointer.
     void aDialogEndsWhatThePointerDraws_data() { addMiddles({Middle::rectangle}, {Middle::stroke, Middle::spindle}); }
     void aDialogEndsWhatThePointerDraws() {
         QFETCH(Middle, middle);
@@ -132,12 +133,12 @@ private slots:
         });
         driver_->key(Qt::Key_S, Qt::ControlModifier);
         QVERIFY(driver_->waitFor([&] { return stood; }, 5000));
-        movePointer(at({14, 11}), Qt::NoButton); // the button was let go over the dialog
+        movePointer(at({14, 11}), Qt::NoButton); // the button was released over the dialog
         QTest::qWait(100);
         const QString meaning = escapeLabel();
         movePointer(at({-14, 11}), Qt::NoButton);
         QVERIFY(driver_->waitFor([&] { return !cutting() || middle == Middle::spindle; }, 20000));
-        if (cutting()) driver_->key(Qt::Key_Escape); // the spindle, which no button holds
+        if (cutting()) driver_->key(Qt::Key_Escape); // the spindle, which no mouse button keeps turning
         letGo();
         QVERIFY2(!meaning.contains(QStringLiteral("cancel")), qPrintable(meaning));
         QVERIFY(strokesAre(isCut(middle) ? 2 : 1));
@@ -197,7 +198,7 @@ private:
             break;
         case Middle::spindle:
             QTest::mouseMove(&viewport(), at({0, 0}));
-            QTest::qWait(800); // the tool gets there
+            QTest::qWait(800); // for the tool to get there
             driver_->key(Qt::Key_Space);
             break;
         }

@@ -47,7 +47,8 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
     QVERIFY(workbench.setup.locked());
     const double removed = removedSoFar(*workbench.workpiece.milling());
-    // One groove of a ball of 6 mm, 1 mm deep and about 40 mm long: a segment of the circle of 3.0 mm².
+    // One groove of a ball-end mill of 6 mm, 1 mm deep and about 40 mm long: the section is a segment of the circle,
+    // 3.0 mm².
     const double section = 9.0 * std::acos(2.0 / 3.0) - 2.0 * std::sqrt(5.0);
     QVERIFY2(removed > 0.7 * 40.0 * section && removed < 1.3 * 40.0 * section, qPrintable(QString::number(removed)));
     QVERIFY(driver.step(JobStep::path));
@@ -75,20 +76,20 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     QVERIFY(driver.waitFor([&] { return again.workpiece.ready(); }));
     QCOMPARE(again.mill.takes().size(), std::size_t{1});
     QCOMPARE(again.mill.strokesOf(again.mill.takes().front().id), std::size_t{1});
-    // Replayed from the recording: exactly what the hand left.
+    // Replayed from the recording: exactly the volume that was removed by hand.
     QCOMPARE(removedSoFar(*again.workpiece.milling()), removed);
     QVERIFY(driver.waitFor([&] { return again.path.evaluated() != nullptr; }));
     QVERIFY(driver.settle());
-    QTest::qWait(500);                  // the window asks a moment after work on the project
-    QVERIFY(!again.document.unsaved()); // it was only looked at
+    QTest::qWait(500);                  // the window checks a moment after work on the project
+    QVERIFY(!again.document.unsaved()); // it was only viewed
     QVERIFY(!driver.window().isWindowModified());
     const auto* post = menuAction(driver, "postAction");
     QVERIFY(post != nullptr);
-    QVERIFY(post->isEnabled()); // by key and menu, as by the panel's button
+    QVERIFY(post->isEnabled()); // by key and menu as well as by the panel's button
     driver.shoot("07-reopened");
 }
 
-/// The library has no such material; the project keeps it.
+/// The library does not have the material; the project keeps it.
 void TestWindowJob::aProjectsOwnMaterialIsMilled() {
     WindowDriver driver;
     const auto energy = [&] {

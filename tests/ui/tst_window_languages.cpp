@@ -37,7 +37,7 @@ QSet<QString> wordsOf(QString text) {
     return words;
 }
 
-/// Words of the English sources that no translation of a language has.
+/// Words of the English sources that no translation of a language contains.
 QSet<QString> onlyEnglish(const QString& language) {
     QSet<QString> english, translated;
     QFile file(QStringLiteral(BURIN_SOURCE_DIRECTORY "/translations/burin_%1.ts").arg(language));
@@ -51,13 +51,13 @@ QSet<QString> onlyEnglish(const QString& language) {
             translated += wordsOf(reader.readElementText(QXmlStreamReader::IncludeChildElements));
     }
     english -= translated;
-    // In texts that were never marked for translation as well.
+    // Common words, to find texts that were never marked for translation as well.
     for (const char* common : {"the", "of", "and", "with", "is", "are", "not", "from", "were", "states", "taken"})
         english.insert(QLatin1String(common));
     return english;
 }
 
-/// Where figures come from is told in the words of the file that has them, which may be a user's own.
+/// Sources of values are shown in the words of their file, which may be a user's own.
 void collectSources(const QJsonValue& value, QStringList& sources) {
     for (const QJsonValue& each : value.toArray()) collectSources(each, sources);
     const QJsonObject object = value.toObject();
@@ -84,7 +84,7 @@ constexpr QSize usualSize(1280, 800);
 
 } // namespace
 
-/// The window of somebody whose language is not English.
+/// The window of a user whose language is not English.
 class TestWindowLanguages : public QObject {
     Q_OBJECT
 private slots:
@@ -94,7 +94,7 @@ private slots:
     void numbersHaveTheDecimalComma();
 
 private:
-    /// Texts that are seen now and hold an English word, each with the widget that shows it.
+    /// Texts that are visible now and contain an English word, each with the widget that shows it.
     QStringList englishTexts(WindowDriver& driver) const;
 
     QSet<QString> english_;
@@ -108,7 +108,7 @@ void TestWindowLanguages::initTestCase() {
 
 void TestWindowLanguages::noTextOfAJobIsEnglish_data() {
     QTest::addColumn<QString>("language");
-    for (const char* language : {"zh_CN", "de"}) // the last one that is installed stays
+    for (const char* language : {"zh_CN", "de"}) // the last one that is installed remains
         QTest::newRow(language) << QString::fromLatin1(language);
 }
 
@@ -128,7 +128,7 @@ void TestWindowLanguages::noTextOfAJobIsEnglish() {
     QFETCH(QString, language);
     english_ = onlyEnglish(language);
     QVERIFY(english_.size() > 500);
-    english_.remove(QStringLiteral("block")); // the test's part is called so
+    english_.remove(QStringLiteral("block")); // the name of the test's part
     QVERIFY(Messages::install(QLocale(language)));
     WindowDriver driver(usualSize, QLocale(language));
     Workbench& workbench = driver.window().workbench();
@@ -138,7 +138,7 @@ void TestWindowLanguages::noTextOfAJobIsEnglish() {
         driver.shoot(language + QLatin1Char('-') + QLatin1String(name));
         english += englishTexts(driver);
     };
-    drop(driver.window(), writeBlock(driver, false)); // open: its notes and findings are told as well
+    drop(driver.window(), writeBlock(driver, false)); // an open mesh, so that its notes and findings are shown as well
     QVERIFY(driver.waitFor([&] { return workbench.model.model() != nullptr; }));
     QVERIFY(driver.settle());
     look(JobStep::part, "part");
@@ -157,7 +157,7 @@ void TestWindowLanguages::noTextOfAJobIsEnglish() {
     QVERIFY2(english.isEmpty(), qPrintable(QLatin1Char('\n') + english.join(QLatin1Char('\n'))));
 }
 
-/// In every field; a typed dot is understood as well, and what a machine reads has dots.
+/// In every field. A typed dot is accepted as well, and texts that a machine reads have dots.
 void TestWindowLanguages::numbersHaveTheDecimalComma() {
     WindowDriver driver(usualSize, QLocale(QStringLiteral("de_DE")));
     Workbench& workbench = driver.window().workbench();
@@ -170,7 +170,7 @@ void TestWindowLanguages::numbersHaveTheDecimalComma() {
         QCOMPARE(depth->cleanText(), QLatin1String(shown));
         QCOMPARE(depth->value(), value);
     }
-    QVERIFY(driver.enter("depthOfCutField", QStringLiteral("1.234,5"))); // means two things: nothing is entered
+    QVERIFY(driver.enter("depthOfCutField", QStringLiteral("1.234,5"))); // ambiguous: nothing is entered
     QCOMPARE(depth->value(), 0.5);
     QVERIFY(recordLine(driver, {-10, 0}, {10, 0}));
     QVERIFY(driver.settle());
@@ -180,7 +180,7 @@ void TestWindowLanguages::numbersHaveTheDecimalComma() {
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
     QString program = driver.visible<QPlainTextEdit>("programText")->toPlainText();
-    program.remove(QRegularExpression(QStringLiteral("\\([^)]*\\)"))); // remarks
+    program.remove(QRegularExpression(QStringLiteral("\\([^)]*\\)"))); // comments
     QVERIFY(program.contains(QRegularExpression(QStringLiteral("X-?[0-9]+\\.[0-9]"))));
     QVERIFY2(!program.contains(QLatin1Char(',')), qPrintable(program));
     qsizetype fields = 0;

@@ -47,7 +47,7 @@ int rowOf(const QTableWidget& table, const QString& key) {
     return -1;
 }
 
-/// By the mouse and the keys: a click into the cell, F2, the text, Enter.
+/// By mouse and keys: a click in the cell, F2, the text, Enter.
 void enterCell(QTableWidget& table, int row, int column, const QString& text) {
     const QPoint place = table.visualItemRect(table.item(row, column)).center();
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, place);
@@ -56,7 +56,7 @@ void enterCell(QTableWidget& table, int row, int column, const QString& text) {
     QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(editor, text);
     QTest::keyClick(editor, Qt::Key_Return);
-    QTest::qWait(20); // the editor goes with the next events
+    QTest::qWait(20); // the editor is deleted with the next events
 }
 
 QPushButton& button(QWidget& dialog, const char* name) {
@@ -83,7 +83,7 @@ QByteArray forcesOf(const char* material) {
     return text;
 }
 
-/// A dialog that a check failed in ends all the same, and the test with it.
+/// Closes a dialog even if a check failed in it, so that the test ends as well.
 class Closing {
 public:
     explicit Closing(QWidget& dialog) : dialog_(qobject_cast<QDialog*>(&dialog)) {}
@@ -107,7 +107,7 @@ const Tool* toolIn(const std::vector<Tool>& tools, const std::string& id) {
 
 } // namespace
 
-/// What a user brings to a job beside the part: materials, a stock from a file, the roles of bodies.
+/// What a user brings to a job in addition to the part: materials, a stock from a file, the roles of bodies.
 class TestWindowLibrary : public QObject {
     Q_OBJECT
 private slots:
@@ -117,7 +117,7 @@ private slots:
         QVERIFY(open(driver));
         driver.whenDialogStands([&](QWidget& dialog) {
             const Closing closing(dialog);
-            QVERIFY(!button(dialog, "deleteMaterialButton").isEnabled()); // of a shipped one
+            QVERIFY(!button(dialog, "deleteMaterialButton").isEnabled()); // a shipped material cannot be deleted
             driver.shoot("library-01-shipped");
             click(dialog, "copyMaterialButton");
             auto* const name = dialog.findChild<QLineEdit*>("materialName");
@@ -189,7 +189,7 @@ private slots:
         QVERIFY(std::abs(made->values.find(radialForceRatio)->second.value - 0.4) < 0.01);
     }
 
-    /// Values of the stock's material that change are those of the workpiece that stands.
+    /// Changed values of the stock's material apply to the embedded workpiece.
     void aChangedMaterialIsThatOfTheWorkpiece() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
@@ -222,17 +222,17 @@ private slots:
             clickAt(bodies[body].box.centre());
             QCOMPARE(driver.visible<RowList>("bodyList")->currentRow(), static_cast<int>(body));
         }
-        QTest::keyClick(QApplication::focusWidget(), Qt::Key_End); // the role has the focus
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_End); // the role choice has the focus
         QCOMPARE(roleOf(workbench.setup.setup(), 0), BodyRole::ignored);
         driver.shoot("library-06-picked");
-        // Elsewhere the left button does nothing to it.
+        // In other steps the left button does not select bodies.
         QVERIFY(driver.step(JobStep::stock));
         clickAt(bodies[1].box.centre());
         QVERIFY(driver.step(JobStep::part));
         QCOMPARE(driver.visible<RowList>("bodyList")->currentRow(), 0);
     }
 
-    /// Found, copied, its form changed, drawn, saved, taken into the spindle; undo takes it all back.
+    /// A tool is found, copied, given another shape, drawn, saved and loaded into the spindle; undo reverts all of it.
     void aToolIsCopiedChangedAndUsed() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
@@ -248,7 +248,7 @@ private slots:
             auto* const list = dialog.findChild<RowList*>("toolList");
             QCOMPARE(list->count(), 1);
             QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(0)).center());
-            QVERIFY(!button(dialog, "deleteToolButton").isEnabled()); // a shipped one
+            QVERIFY(!button(dialog, "deleteToolButton").isEnabled()); // a shipped tool
             driver.shoot("library-13-found");
             click(dialog, "copyToolButton");
             auto* const name = dialog.findChild<QLineEdit*>("toolName");
@@ -256,12 +256,12 @@ private slots:
             QTest::keyClicks(name, "Countersink");
             auto* const form = dialog.findChild<QComboBox*>("cutter");
             form->setFocus();
-            QTest::keyClick(form, Qt::Key_Down); // chamfer, behind drill
+            QTest::keyClick(form, Qt::Key_Down); // chamfer, which follows drill
             auto* const holder = dialog.findChild<QComboBox*>("holder");
             holder->setFocus();
             QTest::keyClick(holder, Qt::Key_End);
             driver.shoot("library-14-changed");
-            QTest::keyClick(&dialog, Qt::Key_S, Qt::ControlModifier); // a button that is pressed by key takes its time
+            QTest::keyClick(&dialog, Qt::Key_S, Qt::ControlModifier); // a button that is pressed by key reacts late
             QTRY_VERIFY2(!button(dialog, "saveToolButton").isEnabled(),
                          qPrintable(dialog.findChild<Notice*>("toolNotice")->sentence()));
             QTest::keyClick(&dialog, Qt::Key_Return, Qt::ControlModifier);
@@ -317,7 +317,7 @@ private slots:
         QVERIFY(!toolIn(workbench.tool.library(), "ball-end-mill-6-mm"));
     }
 
-    /// All tools of a library of Fusion at once, and all gone again with one undo.
+    /// All tools of a Fusion library are added at once, and one undo removes them all.
     void aLibraryOfAnotherProgramIsAdded() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
@@ -344,7 +344,7 @@ private slots:
         QCOMPARE(workbench.tool.library().size(), before + 6);
     }
 
-    /// Pythagoras is the oracle: a bar of 6 × 8 mm sweeps a cylinder of 10 mm.
+    /// The expected value is from Pythagoras: a rotating bar of 6 × 8 mm sweeps a cylinder of 10 mm.
     void aToolIsMadeOfAModel() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
@@ -353,7 +353,7 @@ private slots:
         const std::string before = workbench.tool.current().id;
         driver.whenDialogStands([&](QWidget& dialog) {
             const Closing closing(dialog);
-            QVERIFY(!button(dialog, "makeToolButton").isEnabled()); // of no model
+            QVERIFY(!button(dialog, "makeToolButton").isEnabled()); // without a model
             chooseFile(driver, bar);
             click(dialog, "flutesFileButton");
             QCOMPARE(dialog.findChild<QLineEdit*>("toolName")->text(), QString("form tool"));
@@ -381,7 +381,7 @@ private slots:
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
         QVERIFY(open(driver));
-        // Around cube and cylinder, 0.5 mm a voxel: oak below, foam above.
+        // An array around cube and cylinder, voxels of 0.5 mm: oak below, foam above.
         QByteArray values;
         for (int z = 0; z < 28; ++z) values += QByteArray(72 * 32, z < 14 ? '\1' : '\2');
         const QString array = write(driver, "scan.nrrd",
@@ -392,7 +392,7 @@ private slots:
         const QString table =
             write(driver, "scan.json",
                   R"({"entries": [{"value": 1, "material": "oak"}, {"value": 2, "material": "pu-foam"}]})");
-        driver.whenDialogStands([&](QWidget& dialog) { // the array, and then its table
+        driver.whenDialogStands([&](QWidget& dialog) { // first the array, then its table
             dialog.findChild<QLineEdit*>("fileNameEdit")->setText(array);
             QTest::mouseClick(dialog.findChild<QDialogButtonBox*>("buttonBox")->button(QDialogButtonBox::Open),
                               Qt::LeftButton);
@@ -418,7 +418,7 @@ private slots:
         // The layers above z = 5 mm, less the upper halves of a cube of 10 mm and a cylinder of 10 mm.
         const double exact = 36.0 * 16.0 * 7.0 - 500.0 - std::acos(-1.0) * 25.0 * 5.0;
         QVERIFY2(std::abs(foam / exact - 1.0) < 0.02, qPrintable(QString::number(foam / exact)));
-        // It is kept with the project.
+        // It is stored in the project.
         const QString file = driver.folder().filePath("scan.burin");
         QVERIFY(saveAs(driver, file));
         QVERIFY(driver.restart());

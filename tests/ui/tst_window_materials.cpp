@@ -25,7 +25,7 @@ namespace {
 
 constexpr int cylinderRow = 0, cubeRow = 1; // in the order of the file
 
-/// By keys, as who has no mouse.
+/// By keys, as a user without a mouse.
 bool choose(WindowDriver& driver, const char* name, const QString& text) {
     auto* const choice = driver.visible<QComboBox>(name);
     if (choice == nullptr || choice->findText(text) < 0) return false;
@@ -129,7 +129,7 @@ private slots:
         QVERIFY2(notice->sentence().contains(QStringLiteral("8 bands")), qPrintable(notice->sentence()));
         driver.shoot("materials-04-graded");
 
-        // A formula that is none: a sentence, and the undo brings back what was.
+        // An invalid formula is reported in one sentence, and undo restores the previous one.
         QVERIFY(type(driver, "gradeFormula", QStringLiteral("0.01 +")));
         QVERIFY(workbench.setup.problem().has_value());
         QVERIFY(driver.window().findChild<Notice*>("layerProblem")->sentence().contains(QStringLiteral("0.01 +")));
@@ -181,7 +181,7 @@ private slots:
         QVERIFY(removedSoFar(*workbench.workpiece.milling()) > 1.0);
     }
 
-    /// Aluminium, a brass insert, oak and a graded foam under one drag of the mouse; then the path and its program.
+    /// Aluminium, a brass insert, oak and a graded foam in one drag of the mouse; then the path and its program.
     void oneDragMillsAllFourMaterials() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
@@ -192,7 +192,7 @@ private slots:
         QVERIFY(driver.step(JobStep::stock));
         QVERIFY(driver.clickOn("freeCarvingSwitch") && driver.settle());
         QVERIFY(driver.clickOn("stockStatedSwitch") && driver.settle());
-        QVERIFY(type(driver, "stockHighZ", QStringLiteral("10"))); // where the insert ends
+        QVERIFY(type(driver, "stockHighZ", QStringLiteral("10"))); // the height at which the insert ends
         QVERIFY(driver.step(JobStep::material));
         QVERIFY(choose(driver, "stockMaterial", QStringLiteral("Aluminium 6061-T6")));
         QVERIFY(choose(driver, "body", QStringLiteral("blue_cylinder")));
@@ -231,7 +231,7 @@ private slots:
         std::set<double> feeds;
         for (const PathPoint& point : workbench.path.evaluated()->path.points)
             if (point.kind == MoveKind::cut) feeds.insert(std::round(point.feed));
-        // Foam is fed as fast as the machine can, brass is not.
+        // Foam is cut as fast as the machine can, brass is not.
         QVERIFY(*feeds.rbegin() > 1.5 * *feeds.begin());
         for (const VisibleText& text : clippedTexts(driver.window()))
             QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(text.where, text.text)));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Measuring the part, the history and the layout of the window: by mouse and keys.
+// Measuring the part, the history and the layout of the window, by mouse and keys.
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -21,7 +21,7 @@ Workbench& workbenchOf(WindowDriver& driver) {
     return driver.window().workbench();
 }
 
-/// Clicks where a place of the setup appears.
+/// Clicks where a point of the setup frame appears.
 void clickAt(WindowDriver& driver, const glm::dvec3& place) {
     auto& viewport = *driver.visible<Viewport>("viewport");
     QTest::mouseClick(&viewport, Qt::LeftButton, Qt::NoModifier, viewport.project(place).toPoint());
@@ -36,7 +36,7 @@ bool measured(WindowDriver& driver) {
 class TestWindowMeasure : public QObject {
     Q_OBJECT
 private slots:
-    /// The block of 40 x 30 x 20 mm: its thickness, then how its sides lie to each other.
+    /// The block of 40 x 30 x 20 mm: its thickness, then the angle between two of its sides.
     void theBlockIsMeasured() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -47,7 +47,7 @@ private slots:
         QVERIFY(measured(driver));
         QTRY_VERIFY2(driver.message().contains("Wall thickness 20.000"), qPrintable(driver.message()));
         driver.shoot("measure-1-face");
-        // Isometric: the sides towards +X and −Y are seen.
+        // In the isometric view the sides facing +X and −Y are visible.
         clickAt(driver, {box.high.x, box.centre().y, box.centre().z});
         QVERIFY(driver.waitFor([&] {
             const auto measure = workbenchOf(driver).measure.measure();
@@ -55,7 +55,7 @@ private slots:
         }));
         QTRY_VERIFY2(driver.message().contains(QStringLiteral("Angle 90.000°")), qPrintable(driver.message()));
         driver.shoot("measure-2-pair");
-        // A third click begins anew; Esc ends it, and the view is as before.
+        // A third click starts a new measurement; Esc ends it and restores the view.
         clickAt(driver, {box.high.x, box.centre().y, box.centre().z});
         QVERIFY(driver.waitFor([&] {
             const auto measure = workbenchOf(driver).measure.measure();
@@ -67,7 +67,7 @@ private slots:
         QTRY_VERIFY(!menuAction(driver, "measureAction")->isChecked());
     }
 
-    /// Milling takes the pointer: measuring is over then, and the drag mills.
+    /// Milling takes over the pointer: measuring ends, and the drag mills.
     void millingEndsIt() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -78,7 +78,7 @@ private slots:
         QCOMPARE(workbenchOf(driver).mill.takes().size(), std::size_t{1});
     }
 
-    /// The history names what was done, and a click goes back to it.
+    /// The history names each step, and a click goes back to it.
     void theHistoryLeadsBack() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -106,7 +106,7 @@ private slots:
         QVERIFY(!history->isVisible());
     }
 
-    /// Where tree, section and path want room at once, nothing lies over anything else, and what was spared comes back.
+    /// If tree, section and path need room at once, nothing overlaps, and what was hidden to save room reappears.
     void theBarBelowTheViewMakesDo() {
         WindowDriver driver(QSize(1280, 800));
         QVERIFY(makeReady(driver, 1.0));
@@ -142,7 +142,7 @@ private slots:
         QTRY_VERIFY(!overlaps() && colours->isVisible());
     }
 
-    /// Docks that were moved come back to where they were at first; so does the panel.
+    /// Docks that were moved return to their initial positions; so does the panel.
     void theLayoutIsReset() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Computed passes: by mouse and keys.
+// Computed passes, by mouse and keys.
 #include "core/base/units.h"
 #include "core/setup/setup.h"
 #include "tests/stl_text.h"
@@ -26,7 +26,7 @@ Workbench& workbenchOf(WindowDriver& driver) {
     return driver.window().workbench();
 }
 
-/// By the keyboard, as the list opens under software drawing at its own pace.
+/// By the keyboard, because under software drawing the list opens slowly.
 bool choose(QWidget& in, const char* name, int index) {
     auto* box = in.findChild<QComboBox*>(name);
     if (!box || !box->isVisible()) return false;
@@ -102,7 +102,8 @@ const EvaluatedPath* evaluatedIn(WindowDriver& driver) {
 class TestWindowPasses : public QObject {
     Q_OBJECT
 private slots:
-    /// A block of 40 x 30 x 20 mm: roughed, its outline finished, undone and redone, and posted; without a recording.
+    /// A block of 40 x 30 x 20 mm is roughed and its outline finished, undone, redone and posted, all without a
+    /// recording.
     void aBlockIsMilledWithoutARecording() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -144,9 +145,9 @@ private slots:
         driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr && evaluatedIn(driver)->path.points.size() == points,
                                  30000);
-        QVERIFY(workbenchOf(driver).setup.locked()); // the passes are of this part in this stock
+        QVERIFY(workbenchOf(driver).setup.locked()); // the passes belong to this part in this stock
 
-        // Changed in its place, as it was asked for; and back.
+        // Changed in place; the dialog shows the request that was made. Then changed back.
         driver.whenDialogStands([&](QWidget& dialog) {
             QCOMPARE(dialog.windowTitle(), QString("Change a pass"));
             QCOMPARE(dialog.findChild<QComboBox*>("passKind")->currentIndex(), 0);
@@ -163,7 +164,7 @@ private slots:
                                  30000);
         QCOMPARE(workbenchOf(driver).path.passes().front().allowance, 0.5);
 
-        // Measured on request; the order is the user's.
+        // Measured on request; the user determines the order.
         QVERIFY(driver.clickOn("measurePassesButton"));
         QTRY_VERIFY_WITH_TIMEOUT(driver.window().findChild<QLabel*>("passMeasured1") != nullptr, 30000);
         QVERIFY(driver.window().findChild<QLabel*>("passMeasured0")->text().contains("in air"));
@@ -181,7 +182,7 @@ private slots:
         QVERIFY(driver.clickOn("passRemoveButton0"));
         QTRY_COMPARE(workbenchOf(driver).path.passes().size(), std::size_t(1));
         driver.key(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(driver.settle()); // what was evaluated meanwhile comes too late to say what the path is made of
+        QVERIFY(driver.settle()); // an evaluation that was started before must not change the list of passes
         QCOMPARE(workbenchOf(driver).path.passes().size(), std::size_t(2));
         QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 30000);
         QCOMPARE(evaluatedIn(driver)->path.points.size(), points);
@@ -193,7 +194,7 @@ private slots:
         QVERIFY(workbenchOf(driver).program.program()->report.findings.empty());
     }
 
-    /// What is kept opens again with its workpiece and its path.
+    /// A saved project opens again with its workpiece and its path.
     void passesAreKept() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -213,7 +214,7 @@ private slots:
                                  30000);
     }
 
-    /// A scallop height that is entered is what rows are laid by, not the step-over that was proposed.
+    /// Rows are laid out by the scallop height that is entered, not by the proposed step-over.
     void aScallopHeightReplacesTheStepOver() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -233,8 +234,8 @@ private slots:
         QCOMPARE(request->stepOver, 0.0);
     }
 
-    /// A plate with a hole of 6 mm: the drill is offered nothing but drilling, which finds the hole; what will be is
-    /// drawn and told before it is computed.
+    /// A plate with a hole of 6 mm: the drill is offered only drilling, which finds the hole. The result is drawn and
+    /// described before it is computed.
     void aHoleIsDrilled() {
         WindowDriver driver;
         drop(driver.window(), writePlateWithHole(driver));
@@ -259,7 +260,7 @@ private slots:
         });
         QVERIFY(driver.clickOn("newPassButton"));
         QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 30000);
-        QVERIFY(workbench.passPreview.preview() == nullptr); // it is there itself now
+        QVERIFY(workbench.passPreview.preview() == nullptr); // replaced by the pass itself
         QTest::qWait(500);
         driver.shoot("passes-8-drilled");
         QVERIFY(postProgram(driver));
@@ -267,7 +268,7 @@ private slots:
         QVERIFY(workbench.program.program()->report.gougeMax < 0.01);
     }
 
-    /// Another kind and another figure are previewed at once; tabs ask for their size.
+    /// Another kind and another value are previewed at once; for tabs, their size can be entered.
     void whatIsAskedForIsPreviewed() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -293,7 +294,7 @@ private slots:
             QTest::qWait(200);
             QTRY_VERIFY(length() > 0.0);
             const double before = length();
-            QVERIFY(enter(dialog, "passStepOver", "1.2")); // half of what was proposed
+            QVERIFY(enter(dialog, "passStepOver", "1.2")); // half of the proposed value
             QTest::qWait(200);
             QTRY_VERIFY2(length() > 1.5 * before && length() < 2.5 * before, qPrintable(QString::number(length())));
             QTest::qWait(300);
@@ -308,7 +309,7 @@ private slots:
         QVERIFY(workbenchOf(driver).path.stored() == nullptr);
     }
 
-    /// A request that can't be is told where it can be mended; a drawing that is none, too.
+    /// An impossible request is reported in the dialog, where it can be corrected; so is an invalid drawing.
     void whatCannotBeIsToldInTheDialog() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));

@@ -31,7 +31,7 @@ bool evaluatedAgain(WindowDriver& driver) {
         [&] { return !workbench.path.busy() && !workbench.path.outdated() && !workbench.path.problem(); });
 }
 
-/// The cutting point of the hand nearest to a place in program coordinates, seen from above.
+/// The recorded cutting point nearest to a point in program coordinates, seen from above.
 const PathPoint& pointNear(const Workbench& workbench, const glm::dvec2& place) {
     const std::vector<PathPoint>& points = workbench.path.evaluated()->path.points;
     const glm::dvec2 zero(workbench.workpiece.milling()->setup.workOffset);
@@ -41,7 +41,7 @@ const PathPoint& pointNear(const Workbench& workbench, const glm::dvec2& place) 
     });
 }
 
-/// mm from a place in the setup's frame to the nearest move of the path, arcs in chords.
+/// The distance from a point in the setup frame to the nearest move of the path, mm; arcs as chords.
 double distanceToPath(const Workbench& workbench, const glm::dvec3& place) {
     const std::vector<PathPoint>& points = workbench.path.evaluated()->path.points;
     double nearest = 1e9;
@@ -65,7 +65,7 @@ double distanceToPath(const Workbench& workbench, const glm::dvec3& place) {
     return nearest;
 }
 
-/// mm on which a tool cuts.
+/// The length of the path on which the tool cuts, mm.
 double cuttingLength(const Workbench& workbench) {
     const std::vector<PathPoint>& points = workbench.path.evaluated()->path.points;
     double length = 0.0;
@@ -74,7 +74,7 @@ double cuttingLength(const Workbench& workbench) {
     return length;
 }
 
-/// With the left button, from corner to corner.
+/// Drags with the left button from corner to corner.
 void drawAlong(WindowDriver& driver, Viewport& viewport, const std::vector<glm::dvec3>& corners, const char* picture) {
     QTest::mousePress(&viewport, Qt::LeftButton, {}, viewport.project(corners.front()).toPoint());
     for (std::size_t side = 1; side < corners.size(); ++side)
@@ -123,7 +123,7 @@ private slots:
 };
 
 void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
-    WindowDriver driver(QSize(1280, 920)); // as fine a picture as without the timeline
+    WindowDriver driver(QSize(1280, 920)); // as high a resolution as without the timeline
     Workbench& workbench = driver.window().workbench();
     QVERIFY(makePath(driver));
     auto* viewport = driver.visible<Viewport>("viewport");
@@ -131,7 +131,7 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     const std::vector<std::string> before = editsOf(workbench);
     driver.shoot("23-path");
 
-    // The path itself can be undone, and comes back as the same.
+    // The creation of the path itself can be undone, and redo restores the same path.
     const std::int64_t made = workbench.path.stored()->id;
     driver.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(driver.waitFor([&] { return workbench.path.stored() == nullptr; }, 3000));
@@ -145,7 +145,7 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY(evaluatedAgain(driver));
     QVERIFY(driver.settle());
 
-    // A place in the groove's middle is dragged sideways by 4 mm, on its level.
+    // A point in the middle of the groove is dragged sideways by 4 mm, at its height.
     const PathPoint middle = pointNear(workbench, {0.0, 0.0});
     const glm::dvec3 aside = middle.pose.tip + glm::dvec3(0.0, 4.0, 0.0);
     drag(*viewport, viewport->project(middle.pose.tip).toPoint(), viewport->project(aside).toPoint());
@@ -154,12 +154,13 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY(placeOf(workbench, "move-points") < placeOf(workbench, "hold-out"));
     QVERIFY(evaluatedAgain(driver));
     const glm::dvec2 zero(workbench.workpiece.milling()->setup.workOffset);
-    // Both ends of the drag are whole pixels, half of one off at most; what is left is the smoothing's.
+    // Both ends of the drag are rounded to whole pixels, by half a pixel at most; the rest of the deviation is due to
+    // smoothing.
     const QPointF pixels =
         viewport->project(middle.pose.tip + glm::dvec3(0.0, 1.0, 0.0)) - viewport->project(middle.pose.tip);
     const double pixel = 1.0 / std::hypot(pixels.x(), pixels.y()), missed = distanceToPath(workbench, aside);
     QVERIFY2(missed < pixel + 0.03, qPrintable(QStringLiteral("%1 mm, a pixel is %2 mm").arg(missed).arg(pixel)));
-    const PathPoint& end = pointNear(workbench, {-14.0, 0.0}); // farther along than the falloff
+    const PathPoint& end = pointNear(workbench, {-14.0, 0.0}); // farther along the path than the falloff
     QVERIFY(std::abs(end.pose.tip.y - middle.pose.tip.y) < 0.5);
     driver.shoot("24-dragged");
     driver.key(Qt::Key_Z, Qt::ControlModifier);
@@ -169,8 +170,8 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
 
     const double straight = cuttingLength(workbench);
 
-    QVERIFY(driver.settle()); // the pointer has the new places
-    // A stretch is chosen by two clicks and replaced by a stroke that goes round it.
+    QVERIFY(driver.settle()); // the pointer has the new points
+    // Part of the path is chosen by two clicks and replaced by a stroke that goes round it.
     const PathPoint from = pointNear(workbench, {-6.0, 0.0}), to = pointNear(workbench, {6.0, 0.0});
     QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.pose.tip).toPoint());
     QVERIFY(workbench.path.selection() && workbench.path.selection()->first == workbench.path.selection()->last);
@@ -178,7 +179,7 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     const auto isMarked = [&] { return driver.window().grab().toImage().pixelColor(dot).green() > 215; };
     QVERIFY(driver.waitFor(isMarked, 5000)); // yellow; the line is orange
     driver.shoot("25-chosen-place");
-    // So is a moment nearby whose own point simplification left out.
+    // A moment nearby whose own point was removed by simplification can be chosen as well.
     const std::vector<PathPoint>& left = workbench.path.evaluated()->path.points;
     const Moment leftOut{from.source, from.sample + 5};
     QVERIFY(std::ranges::find(left, leftOut.tick, &PathPoint::sample) == left.end());
@@ -202,7 +203,7 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     driver.key(Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(driver.waitFor([&] { return !replaced(); }, 3000));
     QVERIFY(evaluatedAgain(driver));
-    // Drawn against the way of the hand it goes no way twice.
+    // Drawn against the direction of the recording, it contains no segment twice.
     QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
     QVERIFY(driver.clickOn("drawStretchButton"));
     std::ranges::reverse(corners);
@@ -225,7 +226,7 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
     QVERIFY(placeOf(workbench, "lead-in") > placeOf(workbench, "fit-arcs") &&
             placeOf(workbench, "lead-in") < placeOf(workbench, "link"));
     QVERIFY(evaluatedAgain(driver));
-    // What was asked for is seen, and has the keyboard.
+    // The new edit is visible and has the focus.
     const QString card = QStringLiteral("edit%1Switch").arg(placeOf(workbench, "lead-in"));
     QVERIFY(driver.waitFor([&] { return driver.window().focusWidget() == driver.window().findChild<QWidget*>(card); }));
     driver.shoot("26-added");
@@ -246,7 +247,7 @@ void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
         driver.waitFor([&] { return placeOf(workbench, "replace-stretch") == workbench.path.stored()->edits.size(); }));
     QVERIFY(evaluatedAgain(driver));
 
-    // A new path takes no edit away for good.
+    // Edits that a new path replaces are not lost.
     const std::vector<std::string> kept = editsOf(workbench);
     QVERIFY(kept != before);
     workbench.path.makeNew();
@@ -266,7 +267,8 @@ void TestWindowPath::anAreaIsDrawnAndEmptied() {
     const double height = pointNear(workbench, {0.0, 0.0}).pose.tip.z;
     const glm::dvec2 zero(workbench.workpiece.milling()->setup.workOffset);
 
-    // The new edit asks for its outline at once: a loop round the groove's right half, not closed by the hand.
+    // The new edit asks for its outline at once: a loop round the groove's right half, which the drawing does not
+    // close.
     driver.window().findChild<QAction*>("add-remove-area")->trigger();
     const std::string outline =
         QStringLiteral("edit%1_outline_mm").arg(placeOf(workbench, "remove-area")).toStdString();
@@ -275,7 +277,7 @@ void TestWindowPath::anAreaIsDrawnAndEmptied() {
         return draw != nullptr && draw->isChecked();
     }));
     QVERIFY(driver.settle());
-    QVERIFY(viewport->hasFocus()); // Esc is the drawing's
+    QVERIFY(viewport->hasFocus()); // Esc is handled by the drawing
     const std::vector<glm::dvec2> corners{{2.0, -6.0}, {20.0, -6.0}, {20.0, 6.0}, {2.0, 6.0}};
     const auto at = [&](const glm::dvec2& corner) {
         return viewport->project(glm::dvec3(zero + corner, height)).toPoint();
@@ -320,7 +322,7 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
         return std::get<Mirror>(workbench.path.stored()->edits[placeOf(workbench, "mirror")].parameters);
     };
     const glm::dvec3 zero = workbench.workpiece.milling()->setup.workOffset;
-    QCOMPARE(mirror().at, workbench.workpiece.milling()->setup.stock.centre().x); // until somebody says otherwise
+    QCOMPARE(mirror().at, workbench.workpiece.milling()->setup.stock.centre().x); // until the user changes it
     const auto drawLine = [&](const glm::dvec2& from, const glm::dvec2& to) {
         const double height = pointNear(workbench, {0.0, 0.0}).pose.tip.z;
         const auto at = [&](const glm::dvec2& place) {
@@ -336,7 +338,7 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     };
     const double before = rightEnd();
 
-    // By the shortcut: a line along Y, roughly, makes a plane across X.
+    // By the shortcut: a line roughly along Y makes a plane across X.
     driver.key(Qt::Key_D, Qt::ControlModifier | Qt::AltModifier);
     const QString button = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(workbench, "mirror"));
     auto* draw = driver.window().findChild<QAbstractButton*>(button);
@@ -367,7 +369,7 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     QVERIFY(evaluatedAgain(driver));
 }
 
-/// The eye on an edit's card brings the place of its largest error to the picture's middle.
+/// The eye button on an edit's card centres the picture on the point of the edit's largest error.
 void TestWindowPath::theWorstPlaceOfAnEditIsShown() {
     WindowDriver driver(QSize(1280, 920));
     Workbench& workbench = driver.window().workbench();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// A click on a path means the place under the pointer, on a line and on an arc.
+// A click on a path selects the point under the pointer, on a line and on an arc.
 #include "core/geometry/arc.h"
 #include "core/path/hand_stretch.h"
 #include "tests/test_program.h"
@@ -22,7 +22,7 @@ using namespace burin::testing;
 
 namespace {
 
-/// Records a stroke round the middle of the stock's top: three quarters of a circle, mm.
+/// Records a stroke round the middle of the stock's top: three quarters of a circle with this radius, mm.
 bool recordCircle(WindowDriver& driver, double radius) {
     Workbench& workbench = driver.window().workbench();
     Viewport& viewport = driver.window().viewport();
@@ -53,12 +53,12 @@ QString escapeLabel(WindowDriver& driver) {
 class TestWindowPicking : public QObject {
     Q_OBJECT
 private slots:
-    /// A straight groove has few points; whatever is clicked between them is what is meant.
+    /// A straight groove has few points; a click between them selects the position that was clicked.
     void aPlaceBetweenTwoPointsIsChosen() {
-        WindowDriver driver(QSize(1280, 920)); // as fine a picture as without the timeline
+        WindowDriver driver(QSize(1280, 920)); // as high a resolution as without the timeline
         Workbench& workbench = driver.window().workbench();
         QVERIFY(makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && newPath(driver));
-        // A path that is evaluated again meanwhile has other points.
+        // A path that is evaluated again meanwhile gets other points.
         QVERIFY(driver.waitFor([&] { return !workbench.path.busy() && !workbench.path.outdated(); }));
         auto* viewport = driver.visible<Viewport>("viewport");
         const std::shared_ptr<const EvaluatedPath> evaluated = workbench.path.evaluated();
@@ -73,7 +73,7 @@ private slots:
             length = way;
         }
         QVERIFY2(length > 1.2, qPrintable(QString::number(length)));
-        // Ticks that a busy machine missed left no place of the hand to choose.
+        // Ticks that a busy machine missed left no recorded position to choose.
         const TakeInfo& take = workbench.mill.takes().front();
         const double missed = std::max(0.0, *take.seconds - static_cast<double>(take.sampleCount) * take.tickPeriod);
         const double nearest = 0.3 + missed * MillToolSettings{}.speed;
@@ -88,7 +88,7 @@ private slots:
         }
         QVERIFY(driver.waitFor([&] { return driver.visible<QLabel>("pathSelection") != nullptr; }, 3000));
         QTest::qWait(100);
-        // When the hand was there. A take that missed ticks is longer than they are.
+        // The time of the recording at that point. A take that missed ticks lasts longer than its ticks.
         const QString told = driver.visible<QLabel>("pathSelection")->text();
         const auto time = QRegularExpression(QStringLiteral("([0-9.]+) s(?: |$)")).match(told);
         QVERIFY2(time.hasMatch(), qPrintable(told));
@@ -97,10 +97,10 @@ private slots:
         driver.shoot("46-place-between");
     }
 
-    /// Seen from above and aslant: a click on what is drawn of an arc chooses that place of it, at its time of the
-    /// hand; the chord's middle, where nothing is drawn, means nothing. Esc does what the status line says of it.
+    /// Seen from above and obliquely: a click on a drawn arc selects that point of it, with its time in the recording;
+    /// a click on the middle of the chord, where nothing is drawn, selects nothing. Esc does what the status line says.
     void aPlaceOnAFittedArcIsChosen() {
-        WindowDriver driver(QSize(1280, 920)); // as fine a picture as without the timeline
+        WindowDriver driver(QSize(1280, 920)); // as high a resolution as without the timeline
         Workbench& workbench = driver.window().workbench();
         QVERIFY(makeReady(driver));
         Viewport& viewport = driver.window().viewport();
@@ -117,7 +117,7 @@ private slots:
             if (!points[i].arc || !hasMoment(points[i - 1]) || !hasMoment(points[i])) continue;
             const PathArc& turn = *points[i].arc;
             const Arc candidate{points[i - 1].pose.tip, points[i].pose.tip, turn.centre, turn.axis, turn.clockwise};
-            if (turn.axis != 2 || turnOf(candidate).startRadius < 3.0) continue; // on the way down
+            if (turn.axis != 2 || turnOf(candidate).startRadius < 3.0) continue; // part of a descent
             if (largest != 0 && std::abs(turnOf(candidate).sweep) < std::abs(turnOf(arc).sweep)) continue;
             largest = i;
             arc = candidate;
@@ -138,7 +138,7 @@ private slots:
                 const double ticks = static_cast<double>(points[largest].sample - points[largest - 1].sample);
                 const double told =
                     static_cast<double>(workbench.path.selection()->first - points[largest - 1].sample) / ticks;
-                const double pixel = 0.4 / (turn.startRadius * std::abs(turn.sweep)); // mm, of the arc
+                const double pixel = 0.4 / (turn.startRadius * std::abs(turn.sweep)); // as a share of the arc
                 QVERIFY2(std::abs(told - share) < pixel + 1.0 / ticks, qPrintable(QString::number(told)));
                 const auto chosen = pointsOf(workbench.path.evaluated()->path, *workbench.path.selection());
                 QVERIFY(!chosen.empty() && glm::distance(chosen.front().front().pose.tip, meant) < 0.4);

@@ -20,10 +20,10 @@ using namespace burin::testing;
 
 namespace {
 
-/// Freeform faces, whose mesh takes seconds.
+/// A part with freeform faces, whose mesh takes seconds.
 const QString part = QStringLiteral(BURIN_FIXTURES "/models/mouse-cover.step");
 
-/// The import program that this process started; 0: none runs.
+/// The import program that this process started; 0 if none is running.
 pid_t importProgram() {
     QDirIterator threads(QStringLiteral("/proc/self/task"), QDir::Dirs | QDir::NoDotAndDotDot);
     while (threads.hasNext()) {
@@ -37,7 +37,7 @@ pid_t importProgram() {
     return 0;
 }
 
-/// Holds the import program as soon as the window knows the preview: the fine mesh then can't come until it goes on.
+/// Stops the import program as soon as the window has the preview: the fine mesh cannot arrive until it is continued.
 class HeldImport : public QObject {
 public:
     explicit HeldImport(Workbench& workbench) {
@@ -64,7 +64,7 @@ bool seesPreview(WindowDriver& driver, const HeldImport& import) {
     return driver.waitFor([&] { return import.held() && viewOf(driver).showsPreview(); }, 60000);
 }
 
-/// How many of the picture's pixels the part covers: those whose colour is far from the empty corner's row.
+/// The number of pixels that the part covers: those whose colour is far from the colour of the empty corner's row.
 int coveredPixels(WindowDriver& driver) {
     const QImage picture = viewOf(driver).grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     int covered = 0;
@@ -88,7 +88,7 @@ bool sameView(const CameraView& one, const CameraView& other) {
 
 } // namespace
 
-/// What is seen of a large part before its mesh stands, and that it is only seen.
+/// What is visible of a large part before its mesh is complete, and that it can only be viewed.
 class TestWindowPreview : public QObject {
     Q_OBJECT
 private slots:
@@ -103,12 +103,12 @@ void TestWindowPreview::aPartIsSeenBeforeItsMesh() {
     const HeldImport import(workbench);
     drop(driver.window(), part);
     QVERIFY(seesPreview(driver, import));
-    QTest::qWait(400); // the camera's flight
+    QTest::qWait(400); // the camera's animation
     driver.shoot("60-preview");
     QVERIFY(driver.visible<QWidget>("workPage") != nullptr);
     QVERIFY(driver.visible<QLabel>("taskStatus")->text().contains(QStringLiteral("preview")));
     QVERIFY(coveredPixels(driver) > 20000);
-    // It is no part: there is nothing to set up, to embed or to mill.
+    // The preview is not a part: there is nothing to set up, to embed or to mill.
     QVERIFY(!workbench.model.model());
     QVERIFY(!workbench.setup.hasPart());
     QVERIFY(!menuAction(driver, "embedAction")->isEnabled());

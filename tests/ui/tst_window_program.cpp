@@ -47,7 +47,7 @@ bool post(WindowDriver& driver) {
     return postProgram(driver);
 }
 
-/// The text of a posted program, ready for keys; null where that fails.
+/// The text of a posted program, ready to be edited; null if that fails.
 QPlainTextEdit* textToEdit(WindowDriver& driver) {
     if (!mill(driver) || !post(driver) || !driver.clickOn("editTextButton")) return nullptr;
     auto* text = driver.visible<QPlainTextEdit>("programText");
@@ -55,7 +55,7 @@ QPlainTextEdit* textToEdit(WindowDriver& driver) {
     return text;
 }
 
-/// The cutting move that leads farthest at one height: a line, or an arc where the hand swayed by a pixel.
+/// The longest cutting move at one height: a line, or an arc where the pointer swayed by a pixel.
 const NcMotion* longestCut(const ParsedProgram& program) {
     const NcMotion* longest = nullptr;
     for (const NcMotion& motion : program.motions)
@@ -89,7 +89,7 @@ private slots:
     void lettersInTheTextAreNoShortcuts();
 };
 
-/// After a broken tool: the key of the action, a file, and what is in it goes on with the cut of that line.
+/// After a broken tool: the shortcut of the action, a file name, and the file resumes with the cut of that line.
 void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     WindowDriver driver;
     QVERIFY(!menuAction(driver, "restartAction")->isEnabled());
@@ -104,7 +104,7 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     text->setTextCursor(QTextCursor(text->document()->findBlockByNumber(static_cast<int>(cut.line) - 1)));
     text->setFocus();
     const QString file = driver.folder().filePath("rest.ngc");
-    // What it will do is shown before it is written; Esc writes nothing.
+    // The effect is shown before the file is written; Esc writes nothing.
     QString facts, shown;
     bool writable = false;
     driver.whenDialogStands([&](QWidget& dialog) {
@@ -139,10 +139,10 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     const NcMotion* again = longestCut(*rest);
     QVERIFY(again != nullptr && again->to == cut.to && again->feed == cut.feed);
     QVERIFY(again->tool == cut.tool && again->spindleSpeed == cut.spindleSpeed);
-    QVERIFY(workbench.program.program()->text == whole); // it stays the program of the project
+    QVERIFY(workbench.program.program()->text == whole); // the program of the project is unchanged
     QVERIFY(workbench.program.exportable());
 
-    // It replaces nothing of the project.
+    // A file of the project cannot be overwritten.
     const QString project = driver.folder().filePath("kept.burin");
     QVERIFY(saveAs(driver, project));
     text->setFocus();
@@ -150,13 +150,13 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     QVERIFY(driver.waitFor([&] { return driver.message().contains("a file other than"); }));
     QVERIFY(!QFile::exists(project + "-wal"));
 
-    // Behind the last cut there is nothing to restart: one sentence says so.
+    // After the last cut there is nothing to restart, which one sentence says.
     text->setTextCursor(QTextCursor(text->document()->findBlockByNumber(text->document()->blockCount() - 2)));
     driver.key(Qt::Key_F8);
     QVERIFY(driver.waitFor([&] { return driver.message().contains("the line of the last cut"); }));
 }
 
-/// As a refused program is, and only then: a rest whose later line goes through the part.
+/// With a reason, like a refused program, and only then: the rest, in which a later line goes through the part.
 void TestWindowProgram::aRefusedRestIsExportedWithAReason() {
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
@@ -168,7 +168,7 @@ void TestWindowProgram::aRefusedRestIsExportedWithAReason() {
     const auto line = [&](std::uint32_t number) {
         return QTextCursor(text->document()->findBlockByNumber(static_cast<int>(number) - 1));
     };
-    // Where a word of its own tells how the next move goes: after a G1 between arcs nobody could read it.
+    // Inserted where the next line states its own motion word: between arcs, the line after a G1 could not be read.
     const auto& motions = workbench.program.program()->parsed.motions;
     const auto leaves = std::find_if(motions.begin(), motions.end(),
                                      [&](const NcMotion& motion) { return motion.rapid() && motion.line > cut.line; });
@@ -218,7 +218,7 @@ void TestWindowProgram::aRefusedRestIsExportedWithAReason() {
     QVERIFY(workbench.program.refused()); // the program itself stays as it is
 }
 
-/// By mouse and keys, with an undo; the verdict of a program is that of the machine as it was.
+/// By mouse and keys, with undo; a program keeps the verdict for the machine as it was.
 void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
     WindowDriver driver;
     QVERIFY(mill(driver) && post(driver));
@@ -241,13 +241,13 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
         QTest::keyClick(&dialog, Qt::Key_D, Qt::ControlModifier); // copies, and its name is chosen then
         if (!driver.waitFor([&] { return dialog.focusWidget()->objectName() == "name"; }, 3000)) return;
         QTest::keyClicks(dialog.focusWidget(), "Mill in the shop");
-        enter("tool_change_height_mm", "400"); // the travel of Z is less
+        enter("tool_change_height_mm", "400"); // more than the travel of Z
         QTest::keyClick(&dialog, Qt::Key_S, Qt::ControlModifier);
         const auto* notice = dialog.findChild<Notice*>("machineNotice");
         tooLittleIsRefused = driver.waitFor([&] { return notice->sentence().contains("tool_change_height_mm"); }, 3000);
         enter("tool_change_height_mm", "60");
         enter("maximum_feed_mm_per_min", "3500");
-        // Three points of torque in any order, one of them twice, one of nothing; one is deleted again.
+        // Three points of torque in any order, one of them entered twice and one invalid; one is deleted again.
         const auto addPoint = [&](const char* speed, const char* torque) {
             enter("newTorqueSpeed", speed);
             enter("newTorqueValue", torque); // Enter adds it
@@ -258,12 +258,12 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
         const auto* message = dialog.findChild<QLabel*>("torqueMessage");
         addPoint("8000", "9");
         samePointIsRefused = message->isVisible() && message->text().contains("8000");
-        addPoint("3000", "350 Ncm"); // the first by its speed
+        addPoint("3000", "350 Ncm"); // the lowest speed, so it becomes the first
         answer(dialog, "removeTorque2");
         enter("torqueValue1", "2.25");
         dialog.findChild<QScrollArea*>()->ensureWidgetVisible(field("newTorqueSpeed"));
         driver.shoot("48-torque");
-        // A place to park.
+        // A park position.
         auto* home = dialog.findChild<QComboBox*>("home_mm");
         homeIsLocked = field("home_mm0")->isReadOnly();
         home->setFocus();
@@ -291,12 +291,12 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
     QCOMPARE(kept->spindleTorque[1].speed, 8000.0);
     QCOMPARE(kept->spindleTorque[1].torque, 2.25);
     QVERIFY(kept->home == glm::dvec3(-10.0, -20.5, 0.0));
-    QVERIFY(kept->sources.contains("maximum_feed_mm_per_min")); // the user's own value now
+    QVERIFY(kept->sources.contains("maximum_feed_mm_per_min")); // it is the user's own value now
     QVERIFY(driver.waitFor(
         [&] { return driver.visible<QLabel>("machineNote")->accessibleName() == "Your own machine."; }, 3000));
     QVERIFY(workbench.program.outdated());
 
-    // The values as they were, by undo: use, values, copy.
+    // Undo restores the values: use, values, copy.
     for (int i = 0; i < 2; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(workbench.target.target().machine, std::string("linuxcnc-mill"));
     kept = loadMachine("linuxcnc-mill-copy");
@@ -310,7 +310,7 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
         QApplication::setActiveWindow(&dialog);
         auto* list = dialog.findChild<RowList*>("machineList");
         list->setFocus();
-        QTest::keyClick(list, Qt::Key_Down); // from the one in use to its copy
+        QTest::keyClick(list, Qt::Key_Down); // from the machine in use to its copy
         QTest::keyClick(list, Qt::Key_Delete);
         QTest::keyClick(&dialog, Qt::Key_Escape);
     });
@@ -319,7 +319,7 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
     QVERIFY(driver.settle());
 }
 
-/// One sentence says which machine is missing and which one is used; work goes on.
+/// One sentence says which machine is missing and which one is used instead; work goes on.
 void TestWindowProgram::aMachineThatIsGoneHasAStandIn() {
     BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
@@ -336,8 +336,8 @@ void TestWindowProgram::aMachineThatIsGoneHasAStandIn() {
     driver.shoot("49-machine-that-is-gone");
 }
 
-/// What a change of the machine, and then of its bounds, interrupts is made again by itself: of the machine that is
-/// then in force.
+/// Posting that is interrupted by a change of the machine, and then of its limits, is repeated automatically, for the
+/// machine that is then in force.
 void TestWindowProgram::aPostOutlastsAChangeOfTheMachine() {
     WindowDriver driver;
     QVERIFY(mill(driver) && post(driver));
@@ -346,13 +346,13 @@ void TestWindowProgram::aPostOutlastsAChangeOfTheMachine() {
     QVERIFY(workbench.target.machine().id != "haas-mill");
     QVERIFY(driver.clickOn("postButton") && workbench.program.busy());
     workbench.target.chooseMachine("haas-mill");
-    QVERIFY(workbench.program.busy()); // nobody has to click once more
+    QVERIFY(workbench.program.busy()); // without another click
     QVERIFY(driver.waitFor([&] { return !workbench.program.busy(); }));
     QVERIFY(!workbench.program.problem());
     QVERIFY(workbench.program.program() != before && workbench.program.exportable());
     QCOMPARE(workbench.program.program()->dialect, workbench.target.dialect());
     QVERIFY(driver.settle() && workbench.program.exportable());
-    // The file's ending is that of the control.
+    // The file extension is that of the control.
     QString proposed;
     driver.whenDialogStands([&](QWidget& dialog) {
         proposed = dialog.findChild<QLineEdit*>("fileNameEdit")->text();
@@ -360,7 +360,7 @@ void TestWindowProgram::aPostOutlastsAChangeOfTheMachine() {
     });
     QVERIFY(driver.clickOn("exportButton"));
     QVERIFY2(proposed.endsWith(".nc"), qPrintable(proposed));
-    // What is typed meanwhile drops it: the text is another one.
+    // Typing meanwhile cancels the post, as the text has changed.
     QVERIFY(driver.clickOn("postButton") && workbench.program.busy());
     workbench.target.chooseMachine("linuxcnc-mill");
     workbench.program.editText(workbench.program.storedText() + "(mine)\n");
@@ -392,7 +392,7 @@ void TestWindowProgram::aCheckOutlastsAChangeOfTheMachine() {
     QVERIFY(workbench.program.program()->text.find("(mine)") != std::string::npos);
 }
 
-/// By a key, as a window of its own, after a restart, and back into the panel.
+/// Opened by a key, as a separate window, after a restart, and back in the panel.
 void TestWindowProgram::theTextOpensNextToTheView() {
     WindowDriver driver;
     QVERIFY(mill(driver) && post(driver));
@@ -422,14 +422,14 @@ void TestWindowProgram::theTextOpensNextToTheView() {
     dock->resize(900, 500);
     QApplication::setActiveWindow(dock);
     text->setFocus();
-    QTest::keyClick(text, Qt::Key_F, Qt::ControlModifier); // the window's shortcuts hold there as well
+    QTest::keyClick(text, Qt::Key_F, Qt::ControlModifier); // the shortcuts of the main window work there as well
     QVERIFY(driver.visible<QLineEdit>("programSearch")->hasFocus());
     text->setFocus();
     QTest::keyClick(text, Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(driver.visible("welcomePage") != nullptr && !dock->isVisible());
     driver.key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(dock->isVisible());
-    QVERIFY(driver.waitFor([&] { return text->hasFocus(); }, 3000)); // where it was before
+    QVERIFY(driver.waitFor([&] { return text->hasFocus(); }, 3000)); // the focus is where it was before
 
     QVERIFY(saveAs(driver, driver.folder().filePath("docked.burin")));
     QVERIFY(driver.restart() && driver.clickOn("recentFileButton"));
@@ -449,7 +449,7 @@ void TestWindowProgram::theTextOpensNextToTheView() {
     QVERIFY(driver.visible("programDock") != nullptr);
 }
 
-/// In a wide dock; in the panel they are below it.
+/// In a wide dock; in the panel they are below the text.
 void TestWindowProgram::findingsStandBesideTheText() {
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
@@ -486,7 +486,7 @@ void TestWindowProgram::lettersInTheTextAreNoShortcuts_data() {
                     << docked << editable;
 }
 
-/// "G", "M", "S", "P", "I", "F", "1" and "4" are keys of the view elsewhere.
+/// "G", "M", "S", "P", "I", "F", "1" and "4" are shortcuts of the view elsewhere.
 void TestWindowProgram::lettersInTheTextAreNoShortcuts() {
     BURIN_ONLY_IN_LONG_RUNS;
     QFETCH(bool, docked);
@@ -517,7 +517,8 @@ void TestWindowProgram::lettersInTheTextAreNoShortcuts() {
     QCOMPARE(driver.window().workbench().mill.active(), false);
 }
 
-/// A line is chosen, the path changes, and the program is posted anew: what stands beside the text is of its line.
+/// A line is selected, the path changes and the program is posted again: the values next to the text belong to the
+/// selected line.
 void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {
     BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
@@ -546,7 +547,7 @@ void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {
     driver.shoot("45-posted-anew");
 }
 
-/// By keys; the window has not been told of the newest ones when the check is through.
+/// Typed by keys; the window has not yet received the latest ones when the check ends.
 void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
     WindowDriver driver;
     QVERIFY(mill(driver));
@@ -575,7 +576,7 @@ void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
     QVERIFY(program.edited() && !program.exportable());
     QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
     auto* check = driver.visible<QPushButton>("checkTextButton");
-    QVERIFY(driver.waitFor([&] { return check->isEnabled(); }, 3000)); // it is told that it is not checked
+    QVERIFY(driver.waitFor([&] { return check->isEnabled(); }, 3000)); // the window knows that the text is not checked
     driver.shoot("33-typed-while-checked");
 
     // While it is posted, too.
@@ -583,7 +584,7 @@ void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
     QVERIFY(text->toPlainText().startsWith("(third)\n(second)\n(first)\n"));
     QVERIFY(program.edited() && !program.exportable());
 
-    // What was typed just before the button counts as well.
+    // Text typed immediately before the click on the button counts as well.
     text->setFocus();
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "(fourth) ");
@@ -593,7 +594,7 @@ void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
     QVERIFY(text->toPlainText().startsWith("(fourth) (third)\n"));
 }
 
-/// What was written by hand stays in the project, whatever the check says of it.
+/// Text written by hand is kept in the project, whatever its check says.
 void TestWindowProgram::textThatTheCheckRefusedSurvives() {
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
@@ -603,7 +604,7 @@ void TestWindowProgram::textThatTheCheckRefusedSurvives() {
     QTextCursor cursor = text->textCursor();
     cursor.setPosition(cut + 1);
     text->setTextCursor(cursor);
-    QTest::keyClicks(text, "G1 Z-50 F100"); // through part and all
+    QTest::keyClicks(text, "G1 Z-50 F100"); // through the part and everything below
     QTest::keyClick(text, Qt::Key_Return);
     QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.edited(); }, 3000));
     QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
@@ -617,7 +618,7 @@ void TestWindowProgram::textThatTheCheckRefusedSurvives() {
     Workbench& workbench = driver.window().workbench();
     QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready() && workbench.path.evaluated(); }));
     QVERIFY(driver.settle());
-    QVERIFY(workbench.program.refused() && !workbench.program.exportable()); // and what the check said is known again
+    QVERIFY(workbench.program.refused() && !workbench.program.exportable()); // the result of the check is restored
     QVERIFY(workbench.program.storedText().contains("\nG1 Z-50 F100\n"));
 }
 
@@ -656,7 +657,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     const ParsedProgram& program = workbench.program.program()->parsed;
     const glm::dvec3 zero = workbench.workpiece.milling()->setup.workOffset;
 
-    // A click on a move in the viewport leads to its line.
+    // A click on a move in the viewport selects its line.
     const NcMotion* cut = longestCut(program);
     QVERIFY(cut != nullptr);
     QTest::mouseClick(viewport, Qt::LeftButton, {},
@@ -668,13 +669,13 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY2(told(cut->to[Axis::x]) && told(cut->to[Axis::z]) && state->text().contains("spindle "),
              qPrintable(state->text()));
     driver.shoot("20-move-and-line");
-    // And back: the cursor keys lead through the moves, the tool stands at their ends.
+    // And back: the cursor keys step through the moves, with the tool at their ends.
     text->setFocus();
     QTest::keyClick(text, Qt::Key_Down);
     const NcMotion* next = lastMotion(program.motions, cut->line + 1);
     QVERIFY(next != nullptr && next->to != cut->to);
     QVERIFY2(told(next->to[Axis::x]), qPrintable(state->text()));
-    // A click beside every move is the camera's.
+    // A click that hits no move is left to the camera.
     const int line = text->textCursor().blockNumber();
     QTest::mouseClick(viewport, Qt::LeftButton, {}, QPoint(40, viewport->height() - 80));
     QCOMPARE(text->textCursor().blockNumber(), line);
@@ -691,7 +692,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QCOMPARE(driver.visible<QLabel>("searchFound")->text(), QString("none"));
     search->clear();
 
-    // The deviation map on the bare part, with the figure under the pointer.
+    // The deviation map on the bare part, with the value under the pointer.
     auto* page8 = driver.visible<QScrollArea>("programPage");
     QVERIFY(page8 != nullptr);
     auto* deviation = driver.visible<QCheckBox>("deviationSwitch");
@@ -705,7 +706,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY(driver.waitFor(
         [&] { return driver.visible<QLabel>("deviationUnderPointer")->text().contains(QStringLiteral("left")); },
         3000));
-    // The legend is in sight, below the last of the pages' former content.
+    // The legend is visible, below the last element of the page's former content.
     auto* legend = driver.visible<QWidget>("deviationLegend");
     QVERIFY(legend != nullptr);
     QVERIFY(QTest::qWaitFor([&] { return legend->visibleRegion().boundingRect().height() == legend->height(); }, 3000));
@@ -739,7 +740,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY(workbench.program.program()->text.find("(a word of mine)") != std::string::npos);
     QVERIFY(driver.clickOn("editTextButton"));
 
-    // A clamp across the groove: refused, until there is a reason.
+    // A clamp across the groove: the program is refused until a reason is given.
     QVERIFY(driver.step(JobStep::stock));
     auto* page = driver.visible<QScrollArea>("stockPage");
     page->ensureWidgetVisible(driver.window().findChild<QWidget*>("addObstacleButton"));
@@ -766,7 +767,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY(workbench.program.exportable());
     QVERIFY(driver.waitFor([&] { return text->toPlainText().contains("(Reason: the clamp is moved by hand)"); }, 3000));
     driver.shoot("22-wanted-all-the-same");
-    // A reason makes no check pass.
+    // A reason does not turn a failed check into a passed one.
     const QString spoken = driver.visible<QWidget>("stepProgram")->accessibleDescription();
     QVERIFY2(spoken.startsWith("has a problem"), qPrintable(spoken));
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// A program of another system as a path, and the path in the colours of a quantity: by mouse and keys.
+// A program of another system as a path, and the path in the colours of a quantity, by mouse and keys.
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -72,7 +72,7 @@ private slots:
             QVERIFY2(program->text.find(word) != std::string::npos, program->text.c_str());
     }
 
-    /// Cutter locations that are dropped on the window become a path at once.
+    /// Cutter locations that are dropped on the window immediately become a path.
     void cutterLocationsAreDropped() {
         WindowDriver driver;
         const QString file = write(driver, "slot.cls",
@@ -90,7 +90,7 @@ private slots:
         QCOMPARE(workbenchOf(driver).path.passes().size(), std::size_t{1});
     }
 
-    /// Each quantity has its colours; the path changes, and so do they.
+    /// Each quantity has its colours, which follow changes of the path.
     void thePathShowsAQuantity() {
         WindowDriver driver(QSize(1280, 920));
         QVERIFY(makeReady(driver, 1.0));
@@ -111,7 +111,7 @@ private slots:
             driver.shoot(QStringLiteral("path-colours-%1").arg(i));
         }
         for (std::size_t i = 1; i < pictures.size(); ++i) QVERIFY(pictures[i] != pictures[i - 1]);
-        // By the list: feeds, which follow the edit.
+        // By the list: feeds, which change with the edit.
         colours->setFocus();
         QTest::keyClick(colours, Qt::Key_Home);
         QTest::keyClick(colours, Qt::Key_Down);

@@ -19,7 +19,7 @@ namespace burin::tst_window_reopen {
 
 using namespace burin::testing;
 
-/// Whoever opens a project again finds the window as it was left.
+/// A project that is opened again shows the window as it was left.
 class TestWindowReopen : public QObject {
     Q_OBJECT
 private slots:
@@ -64,7 +64,7 @@ Notice* verdict(const WindowDriver& driver) {
     return driver.visible<Notice>("verdict");
 }
 
-/// Whether the verdict comes to be of that kind.
+/// Whether the verdict becomes one of that kind in time.
 bool told(const WindowDriver& driver, Notice::Kind kind) {
     return driver.waitFor([&] { return verdict(driver) != nullptr && verdict(driver)->kind() == kind; }, 5000);
 }
@@ -115,7 +115,7 @@ void TestWindowReopen::aProjectIsWhereItWasLeft() {
     QCOMPARE(driver.visible<QAbstractSpinBox>("pressField")->text().left(3), QStringLiteral("1.5"));
 }
 
-/// Embedded in a window, embedded by the command line (which says nothing of a window), not embedded at all.
+/// Embedded in a window, embedded by the command line (which stores no window state), not embedded at all.
 void TestWindowReopen::aWorkpieceIsThereWithoutAStroke() {
     WindowDriver driver;
     QVERIFY(makeReady(driver, 1.0));
@@ -209,7 +209,7 @@ void TestWindowReopen::aProgramThatPassedIsPassedAgain() {
     QCOMPARE(file.readAll().toStdString(), text);
 }
 
-/// Somebody else changed the file meanwhile: the tool that milled, as another program or an older Burin would.
+/// The file was changed by another program meanwhile: the tool that milled, as an older Burin would.
 void TestWindowReopen::aVerdictOfSomethingElseIsOutOfDate() {
     BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
@@ -244,7 +244,7 @@ void TestWindowReopen::whatChangesAfterOpeningMakesTheVerdictOutOfDate() {
     QVERIFY(told(driver, Notice::Kind::warning));
     QVERIFY(driver.enter("excessToleranceField", QStringLiteral("0.1")));
     QVERIFY(told(driver, Notice::Kind::passed));
-    // A second stroke belongs into the program and is not in it.
+    // A second stroke is missing in the program.
     QVERIFY(recordLine(driver, {-15, 8}, {15, 8}) && driver.settle());
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(told(driver, Notice::Kind::warning));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Mouse strokes as hands make them, to a program without back-steps; read from its text without our parser.
+// Mouse strokes as users make them become programs without back-steps, which are read from their text without our
+// parser.
 #include "core/document/project.h"
 #include "tests/long_run.h"
 #include "tests/test_program.h"
@@ -23,20 +24,20 @@ namespace {
 
 const std::size_t strokeCount = inLongRun<std::size_t>(20, 6);
 
-/// The seed of the random properties, so that one commit's verdict is the same wherever it is tested.
+/// The seed of the random properties, so that the result for a commit is the same wherever it is tested.
 std::uint64_t seedOfTheRun() {
     const auto found = QRegularExpression("seed=([0-9]+)").match(qEnvironmentVariable("RC_PARAMS"));
     return found.hasMatch() ? found.captured(1).toULongLong() : std::random_device()();
 }
 
-/// A hand with the left button down: places of the pointer on the stock's top, mm from its middle, and how long each of
-/// them takes to reach, ms.
+/// A hand with the left button down: positions of the pointer on the stock's top, mm from its middle, and the time to
+/// reach each of them, ms.
 struct HandMove {
     glm::dvec2 to{0.0};
-    int milliseconds = 0; ///< to get there; with the place of before: a stop
+    int milliseconds = 0; ///< to get there; with the previous position: a stop
 };
 
-/// Corners, stops that last, sweeps that are fast and slow, and now and then a tremor of a pixel.
+/// Corners, lasting stops, slow and fast sweeps, and now and then a tremor of a pixel.
 std::vector<HandMove> randomStroke(std::mt19937_64& random) {
     std::uniform_real_distribution<double> one(0.0, 1.0);
     const auto place = [&] { return glm::dvec2(36.0 * one(random) - 18.0, 26.0 * one(random) - 13.0); };
@@ -58,7 +59,7 @@ std::vector<HandMove> randomStroke(std::mt19937_64& random) {
     return moves;
 }
 
-/// Draws a stroke with real mouse events, one every 8 ms at most, as a mouse reports.
+/// Draws a stroke with real mouse events, at most one every 8 ms, as a mouse reports them.
 void draw(WindowDriver& driver, const std::vector<HandMove>& moves) {
     Viewport& viewport = driver.window().viewport();
     const glm::dvec3 zero = driver.window().workbench().setup.setup().workOffset;
@@ -78,16 +79,16 @@ void draw(WindowDriver& driver, const std::vector<HandMove>& moves) {
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, at(moves.back().to));
 }
 
-/// A place on the way of a feed move, mm in the program's own frame. An arc has many, a line its end.
+/// A point on a feed move, mm in the program's own frame. An arc has many, a line only its end.
 struct Place {
     glm::dvec3 at{0.0};
     double length = 0.0;  ///< mm, of the whole move
-    bool endsMove = true; ///< the others lie within it
+    bool endsMove = true; ///< otherwise the point lies within the move
 };
 using FeedRun = std::vector<Place>;
 
-/// An arc in chords that leave it by 0.001 mm and turn by a tenth of a radian at most. @param across its axis: 0 X, 1
-/// Y, 2 Z
+/// Adds an arc as chords that deviate from it by 0.001 mm and turn by a tenth of a radian at most. @param across  its
+/// axis: 0 X, 1 Y, 2 Z
 void addArc(FeedRun& run, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& centre, int across,
             bool clockwise) {
     const int u = (across + 1) % 3, v = (across + 2) % 3;
@@ -109,7 +110,7 @@ void addArc(FeedRun& run, const glm::dvec3& from, const glm::dvec3& to, const gl
     run.push_back({to, length});
 }
 
-/// The feed moves of a program, each with where it begins; a row for each run of them between rapids.
+/// The feed moves of a program, each with its starting point; one row for each sequence of them between rapids.
 std::vector<FeedRun> feedRuns(const QString& text) {
     const QRegularExpression comment(R"(\([^)]*\)|;.*)"), word("([A-Z])\\s*(-?[0-9]*\\.?[0-9]+|-?[0-9]+\\.?)");
     std::vector<FeedRun> runs;
@@ -148,7 +149,7 @@ std::vector<FeedRun> feedRuns(const QString& text) {
     return runs;
 }
 
-/// Turns of more than 155 degrees with a leg of less than 0.1 mm.
+/// Reversals: turns of more than 155 degrees with a leg of less than 0.1 mm.
 QStringList backSteps(const std::vector<FeedRun>& runs) {
     QStringList found;
     for (const FeedRun& run : runs)
@@ -175,7 +176,7 @@ double distanceTo(const glm::dvec3& place, const glm::dvec3& from, const glm::dv
     return glm::distance(place, from + share * along);
 }
 
-/// Whether the tool went plumb down from a place: what it cut there it cuts as well where it then stands.
+/// Whether the tool moved straight down from a point, so that what it cut there is also cut from its next position.
 bool isLeftPlumbDown(const std::vector<glm::dvec3>& places, std::size_t place) {
     constexpr double beside = 0.05; // mm
     const glm::dvec3& from = places[place];
@@ -186,8 +187,8 @@ bool isLeftPlumbDown(const std::vector<glm::dvec3>& places, std::size_t place) {
     return false;
 }
 
-/// Where the hand cut, in the frame of the program, but for its way straight down: how the program gets there is its
-/// own.
+/// Where the recorded stroke cut, in the frame of the program, without its vertical plunges: the program plunges in its
+/// own manner.
 std::vector<glm::dvec3> cutsOf(const Take& take, const glm::dvec3& zero) {
     std::vector<glm::dvec3> all, places;
     for (const Sample& sample : take.samples) {
@@ -210,7 +211,8 @@ private slots:
     void mouseStrokesMakeAProgramThatNeverStepsBack();
 };
 
-/// What a program once had where the hand stopped, and what is no back-step: a retract, and a sharp turn of long moves.
+/// The back-steps that programs once had where the hand stopped, and what is no back-step: a retract, and a sharp turn
+/// of long moves.
 void TestWindowReversals::theReaderSeesABackStep() {
     const QString head = "G21 (X1 in a comment)\nG0 X-25 Y0 Z5\nG1 Z-1 F300\n";
     const auto faulty = feedRuns(head + "X-23.622 F900\nX-23.657\nX-21.891\nZ5\nG0 X0\n");
@@ -220,7 +222,7 @@ void TestWindowReversals::theReaderSeesABackStep() {
     QVERIFY(sound.size() == 2 && backSteps(sound).isEmpty());
     const auto inInches = feedRuns("G20\nG0 X0 Y0\nG1 X1 F30\nX0.998\nX2\n");
     QCOMPARE(backSteps(inInches).size(), 2);
-    // A half circle, and back up its end by two hundredths.
+    // A half circle, and a reversal at its end by two hundredths.
     const auto arc = feedRuns("G0 X0 Y0\nG1 X0.5\nG17 G2 X2.5 I1\nG1 X2.5001 Y0.02\nX5 Y-9\n");
     QVERIFY(arc.size() == 1 && arc.front().size() > 30);
     QVERIFY(std::ranges::any_of(arc.front(), [](const Place& one) {
@@ -255,7 +257,7 @@ void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
     const QString file = driver.folder().filePath("strokes.burin");
     QVERIFY(saveAs(driver, file));
 
-    const QString copy = driver.folder().filePath("copy.burin"); // the window has the other one open
+    const QString copy = driver.folder().filePath("copy.burin"); // the window has the original open
     QVERIFY(QFile::copy(file, copy));
     const Result<Project> project = Project::open(copy.toStdString());
     QVERIFY(project);
@@ -288,7 +290,8 @@ void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
                             5 * strokeCount)); // strokes that meet may be one run; that none is missing is asked below
         QVERIFY2(found.isEmpty(), qPrintable(found.mid(0, 5).join("\n")));
 
-        // What the hand cut is milled, as near as the path's edits say; the last digit's rounding comes on top.
+        // What was recorded as cut is milled, as accurately as the path's edits state, plus the rounding of the last
+        // digit.
         const double rounding = 4.0 * (inch ? 25.4e-4 : 1e-3);
         double farthest = 0.0;
         for (const glm::dvec3& place : cuts) {

@@ -19,7 +19,7 @@ namespace burin::tst_window_room {
 
 using namespace burin::testing;
 
-/// Texts have the room that they need, in every language and at every size that the window may have.
+/// Texts have the room that they need, in every language and at every size that the window can have.
 class TestWindowRoom : public QObject {
     Q_OBJECT
 private slots:
@@ -27,17 +27,17 @@ private slots:
     void noTextOfAJobIsCut();
 
 private:
-    /// Of all that is seen now.
+    /// Collects the clipped texts that are visible now.
     void look(WindowDriver& driver, const QString& name);
     void lookAtSteps(WindowDriver& driver, const QString& name);
-    /// Opens each list of a choice that is seen now: its items have the room that they need.
+    /// Opens each visible choice: its items have the room that they need.
     void lookIntoChoices(WindowDriver& driver);
 
     QStringList cut_;
 };
 
 void TestWindowRoom::look(WindowDriver& driver, const QString& name) {
-    QTest::qWait(200); // until panels have followed
+    QTest::qWait(200); // until the panels are up to date
     QString file = QStringLiteral("room-%1-%2").arg(QLatin1String(QTest::currentDataTag()), name);
     driver.shoot(file.replace(QLatin1String(", "), QLatin1String("-")));
     for (const VisibleText& text : clippedTexts(driver.window()))
@@ -69,9 +69,9 @@ void TestWindowRoom::lookIntoChoices(WindowDriver& driver) {
 void TestWindowRoom::noTextOfAJobIsCut_data() {
     QTest::addColumn<QString>("language");
     QTest::addColumn<QSize>("size");
-    std::vector<std::pair<const char*, QSize>> sizes{{"smallest", {1024, 680}}}; // where room is scarce
+    std::vector<std::pair<const char*, QSize>> sizes{{"smallest", {1024, 680}}}; // where room is scarcest
     if (longRun()) sizes.push_back({"large", {1580, 960}});
-    for (const char* language : {"en", "zh_CN", "de"}) // a translation that is installed stays
+    for (const char* language : {"en", "zh_CN", "de"}) // the last translation that is installed remains
         for (const auto& [name, size] : sizes)
             QTest::addRow("%s, %s", language, name) << QString::fromLatin1(language) << size;
 }
@@ -85,7 +85,7 @@ void TestWindowRoom::noTextOfAJobIsCut() {
     Workbench& workbench = driver.window().workbench();
     cut_.clear();
     look(driver, "welcome");
-    drop(driver.window(), writeBlock(driver, false)); // open, so that there are notes and findings
+    drop(driver.window(), writeBlock(driver, false)); // an open mesh, so that there are notes and findings
     QVERIFY(driver.waitFor([&] { return workbench.model.model() != nullptr; }) && driver.settle());
     lookAtSteps(driver, "begun");
 
@@ -95,9 +95,9 @@ void TestWindowRoom::noTextOfAJobIsCut() {
     QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr; }));
     QVERIFY(postProgram(driver));
     lookAtSteps(driver, "done");
-    lookIntoChoices(driver); // of the program, the machines among them
+    lookIntoChoices(driver); // the choices of the program, including the machines
 
-    // A program that the check refuses, in the dock.
+    // A program that fails its check, in the dock.
     QVERIFY(driver.clickOn("editTextButton"));
     auto* text = driver.visible<QPlainTextEdit>("programText");
     text->setFocus();

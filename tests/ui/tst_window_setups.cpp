@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// How the part lies, and its second side: by mouse and keys.
+// The orientation of the part and its second side, by mouse and keys.
 #include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
@@ -34,13 +34,13 @@ bool near(const glm::dvec3& one, const glm::dvec3& other) {
     return glm::distance(one, other) < 1e-6;
 }
 
-/// Clicks a place of the part in the view.
+/// Clicks a point of the part in the view.
 void clickAt(WindowDriver& driver, const glm::dvec3& place) {
     Viewport& viewport = driver.window().viewport();
     QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.project(place).toPoint());
 }
 
-/// The dialog of a further setup, filled in.
+/// Fills in the dialog of a further setup.
 void addSetup(WindowDriver& driver, const QString& name, int turn, const QString& picture = {}) {
     driver.whenDialogStands([&driver, name, turn, picture](QWidget& dialog) {
         auto* field = dialog.findChild<QLineEdit*>(QStringLiteral("setupNameField"));
@@ -67,7 +67,7 @@ bool isIn(WindowDriver& driver, const QString& title) {
 class TestWindowSetups : public QObject {
     Q_OBJECT
 private slots:
-    /// A block of 40 x 30 x 20 mm is laid on its front by a click on that face; undo lays it back.
+    /// A click on the front of a block of 40 x 30 x 20 mm lays it on that face; undo lays it back.
     void aFaceIsLaidDown() {
         WindowDriver driver;
         drop(driver.window(), writeBlock(driver));
@@ -81,7 +81,7 @@ private slots:
 
         QVERIFY(driver.clickOn("faceDownButton"));
         QTRY_VERIFY(driver.visible("facePickNotice") != nullptr);
-        driver.key(Qt::Key_Escape); // and not this time
+        driver.key(Qt::Key_Escape); // cancelled this time
         QTRY_VERIFY(driver.visible("facePickNotice") == nullptr);
         clickAt(driver, front);
         QTest::qWait(200);
@@ -93,7 +93,7 @@ private slots:
         clickAt(driver, front);
         QTRY_VERIFY(near(sizeOfPart(driver), {40.0, 20.0, 30.0}));
         QVERIFY(near(workbenchOf(driver).setup.part()->box().centre(), box.centre()));
-        // The front looks down now.
+        // The front now faces down.
         const Placement& placement = workbenchOf(driver).setup.setup().placement;
         QVERIFY(near(placement.direction({0.0, -1.0, 0.0}), {0.0, 0.0, -1.0}));
         QTest::qWait(300);
@@ -105,7 +105,7 @@ private slots:
         QTRY_VERIFY(near(sizeOfPart(driver), {40.0, 20.0, 30.0}));
     }
 
-    /// By numbers: an angle, a place; by keys: quarter turns; a mirror image. Each is one undo.
+    /// By numbers: an angle, a position; by keys: quarter turns; a mirror image. Each is one undo step.
     void aPartIsTurnedMovedAndMirrored() {
         WindowDriver driver;
         drop(driver.window(), writeBlock(driver));
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(!mirrors(workbenchOf(driver).setup.imported()->brepPlacement));
     }
 
-    /// The second side begins with what the first left; each side keeps what is its own, also on the disk.
+    /// The second side starts with what the first one left; each side keeps its own settings, also in the file.
     void theSecondSideIsMilled() {
         WindowDriver driver;
         QVERIFY(makeReady(driver));
@@ -142,7 +142,7 @@ private slots:
         addSetup(driver, "Underside", 0, "setup-5-add");
         QVERIFY(driver.waitFor([&] { return isIn(driver, "Underside") && workbench.workpiece.embedded(); }));
         QVERIFY(driver.settle());
-        // The same material, and its groove below: the top is whole.
+        // The same volume, with the groove below: the top is uncut.
         const MillingContext& milling = *workbench.workpiece.milling();
         QVERIFY2(std::abs(milling.workpieceVolume() - volume) < 1e-3 * volume,
                  qPrintable(QString("%1 of %2").arg(milling.workpieceVolume()).arg(volume)));
@@ -178,7 +178,7 @@ private slots:
         QVERIFY(std::abs(removedSoFar(*workbenchOf(driver).workpiece.milling()) - below) < 1e-6);
     }
 
-    /// Whoever changes the first side is told in the second, and takes its stock anew.
+    /// After a change of the first side, the second one reports it and takes its stock again.
     void aChangedFirstSideIsTold() {
         BURIN_ONLY_IN_LONG_RUNS;
         WindowDriver driver;
@@ -207,7 +207,7 @@ private slots:
         QVERIFY(driver.settle());
         QVERIFY(std::abs(workbench.workpiece.milling()->workpieceVolume() - left) < 1e-3 * left);
 
-        // One that holds nothing goes; one that holds something stays, and says why.
+        // An empty setup is removed; one with content stays and says why.
         QVERIFY(driver.step(JobStep::part) && driver.clickOn("removeSetupButton"));
         QVERIFY(driver.waitFor([&] { return workbench.setups.setups().size() == 1; }));
         QVERIFY(driver.settle() && isIn(driver, "Setup 1"));

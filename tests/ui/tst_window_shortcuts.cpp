@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Keys that the user chooses, and a picture of the view: by mouse and keys.
+// Shortcuts that the user chooses, and a picture of the view, by mouse and keys.
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -49,7 +49,7 @@ void press(QWidget& dialog, const char* button) {
 class TestWindowShortcuts : public QObject {
     Q_OBJECT
 private slots:
-    /// No two actions have the same keys from the start.
+    /// By default no two actions have the same keys.
     void eachHasItsOwn() {
         WindowDriver driver;
         std::set<QString> seen;
@@ -62,7 +62,7 @@ private slots:
         QVERIFY(seen.size() > 70);
     }
 
-    /// Other keys for an action, taken from another one; they are kept, and come back.
+    /// New keys for an action, taken from another one, are kept, and can be reset.
     void keysAreChangedAndKept() {
         WindowDriver driver;
         QAction* fit = menuAction(driver, "fitAction");
@@ -105,7 +105,7 @@ private slots:
         const QImage picture(file);
         const auto& viewport = *driver.visible<Viewport>("viewport");
         QCOMPARE(picture.size(), viewport.size() * viewport.devicePixelRatioF());
-        // Where it can't be written, a sentence says so, and nothing stays behind.
+        // If it cannot be written, a sentence says so, and no partial file remains.
         chooseFile(driver, "/proc/view.png");
         driver.key(Qt::Key_G, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY2(driver.message().contains("/proc"), qPrintable(driver.message()));

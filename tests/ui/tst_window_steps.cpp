@@ -37,7 +37,7 @@ void TestWindowSteps::eachStepTellsWhatItHolds() {
         for (const VisibleText& cut : clippedTexts(driver.window()))
             QFAIL(qPrintable(QStringLiteral("cut in the window of %1: %2: %3").arg(name, cut.where, cut.text)));
     }
-    // Nothing can be milled yet, and the panel says what is to be done first.
+    // Nothing can be milled yet, and the panel says what has to be done first.
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(!driver.visible<QWidget>("millButton")->isEnabled());
     QVERIFY(driver.visible<QWidget>("millMissing") != nullptr);
@@ -53,7 +53,7 @@ void TestWindowSteps::eachStepTellsWhatItHolds() {
     QVERIFY(driver.waitFor([&] { return !workbench.mill.active(); }, 5000));
 }
 
-/// A guess in what is protected must not look like a step that is done.
+/// A guess about what is protected must not look like a completed step.
 void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
     WindowDriver driver(QSize(1280, 800));
     Workbench& workbench = driver.window().workbench();
@@ -80,11 +80,11 @@ void TestWindowSteps::aDoubtfulPartIsObjectedTo() {
     auto* const notice = driver.visible<Notice>("findingsNotice");
     QVERIFY(notice != nullptr);
     QVERIFY(notice->sentence().contains(QStringLiteral("is open (edges: 4, rims: 1)")));
-    QCOMPARE(places(), before); // as much as there is to be told
+    QCOMPARE(places(), before); // regardless of the amount of text
     QVERIFY(driver.visible<Notice>("stockNotice")->sentence().contains(QStringLiteral("1 finding")));
 }
 
-/// Stock comes before material in the job: who goes through the steps from left to right loses nothing.
+/// Stock precedes material in the job: going through the steps from left to right loses nothing.
 void TestWindowSteps::choosingAMaterialKeepsTheWorkpiece() {
     WindowDriver driver(QSize(1280, 800));
     Workbench& workbench = driver.window().workbench();

@@ -21,9 +21,9 @@ using namespace burin::testing;
 
 namespace {
 
-constexpr double halfTrail = 0.06; // mm: 0.05 that the tool may leave the trail by at corners, and the hand's spring
+constexpr double halfTrail = 0.06; // mm: 0.05 that the tool may leave the trail by at corners, and the virtual coupling
 
-/// Where the tool's tip cut, from the recording's own trace: mm from the middle of the stock's top.
+/// The points where the tool's tip cut, from the recording's own trace: mm from the middle of the stock's top.
 class CutTrace {
 public:
     explicit CutTrace(WindowDriver& driver) : zero_(driver.window().workbench().setup.setup().workOffset) {
@@ -55,7 +55,7 @@ double distanceToLine(const glm::dvec3& place, const glm::dvec3& a, const glm::d
 
 } // namespace
 
-/// Strokes that are straight, locked, repeated or rows, by mouse and keys; what Esc does.
+/// Strokes that are straight, locked, repeated or rows, by mouse and keys; the effect of Esc.
 class TestWindowStrokes : public QObject {
     Q_OBJECT
 private slots:
@@ -91,11 +91,11 @@ private slots:
         }
         QVERIFY(glm::distance(glm::dvec2(line.front()), glm::dvec2(end)) < halfTrail);
         QVERIFY(glm::distance(glm::dvec2(line.back()), glm::dvec2(target)) < halfTrail);
-        QVERIFY(std::abs(line.back().z - end.z) < 0.01); // at the height of the stroke before
+        QVERIFY(std::abs(line.back().z - end.z) < 0.01); // at the height of the previous stroke
         driver_->shoot("strokes-line");
     }
 
-    /// Esc on the way to its start: nothing was cut, and nothing of it is repeated or taken back.
+    /// Esc on the way to the start of a stroke: nothing was cut, and there is nothing to repeat or undo.
     void aStrokeThatIsGivenUpOnItsWayIsNone() {
         BURIN_ONLY_IN_LONG_RUNS;
         millLine(*driver_, {-15, -8}, {-5, -8});
@@ -136,8 +136,8 @@ private slots:
         QVERIFY(std::abs(trace_->last().back().y - trace_->last().front().y) > 10.0);
     }
 
-    /// A pixel to the side, a pixel down, a pixel to the side, as a good mouse reports a slanted sweep: 30 mm of it are
-    /// no staircase, and cut as fast as a straight line is.
+    /// A pixel to the side, a pixel down, a pixel to the side, as a good mouse reports a slanted sweep: 30 mm of such a
+    /// sweep are cut as fast as a straight line, without steps.
     void aSlantedSweepIsCutAtTheSpeedLimit() {
         QVERIFY(driver_->enter("speedField", "200"));
         const QPoint from = at({-13, 9});
@@ -162,7 +162,7 @@ private slots:
         QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
         const QString file = driver_->folder().filePath("sweep.burin"), copy = driver_->folder().filePath("copy.burin");
         QVERIFY(saveAs(*driver_, file));
-        QVERIFY(QFile::copy(file, copy)); // the window has the file itself
+        QVERIFY(QFile::copy(file, copy)); // the window has the original open
         const Result<Project> project = Project::open(copy.toStdString());
         QVERIFY(project);
         const Result<Take> take = project->take(workbench().mill.takes().front().id);
@@ -170,20 +170,21 @@ private slots:
         double fastest = 0.0;
         for (std::size_t i = 10; i < take->samples.size(); ++i) {
             const Sample &before = take->samples[i - 10], &now = take->samples[i];
-            if (glm::distance(before.proxy.tip, now.proxy.tip) > 5.0) continue; // between two pieces of it
+            if (glm::distance(before.proxy.tip, now.proxy.tip) > 5.0) continue; // between two parts of the path
             fastest = std::max(fastest, glm::distance(glm::dvec2(before.proxy.tip), glm::dvec2(now.proxy.tip)) /
                                             (now.time - before.time));
         }
         QVERIFY2(fastest > 0.9 * 200.0, qPrintable(QString::number(fastest)));
     }
 
-    /// Beside it to the left as it goes: a stroke to +X gets one that lies a step-over farther to +Y.
+    /// "Beside" means to the left in the direction of the stroke: a stroke to +X gets one that is a step-over farther
+    /// to +Y.
     void theLastStrokeIsRepeatedLowerAndBeside() {
         QVERIFY(driver_->enter("stepOverField", "3"));
         QVERIFY(driver_->enter("depthOfCutField", "0.7"));
         millLine(*driver_, {-12, -4}, {10, -1});
         QVERIFY(strokesAre(1));
-        // What the cut asked for can be read after it.
+        // The values that the cut required can still be read after it.
         const auto* feed = driver_->visible<ValueRow>("feedMeter");
         QVERIFY(driver_->waitFor([&] { return feed->value().contains("mm/min at") && feed->value().endsWith("rpm"); }));
         QVERIFY2(feed->toolTip().startsWith("Machinable wax, engagement "), qPrintable(feed->toolTip()));
@@ -202,8 +203,8 @@ private slots:
         driver_->shoot("strokes-repeated");
     }
 
-    /// Rows of a ball of radius 3 mm, 1 mm deep and 2 mm apart, leave ridges of 3 − √(9 − 1) = 0.17 mm: the rectangle
-    /// loses at least all above them, and at most what the ball reaches beyond its edges as well.
+    /// Rows of a ball of radius 3 mm, 1 mm deep and 2 mm apart, leave ridges of 3 − √(9 − 1) = 0.17 mm: the volume
+    /// removed is at least all of the rectangle above them, and at most also what the ball reaches beyond its edges.
     void aRasterFillsARectangleAsOneStroke() {
         driver_->key(Qt::Key_T);
         QVERIFY(driver_->enter("stepOverField", "2"));
@@ -217,7 +218,7 @@ private slots:
             QTest::mouseMove(&viewport(), from + (to - from) * i / 10);
             QTest::qWait(20);
         }
-        QCOMPARE(trace_->count(), std::size_t{0}); // it is spanned, not yet cut
+        QCOMPARE(trace_->count(), std::size_t{0}); // the rectangle is drawn, but not yet cut
         driver_->shoot("strokes-raster-spanned");
         QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
         QTest::qWait(300);
@@ -260,13 +261,13 @@ private slots:
         QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("stop the tool")); }, 2000));
         driver_->key(Qt::Key_Escape);
         QVERIFY(driver_->waitFor([&] { return !workbench().session.state().cutting; }, 2000));
-        QVERIFY(strokesAre(1)); // what was cut of it
+        QVERIFY(strokesAre(1)); // the part of the stroke that was cut
         QVERIFY(workbench().mill.active());
         driver_->key(Qt::Key_Escape);
         QVERIFY(driver_->waitFor([&] { return !workbench().mill.active(); }, 5000));
     }
 
-    /// The keyboard is in a field: Esc takes back what is typed there, then puts the tool away.
+    /// The focus is in a field: the first Esc discards what is typed there, the next one parks the tool.
     void escapeLeavesMillingFromAField() {
         auto* field = driver_->visible<QAbstractSpinBox>("depthOfCutField");
         QVERIFY(field != nullptr);
@@ -303,20 +304,20 @@ private slots:
         driver_->key(Qt::Key_Escape);
         QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
         QVERIFY(driver_->waitFor([&] { return driver_->visible<QLabel>("recordingStatus") == nullptr; }, 2000));
-        // All that was cut is in the take: cut again from it, as when a project is opened, it is the same workpiece.
+        // All that was cut is in the take: replayed, as when a project is opened, it gives the same workpiece.
         const double removed = removedSoFar(*workbench().workpiece.milling());
         QVERIFY(removed > 0.0);
         QVERIFY(saveAs(*driver_, driver_->folder().filePath("strokes.burin")));
         const QString file = driver_->folder().filePath("strokes.burin");
-        trace_.reset(); // of the window that goes
+        trace_.reset(); // it belongs to the window that is closed
         QVERIFY(driver_->restart());
         driver_->window().openFile(file);
         QVERIFY(driver_->waitFor([&] { return workbench().workpiece.ready() && !workbench().workpiece.embedding(); }));
         QCOMPARE(removedSoFar(*workbench().workpiece.milling()), removed);
     }
 
-    /// A take whose only stroke is taken back is none: not in the list, not in the path, nor in the program; redo
-    /// brings it back. Saved and reopened without it, it stays away.
+    /// Undoing the only stroke of a take removes the take from the list, the path and the program; redo restores it. If
+    /// the project is saved and reopened without it, it stays removed.
     void undoOfATakesFirstStrokeLeavesNoTraceOfIt() {
         BURIN_ONLY_IN_LONG_RUNS;
         const PathController& path = workbench().path;
@@ -347,7 +348,7 @@ private slots:
         const double removed = removedSoFar(*workbench().workpiece.milling());
         const QString file = driver_->folder().filePath("strokes.burin");
         QVERIFY(saveAs(*driver_, file));
-        trace_.reset(); // of the window that goes
+        trace_.reset(); // it belongs to the window that is closed
         QVERIFY(driver_->restart());
         driver_->window().openFile(file);
         QVERIFY(driver_->waitFor([&] { return workbench().workpiece.ready() && !workbench().workpiece.embedding(); }));
@@ -357,7 +358,7 @@ private slots:
             [&] { return workbench().path.evaluated() && !workbench().path.outdated() && !workbench().path.busy(); }));
     }
 
-    /// As long as nothing is recorded the setup can be changed, and a path can't be made: so it is again.
+    /// Without a recording the setup can be changed and a path can't be made; after the undo it is the same again.
     void undoOfTheVeryFirstStrokeLeavesTheSetupOpen() {
         BURIN_ONLY_IN_LONG_RUNS;
         millLine(*driver_, {-12, -4}, {12, -4});
@@ -371,7 +372,7 @@ private slots:
         driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
         QVERIFY(workbench().setup.locked() && workbench().path.hasTakes());
-        // A path of it goes and comes with it.
+        // A path of the take is undone and redone with it.
         const PathController& path = workbench().path;
         QVERIFY(driver_->step(JobStep::path));
         QVERIFY(driver_->clickOn("newPathButton"));
@@ -399,7 +400,7 @@ private slots:
         driver_->key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
         driver_->key(Qt::Key_Escape);
         QVERIFY(driver_->visible<QWidget>("viewport") != nullptr);
-        QVERIFY(workbench().mill.active()); // that Esc was the page's
+        QVERIFY(workbench().mill.active()); // that Esc was handled by the page
     }
 
     void aMessageLeavesTheViewCubeFree() {
@@ -410,7 +411,7 @@ private slots:
         emit workbench().failed(Error{ErrorCode::fileNotReadable, name.toStdString(), "", "and a reason of its own"});
         QVERIFY(!driver_->message().isEmpty());
         QTest::qWait(50);
-        const QPoint cube = viewport().mapTo(&driver_->window(), QPoint(viewport().width() - 60, 60)); // its middle
+        const QPoint cube = viewport().mapTo(&driver_->window(), QPoint(viewport().width() - 60, 60)); // its centre
         QWidget* under = driver_->window().childAt(cube);
         const glm::dvec3 looked = viewport().sight({1.0, 1.0}).rayDirection;
         driver_->shoot("strokes-cube");
@@ -419,7 +420,7 @@ private slots:
         QVERIFY(driver_->waitFor([&] { return viewport().sight({1.0, 1.0}).rayDirection != looked; }, 3000));
     }
 
-    /// A lock comes by a key, while the hand goes on to a field.
+    /// A lock is set by a key, while the user is moving to a field.
     void aLockMovesNoFieldOfThePanel() {
         BURIN_ONLY_IN_LONG_RUNS;
         auto* field = driver_->visible<QAbstractSpinBox>("speedField");
@@ -434,8 +435,8 @@ private slots:
         QCOMPARE(field->mapTo(&driver_->window(), QPoint()), before);
     }
 
-    /// A field is disabled under the hand, and a message comes, while digits are typed: none of them turns the view,
-    /// and nothing moves.
+    /// A field is disabled and a message appears while the user types digits: none of them turns the view, and nothing
+    /// moves.
     void nothingThatComesUnderTheHandMakesAShortcutOfATypedKey() {
         BURIN_ONLY_IN_LONG_RUNS;
         auto* field = driver_->visible<QAbstractSpinBox>("depthOfCutField");
@@ -451,7 +452,7 @@ private slots:
             QWidget* focus = QApplication::focusWidget();
             QTest::keyClick(focus != nullptr ? focus : &driver_->window(), static_cast<Qt::Key>(key));
         }
-        QTest::qWait(500); // a view would turn
+        QTest::qWait(500); // a view would turn in this time
         QCOMPARE(viewport().sight({1.0, 1.0}).rayDirection.z, looked);
         setEnabledKeepingFocus(field, true);
         QVERIFY(field->hasFocus());
@@ -472,9 +473,9 @@ private:
     Workbench& workbench() { return driver_->window().workbench(); }
     Viewport& viewport() { return driver_->window().viewport(); }
     glm::dvec3 zero() { return workbench().setup.setup().workOffset; }
-    /// Pixel over a place on the stock's top, mm from its middle.
+    /// The pixel over a point on the stock's top, mm from its middle.
     QPoint at(const glm::dvec2& place) { return viewport().project(zero() + glm::dvec3(place, 0.0)).toPoint(); }
-    /// The place on the stock's top under a pixel: where its sight meets z = 0.
+    /// The point on the stock's top under a pixel, where the sight line meets z = 0.
     glm::dvec3 placeAt(const QPoint& pixel) {
         const ViewportEvent sight = viewport().sight(QPointF(pixel));
         const glm::dvec3 from = sight.rayOrigin - zero();

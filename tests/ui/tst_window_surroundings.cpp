@@ -28,7 +28,7 @@ bool scrollTo(WindowDriver& driver, const char* page, const char* name) {
     return true;
 }
 
-/// How far the tip got along X from program zero while it cut, mm.
+/// The largest X coordinate of the tip from program zero while it cut, mm.
 class Farthest {
 public:
     explicit Farthest(Workbench& workbench) : workbench_(workbench) {
@@ -59,7 +59,7 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
     WindowDriver driver;
     Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
-    // A clamp on the stock's top, from 5 mm right of its middle on; the tool keeps 1 mm from it.
+    // A clamp on the stock's top, starting 5 mm right of its middle; the tool keeps 1 mm away from it.
     QVERIFY(scrollTo(driver, "stockPage", "addObstacleButton"));
     QVERIFY(driver.clickOn("addObstacleButton"));
     QVERIFY(driver.waitFor([&] { return workbench.surroundings.obstacles().size() == 1; }, 3000));
@@ -83,7 +83,7 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
     {
         const Farthest farthest(workbench);
         millLine(driver, {-20, 0}, {20, 0});
-        // Its radius and the margin before the clamp's face.
+        // the tool's radius and the margin before the clamp's face
         QVERIFY2(farthest.get() > -5.0 && farthest.get() < 5.0 - 3.0 - 1.0 + 0.05,
                  qPrintable(QString::number(farthest.get())));
     }
@@ -94,7 +94,7 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
     QVERIFY(scrollTo(driver, "millPage", "bound0Switch"));
     QTest::mouseClick(driver.window().findChild<QCheckBox*>("bound0Switch"), Qt::LeftButton, {}, QPoint(8, 8));
     QVERIFY(driver.waitFor([&] { return !workbench.surroundings.obstacles()[0].on; }, 3000));
-    QVERIFY(workbench.mill.recording()); // switching ends nothing
+    QVERIFY(workbench.mill.recording()); // switching does not end the recording
     {
         const Farthest farthest(workbench);
         millLine(driver, {-20, 3}, {20, 3});

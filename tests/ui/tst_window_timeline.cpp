@@ -17,7 +17,7 @@ namespace burin::tst_window_timeline {
 
 using namespace burin::testing;
 
-/// The timeline: going to a moment, playing, milling on from there, and taking all of it back.
+/// The timeline: going to a moment, playing, continuing to mill from there, and undoing all of it.
 class TestWindowTimeline : public QObject {
     Q_OBJECT
 private slots:
@@ -47,7 +47,8 @@ private slots:
     }
     void cleanup() { driver_.reset(); }
 
-    /// A drag through the timeline shows the workpiece as it was, the workpiece itself stays; Esc shows the present.
+    /// A drag along the timeline shows the workpiece as it was, without changing the workpiece itself; Esc shows the
+    /// present.
     void aDragThroughTheTimeShowsWhatStoodThere() {
         driver_->shoot("timeline");
         const double middle = secondsOfTake(1);
@@ -60,14 +61,14 @@ private slots:
         QCOMPARE(fingerprint(time().shown()->workpiece), stock_);
         QVERIFY(seek(time().recorded()->seconds()));
         QCOMPARE(fingerprint(time().shown()->workpiece), all_);
-        QVERIFY(seek(0.0)); // and back, cut by nobody again
+        QVERIFY(seek(0.0)); // and back, without cutting anything again
         QCOMPARE(fingerprint(time().shown()->workpiece), stock_);
         driver_->key(Qt::Key_Escape);
         QVERIFY(driver_->waitFor([&] { return !time().away(); }));
         QCOMPARE(now(), all_);
     }
 
-    /// Keys, the play with its pause, and its end.
+    /// Keys, playing with a pause, and its end.
     void itPlaysToTheEnd() {
         BURIN_ONLY_IN_LONG_RUNS;
         QVERIFY(driver_->clickOn("timeStartButton"));
@@ -90,7 +91,8 @@ private slots:
         QVERIFY(driver_->waitFor([&] { return !time().arriving() && time().shown()->moment.samples == stroke.first; }));
     }
 
-    /// To the middle, mill on from there: what came after is off; undone, all is as it was, to the bit; done again too.
+    /// Milling continues from the middle: what came after is switched off. Undo restores the same state to the bit, and
+    /// so does redo.
     void punchedInAndTakenBack() {
         QVERIFY(seek(secondsOfTake(1)));
         QVERIFY(driver_->clickOn("punchInButton"));
@@ -110,7 +112,7 @@ private slots:
         QVERIFY(stands(first_));
         driver_->key(Qt::Key_Z, Qt::ControlModifier); // the punch-in
         QVERIFY(stands(all_));
-        driver_->key(Qt::Key_Z, Qt::ControlModifier); // a stroke from before, which no snapshot is left of
+        driver_->key(Qt::Key_Z, Qt::ControlModifier); // an earlier stroke, for which there is no snapshot any more
         QVERIFY(driver_->waitFor([&] { return !busy() && now() != all_; }));
         for (int i = 0; i < 3; ++i) {
             driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
@@ -122,7 +124,7 @@ private slots:
         QVERIFY(replayed() == punched);
     }
 
-    /// What was switched off is milled on top again from its menu; the project opens with the same workpiece.
+    /// The part that was switched off is milled on top again from its menu; the project opens with the same workpiece.
     void bothVersionsAreKept() {
         BURIN_ONLY_IN_LONG_RUNS;
         QVERIFY(seek(secondsOfTake(1)));
@@ -144,8 +146,8 @@ private slots:
         QVERIFY(driver_->settle());
     }
 
-    /// The program's own time: its workpiece at the end is that of the check, its line follows, blocks are stepped
-    /// through; in the other steps it is the takes' time again.
+    /// In the program step the timeline is the program's: its workpiece at the end is that of the check, the current
+    /// line follows, blocks are stepped through; in the other steps it is that of the takes again.
     void aProgramIsGoneThrough() {
         QVERIFY(newPath(*driver_));
         QVERIFY(postProgram(*driver_));
@@ -174,8 +176,8 @@ private slots:
         QCOMPARE(time().recorded()->tracks.size(), std::size_t{2});
     }
 
-    /// A program of somebody else: dropped on the window it is checked, a play stops where its rapid runs into the
-    /// stock, and undo brings back what was there.
+    /// A foreign program that is dropped on the window is checked, playing stops where its rapid runs into the stock,
+    /// and undo restores the previous program.
     void aForeignProgramIsPlayedToItsFinding() {
         QFile file(driver_->folder().filePath("foreign.nc"));
         QVERIFY(file.open(QIODevice::WriteOnly));
@@ -192,7 +194,7 @@ private slots:
         QVERIFY(driver_->clickOn("timeStartButton"));
         QVERIFY(driver_->waitFor([&] { return time().shown() && !time().arriving(); }));
         time().setSpeed(8.0);
-        // A breakpoint comes before the finding: by a click on the number, and taken away by the key.
+        // A breakpoint before the finding, set by a click on the line number and removed by the key.
         auto* text = driver_->visible<ProgramView>("programText");
         text->showLine(6);
         const QRect line = text->cursorRect();
@@ -245,7 +247,7 @@ private:
         for (std::size_t i = 0; i < end; ++i) seconds += time().recorded()->tracks[i].seconds();
         return seconds;
     }
-    /// A press and a drag to a moment.
+    /// Goes to a moment by a press and a drag.
     bool seek(double seconds) {
         auto* view = driver_->visible<TimelineView>("timelineView");
         const auto place = [&](double at) {
@@ -255,13 +257,13 @@ private:
         QTest::mouseMove(view, place(0.7 * seconds));
         QTest::mouseMove(view, place(seconds));
         QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, place(seconds));
-        time().goTo(seconds); // to a sample, which a pixel is not
+        time().goTo(seconds); // to the exact sample, which a pixel does not give
         return driver_->waitFor([&] {
             return time().shown() && !time().arriving() &&
                    time().shown()->moment == time().recorded()->momentAt(seconds);
         });
     }
-    /// @param take the middle of so many takes
+    /// @param take  number of the take, with a fraction for the position within it
     bool chooseInMenu(double take, const char* action) {
         auto* view = driver_->visible<TimelineView>("timelineView");
         const auto before = static_cast<std::size_t>(take);
@@ -282,7 +284,7 @@ private:
             }
         return false;
     }
-    /// The workpiece as it is made again from all recordings, without what is kept.
+    /// Fingerprint of the workpiece as replayed from all recordings, without stored snapshots.
     std::uint64_t replayed() {
         const std::shared_ptr<MillingContext> milling = workbench().workpiece.milling();
         driver_->key(Qt::Key_S, Qt::ControlModifier);

@@ -21,7 +21,7 @@ using namespace burin::testing;
 
 namespace {
 
-/// Makes the path of the tool in force.
+/// Makes the path of the current tool.
 bool makePath(WindowDriver& driver) {
     Workbench& workbench = driver.window().workbench();
     return driver.step(JobStep::path) && driver.clickOn("newPathButton") &&
@@ -65,15 +65,15 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     const auto ball = workbench.path.evaluated();
     QVERIFY(postProgram(driver));
     QCOMPARE(toolChanges(workbench), QStringList{"3"});
-    const auto listed = [&](const char* name) { // "" where there is no such row
+    const auto listed = [&](const char* name) { // "" if there is no such row
         const auto* row = driver.visible<QCheckBox>(name);
         return row != nullptr ? row->accessibleName() : QString();
     };
     QTRY_VERIFY(listed("programPath0Switch").contains(QStringLiteral("6 mm")));
-    QVERIFY(!driver.visible("programPath0Switch")->isEnabled()); // one tool is no choice
+    QVERIFY(!driver.visible("programPath0Switch")->isEnabled()); // with one tool there is no choice
     const QPoint fields = driver.visible("machineChoice")->mapToGlobal(QPoint());
 
-    // The other tool: no path of it yet, and the program says so.
+    // The other tool has no path yet, and the program says so.
     QVERIFY(useTool(driver, "flat-10"));
     QVERIFY(workbench.path.stored() == nullptr && !workbench.program.outdated());
     QVERIFY(recordLine(driver, {-15, 5}, {15, 5}));
@@ -89,15 +89,15 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     QVERIFY(driver.step(JobStep::program));
     QTRY_VERIFY(driver.visible("programPath1Switch") != nullptr && driver.visible("programPath1Switch")->isEnabled());
     QVERIFY(postProgram(driver));
-    QCOMPARE(toolChanges(workbench), (QStringList{"7", "3"})); // the larger tool first
+    QCOMPARE(toolChanges(workbench), (QStringList{"7", "3"})); // the larger tool comes first
     QVERIFY(workbench.program.exportable());
     driver.shoot("30-two-tools");
     // The list has the order of the program, and nothing has moved.
     QVERIFY2(listed("programPath0Switch").contains(QStringLiteral("10 mm")), qPrintable(listed("programPath0Switch")));
     QVERIFY2(listed("programPath1Switch").contains(QStringLiteral("6 mm")), qPrintable(listed("programPath1Switch")));
-    QTRY_COMPARE(driver.visible("machineChoice")->mapToGlobal(QPoint()), fields); // laid out once news has settled
+    QTRY_COMPARE(driver.visible("machineChoice")->mapToGlobal(QPoint()), fields); // laid out once updates have arrived
 
-    // One left out: the program of the other is judged by its own tool, whichever is in force.
+    // With one path left out, the program of the other one is checked with its own tool, whichever tool is current.
     QVERIFY(driver.clickOn("programPath0Switch"));
     QVERIFY(workbench.program.outdated());
     QVERIFY(postProgram(driver));
@@ -106,7 +106,8 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     QVERIFY(workbench.program.exportable());
     QVERIFY(driver.clickOn("programPath0Switch"));
 
-    // What is changed while it is posted makes it out of date when it comes; taken back, it is what is wanted again.
+    // A change while the program is posted makes it out of date when it arrives; once the change is undone, it is up to
+    // date again.
     const auto before = workbench.program.program();
     QVERIFY(driver.clickOn("postButton"));
     workbench.target.chooseUnits(NcUnits::inch);
@@ -139,7 +140,7 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     QVERIFY(driver.waitFor([&] { return driver.settle(); }));
 }
 
-/// Two tools that milled before a path was asked for: none is left out of the program, and one undo takes both back.
+/// Two tools milled before a path was requested: the program includes both, and one undo removes both paths.
 void TestWindowTools::oneClickMakesThePathsOfAllTools() {
     BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
@@ -159,7 +160,7 @@ void TestWindowTools::oneClickMakesThePathsOfAllTools() {
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_COMPARE(workbench.path.jobPaths().size(), std::size_t{2});
 
-    // A tool that has not milled: the panel says so, and leads to those that have.
+    // For a tool that has not milled, the panel says so and leads to those that have.
     driver.key(Qt::Key_Z, Qt::ControlModifier);
     QTRY_VERIFY(workbench.path.jobPaths().empty());
     QVERIFY(useTool(driver, "flat-3"));
@@ -170,7 +171,7 @@ void TestWindowTools::oneClickMakesThePathsOfAllTools() {
     QTRY_COMPARE(workbench.path.jobPaths().size(), std::size_t{2});
     const QList<StepButton*> steps = driver.window().findChildren<StepButton*>();
     const auto pathStep = std::ranges::find(steps, JobStep::path, &StepButton::step);
-    QVERIFY(pathStep != steps.end()); // nothing is left to do
+    QVERIFY(pathStep != steps.end()); // no path is missing
     QTRY_COMPARE((*pathStep)->accessibleDescription(), QStringLiteral("done: 2 paths"));
     auto* choice = driver.visible<QComboBox>("pathTool");
     QVERIFY(choice != nullptr);
@@ -195,7 +196,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
         return driver.waitFor(
             [&] { return workbench.path.evaluated() && !workbench.path.outdated() && !workbench.path.busy(); });
     };
-    /// Of the cut that goes over a place along X, from program zero.
+    /// The point of the cut that crosses an X position relative to program zero.
     const auto cutOver = [&](const EvaluatedPath& path, double x) {
         const std::vector<PathPoint>& points = path.path.points;
         for (std::size_t i = 1; i < points.size(); ++i)
@@ -204,7 +205,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
                 return points[i];
         return PathPoint{};
     };
-    const auto postedOver = [&](double x) { // mm/min, of the ball's cut there in the program's own text
+    const auto postedOver = [&](double x) { // mm/min, of the ball's cut there, read from the text of the program
         for (const NcMotion& motion : workbench.program.program()->parsed.motions)
             if ((motion.kind == NcMotionKind::line || motion.kind == NcMotionKind::arc) && motion.tool == 3 &&
                 motion.from[Axis::z] < -0.5 && motion.to[Axis::z] < -0.5 &&
@@ -213,7 +214,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
         return 0.0;
     };
 
-    // A constant removal rate, of a tool that is alone: the section of the ball's groove times the feed.
+    // A constant removal rate for a single tool: the section of the ball's groove times the feed.
     LevelFeed level;
     level.goal = LevelFeed::Goal::removal;
     level.target = 50.0; // mm³/s
@@ -229,7 +230,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QVERIFY2(std::abs(cutOver(alone, 0.0).feed / inStock - 1.0) < 0.2 && air > 2.0 * inStock,
              qPrintable(QString("%1 %2 %3").arg(cutOver(alone, 0.0).feed).arg(inStock).arg(air)));
 
-    // The same groove with a flat one of 10 mm, as deep: nothing is left for the ball.
+    // The same groove with a flat end mill of 10 mm, equally deep: nothing is left for the ball.
     QVERIFY(useTool(driver, "flat-10"));
     QVERIFY(recordLine(driver, {-15, 0}, {15, 0}));
     QVERIFY(makePath(driver));
@@ -243,7 +244,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     const auto* shown = menuAction(driver, "showOtherPathsAction");
     QVERIFY(shown != nullptr && shown->isChecked() && !shown->toolTip().isEmpty());
     auto* viewport = driver.visible<Viewport>("viewport");
-    QTest::qWait(800); // until it is drawn at rest
+    QTest::qWait(800); // until full detail is drawn
     const QImage with = viewport->grabFramebuffer();
     driver.key(Qt::Key_6, Qt::ControlModifier);
     QVERIFY(!shown->isChecked());
@@ -251,7 +252,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     driver.key(Qt::Key_6, Qt::ControlModifier);
     QVERIFY(driver.waitFor([&] { return viewport->grabFramebuffer() == with; }, 3000));
 
-    // The ball's feed is that of a groove that is there; the program's text says the same.
+    // The ball's feed is that in a groove that is already cut; the program's text has the same feed.
     QVERIFY(useTool(driver, "ball-6"));
     QVERIFY(levelled());
     const double behind = cutOver(*workbench.path.evaluated(), 0.0).feed;
@@ -260,7 +261,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QVERIFY(workbench.program.exportable());
     QVERIFY2(std::abs(postedOver(0.0) - behind) < 1.0, qPrintable(QString::number(postedOver(0.0))));
 
-    // Without the large tool's path the program has the ball cut all of it.
+    // Without the large tool's path the ball cuts everything in the program.
     QVERIFY(driver.step(JobStep::program));
     QVERIFY(driver.waitFor([&] { return driver.visible("programPath1Switch") != nullptr; }, 3000));
     QVERIFY(driver.clickOn("programPath0Switch"));
@@ -269,7 +270,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QVERIFY2(std::abs(postedOver(0.0) - cutOver(alone, 0.0).feed) < 1.0, qPrintable(QString::number(postedOver(0.0))));
     QVERIFY(driver.clickOn("programPath0Switch"));
 
-    // A change of the large tool's path changes the ball's: stock stands on the left again.
+    // A change of the large tool's path changes the ball's feed: the stock on the left is there again.
     QVERIFY(useTool(driver, "flat-10"));
     QVERIFY(levelled());
     RemoveArea left;
@@ -283,7 +284,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
              qPrintable(QString::number(cutOver(again, -10.0).feed)));
     QVERIFY2(cutOver(again, 8.0).feed > 0.9 * air, qPrintable(QString::number(cutOver(again, 8.0).feed)));
 
-    // Nothing is left of the large tool's path: the ball has it all to do, and its panel says why.
+    // The large tool's path is empty: the ball has to cut everything, and its panel says why.
     RemoveArea right = left;
     for (glm::dvec3& corner : right.outline) corner.x = 2.0 * zero.x - corner.x;
     workbench.path.addEdit({right});
@@ -297,7 +298,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QVERIFY(driver.visible<Notice>("pathNotice")->kind() == Notice::Kind::warning);
     driver.shoot("33-path-before-impossible");
     QCOMPARE(workbench.path.toolsMissingBefore(), std::vector<std::string>{"flat-10"});
-    QVERIFY(useTool(driver, "ball-10")); // without a path, nothing is missing before it
+    QVERIFY(useTool(driver, "ball-10")); // without a path, no earlier tool is missing
     QVERIFY(workbench.path.stored() == nullptr && workbench.path.toolsMissingBefore().empty());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The project's tree, and bodies hidden in the view: by mouse and keys.
+// The project's tree, and hiding bodies in the view, by mouse and keys.
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -38,7 +38,7 @@ void doubleClick(ProjectTree& tree, QTreeWidgetItem& row) {
     QTest::mouseDClick(tree.viewport(), Qt::LeftButton, Qt::NoModifier, place);
 }
 
-/// Opens a row's menu by the right button and triggers one of its actions.
+/// Opens the context menu of a row and triggers one of its actions.
 bool chooseFromMenu(WindowDriver& driver, ProjectTree& tree, QTreeWidgetItem& row, const char* menu,
                     const char* action) {
     const QPoint place = tree.visualItemRect(&row).center();
@@ -61,14 +61,14 @@ bool chooseFromMenu(WindowDriver& driver, ProjectTree& tree, QTreeWidgetItem& ro
 class TestWindowTree : public QObject {
     Q_OBJECT
 private slots:
-    /// What was made stands there, and a double click leads to it.
+    /// The tree shows everything that was made, and a double click leads to it.
     void theTreeShowsTheJob() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         ProjectTree* tree = openTree(driver);
         QVERIFY(tree);
         QTRY_VERIFY(rowOf(*tree, "Setups") && rowOf(*tree, "Part") && rowOf(*tree, "Tools"));
-        QVERIFY(rowOf(*tree, "Takes") == nullptr); // nothing is milled yet
+        QVERIFY(rowOf(*tree, "Takes") == nullptr); // nothing has been milled yet
         QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}));
         QVERIFY(newPath(driver));
         QTRY_VERIFY(rowOf(*tree, "Takes") && rowOf(*tree, "Paths"));
@@ -90,7 +90,7 @@ private slots:
         QTRY_VERIFY(workbenchOf(driver).tool.current().id != "flat-10");
     }
 
-    /// By its menu a take is renamed and deleted; undo brings it back.
+    /// A take is renamed and deleted by its menu; undo restores it.
     void rowsHaveMenus() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -114,7 +114,7 @@ private slots:
         QTRY_VERIFY(rowOf(*tree, "slot") != nullptr);
     }
 
-    /// A body whose box is not ticked is not drawn, and nothing else of it changes.
+    /// A body whose box is not ticked is not drawn, without any other effect.
     void bodiesAreHiddenAndShown() {
         WindowDriver driver;
         drop(driver.window(), writeBlock(driver));
@@ -133,7 +133,7 @@ private slots:
         driver.shoot("tree-2-hidden");
         body = rowOf(*tree, "Part")->child(0);
         QCOMPARE(body->checkState(0), Qt::Unchecked);
-        // Nor is it picked.
+        // Nor can it be picked.
         driver.key(Qt::Key_J, Qt::ControlModifier);
         QTRY_VERIFY(menuAction(driver, "measureAction")->isChecked());
         QTest::mouseClick(&viewport, Qt::LeftButton, Qt::NoModifier, centre.toPoint());

@@ -16,7 +16,7 @@ using namespace burin::testing;
 
 namespace {
 
-/// Where two pictures of one size differ, pixels.
+/// The rectangle in which two pictures of the same size differ, pixels.
 QRect difference(const QImage& a, const QImage& b) {
     QRect differs;
     for (int y = 0; y < a.height(); ++y)
@@ -25,7 +25,7 @@ QRect difference(const QImage& a, const QImage& b) {
     return differs;
 }
 
-/// How different two colours are, 0 … 255.
+/// The difference between two colours, 0 … 255.
 int apart(const QColor& a, const QColor& b) {
     return std::max({std::abs(a.red() - b.red()), std::abs(a.green() - b.green()), std::abs(a.blue() - b.blue())});
 }
@@ -42,7 +42,7 @@ bool pressed(const QAction* action) {
 
 } // namespace
 
-/// What the user chooses about the view, and what milling shows in it.
+/// Settings of the view, and what milling shows in it.
 class TestWindowView : public QObject {
     Q_OBJECT
 private slots:
@@ -53,7 +53,7 @@ private slots:
     void aSectionShowsWhatIsInside();
 };
 
-/// In a plan, a pixel's place follows from the borders of the stock in the picture, by rule of three.
+/// In a plan view, the point under a pixel follows by proportion from the borders of the stock in the picture.
 void TestWindowView::aClickInTheParallelTopViewCutsThere() {
     WindowDriver driver;
     QVERIFY(makeReady(driver));
@@ -86,7 +86,7 @@ void TestWindowView::aClickInTheParallelTopViewCutsThere() {
     QVERIFY(glm::distance(glm::dvec2(tip), expected) < 1.5 * scale);
     QVERIFY(tip.z < box.high.z);
     QVERIFY(driver.waitFor([&] { return !workbench.session.state().cutting; }, 3000));
-    QTest::qWait(300); // an Esc before the tool has risen ends the stroke alone
+    QTest::qWait(300); // before the tool has risen, Esc would end only the stroke
     driver.key(Qt::Key_Escape);
     QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
 }
@@ -99,7 +99,7 @@ void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
     QVERIFY(startMilling(driver));
     const Box part = workbench.model.model()->box(), stock = workbench.setup.setup().stock;
     const glm::dvec3 place(part.centre().x - 5.0, part.low.y + 6.0, stock.high.z);
-    const auto bareView = [&] { // the tool keeps its place, the pointer is elsewhere
+    const auto bareView = [&] { // the tool stays where it is, the pointer is elsewhere
         QEvent leave(QEvent::Leave);
         QApplication::sendEvent(&viewport, &leave);
         QTest::qWait(500);
@@ -121,14 +121,14 @@ void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
                                 apart(hovering.pixelColor(at + QPoint(dx, dy)), bare.pixelColor(at + QPoint(dx, dy))));
         return most;
     };
-    QVERIFY(drawn({part.high.x, part.low.y, part.low.z + 8.0}) > 40); // an upright edge
+    QVERIFY(drawn({part.high.x, part.low.y, part.low.z + 8.0}) > 40); // a vertical edge
     QVERIFY(drawn({part.high.x - 9.0, part.low.y, part.low.z}) > 40);
-    // A millimetre deep, as the depth of cut says, or as deep as the part lets it.
+    // A millimetre deep, according to the depth of cut, or as deep as the part permits.
     const double radius = workbench.workpiece.milling()->tool.cutter.radius();
     const double depth = std::min(1.0, stock.high.z - part.high.z);
     QVERIFY(drawn({place.x - radius, place.y, stock.high.z - depth}) > 25);
     QVERIFY(drawn({place.x, place.y - radius, stock.high.z - depth}) > 25);
-    // While it cuts, nothing of that is in the way.
+    // While the tool cuts, nothing of that is drawn.
     QTest::mouseMove(&viewport, viewport.project(place).toPoint());
     QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, viewport.project(place).toPoint());
     QTest::qWait(500);
@@ -183,7 +183,7 @@ void TestWindowView::theSliderShowsThePartThroughTheWorkpiece() {
     const int through = bluish();
     driver.shoot("33-transparent");
     QVERIFY(through > opaque + 15);
-    // The stock beside the part is still seen: without it, the rig is.
+    // The stock beside the part is still visible: without it, the scene behind it would be.
     const Box stock = driver.window().workbench().setup.setup().stock;
     const QPoint foot = (viewport.project({stock.high.x, stock.centre().y, stock.low.z + 2.0}) * ratio).toPoint();
     const QColor glass = viewport.grabFramebuffer().pixelColor(foot);
@@ -221,13 +221,13 @@ void TestWindowView::aSectionShowsWhatIsInside() {
     driver.shoot("34-section");
     QVERIFY(isPart(inPart));
     QVERIFY(!isPart(inStock));
-    const auto picked = viewport.pick(viewport.project(inPart)); // the pointer means the face that is seen
+    const auto picked = viewport.pick(viewport.project(inPart)); // the pointer hits the visible face
     QVERIFY(picked && glm::distance(*picked, inPart) < 0.5);
     // The field moves it into the stock before the part.
     QVERIFY(driver.enter("sectionField", QLocale().toString(stock.low.y + 2.0)));
     QTest::qWait(700);
     QVERIFY(!isPart({inPart.x, stock.low.y + 2.0, inPart.z}));
-    // Back by the handle, at the upper corner of its outline: 3 % of the diagonal beyond the stock.
+    // Moved back by the handle, at the upper corner of the section's outline: 3 % of the diagonal beyond the stock.
     const double beyond = 0.03 * glm::length(stock.size());
     const glm::dvec3 grip(stock.high.x + beyond, stock.low.y + 2.0, stock.high.z + beyond);
     const QPoint from = viewport.project(grip).toPoint();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Program zero and its work offset: by mouse and keys.
+// Program zero and its work offset, by mouse and keys.
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -32,7 +32,7 @@ void clickAt(WindowDriver& driver, const glm::dvec3& place) {
     QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.project(place).toPoint());
 }
 
-/// By the keyboard, as the list opens under software drawing at its own pace.
+/// By the keyboard, because under software drawing the list opens slowly.
 bool choose(WindowDriver& driver, const char* name, const QString& text) {
     auto* box = driver.visible<QComboBox>(name);
     if (!box) return false;
@@ -47,7 +47,7 @@ bool choose(WindowDriver& driver, const char* name, const QString& text) {
 class TestWindowZero : public QObject {
     Q_OBJECT
 private slots:
-    /// A block of 40 x 30 x 20 mm in a stock of 50 x 40 x 30: zero on a corner of the stock, then on the part.
+    /// A block of 40 x 30 x 20 mm in a stock of 50 x 40 x 30: zero is set on a corner of the stock, then on the part.
     void zeroIsChosenOnStockAndPart() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -64,7 +64,7 @@ private slots:
         driver.shoot("zero-2-corner-of-the-stock");
         QVERIFY(choose(driver, "zeroReference", "part"));
         QTRY_VERIFY(near(setupOf(driver).workOffset, {part.low.x, part.low.y, part.high.z}));
-        // The workpiece stands, and what mills it knows of the new zero.
+        // The workpiece is kept, and its milling context has the new zero.
         QVERIFY(driver.settle());
         QVERIFY(workbenchOf(driver).workpiece.embedded());
         QVERIFY(near(workbenchOf(driver).workpiece.milling()->setup.workOffset, setupOf(driver).workOffset));
@@ -74,7 +74,7 @@ private slots:
         QCOMPARE(setupOf(driver).zero.workOffset, 55);
     }
 
-    /// A click near a vertex of the part; Esc asks no more; a click beside the part means the stock.
+    /// A click near a vertex of the part picks it; Esc ends picking; a click beside the part picks the stock.
     void zeroIsPickedInTheView() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -107,7 +107,7 @@ private slots:
         QTRY_VERIFY(near(setupOf(driver).workOffset, corner));
     }
 
-    /// What was recorded stays: the program alone follows, and says so in its header.
+    /// A recording is kept: only the program follows the new zero, and says so in its header.
     void zeroMayChangeBehindARecording() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -124,7 +124,7 @@ private slots:
         QVERIFY2(text.find("\nG59.1 ") != std::string::npos, text.substr(0, 900).c_str());
         QVERIFY(text.find("Work offset: G59.1") != std::string::npos);
         driver.shoot("zero-5-program");
-        // It is what a restart finds.
+        // The zero is restored after a restart.
         QVERIFY(saveAs(driver, driver.folder().filePath("zero.burin")));
         QVERIFY(driver.restart());
         drop(driver.window(), driver.folder().filePath("zero.burin"));
@@ -132,7 +132,7 @@ private slots:
         QVERIFY(std::abs(setupOf(driver).workOffset.z - setupOf(driver).stock.low.z) < 1e-9);
     }
 
-    /// There is nothing to touch where the tool hangs free.
+    /// Where the tool hangs free there is nothing to touch off.
     void aToolThatTouchesNothingSetsNoZero() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));

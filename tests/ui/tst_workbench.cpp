@@ -80,10 +80,10 @@ private slots:
         QTRY_VERIFY(third.has_value());
         QCOMPARE(**third, 3);
         QVERIFY(tasks.idle());
-        QVERIFY(!first.has_value()); // nobody wants to hear of those any more
+        QVERIFY(!first.has_value()); // the result is no longer needed
         QVERIFY(!second.has_value());
     }
-    /// Who started the newest one waits to hear of it, also where it had not even begun.
+    /// The caller of the newest task waits to be notified, even if that task had not begun.
     void cancellingTellsTheTaskThatWaits() {
         TaskRunner tasks;
         std::optional<Result<int>> first, second;
@@ -104,7 +104,7 @@ private slots:
         tasks.start(TaskKind::path, "first", patientWork, into(first));
         tasks.start(TaskKind::path, "second", patientWork, into(second));
         second.reset();
-        tasks.abandon(TaskKind::path); // nobody wants to hear of those
+        tasks.abandon(TaskKind::path); // the results are no longer needed
         QTRY_VERIFY(tasks.idle());
         QVERIFY(!first.has_value() && !second.has_value());
     }
@@ -148,7 +148,7 @@ private slots:
     void aLentProjectIsUsedByOneThreadAtATime() {
         ProjectThread thread;
         const std::filesystem::path file = folder_->filePath("p.burin").toStdString();
-        std::vector<int> order; // written by both threads in turn: what the thread sanitizer looks at
+        std::vector<int> order; // written by both threads in turn, which the thread sanitizer checks
         thread.postToPlace(
             [&](std::optional<Project>& place) -> Result<void> {
                 order.push_back(1);
@@ -170,7 +170,7 @@ private slots:
                 return project.unsaved();
             },
             [](const Result<bool>& unsaved) { QVERIFY(unsaved && !*unsaved); });
-        QVERIFY(order.size() < 3 || !lent); // nothing of it held up this thread
+        QVERIFY(order.size() < 3 || !lent); // nothing of it blocked this thread
         thread.finish();
         QVERIFY(lent);
         QCOMPARE(order, (std::vector<int>{1, 2, 3}));
@@ -229,7 +229,7 @@ private slots:
             file = workbench.document.file();
             workbench.tool.choose("flat-6");
             QTRY_VERIFY(workbench.document.unsaved());
-            QVERIFY(workbench.document.leftWork().left.empty()); // it is at work itself
+            QVERIFY(workbench.document.leftWork().left.empty()); // the project itself is in use
         }
         Workbench next;
         const std::vector<LeftWork> left = next.document.leftWork().left;
@@ -242,7 +242,7 @@ private slots:
         bool closed = false;
         next.document.close(true, [&](bool) { closed = true; });
         QTRY_VERIFY(closed);
-        QVERIFY(next.document.leftWork().left.empty()); // it was not wanted
+        QVERIFY(next.document.leftWork().left.empty()); // the recovered work was declined
     }
     void aFailedOpenLeavesWhatIsOpen() {
         Workbench workbench;

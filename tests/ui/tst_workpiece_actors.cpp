@@ -26,17 +26,17 @@ using namespace burin::test;
 namespace {
 
 using Colour = std::array<int, 3>;
-constexpr Colour background{255, 0, 255}; // nothing on the rig looks like it
+constexpr Colour background{255, 0, 255}; // a colour that nothing in the scene has
 constexpr int side = 400;                 // pixels
 
-/// A window without a display, and the workpiece in it.
+/// A window without a display that shows the workpiece.
 class Stage : public testing::OffscreenStage {
 public:
     Stage() : OffscreenStage(side) {
         actors.emplace(*renderer, *films, [this] { calls.fetch_add(1); });
     }
 
-    /// From straight above, the grid filling the picture.
+    /// Views from straight above, with the grid filling the picture.
     void lookDown(const Grid& grid) {
         const glm::dvec3 centre = grid.box().centre();
         vtkCamera* camera = renderer->GetActiveCamera();
@@ -51,7 +51,7 @@ public:
         actors->update(moving, focus);
         window->Render();
     }
-    /// Paints until everything is drawn at full detail.
+    /// Renders until everything is drawn at full detail.
     bool settle() {
         QElapsedTimer timer;
         for (timer.start(); timer.elapsed() < 60'000; QTest::qWait(5)) {
@@ -191,7 +191,7 @@ void WorkpieceActorsTest::cutsAppearAndAreToldOnce() {
     QVERIFY(shown);
     QCOMPARE(shown->time_since_epoch(), at(7).time_since_epoch());
     stage.window->Render();
-    QVERIFY(differing(before, stage.pixels()) > side * side / 20); // the bowl is there when it is told
+    QVERIFY(differing(before, stage.pixels()) > side * side / 20); // the bowl is visible when the cut is reported
     QVERIFY(!stage.actors->takeCutShown());
     QVERIFY(stage.settle());
     QVERIFY(!stage.actors->takeCutShown());
@@ -199,7 +199,7 @@ void WorkpieceActorsTest::cutsAppearAndAreToldOnce() {
 
 void WorkpieceActorsTest::skippedSnapshotsHandTheirCutOn() {
     Stage stage;
-    RunVolume volume = block({400, 300, 40}); // the first surface takes a while
+    RunVolume volume = block({400, 300, 40}); // the first surface takes some time
     stage.actors->show(volume.snapshot(), std::nullopt);
     for (int i = 0; i < 20; ++i) {
         fillSphere(volume, airProperty, volume.grid().box().centre() + glm::dvec3(0.3 * i, 0.0, 5.0), 3.0);
@@ -214,7 +214,7 @@ void WorkpieceActorsTest::skippedSnapshotsHandTheirCutOn() {
         if (!stage.actors->busy()) break;
     }
     QVERIFY(!told.empty());
-    QCOMPARE(told.front(), 100L); // the oldest, though its snapshot was hardly meshed
+    QCOMPARE(told.front(), 100L); // the oldest, although its snapshot was hardly meshed
     QVERIFY(std::is_sorted(told.begin(), told.end()));
 }
 
@@ -249,7 +249,7 @@ void WorkpieceActorsTest::noHoleBetweenLevels() {
     stage.actors->show(sample.workpiece.snapshot(), std::nullopt);
     QVERIFY(stage.settle());
     QCOMPARE(stage.holes(), std::size_t{0});
-    for (double x = 10.0; x < 110.0; x += 9.0) { // groups at rest beside such that are just changing
+    for (double x = 10.0; x < 110.0; x += 9.0) { // settled groups next to groups that are just changing
         sample.pass(40.0, x, x + 9.0);
         stage.focus = {x, 40.0, 20.0};
         stage.actors->show(sample.workpiece.snapshot(), at(1));
@@ -324,7 +324,7 @@ void WorkpieceActorsTest::letsSnapshotsGo() {
         }
         QVERIFY(stage.settle());
     }
-    for (RunVolume* one : {&volume, &untouched}) (void)one->snapshot(); // takes in what readers gave back
+    for (RunVolume* one : {&volume, &untouched}) (void)one->snapshot(); // reclaims what readers released
     QCOMPARE(volume.usedBytes(), untouched.usedBytes());
 }
 

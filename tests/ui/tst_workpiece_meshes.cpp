@@ -42,7 +42,7 @@ namespace {
 using Surfaces = std::vector<vtkSmartPointer<vtkPolyData>>; // by group
 
 constexpr int side = 900; // pixels
-/// Triangles that are allowed while things move, so that all details are drawn, down to the coarsest.
+/// Triangle limits while things move, chosen so that all levels of detail are drawn, down to the coarsest.
 constexpr std::array<std::size_t, 5> movingLimits{1'000'000, 4'000, 1'500, 500, 1};
 
 Surfaces surfaces(const VolumeSnapshot& workpiece, std::size_t movingLimit, SurfaceLayer layer, bool partDrawn = false,
@@ -63,7 +63,7 @@ Surfaces surfaces(const VolumeSnapshot& workpiece, std::size_t movingLimit, Surf
     return all;
 }
 
-/// At rest, and at all details of things that move.
+/// The surfaces at rest, and at all levels of detail of things that move.
 std::vector<Surfaces> atAllDetails(const VolumeSnapshot& workpiece) {
     std::vector<Surfaces> all{surfaces(workpiece, 1'000'000, SurfaceLayer::rest)};
     for (const std::size_t limit : movingLimits) all.push_back(surfaces(workpiece, limit, SurfaceLayer::moving));
@@ -88,7 +88,7 @@ TriangleMesh meshOf(const Surfaces& pieces) {
     return mesh;
 }
 
-/// Where a surface goes into a sphere, triangle by triangle.
+/// The lines in which a surface enters a sphere, triangle by triangle.
 std::vector<std::array<glm::dvec3, 2>> cutBySphere(const Surfaces& pieces, const glm::dvec3& centre, double radius) {
     const TriangleMesh mesh = meshOf(pieces);
     std::vector<std::array<glm::dvec3, 2>> lines;
@@ -191,8 +191,8 @@ void WorkpieceMeshesTest::edgesOfTheStockAreSharp_data() {
     QTest::newRow("whole voxels") << glm::dvec3(47.75, 40.25, 15.5);
     QTest::newRow("height of no whole voxels") << glm::dvec3(47.75, 40.25, 15.6);
 }
-/// A slot leads through two edges and two faces; everywhere else the edges and corners of the box are there, at rest
-/// and while something moves.
+/// A slot crosses two edges and two faces; everywhere else the edges and corners of the box are exact, at rest and
+/// while something moves.
 void WorkpieceMeshesTest::edgesOfTheStockAreSharp() {
     QFETCH(glm::dvec3, size);
     const Box stock{{-3.0, 5.0, 1.0}, glm::dvec3(-3.0, 5.0, 1.0) + size};
@@ -201,7 +201,7 @@ void WorkpieceMeshesTest::edgesOfTheStockAreSharp() {
     int detail = 0;
     for (const Surfaces& pieces : atAllDetails(volume.snapshot())) {
         const MeshDistance surface(meshOf(pieces));
-        const double beside = detail == 0 ? 1.0 : 8.0; // mm that a slot's own edges may round off
+        const double beside = detail == 0 ? 1.0 : 8.0; // mm within which the slot's own edges may be rounded
         double worst = 0.0;
         glm::dvec3 where(0.0);
         for (int axis = 0; axis < 3; ++axis)
@@ -225,7 +225,7 @@ void WorkpieceMeshesTest::edgesOfTheStockAreSharp() {
     }
 }
 
-/// Every triangle that lies in a face of the stock has its normal, up to the edge.
+/// Every triangle in a face of the stock has the face's normal, up to the edge.
 void WorkpieceMeshesTest::facesOfTheStockShadeFlat() {
     const Box stock{{0.0, 0.0, 0.0}, {48.0, 40.0, 16.0}};
     RunVolume volume = milled(stock, 0.25);
@@ -253,7 +253,7 @@ void WorkpieceMeshesTest::facesOfTheStockShadeFlat() {
     }
 }
 
-/// A tenth of a voxel off the top is no untouched stock: it is drawn where it is.
+/// Stock with a tenth of a voxel removed from its top is not drawn as untouched, but where its surface is.
 void WorkpieceMeshesTest::shallowCutsStay() {
     const Box stock{{0.0, 0.0, 0.0}, {48.0, 40.0, 16.0}};
     RunVolume volume = milled(stock, 0.25);
@@ -264,7 +264,7 @@ void WorkpieceMeshesTest::shallowCutsStay() {
     QVERIFY(std::abs(highest - 15.975) < 0.002);
 }
 
-/// A wall of 2.5 mm across several groups, seen square and along it: one even colour.
+/// A wall of 2.5 mm across several groups, seen at right angles and along it, has a single even colour.
 void WorkpieceMeshesTest::wallsShowNoNotch() {
     Stage stage;
     const Box stock{{0.0, 0.0, 0.0}, {120.0, 40.0, 20.0}};
@@ -277,7 +277,7 @@ void WorkpieceMeshesTest::wallsShowNoNotch() {
             stage.look(seen, from, 55.0);
             const QImage image = stage.render(pieces);
             const QRgb wall = image.pixel(stage.pixelOf(seen.centre() + glm::dvec3(3.0, 0.0, 0.0)));
-            QVERIFY(qBlue(wall) < 250); // not the background's
+            QVERIFY(qBlue(wall) < 250); // not the colour of the background
             int others = 0;
             for (double x = seen.low.x; x < seen.high.x; x += 0.1)
                 for (double z = seen.low.z; z < seen.high.z; z += 0.1)
@@ -290,7 +290,7 @@ void WorkpieceMeshesTest::groovesShadeAlike_data() {
     QTest::addColumn<double>("angle");
     for (const double angle : {0.0, 17.0, 30.0, 45.0, 63.0}) QTest::addRow("%.0f degrees", angle) << angle;
 }
-/// A groove of a ball-end mill is a part of a cylinder: its shading must not change along it, in beads.
+/// A groove of a ball-end mill is part of a cylinder: its shading must not vary along it like a string of beads.
 void WorkpieceMeshesTest::groovesShadeAlike() {
     QFETCH(double, angle);
     constexpr double voxel = 0.5, radius = 3.0, depth = 1.5;
@@ -314,7 +314,7 @@ void WorkpieceMeshesTest::groovesShadeAlike() {
             }
             const double share = 0.5 * glm::length(glm::cross(at[1] - at[0], at[2] - at[0])) / 10.0;
             for (int a = 0; a <= 3; ++a)
-                for (int b = 0; a + b <= 3; ++b) { // as the screen mixes the normals of the corners
+                for (int b = 0; a + b <= 3; ++b) { // interpolated as the screen does it from the normals of the corners
                     const double u = a / 3.0, v = b / 3.0, w = 1.0 - u - v;
                     const glm::dvec3 place = u * at[0] + v * at[1] + w * at[2];
                     const glm::dvec3 out = axis + glm::dot(place - axis, along) * along - place;
@@ -340,8 +340,8 @@ void WorkpieceMeshesTest::stockEndsOnBarePartInALine_data() {
     QTest::newRow("steep") << 8.1;
     QTest::newRow("upright") << 7.1;
 }
-/// A sphere that stands out of a plane: the plane ends in a circle around it, as long as a circle is (the border of
-/// voxels would be a quarter longer), and no light shines in between.
+/// A sphere that protrudes from a plane: the plane ends in a circle around it that has the length of a circle (the
+/// border of voxels would be a quarter longer), and no gap lets light through.
 void WorkpieceMeshesTest::stockEndsOnBarePartInALine() {
     QFETCH(double, height);
     constexpr double voxel = 0.25, radius = 6.0;
@@ -372,8 +372,8 @@ void WorkpieceMeshesTest::theLineLeadsOverTheLimitsOfTiles_data() {
     QTest::newRow("steep") << 14.0;
     QTest::newRow("upright") << 12.1;
 }
-/// The surface is made in tiles of 32 voxels. Where a circle of stock around a sphere leads from one to another, it is
-/// as round as between, at rest and while things move.
+/// The surface is made in tiles of 32 voxels. Where a circle of stock around a sphere crosses from one tile to another,
+/// it is as round as within a tile, at rest and while things move.
 void WorkpieceMeshesTest::theLineLeadsOverTheLimitsOfTiles() {
     QFETCH(double, height);
     constexpr double voxel = 0.25, radius = 11.0, tile = linesPerSurfaceTile * voxel;
@@ -385,7 +385,7 @@ void WorkpieceMeshesTest::theLineLeadsOverTheLimitsOfTiles() {
     const double circle = std::sqrt(radius * radius - (height - centre.z) * (height - centre.z));
     for (const SurfaceLayer layer : {SurfaceLayer::rest, SurfaceLayer::moving}) {
         const double cell = layer == SurfaceLayer::rest ? voxel : 2.0 * voxel;
-        double atLimits = 0.0, between = 0.0; // farthest from the circle, cells
+        double atLimits = 0.0, between = 0.0; // largest distance from the circle, cells
         int crossings = 0;
         for (const auto& [from, to] :
              cutBySphere(surfaces(volume.snapshot(), 1'000'000, layer, true), centre, radius)) {
@@ -408,9 +408,9 @@ void WorkpieceMeshesTest::coloursTellWhatIsLeft_data() {
     QTest::newRow("at rest") << SurfaceLayer::rest << 36;
     QTest::newRow("while things move") << SurfaceLayer::moving << 60;
 }
-/// A flat face lies 0.6 mm over a ball: its triangles are large, and yet each of their points has the colour of its
-/// own distance to the ball. Dividing them moved nothing. A floor that the ball stands out of is white where it is
-/// bare.
+/// A flat face is 0.6 mm above a ball: its triangles are large, yet each of their points has the colour of its own
+/// distance to the ball. Dividing the triangles moved nothing. A floor from which the ball protrudes is white where it
+/// is bare.
 void WorkpieceMeshesTest::coloursTellWhatIsLeft() {
     QFETCH(SurfaceLayer, layer);
     QFETCH(int, most);

@@ -18,7 +18,7 @@ namespace burin::fixture {
 inline const Box stock{{-30.0, -22.0, -4.0}, {30.0, 22.0, 18.0}};
 inline const glm::dvec3 radii{24.0, 16.0, 14.0};
 
-/// As a desktop that asks for reduced motion.
+/// Style of a desktop that asks for reduced motion.
 class StillStyle : public QProxyStyle {
 public:
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
@@ -34,7 +34,7 @@ inline ToolMarks marksAt(const glm::dvec3& tip) {
     return marks;
 }
 
-/// A window with a viewport that shows a dome, its stock and a tool; and the user's hands.
+/// A window with a viewport that shows a dome, its stock and a tool, together with the user's input.
 class ViewportWindow {
 public:
     ViewportWindow() {
@@ -56,14 +56,14 @@ public:
         viewport.setToolMarks(marksAt({6.0, -4.0, 20.0}));
     }
 
-    /// The part is shaded on another thread: is it to be seen by now?
+    /// Whether the part, which is shaded on another thread, can be seen by now.
     bool ready() {
         if (!window->isVisible() || !viewport->isValid()) return false;
         const QPointF at = viewport->project({0.0, 0.0, 13.0}) * viewport->devicePixelRatio();
         const QColor pixel = viewport->grabFramebuffer().pixelColor(at.toPoint());
         return pixel.blue() > pixel.red() + 60;
     }
-    /// Until the last motion is over and full detail is drawn; without a workpiece, as long as a motion may take.
+    /// Waits until the last motion is over and full detail is drawn; without a workpiece, as long as a motion may take.
     void settle() const {
         QTest::qWait(80); // what was changed is painted first
         const auto still = [this] {
@@ -88,10 +88,10 @@ public:
                           Qt::NoModifier, Qt::NoScrollPhase, false);
         QApplication::sendEvent(viewport, &event);
     }
-    /// Keeps a picture for the eye.
+    /// Saves a picture for visual inspection.
     bool save(const char* name) { return save(name, viewport->grabFramebuffer()); }
     bool save(const char* name, const QImage& picture) const {
-        constexpr int quick = 85; // Qt's quality: packed less, in a fraction of the time
+        constexpr int quick = 85; // quality as Qt counts it: less compression, in a fraction of the time
         const QString ratio = viewport->devicePixelRatio() > 1.5 ? QStringLiteral("@2x") : QString();
         return picture.save(folder() + QString::fromLatin1(name) + ratio + QStringLiteral(".png"), "PNG", quick);
     }

@@ -28,7 +28,7 @@ namespace burin::testing {
 
 namespace {
 
-/// All that one widget says.
+/// All texts that one widget shows.
 QStringList textsOf(const QWidget& widget) {
     QStringList texts{widget.toolTip(), widget.accessibleName(), widget.accessibleDescription(), widget.statusTip()};
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) texts << label->text();
@@ -60,7 +60,7 @@ bool fits(const QLabel& label) {
     return needed.width() <= room.width() && needed.height() <= room.height();
 }
 
-/// @param contents  what the style leaves of the button for text and icon
+/// @param contents  width that the style leaves for the button's text and icon
 bool fits(const QAbstractButton& button, int contents) {
     const int icon = button.icon().isNull() ? 0 : button.iconSize().width() + 4;
     return button.fontMetrics().horizontalAdvance(withoutMnemonics(button.text())) + icon <= contents;
@@ -75,7 +75,7 @@ int contentsOf(const QAbstractButton& button, QStyle::SubElement element) {
     return button.style()->subElementRect(element, &option, &button).width();
 }
 
-/// What is said while the pointer rests on a widget; empty: nothing.
+/// The tooltip of a widget; empty if there is none.
 QString toolTipOf(QWidget& widget) {
     const QPoint middle = widget.rect().center(), onScreen = widget.mapToGlobal(middle);
     const QString before = QStringLiteral("of another widget");
@@ -87,7 +87,7 @@ QString toolTipOf(QWidget& widget) {
     return told == before ? QString() : told;
 }
 
-/// May end in "…" where the tooltip has the whole of it.
+/// The text may end in "…" if the tooltip shows all of it.
 bool isToldInWhole(QWidget& widget, const QString& text, int room) {
     return widget.fontMetrics().horizontalAdvance(text) <= room || toolTipOf(widget).contains(text);
 }
@@ -99,7 +99,7 @@ bool fits(QComboBox& box) {
     return isToldInWhole(box, box.currentText(), room.width());
 }
 
-/// @param index  of a row that is seen
+/// @param index  of a visible row
 bool isToldInWhole(RowList& list, int index) {
     const ListRow& row = list.rows()[static_cast<std::size_t>(index)];
     const QRect place = list.visualItemRect(list.item(index));
@@ -109,7 +109,7 @@ bool isToldInWhole(RowList& list, int index) {
     QApplication::sendEvent(list.viewport(), &rest);
     const QString told = QToolTip::text();
     QToolTip::hideText();
-    // Either line begins behind the icon or swatch; the first one ends before what stands on its right.
+    // Both lines begin after the icon or swatch; the first one ends before what is shown at its right.
     constexpr int margins = 16, iconRoom = 24, swatchRoom = 18, gap = 8;
     const int room = place.width() - margins - (!row.icon.isEmpty() ? iconRoom : row.swatch.isValid() ? swatchRoom : 0);
     const QFont figures = numberFont(list.font());
@@ -126,7 +126,8 @@ bool isToldInWhole(RowList& list, int index) {
            (width(small, row.detail) <= room || told.contains(row.detail));
 }
 
-/// Sentences over several lines are as high as they need; else each row has a tooltip for what ends in "…".
+/// Sentences over several lines are as high as they need; otherwise each row has a tooltip for the text that ends in
+/// "…".
 bool fits(RowList& list) {
     for (int i = 0; i < list.count(); ++i) {
         const QRect place = list.visualItemRect(list.item(i));
@@ -136,7 +137,7 @@ bool fits(RowList& list) {
     return true;
 }
 
-/// A field of numbers, with its unit; or of text.
+/// A number field with its unit, or a text field.
 bool fits(const QLineEdit& field) {
     constexpr int cursorRoom = 4; // pixels
     const QString& text = field.text().isEmpty() ? field.placeholderText() : field.text();
@@ -145,7 +146,7 @@ bool fits(const QLineEdit& field) {
     return field.hasFocus() || field.fontMetrics().horizontalAdvance(text) <= room;
 }
 
-/// The second line of a step: what it holds.
+/// The second line of a step: its summary.
 bool fits(StepButton& step) {
     const QString progress = step.accessibleDescription().section(QStringLiteral(": "), 0, 0);
     const QString line = step.accessibleDescription().mid(progress.size() + 2);
@@ -169,7 +170,7 @@ bool fits(QWidget& widget) {
     return true;
 }
 
-/// Whether the window, or a scroll area that can't go sideways, cuts it off on a side.
+/// Whether a side of the widget is cut off by the window or by a scroll area that cannot scroll sideways.
 bool isCutOff(const QWidget& widget) {
     if (widget.mapTo(widget.window(), QPoint(widget.width(), 0)).x() > widget.window()->width()) return true;
     for (const QWidget* parent = widget.parentWidget(); parent != nullptr; parent = parent->parentWidget()) {
@@ -206,7 +207,7 @@ std::vector<VisibleText> visibleTexts(QWidget& window) {
     const auto add = [&](const QString& where, const QStringList& texts) {
         for (QString text : texts)
             if (!text.remove(QChar(0x200B)).trimmed().isEmpty())
-                shown.push_back({where, text}); // where lines may break
+                shown.push_back({where, text}); // U+200B marks where lines may break
     };
     add(QStringLiteral("title"), {window.windowTitle()});
     for (const QWidget* widget : window.findChildren<QWidget*>())

@@ -9,18 +9,18 @@
 
 namespace burin::testing {
 
-/// One text that a user reads, and the name of what shows it.
+/// A text that a user reads, and the name of the widget that shows it.
 struct VisibleText {
     QString where, text;
 };
 
-/// What can be read in a window now: labels, buttons, choices with all that they offer, lists, units of fields,
-/// tooltips, the title, and everything in its menus. Not what the user wrote, nor a program's text.
+/// The texts that can be read in a window now: labels, buttons, choices with all their entries, lists, units of fields,
+/// tooltips, the title, and everything in its menus. Texts that the user wrote and the text of a program are left out.
 std::vector<VisibleText> visibleTexts(QWidget& window);
 
-/// Texts that are seen now and have less room than their font needs: of labels, buttons, check boxes, choices and
-/// fields. What ends in "…" is none of them if its tooltip has the whole text, nor is what only has to be scrolled to,
-/// downwards.
+/// Visible texts of labels, buttons, check boxes, choices and fields that have less room than their font needs. Texts
+/// that end in "…" are left out if their tooltip shows the whole text, and so are texts that only have to be scrolled
+/// to, downwards.
 std::vector<VisibleText> clippedTexts(QWidget& window);
 
 } // namespace burin::testing

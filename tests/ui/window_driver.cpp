@@ -24,7 +24,7 @@ WindowDriver::WindowDriver(const QSize& size, const QLocale& locale)
     : size_(size), folder_(std::make_unique<QTemporaryDir>()) {
     qputenv("XDG_DATA_HOME", folder_->filePath("data").toUtf8());
     qputenv("XDG_CONFIG_HOME", folder_->filePath("config").toUtf8());
-    // QSettings reads the variable once in a process.
+    // QSettings reads the variable only once per process.
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_->filePath("config"));
     QCoreApplication::setApplicationName("Burin");
     QLocale::setDefault(locale);
@@ -41,7 +41,7 @@ void WindowDriver::open() {
     window_->move(0, 0);
     window_->show();
     static_cast<void>(QTest::qWaitForWindowExposed(window_.get()));
-    QApplication::setActiveWindow(window_.get()); // no window manager does it
+    QApplication::setActiveWindow(window_.get()); // no window manager does this
 }
 
 bool WindowDriver::endQuietly() {
@@ -65,7 +65,7 @@ bool WindowDriver::clickOn(const char* name) {
         const auto* widget = visible<QWidget>(name);
         return widget != nullptr && widget->isEnabled();
     };
-    if (!waitFor(ready, 3000)) return false; // panels follow what happened a moment later
+    if (!waitFor(ready, 3000)) return false; // panels follow an event a moment later
     auto* widget = visible<QWidget>(name);
     QTest::mouseClick(widget, Qt::LeftButton);
     return true;
@@ -86,7 +86,7 @@ bool WindowDriver::enter(const char* name, const QString& text) {
         if (auto* area = qobject_cast<QScrollArea*>(parent)) area->ensureWidgetVisible(field);
     QApplication::setActiveWindow(window_.get());
     QTest::mouseClick(field, Qt::LeftButton, Qt::NoModifier, field->rect().center());
-    field->setFocus(); // a click does it where a window manager runs
+    field->setFocus(); // where a window manager runs, a click does this
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, text);
     QTest::keyClick(field, Qt::Key_Return);
@@ -105,7 +105,7 @@ void WindowDriver::whenDialogStands(std::function<void(QWidget& dialog)> act) {
         QWidget* dialog = QApplication::activeModalWidget();
         if (dialog == nullptr || !dialog->isVisible()) return;
         const std::function<void(QWidget&)> acts =
-            act; // which may wait, and the timer goes meanwhile, with what it holds
+            act; // act may wait; the timer and what it holds are deleted meanwhile
         timer->deleteLater();
         timer->stop();
         acts(*dialog);
@@ -123,14 +123,14 @@ bool WindowDriver::waitFor(const std::function<bool()>& what, int milliseconds) 
 }
 
 bool WindowDriver::settle(int milliseconds) const {
-    QTest::qWait(50); // work that is about to begin
+    QTest::qWait(50); // for work that is about to begin
     return waitFor([this] { return window_->workbench().tasks().idle(); }, milliseconds);
 }
 
 void WindowDriver::shoot(const QString& name) const {
     const QDir folder(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots"));
     folder.mkpath(QStringLiteral("."));
-    QTest::qWait(150); // presenters and painting come after the event
+    QTest::qWait(150); // presenters and painting run after the event
     QWidget* dialog = QApplication::activeModalWidget();
     (dialog != nullptr ? dialog : window_.get())->grab().save(folder.filePath(name + QStringLiteral(".png")));
 }

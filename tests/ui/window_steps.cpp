@@ -90,7 +90,7 @@ void chooseFile(WindowDriver& driver, const QString& file) {
         auto* name = dialog.findChild<QLineEdit*>("fileNameEdit");
         auto* buttons = dialog.findChild<QDialogButtonBox*>("buttonBox");
         if (name == nullptr || buttons == nullptr) return;
-        name->setText(file); // typing would open a list of names above the button
+        name->setText(file); // typing would open a list of names over the button
         for (const auto button : {QDialogButtonBox::Save, QDialogButtonBox::Open})
             if (QPushButton* accept = buttons->button(button)) QTest::mouseClick(accept, Qt::LeftButton);
     });

@@ -13,7 +13,7 @@
 
 namespace burin::fixture {
 
-/// Colours that no two roles share, so that a pixel tells what was drawn.
+/// A palette in which no two roles share a colour, so that a pixel shows what was drawn.
 inline Palette palette() {
     Palette p;
     p.window = QColor(0x14, 0x17, 0x1c);
@@ -81,8 +81,8 @@ inline std::shared_ptr<const Model> model(const glm::dvec3& radii) {
 
 inline constexpr PropertyIndex stockProperty = 1, partProperty = 2;
 
-/// A block of stock (its low corner and size, mm) around the dome of `model`; left of x = 0 it is milled down to a
-/// floor 4 mm over the dome's foot, or to the dome.
+/// A block of stock (its low corner and size, mm) around the dome of `model`. Where x < 0 it is milled down to a floor
+/// 4 mm above the dome's foot, or to the dome.
 inline RunVolume milledBlock(const Box& block, double edge, const glm::dvec3& radii) {
     const Grid grid = Grid::make(block.low, edge, glm::ivec3(glm::round(block.size() / edge))).value();
     PropertyList properties;
@@ -108,7 +108,7 @@ inline RunVolume milledBlock(const Box& block, double edge, const glm::dvec3& ra
     return volume;
 }
 
-/// Ball, 6 mm, with shank and holder.
+/// A ball-end mill of 6 mm with shank and holder.
 inline Tool ballTool() {
     Tool tool;
     tool.id = "ball-6";

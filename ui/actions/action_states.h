@@ -9,11 +9,11 @@
 
 namespace burin {
 
-/// Keeps what can be done now apart from what can't.
+/// Enables the actions that are possible in the present state, and disables the others.
 class ActionStates final : public QObject {
     Q_OBJECT
 public:
-    /// Both outlive it.
+    /// Both arguments outlive it.
     ActionStates(Actions& actions, Workbench& workbench, QObject* parent);
 
 private:

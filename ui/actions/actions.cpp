@@ -277,7 +277,7 @@ constexpr std::array rows{
 };
 static_assert(rows.size() == static_cast<std::size_t>(ActionId::count));
 
-/// Of those that can be switched.
+/// Checkable actions that are on by default.
 constexpr ActionId onAtFirst[] = {ActionId::showWorkpiece, ActionId::showTool,       ActionId::showPath,
                                   ActionId::showGuides,    ActionId::showOtherPaths, ActionId::guides,
                                   ActionId::showTimeline};

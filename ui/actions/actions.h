@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// Everything that the menus offer.
+/// All actions of the menus.
 enum class ActionId : std::size_t {
     newProject,
     openProject,
@@ -24,7 +24,7 @@ enum class ActionId : std::size_t {
     exportWorkpiece,
     exportSheet,
     exportPicture,
-    undo, ///< its text and that of redo name what it would do
+    undo, ///< the texts of undo and redo name the command
     redo,
     showHistory,
     preferences,
@@ -119,14 +119,14 @@ enum class ActionId : std::size_t {
     count
 };
 
-/// All actions of the window in one place: object name, text, tooltip, shortcut. What they do is connected by the
-/// window.
+/// All actions of the window in one place: object name, text, tooltip, shortcut. The window connects them to their
+/// functions.
 class Actions final : public QObject {
     Q_OBJECT
 public:
     explicit Actions(QObject* parent = nullptr);
 
-    /// Keys that an action has as long as the user gives it no others.
+    /// The default shortcut of an action.
     static QKeySequence firstShortcut(ActionId id);
     QAction* operator[](ActionId id) const { return actions_[static_cast<std::size_t>(id)]; }
 

@@ -13,7 +13,7 @@ namespace burin {
 
 namespace {
 
-/// Texts of this page.
+/// Translation context of this file.
 struct FileDialogs {
     Q_DECLARE_TR_FUNCTIONS(FileDialogs)
 };
@@ -22,7 +22,7 @@ QStringList modelGlobs() {
     QStringList globs;
     for (const std::string_view suffix : importSuffixes()) {
         const QString glob = QStringLiteral("*.") + QString::fromUtf8(suffix.data(), qsizetype(suffix.size()));
-        globs << glob << glob.toUpper(); // names are looked at letter by letter
+        globs << glob << glob.toUpper(); // file names are compared case-sensitively
     }
     return globs;
 }

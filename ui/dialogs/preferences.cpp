@@ -28,7 +28,7 @@ constexpr const char* deviceModeKey = "device_mode";
 constexpr const char* shareKey = "cutting_force_share";
 constexpr const char* frictionKey = "friction";
 
-/// A device's own section of the file: its id may have signs that would lead elsewhere in it.
+/// A device's own section of the file; its id may contain characters with a meaning in keys.
 QString feltKey(const std::string& device, const char* key) {
     const QByteArray plain = QUrl::toPercentEncoding(QString::fromStdString(device));
     return QStringLiteral("devices/") + QString::fromLatin1(plain).replace(QLatin1Char('%'), QLatin1Char('+')) +
@@ -184,7 +184,7 @@ FeltCutting UserSettings::felt(const std::string& device) const {
     const auto number = [&](const char* key, double usual) {
         bool good = false;
         const double value = settings_.value(feltKey(device, key)).toDouble(&good);
-        return good && value >= 0.0 && value <= 1.0 ? value : usual; // also of a file that somebody changed
+        return good && value >= 0.0 && value <= 1.0 ? value : usual; // the file may have been edited
     };
     FeltCutting felt;
     felt.gain = number(shareKey, felt.gain);

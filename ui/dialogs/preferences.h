@@ -16,7 +16,7 @@
 
 namespace burin {
 
-/// What a user sets once for all projects.
+/// Settings of a user for all projects.
 struct Preferences {
     Theme theme = Theme::dark;
     LengthUnit unit = LengthUnit::millimetre;
@@ -24,7 +24,7 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-/// Where preferences, recent files and the window's place are kept: one file in the user's configuration folder.
+/// Stores preferences, recent files and the window's position: one file in the user's configuration folder.
 class UserSettings {
 public:
     UserSettings();
@@ -33,10 +33,10 @@ public:
     void setPreferences(const Preferences& preferences);
 
     static constexpr int maximumRecentFiles = 8;
-    QStringList recentFiles() const; ///< the newest first
+    QStringList recentFiles() const; ///< newest first
     void addRecentFile(const QString& file);
     void removeRecentFile(const QString& file);
-    bool isRecentFile(const QString& file) const; ///< whether it still exists or not
+    bool isRecentFile(const QString& file) const; ///< even if it no longer exists
 
     QByteArray windowGeometry() const;
     void setWindowGeometry(const QByteArray& geometry);
@@ -44,13 +44,13 @@ public:
     void setPanelWidth(const QByteArray& state);
     QByteArray viewDocks() const; ///< state of the docks next to the view
     void setViewDocks(const QByteArray& state);
-    bool programDocked() const; ///< whether its text is next to the view
+    bool programDocked() const; ///< whether the program's text is next to the view
     void setProgramDocked(bool docked);
     bool timelineShown() const;
     void setTimelineShown(bool shown);
-    QStringList timelineCurves() const; ///< names of those that are on
+    QStringList timelineCurves() const; ///< names of the enabled curves
     void setTimelineCurves(const QStringList& curves);
-    /// Keys that the user gave actions, by object name; an empty text: none.
+    /// Shortcuts that the user assigned to actions, by object name; an empty text: none.
     QMap<QString, QString> shortcuts() const;
     void setShortcuts(const QMap<QString, QString>& shortcuts);
     bool metersFolded() const;
@@ -59,14 +59,14 @@ public:
     void setParallelView(bool parallel);
     int transparency() const; ///< of the workpiece, %
     void setTransparency(int percent);
-    /// Id and mode of the stylus that the user chose last; both empty: the mouse.
+    /// Id and mode of the stylus chosen last; both empty: the mouse.
     std::pair<std::string, std::string> chosenDevice() const;
     void setChosenDevice(const std::string& id, const std::string& mode);
     std::string viewDevice() const; ///< id of the device that moves the view; empty: none
     void setViewDevice(const std::string& id);
-    FeltCutting felt(const std::string& device) const; ///< of the cutting, through one device
+    FeltCutting felt(const std::string& device) const; ///< rendering of the cutting forces by one device
     void setFelt(const std::string& device, const FeltCutting& felt);
-    QString lastFolder() const; ///< that a file was chosen in; empty: none yet
+    QString lastFolder() const; ///< folder of the file chosen last; empty: none yet
     void setLastFolder(const QString& folder);
 
 private:

@@ -10,7 +10,7 @@ class QComboBox;
 
 namespace burin {
 
-/// Unit, theme and language. A change is in force at once; the language from the next start on.
+/// Unit, theme and language. A change takes effect at once; that of the language at the next start.
 class PreferencesDialog final : public QDialog {
     Q_OBJECT
 public:

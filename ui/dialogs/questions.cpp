@@ -15,7 +15,7 @@ namespace burin {
 
 namespace {
 
-/// Texts of this page.
+/// Translation context of this file.
 struct Questions {
     Q_DECLARE_TR_FUNCTIONS(Questions)
 };

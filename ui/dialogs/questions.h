@@ -10,11 +10,11 @@ namespace burin {
 
 enum class UnsavedAnswer { save, discard, cancel };
 
-/// Asks what is to become of unsaved changes. Dialog "unsavedDialog" with "saveButton", "discardButton",
-/// "cancelButton".
+/// Asks whether to save unsaved changes. Dialog "unsavedDialog" with "saveButton", "discardButton", "cancelButton".
 UnsavedAnswer askUnsaved(QWidget* parent, const QString& project);
 
-/// Asks before something goes that no undo brings back. Dialog "confirmDialog" with "confirmButton", "cancelButton".
+/// Asks before something is deleted that undo can't restore. Dialog "confirmDialog" with "confirmButton",
+/// "cancelButton".
 bool confirm(QWidget* parent, const QString& question, const QString& consequence, const QString& confirmText);
 
 /// Asks for the reason why a program that its check refused is exported nevertheless. Dialog "reasonDialog" with

@@ -20,12 +20,12 @@ namespace burin {
 
 namespace {
 
-/// Texts of this page.
+/// Translation context of this file.
 struct SetupDialog {
     Q_DECLARE_TR_FUNCTIONS(SetupDialog)
 };
 
-/// What may be done with the part between two setups, in the order of the list.
+/// A rotation of the part between two setups, in the order of the list.
 struct Turn {
     QString text;
     int axis = 0;

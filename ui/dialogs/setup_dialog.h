@@ -12,16 +12,17 @@ class QWidget;
 
 namespace burin {
 
-/// A further setup, as the user wants it.
+/// A further setup as requested by the user.
 struct WantedSetup {
     QString name;
-    Placement turn; ///< of the part, from how it lies now
+    Placement turn; ///< of the part, relative to its present placement
     bool leftStock = true;
 };
 
-/// Asks how a further setup is to be. Dialog "setupDialog" with "setupNameField", "setupTurn", "setupStock",
-/// "confirmButton", "cancelButton". Nothing: cancelled.
-/// @param name proposed @param middle mm: of the part, which stays where it is @param leaves the workpiece is there
+/// Asks for the parameters of a further setup. Dialog "setupDialog" with "setupNameField", "setupTurn", "setupStock",
+/// "confirmButton", "cancelButton". Empty: cancelled.
+/// @param name proposed name @param middle centre of the part, mm, which stays in place @param leaves whether there is
+/// a workpiece
 std::optional<WantedSetup> askSetup(QWidget* parent, const QString& name, const glm::dvec3& middle, bool leaves);
 
 } // namespace burin

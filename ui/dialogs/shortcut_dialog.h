@@ -17,21 +17,21 @@ class QTreeWidgetItem;
 
 namespace burin {
 
-/// An action with the keys that it has at first.
+/// An action with its default shortcut.
 struct ShortcutRow {
     QAction* action = nullptr; ///< outlives the dialog
     QKeySequence first;
 };
 
-/// All actions with their keys, which can be changed: at once, for as long as nobody resets them. Keys that another
-/// action has are taken from it, and the dialog says so before.
+/// Lists all actions with their shortcuts, which can be changed: at once, until they are reset. A shortcut used by
+/// another action is removed from it; the dialog announces this before.
 class ShortcutDialog final : public QDialog {
     Q_OBJECT
 public:
     explicit ShortcutDialog(const std::vector<ShortcutRow>& rows, QWidget* parent = nullptr);
 
 signals:
-    void changed(); ///< keys of some action
+    void changed(); ///< the shortcut of some action
 
 private:
     void choose();

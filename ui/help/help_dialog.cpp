@@ -30,7 +30,7 @@ QString pageText(const QString& language, const char* topic) {
     return text ? QString::fromStdString(*text) : QString();
 }
 
-/// Whether a page has every word of a text.
+/// Whether a page contains every word of a text.
 bool holds(const HelpPage& page, const QString& text) {
     for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts))
         if (!page.text.contains(word, Qt::CaseInsensitive)) return false;
@@ -45,7 +45,7 @@ std::vector<HelpPage> helpPages(const QString& language) {
         QString text = pageText(language, topic);
         if (text.isEmpty()) text = pageText(language.section(QLatin1Char('_'), 0, 0), topic);
         if (text.isEmpty()) text = pageText(QStringLiteral("en"), topic);
-        if (text.isEmpty()) continue; // an installation without its help
+        if (text.isEmpty()) continue; // an installation without help pages
         pages.push_back({QString::fromLatin1(topic), text.section(QLatin1Char('\n'), 0, 0).remove(0, 2), text});
     }
     return pages;
@@ -115,7 +115,7 @@ void HelpDialog::showPage(int row) {
     mark(search_->text());
 }
 
-/// What is looked for stands out in the page.
+/// Highlights the search text in the page.
 void HelpDialog::mark(const QString& text) {
     QList<QTextEdit::ExtraSelection> found;
     for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts)) {

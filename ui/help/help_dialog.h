@@ -16,20 +16,20 @@ namespace burin {
 
 /// A page of the help: Markdown, its first line the title.
 struct HelpPage {
-    QString topic; ///< the file's name without its ending: "path"
+    QString topic; ///< the file's name without its suffix: "path"
     QString title, text;
 };
 
-/// The pages in a language, in their order (resources/help); those of a language that has none, or lacks one, are
-/// English. @param language "de", "de_AT", "zh_CN"
+/// The pages in a language, in their order (resources/help); pages that do not exist in that language are English.
+/// @param language "de", "de_AT", "zh_CN"
 std::vector<HelpPage> helpPages(const QString& language);
 
-/// The help, beside the window: topics on the left, a page on the right. What is typed is looked for in all pages.
+/// The help, in a separate window: topics on the left, a page on the right. Typed text is searched in all pages.
 class HelpDialog final : public QDialog {
     Q_OBJECT
 public:
     explicit HelpDialog(std::vector<HelpPage> pages, QWidget* parent = nullptr);
-    void showTopic(const QString& topic); ///< nothing where there is none of that name
+    void showTopic(const QString& topic); ///< does nothing if there is no such topic
 
 private:
     void showOnly(const QString& text);

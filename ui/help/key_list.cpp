@@ -50,7 +50,7 @@ KeyList::KeyList(const std::vector<KeySection>& sections, QWidget* parent) : QDi
     resize(usualSize);
 }
 
-/// Each section goes to the column that has fewer lines so far.
+/// Each section is added to the column with fewer lines so far.
 QWidget* KeyList::columnsOf(const std::vector<KeySection>& sections) {
     auto* whole = new QWidget;
     auto* beside = new QHBoxLayout(whole);
@@ -73,14 +73,14 @@ QWidget* KeyList::columnsOf(const std::vector<KeySection>& sections) {
         auto* keys = new KeyLines(section.lines, box);
         rows->addWidget(keys);
         column[shortest]->addWidget(box);
-        lines[shortest] += section.lines.size() + 2; // its title, and the gap
+        lines[shortest] += section.lines.size() + 2; // the title and the gap
         sections_.push_back({box, keys});
     }
     for (QVBoxLayout* one : column) one->addStretch(1);
     return whole;
 }
 
-/// So that what keys do begins at one place in all sections.
+/// Aligns the descriptions in all sections.
 void KeyList::alignKeys() {
     int widest = 0;
     for (const Shown& section : sections_) widest = std::max(widest, section.lines->keyWidth());

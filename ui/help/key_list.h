@@ -10,13 +10,13 @@ class QLabel;
 
 namespace burin {
 
-/// Keys that belong together.
+/// A group of shortcuts.
 struct KeySection {
     QString title;
     std::vector<KeyLine> lines;
 };
 
-/// All keys, and what the mouse does, on one page that stays beside the window. What is typed is looked for.
+/// All shortcuts and the functions of the mouse on one page, in a separate window. Typed text is searched.
 class KeyList final : public QDialog {
     Q_OBJECT
 public:

@@ -33,7 +33,7 @@ QLabel* quiet(const QString& text, QWidget* parent) {
     return label;
 }
 
-/// What the sample part looks like when it is done. Null where the picture is missing.
+/// A picture of the finished sample part. Null if the picture is missing.
 QLabel* samplePicture(QWidget* parent) {
     const QString file = QString::fromStdString((resourceDirectory() / "pictures" / "demo.png").string());
     const QPixmap picture(file);
@@ -48,7 +48,7 @@ QLabel* samplePicture(QWidget* parent) {
     return label;
 }
 
-/// A button with what it is good for below it.
+/// A button with an explanation below it.
 QWidget* offer(QPushButton* button, const QString& explanation) {
     auto* box = new QWidget;
     auto* layout = new QVBoxLayout(box);
@@ -193,7 +193,7 @@ void WelcomePage::setRecentFiles(const QStringList& files) {
 }
 
 void WelcomePage::setLeftWork(const std::vector<LeftWorkRow>& rows) {
-    if (rows == leftRows_) return; // what has the focus keeps it
+    if (rows == leftRows_) return; // keeps the focus
     leftRows_ = rows;
     empty(left_);
     leftBox_->setVisible(!rows.empty());

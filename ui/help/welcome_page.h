@@ -21,13 +21,13 @@ struct LeftWorkRow {
     friend bool operator==(const LeftWorkRow&, const LeftWorkRow&) = default;
 };
 
-/// The first page: how to begin, what was worked on lately, what was left unsaved.
+/// The first page: how to begin, recent files, unsaved work.
 class WelcomePage final : public QWidget {
     Q_OBJECT
 public:
     explicit WelcomePage(QWidget* parent = nullptr);
 
-    /// The project that is open; empty: none, and there is no way back.
+    /// Sets the title of the open project; empty: none, and there is no way back.
     void setProject(const QString& title);
     void setRecentFiles(const QStringList& files);
     void setLeftWork(const std::vector<LeftWorkRow>& rows);
@@ -49,7 +49,7 @@ private:
     QPushButton* back_ = nullptr;
     QVBoxLayout* recent_ = nullptr;
     QVBoxLayout* left_ = nullptr;
-    std::vector<LeftWorkRow> leftRows_; ///< that are shown
+    std::vector<LeftWorkRow> leftRows_; ///< as shown
     QWidget* leftBox_ = nullptr;
     QWidget* recentBox_ = nullptr;
 };

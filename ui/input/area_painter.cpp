@@ -9,7 +9,7 @@ namespace burin {
 
 namespace {
 
-constexpr double brushGrain = 0.1; // of the brush: places nearer than that add nothing to be seen
+constexpr double brushGrain = 0.1; // of the brush diameter: closer points make no visible difference
 constexpr double lassoGrain = 0.2; // mm
 
 } // namespace
@@ -33,7 +33,7 @@ std::optional<glm::dvec3> AreaPainter::placeOn(const ViewportEvent& event, bool 
         height_ = onPart->z;
         return onPart;
     }
-    // Beside the part a stroke goes on at the height at which it left it.
+    // Outside the part a stroke continues at the height at which it left it.
     if (!anywhere || std::abs(sight.direction.z) < 1e-3) return {};
     const double way = (height_ - sight.origin.z) / sight.direction.z;
     if (!sight.parallel && way < 0.0) return {};

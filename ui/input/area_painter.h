@@ -15,22 +15,22 @@ namespace burin {
 
 /// What a drag or a click paints.
 enum class AreaShape {
-    brush, ///< what a round brush goes over
-    lasso, ///< what a line goes round
+    brush, ///< the area covered by a round brush
+    lasso, ///< the area enclosed by a line
     face   ///< the face of the part that is clicked
 };
 
-/// The pointer as a brush on the part: paints an area in plan, with Shift takes away from it; the wheel with Ctrl
-/// changes the brush. Esc ends what is under way, then the painting. Everything else is the camera's.
+/// The pointer as a brush on the part: paints an area in plan, and erases with Shift; Ctrl and the wheel change the
+/// brush. Esc cancels the current stroke, then ends painting. All other events are left to the camera.
 /// Thread: user interface.
 class AreaPainter final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
-    /// The place of the part on a sight, mm, setup frame; nothing: it misses it.
+    /// The point of the part on a line of sight, mm, setup frame; empty if it misses the part.
     using PartOnSight = std::function<std::optional<glm::dvec3>(const Sight&)>;
     explicit AreaPainter(QObject* parent = nullptr) : QObject(parent) {}
 
-    /// @param height mm: where a sight that misses the part before it met it is taken to paint
+    /// @param height mm: height at which a line of sight paints if it misses the part before it has hit it once
     void setPart(PartOnSight part, double height);
     void setShape(AreaShape shape);
     void setBrush(double diameter) { brush_ = diameter; } ///< mm
@@ -48,10 +48,10 @@ signals:
     void painted(const burin::PlanRegion& region, bool erase);
     void faceChosen(const glm::dvec3& place, bool erase); ///< mm, on the part
     void brushTurned(double notches);                     ///< of the wheel; > 0: wider
-    void hovered(const std::optional<glm::dvec3>& place); ///< mm, where the brush is; nothing: beside the part
-    void givenUp();                                       ///< what was under way is discarded
-    void cancelled();                                     ///< Esc with nothing under way
-    void stateChanged();                                  ///< what Esc does may be another
+    void hovered(const std::optional<glm::dvec3>& place); ///< mm, position of the brush; empty: not on the part
+    void givenUp();                                       ///< the current stroke is discarded
+    void cancelled();                                     ///< Esc without a current stroke
+    void stateChanged();                                  ///< the meaning of Esc may have changed
 
 private:
     std::optional<glm::dvec3> placeOn(const ViewportEvent& event, bool anywhere);
@@ -62,7 +62,7 @@ private:
     PartOnSight part_;
     double height_ = 0.0, brush_ = 10.0;
     AreaShape shape_ = AreaShape::brush;
-    std::vector<glm::dvec2> line_; ///< of what is under way
+    std::vector<glm::dvec2> line_; ///< of the current stroke
     bool under_ = false, erase_ = false;
 };
 

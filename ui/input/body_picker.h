@@ -13,14 +13,15 @@
 
 namespace burin {
 
-/// Chooses the body of a model that is nearest to the eye under a click, whatever stock hides it; every other click and
-/// drag is the camera's. Thread: user interface.
+/// Selects the body of a model that is nearest to the eye at a click, even if stock hides it; all other clicks and
+/// drags are left to the camera. Thread: user interface.
 class BodyPicker : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
     using QObject::QObject;
     void setModel(std::shared_ptr<const Model> model) { model_ = std::move(model); }
-    void setHidden(std::set<std::size_t> bodies) { hidden_ = std::move(bodies); } ///< of the model: seen through
+    /// Bodies of the model that are ignored
+    void setHidden(std::set<std::size_t> bodies) { hidden_ = std::move(bodies); }
 
     bool press(const ViewportEvent& event) override;
     bool release(const ViewportEvent& event) override;
@@ -32,15 +33,15 @@ signals:
 private:
     std::shared_ptr<const Model> model_;
     std::set<std::size_t> hidden_;
-    bool taken_ = false; ///< the press that is under way was on a body
+    bool taken_ = false; ///< the current press was on a body
 };
 
-/// What a sight meets first.
+/// The first body on a line of sight.
 struct SeenBody {
     std::size_t body = 0;
     glm::dvec3 place{0.0}; ///< mm, setup frame
 };
-/// Nothing: no body. Cost: all of its triangles. @param hidden bodies that are seen through
+/// Empty if no body is hit. Cost: all triangles of the model. @param hidden bodies that are ignored
 std::optional<SeenBody> bodyOn(const Sight& sight, const Model& model, const std::set<std::size_t>& hidden);
 
 } // namespace burin

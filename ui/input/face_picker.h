@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// Asks for a point on a model: the next click on it answers, Esc cancels the question. Thread: user interface.
+/// Picks a point on a model: the next click on it selects the point, Esc cancels. Thread: user interface.
 class FacePicker : public BodyPicker {
     Q_OBJECT
 public:

@@ -6,13 +6,13 @@ namespace burin {
 
 namespace {
 
-/// Both are sights of one picture, as far as they tell: its eye, or its direction, is the same.
+/// Whether both are lines of sight of the same picture, as far as they show: the eye, or the direction, is the same.
 bool comparable(const Sight& a, const Sight& b) {
     if (a.parallel != b.parallel) return false;
     return a.parallel ? a.direction == b.direction : a.origin == b.origin;
 }
 
-/// `from`, moved by a part of the way between two sights of its picture.
+/// `from`, moved by a fraction of the motion between two lines of sight of its picture.
 Sight moved(const Sight& from, const Sight& before, const Sight& now, double part) {
     return {from.origin + part * (now.origin - before.origin),
             glm::normalize(from.direction + part * (now.direction - before.direction)), now.parallel, now.seenFrom};

@@ -8,18 +8,19 @@
 
 namespace burin {
 
-/// Makes the pointer fine: while it is requested, the line of sight rotates (in a parallel picture: moves) by a tenth
-/// of what the pointer's did since then. Afterwards the sight goes on from where it is, so that nothing jumps, until
-/// `reset`.
+/// Makes the pointer fine: while requested, the line of sight rotates (in a parallel projection: moves) by a tenth of
+/// the pointer's motion since then. Afterwards the line of sight continues from its present position without a jump,
+/// until `reset`.
 class FinePointer {
 public:
     static constexpr double share = 0.1;
 
-    /// @param pointer the sight through the pointer; @param fine Shift is down
-    /// @return the sight to use
+    /// @param pointer the line of sight through the pointer; @param fine Shift is down
+    /// @return the line of sight to use
     Sight follow(const Sight& pointer, bool fine);
     void reset() noexcept { anchor_.reset(); }
-    bool isFine() const noexcept { return anchor_ && anchor_->fine; } ///< the newest sight is
+    /// Whether this applies to the newest line of sight
+    bool isFine() const noexcept { return anchor_ && anchor_->fine; }
 
 private:
     struct Anchor {

@@ -12,9 +12,9 @@
 namespace burin {
 namespace {
 
-constexpr double besideStock = 20.0; // mm beyond the tool's radius that the tip may leave the grid
+constexpr double besideStock = 20.0; // mm beyond the tool's radius by which the tip may leave the grid
 
-/// Highest run end within a radius of any place on a way, from discs a radius apart that are wide enough to leave no
+/// Highest run end within a radius of any point of a move, from discs a radius apart that are wide enough to leave no
 /// gap at the move's edges.
 double highestAlong(const VolumeSnapshot& workpiece, const glm::dvec2& from, const glm::dvec2& to, double radius) {
     const double length = glm::distance(from, to);
@@ -58,7 +58,7 @@ glm::dvec3 keptWithin(const Box& box, const glm::dvec3& place) {
 glm::dvec3 keyStep(int key, const glm::dvec3& lookingAlong) {
     if (key == Qt::Key_PageUp) return {0.0, 0.0, 1.0};
     if (key == Qt::Key_PageDown) return {0.0, 0.0, -1.0};
-    glm::dvec3 away(0.0, 1.0, 0.0); // also for a view from straight above
+    glm::dvec3 away(0.0, 1.0, 0.0); // also for a vertical view
     if (std::abs(lookingAlong.x) > std::max(std::abs(lookingAlong.y), 1e-3))
         away = {lookingAlong.x > 0.0 ? 1.0 : -1.0, 0.0, 0.0};
     else if (lookingAlong.y < -1e-3)

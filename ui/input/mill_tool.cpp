@@ -16,8 +16,8 @@ constexpr double wheelStep = 0.5, fineWheelStep = 0.05; // mm a notch
 constexpr double largestOffset = 500.0;                 // mm
 constexpr int settlingInterval = 120;                   // ms
 constexpr double arrived = 0.1;                         // mm
-constexpr double settledWay = 1.0;                      // mm: over which a stroke's direction is read
-constexpr double dragReach = 4.0;                       // pixels: what goes farther is a drag
+constexpr double settledWay = 1.0;                      // mm over which the direction of a stroke is determined
+constexpr double dragReach = 4.0;                       // pixels: a longer motion is a drag
 
 } // namespace
 
@@ -39,7 +39,7 @@ void MillTool::setSettings(const MillToolSettings& settings) {
     emit stateChanged();
 }
 
-/// From where the tool is, and from where a stroke that it still finishes ends.
+/// Clear height from the tool's position, and from the end of a stroke that it has still to finish.
 double MillTool::clearHeightTo(const VolumeSnapshot& workpiece, const glm::dvec3& place) {
     const glm::dvec3 now = stylus_.tip();
     const double height = clearTipHeight(workpiece, tool_.cutter, {now.x, now.y}, {place.x, place.y});
@@ -58,7 +58,7 @@ void MillTool::hoverAt(const glm::dvec3& place) {
     settling_.start();
 }
 
-/// The height of a hover clears all of the way; where the tool has arrived, less may do.
+/// The height of a hover clears the complete move; once the tool has arrived, a lower one may suffice.
 void MillTool::settle() {
     const glm::dvec3 now = stylus_.tip();
     const VolumeSnapshot workpiece = view_();
@@ -87,11 +87,11 @@ void MillTool::hoverOver(const Sight& sight) {
     showAim(aimPress(workpiece, sight));
 }
 
-/// Where the tip goes if the button is pressed now: the depth counts from what is under the pointer.
+/// Tip position if the button were pressed now: the depth is measured from what is under the pointer.
 std::optional<glm::dvec3> MillTool::aimPress(const VolumeSnapshot& workpiece, const Sight& sight) {
     pointedHeight_ = surfaceHeight_.value_or(workpiece.grid().box().high.z);
     levelHeight_ = pointedHeight_ - settings_.depthOfCut;
-    if (const auto place = onLevel(sight, pointedHeight_)) lockAnchor_ = *place; // of the stroke that would begin
+    if (const auto place = onLevel(sight, pointedHeight_)) lockAnchor_ = *place; // for the stroke that would begin
     return strokePlace(workpiece, sight);
 }
 
@@ -101,7 +101,8 @@ void MillTool::showAim(const std::optional<glm::dvec3>& tip) {
     emit pressAimed(tip);
 }
 
-/// Along the part, so far below it that the boundary is pressed on; where there is none below, as deep as before.
+/// Along the part, far enough below its surface to press onto the boundary; if there is no part below, the previous
+/// depth.
 double MillTool::strokeHeight(const VolumeSnapshot& workpiece, const glm::dvec3& place) {
     if (settings_.rule == DepthRule::part && !workpiece.empty()) {
         const glm::dvec3 above(place.x, place.y, workpiece.grid().box().high.z + 1.0);
@@ -111,8 +112,9 @@ double MillTool::strokeHeight(const VolumeSnapshot& workpiece, const glm::dvec3&
     return levelHeight_ + wheelOffset_;
 }
 
-/// The tip of a stroke under the pointer; nothing where the sight leads nowhere. The pointer draws on the plane where
-/// the stroke began, in plan as it is seen: what lies below, and can't be seen, moves the tool along its axis alone.
+/// The tip position of a stroke under the pointer; empty if the line of sight does not meet the plane. The pointer
+/// draws in the plane of the stroke's start, in plan as seen: hidden surfaces below it move the tool along its axis
+/// only.
 std::optional<glm::dvec3> MillTool::strokePlace(const VolumeSnapshot& workpiece, const Sight& sight) {
     const auto place = onLevel(sight, pointedHeight_);
     if (!place) return std::nullopt;
@@ -122,7 +124,7 @@ std::optional<glm::dvec3> MillTool::strokePlace(const VolumeSnapshot& workpiece,
     return within;
 }
 
-/// A fine pointer tells as much more.
+/// The resolution of a fine pointer is higher by that factor.
 double MillTool::grainAt(const glm::dvec3& place) const {
     return grain_ ? grain_(place) * (fine_.isFine() ? FinePointer::share : 1.0) : 0.0;
 }
@@ -141,7 +143,7 @@ void MillTool::aim(const Sight& sight) {
     if (const auto place = strokePlace(workpiece, sight)) cutTo(*place, place->z, grainAt(*place));
 }
 
-/// Where the pointer draws from now on: the plane through what is under it.
+/// Sets the plane in which the pointer draws: through the point under it.
 void MillTool::lookAt(const VolumeSnapshot& workpiece, const Sight& sight) {
     if (const auto hit = castRay(workpiece, sight.seenOrigin(), sight.direction)) surfaceHeight_ = hit->place.z;
     (void)aimPress(workpiece, sight);
@@ -180,13 +182,13 @@ bool MillTool::press(const ViewportEvent& event) {
 QString MillTool::escapeMeaning() {
     if (drawing_ == Drawing::line) return tr("Esc: cancel the line");
     if (drawing_ == Drawing::raster) return tr("Esc: cancel the raster");
-    // Strokes wait in a row where the hand is faster than the tool.
+    // Strokes are queued if the hand is faster than the tool.
     if (stroke_ != Stroke::none || feed_.waits() || stylus_.strokeUnderWay())
         return tr("Esc: stop the tool here and drop what it has not milled yet");
     return tr("Esc: stop milling");
 }
 
-/// The release went elsewhere: to a dialog that opened meanwhile, or to another program.
+/// The release was sent elsewhere: to a dialog that opened meanwhile, or to another program.
 void MillTool::missRelease() {
     if (std::exchange(drawing_, Drawing::none) != Drawing::none) emit stateChanged();
     if (stroke_ == Stroke::pointer) endStroke(End::finished);
@@ -194,7 +196,7 @@ void MillTool::missRelease() {
 
 void MillTool::strokeTakenBack(bool undo) {
     memory_.takeBack(undo, begunStrokes());
-    if (drawing_ == Drawing::line) drawing_ = Drawing::none; // it began where that stroke ended
+    if (drawing_ == Drawing::line) drawing_ = Drawing::none; // it began at the end of that stroke
     emit stateChanged();
 }
 
@@ -205,7 +207,7 @@ bool MillTool::move(const ViewportEvent& event) {
     if (stroke_ == Stroke::keyboard) return true;
     if (drawing_ == Drawing::line && std::hypot(event.position.x() - pressed_.position.x(),
                                                 event.position.y() - pressed_.position.y()) > dragReach) {
-        drawing_ = Drawing::none; // a fine stroke after all
+        drawing_ = Drawing::none; // it is a fine stroke
         beginFreeStroke(pressed_);
     }
     if (drawing_ != Drawing::none)
@@ -240,14 +242,14 @@ bool MillTool::wheel(const ViewportEvent& event) {
     return true;
 }
 
-/// The spindle stops where the trail ends, or where the tool is; from there it rises straight up until it is clear.
+/// The spindle stops at the end of the trail, or at the tool's position; from there the tool rises until it is clear.
 void MillTool::endStroke(End how) {
     if (stroke_ == Stroke::none && !feed_.waits() && !stylus_.strokeUnderWay()) return;
     const bool drawing = std::exchange(stroke_, Stroke::none) != Stroke::none;
     fine_.reset();
     if (how == End::givenUp) {
         target_ = stylus_.tip();
-        feed_.giveUp({.tip = target_}); // even if there is no workpiece to hover over any more
+        feed_.giveUp({.tip = target_}); // even if there is no workpiece any more
         memory_.giveUp(begunStrokes());
     }
     strokeEnd_ = target_;
@@ -340,7 +342,7 @@ bool MillTool::key(int key, Qt::KeyboardModifiers modifiers) {
     return true;
 }
 
-/// A stroke that was released is finished, wherever the pointer goes.
+/// A released stroke is finished wherever the pointer goes.
 void MillTool::leave() {
     if (std::exchange(drawing_, Drawing::none) != Drawing::none) emit stateChanged();
     showAim({});

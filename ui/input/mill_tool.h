@@ -25,14 +25,14 @@ namespace burin {
 
 /// How the tool's depth follows the pointer during a stroke.
 enum class DepthRule {
-    level, ///< stays on the height of the stroke's first place, less the depth of cut
-    part   ///< presses onto the part under the pointer: the push-back leads the tool along it
+    level, ///< keeps the height of the stroke's first point, less the depth of cut
+    part   ///< presses onto the part under the pointer: the reaction force guides the tool along it
 };
 
 /// What a drag with the left button cuts.
 enum class DragRule {
-    stroke, ///< the pointer's trail
-    raster  ///< rows over the rectangle from the press to the release
+    stroke, ///< the trail of the pointer
+    raster  ///< rows over the rectangle from press to release
 };
 
 struct MillToolSettings {
@@ -40,31 +40,34 @@ struct MillToolSettings {
     DragRule drag = DragRule::stroke;
     double depthOfCut = 1.0; ///< mm below the surface under the pointer, DepthRule::level
     double press = 2.0;      ///< mm into the part, DepthRule::part
-    /// mm/s at most while cutting. A sweep of the hand across a part of 100 mm in half a second is as fast.
+    /// Largest cutting speed, mm/s. A hand that moves across a part of 100 mm in half a second is as fast.
     double speed = 200.0;
-    double stepOver = 2.0; ///< mm between the rows of a raster, and to a stroke's repetition beside it
+    /// Distance between the rows of a raster, and from a stroke to its repetition to the left or right, mm
+    double stepOver = 2.0;
 };
 
-/// The mouse over the workpiece as a stylus. Hovering, the tool floats above what is under the pointer and on the way
-/// there, the spindle off, and settles when it has arrived. Left drag cuts a stroke: down along the tool's axis from
-/// where it hovers, then all of the pointer's trail, which it finishes after the button is released. Wheel moves the
-/// tool along its axis during strokes (0.5 mm a notch, with Shift 0.05 mm; with Ctrl it is the camera's); Shift makes
-/// the pointer fine: a tenth of its motion from where Shift went down, until the stroke is over. The right button is
-/// the camera's. Shift-click cuts a straight line from the end of the last stroke, at its height or along the part.
-/// With DragRule::raster a drag spans a rectangle, which is milled in rows as one stroke. X, Y and D lock strokes, and
-/// lines, to an axis or to the direction in which they go, until the same key is pressed again. What is cut by itself
-/// (line, raster, repetition) is a stroke like others. Esc gives up what is drawn, ends a stroke where it is, else
-/// leaves. The keyboard alone can mill: arrow keys move by a voxel, as seen by the user (Ctrl: ten voxels, Shift: a
-/// tenth), Page up and down along the axis, Space switches the spindle on and off. While it turns by the keyboard, the
-/// pointer does nothing; otherwise the next motion of the pointer takes the tool again. Thread: user interface.
+/// The mouse over the workpiece as a stylus. While hovering, the tool stays above what is under the pointer and under
+/// its move there, the spindle off, and descends when it has arrived. Left drag cuts a stroke: down along the tool axis
+/// from the hover position, then along the complete trail of the pointer, which is finished after the button is
+/// released. The wheel moves the tool along its axis during strokes (0.5 mm a notch, with Shift 0.05 mm; with Ctrl it
+/// is left to the camera); Shift makes the pointer fine: a tenth of its motion from where Shift was pressed, until the
+/// end of the stroke. The right button is left to the camera. Shift-click cuts a straight line from the end of the last
+/// stroke, at its height or along the part. With DragRule::raster a drag spans a rectangle, which is milled in rows as
+/// one stroke. X, Y and D lock strokes and lines to an axis or to their present direction, until the same key is
+/// pressed again. A line, raster or repetition, which is cut automatically, is a stroke like others. Esc cancels what
+/// is being drawn, or ends a stroke at the tool's position, or else leaves mill mode. Milling is possible with the
+/// keyboard alone: arrow keys move by a voxel, as seen by the user (Ctrl: ten voxels, Shift: a tenth), Page up and down
+/// along the axis, Space switches the spindle on and off. While the spindle was switched on by the keyboard, the
+/// pointer has no effect; otherwise the next motion of the pointer controls the tool again. Thread: user interface.
 class MillTool final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
-    /// @param view gives the newest workpiece, for the depth under the pointer; asked often, cheap
+    /// @param view returns the newest workpiece, for the depth under the pointer; called often, must be cheap
     MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<VolumeSnapshot()> view,
              QObject* parent = nullptr);
 
-    /// @param grain mm at a place: the longest diagonal of a pixel there, on its level; what the pointer can't tell
+    /// @param grain mm: the resolution of the pointer at a point, i.e. the longest diagonal of a pixel in its level
+    /// plane
     void setGrain(std::function<double(const glm::dvec3& place)> grain) { grain_ = std::move(grain); }
     void setSettings(const MillToolSettings& settings);
     const MillToolSettings& settings() const noexcept { return settings_; }
@@ -72,22 +75,23 @@ public:
     /// Strokes wait until their recording runs.
     void hold() { feed_.hold(); }
     void goOn() { feed_.goOn(); }
-    /// A recording that could not begin: the stroke is given up, nothing was cut.
+    /// The recording could not begin: cancels the stroke; nothing was cut.
     void giveUp() { endStroke(End::givenUp); }
 
     enum class Repetition : std::uint8_t { lower, left, right };
-    /// Cuts the last stroke again: lower by the depth of cut, or beside it by the step-over, to its left or right as it
-    /// went, seen from above. Nothing happens while a stroke is under way. @return why it can't be; empty: it begins
+    /// Cuts the last stroke again: lower by the depth of cut, or offset by the step-over to its left or right in the
+    /// direction of motion, seen from above. Does nothing during a stroke. @return why it is not possible; empty: it
+    /// begins
     QString repeat(Repetition how);
     bool canRepeat() const noexcept { return stroke_ == Stroke::none && memory_.last().places.size() > 1; }
-    /// The newest stroke was undone, or redone: lines and repetitions go on from the one that is the last now.
+    /// The newest stroke was undone or redone: lines and repetitions continue from the stroke that is now the last.
     void strokeTakenBack(bool undo);
 
     StrokeLock lock() const noexcept { return lock_; }
-    /// What Esc does now, a sentence.
+    /// Describes the effect of Esc, one sentence.
     QString escapeMeaning() override;
-    /// What is to be seen of strokes to come, mm, setup frame: what the tool has still to catch up with, a line or the
-    /// rows that a release would cut.
+    /// Preview of strokes to come, mm, setup frame: the trail that the tool has still to follow, and the line or rows
+    /// that a release would cut.
     PlaceChains plans();
 
     bool press(const ViewportEvent& event) override;
@@ -101,10 +105,10 @@ signals:
     void leaveRequested(); ///< Esc
     void strokeBegins();   ///< before the spindle starts: the moment to begin a recording
     void strokeEnds();
-    void depthChanged(double offset); ///< mm along the axis that the wheel added
-    void stateChanged();              ///< lock, plans, or what Esc does
+    void depthChanged(double offset); ///< mm along the axis, added by the wheel
+    void stateChanged();              ///< lock, plans or the meaning of Esc
     void refused(const QString& sentence);
-    /// Where a press would lead the tip, mm, setup frame, the push-back not reckoned with; nothing: there will be none.
+    /// Tip position to which a press would lead, mm, setup frame, without the reaction force; empty: none.
     void pressAimed(const std::optional<glm::dvec3>& tip);
 
 private:
@@ -148,21 +152,21 @@ private:
     QTimer settling_;
     Stroke stroke_ = Stroke::none;
     Drawing drawing_ = Drawing::none;
-    ViewportEvent pressed_;                ///< that began what is drawn
-    glm::dvec3 corner_{0.0}, across_{0.0}; ///< mm, of what is drawn: where it begins and where the pointer is
+    ViewportEvent pressed_;                ///< the press that began the drawing
+    glm::dvec3 corner_{0.0}, across_{0.0}; ///< mm, start of the drawing and position of the pointer
     StrokeMemory memory_;
-    std::uint64_t begunBefore_ = 0; ///< strokes of the stylus that others led
+    std::uint64_t begunBefore_ = 0; ///< strokes of the stylus that were not made by this tool
     StrokeLock lock_ = StrokeLock::none;
     glm::dvec3 lockAnchor_{0.0}, lockDirection_{1.0, 0.0, 0.0}; ///< mm; unit
-    glm::dvec3 target_;                                         ///< mm, that was requested last
-    double wantedHeight_ = 0.0;                                 ///< mm, z that a hover asked for; clearance may lift it
-    std::optional<double> surfaceHeight_;                       ///< mm, z of what was under the pointer last
-    double pointedHeight_ = 0.0;          ///< mm, z of the plane on which the pointer draws a stroke: where it began
-    double levelHeight_ = 0.0;            ///< mm, z of the stroke, the wheel not counted
-    std::optional<glm::dvec3> strokeEnd_; ///< mm, of the last stroke, as long as the tool may be on its way there
-    bool aimShown_ = false;               ///< a place to press on was told last
+    glm::dvec3 target_;                                         ///< mm, requested last
+    double wantedHeight_ = 0.0;           ///< mm, z requested for hovering; the clearance may raise it
+    std::optional<double> surfaceHeight_; ///< mm, z of the last surface under the pointer
+    double pointedHeight_ = 0.0;          ///< mm, z of the plane in which the pointer draws a stroke: that of its start
+    double levelHeight_ = 0.0;            ///< mm, z of the stroke without the wheel's offset
+    std::optional<glm::dvec3> strokeEnd_; ///< mm, of the last stroke, while the tool may be on its way there
+    bool aimShown_ = false;               ///< a position was emitted by `pressAimed` last
     double wheelOffset_ = 0.0;            ///< mm along the axis
-    Sight lastSight_;                     ///< as the fine pointer has it
+    Sight lastSight_;                     ///< after the fine pointer
     glm::dvec3 lookingAlong_{0.0, 0.0, -1.0};
 };
 

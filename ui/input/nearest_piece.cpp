@@ -11,9 +11,9 @@
 namespace burin {
 namespace {
 
-constexpr double chordTurn = 5.0 * pi / 180.0; // rad that a chord spans when an arc is looked over
-constexpr double chordSlack = 8.0;             // pixels that an arc may appear to leave such a chord by
-constexpr double end = 1e-6;                   // of a piece: what is as near to an end is the end
+constexpr double chordTurn = 5.0 * pi / 180.0; // rad, angle of the chords that approximate an arc in the search
+constexpr double chordSlack = 8.0;             // pixels by which an arc may deviate from such a chord in the picture
+constexpr double end = 1e-6;                   // share of a piece: points this close to an end are the end
 
 double distanceToLine(const QPointF& place, const QPointF& from, const QPointF& to) {
     const QPointF along = to - from;
@@ -27,9 +27,9 @@ double snapped(double share) {
     return share < end ? 0.0 : share > 1.0 - end ? 1.0 : share;
 }
 
-/// What lies nearer to the eye appears longer, so that halves of the picture are no halves of the piece.
+/// In perspective, nearer parts appear longer, so halves of the picture are not halves of the piece.
 double shareOnLine(const QPointF& pointer, const glm::dvec3& from, const glm::dvec3& to, const Appearance& appearance) {
-    constexpr int halvings = 24; // a ten-millionth of the piece
+    constexpr int halvings = 24; // precision: a ten-millionth of the piece
     const QPointF along = appearance(to) - appearance(from);
     double low = 0.0, high = 1.0;
     for (int i = 0; i < halvings; ++i) {
@@ -45,8 +45,8 @@ struct Found {
     double share = 0.0;
 };
 
-/// On an arc: the nearest chord says where about, thirds of what lies about it say where. @param within pixels; what is
-/// farther is not found
+/// On an arc: finds the nearest chord, then refines by ternary search around it. @param within pixels; points farther
+/// away are not found
 Found nearestOnArc(const QPointF& pointer, const Arc& arc, const Appearance& appearance, double within) {
     const ArcTurn turn = turnOf(arc);
     const double chords = std::max(1.0, std::ceil(std::abs(turn.sweep) / chordTurn));

@@ -12,10 +12,10 @@
 
 namespace burin {
 
-/// How near the pointer has to be to something that it means, device-independent pixels.
+/// Distance within which the pointer picks something, device-independent pixels.
 inline constexpr double pointerReach = 8.0;
 
-/// Where a place in the setup frame appears, device-independent pixels.
+/// The position of a point of the setup frame in the picture, device-independent pixels.
 using Appearance = std::function<QPointF(const glm::dvec3&)>;
 
 /// A piece of a path: a straight line from `from` to `to`, mm, setup frame, or an arc between them.
@@ -23,18 +23,18 @@ struct PathPiece {
     glm::dvec3 from{0.0}, to{0.0};
     std::optional<Arc> arc{};
 
-    /// mm; @param share of the piece, of an arc's sweep: 0 at its beginning, 1 at its end
+    /// mm; @param share of the piece, for an arc of its sweep: 0 at its start, 1 at its end
     glm::dvec3 at(double share) const;
 };
 
-/// A place on one of several pieces.
+/// A point on one of several pieces.
 struct NearestPlace {
     std::size_t piece = 0;
-    double share = 0.0; ///< as PathPiece::at has it
+    double share = 0.0; ///< as in PathPiece::at
 };
 
-/// The place that appears nearest to the pointer, within its reach, on the pieces themselves. Nothing: none is.
-/// @param pieceAt of a number below `count`; nothing: it is not asked for
+/// The point on the pieces that appears nearest to the pointer, within its reach. Empty if there is none.
+/// @param pieceAt returns the piece of a number below `count`; empty: the piece is skipped
 std::optional<NearestPlace> nearestPlace(const QPointF& pointer, std::size_t count,
                                          const std::function<std::optional<PathPiece>(std::size_t)>& pieceAt,
                                          const Appearance& appearance);

@@ -12,11 +12,11 @@
 namespace burin {
 namespace {
 
-constexpr double clickReach = 4.0;    // pixels that a click may move
-constexpr double drawnSpacing = 0.2;  // mm between places that are drawn
-constexpr double smallestSine = 1e-3; // of a sight to a plane
+constexpr double clickReach = 4.0;    // pixels by which a click may move
+constexpr double drawnSpacing = 0.2;  // mm between drawn points
+constexpr double smallestSine = 1e-3; // of the angle between a line of sight and a plane
 
-/// Where a sight meets the plane through a place, mm.
+/// The intersection of a line of sight with the plane through a point, mm.
 std::optional<glm::dvec3> onPlane(const Sight& sight, const glm::dvec3& place, const glm::dvec3& normal) {
     const double slope = glm::dot(sight.direction, normal);
     if (std::abs(slope) < smallestSine) return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<glm::dvec3> dragged(const glm::dvec3& place, const Sight& from, co
 PathHand::PathHand(Appearance appearance, QObject* parent) : QObject(parent), appearance_(std::move(appearance)) {}
 
 void PathHand::setPoints(std::vector<HandPoint> points) {
-    if (doing_ != Doing::drawing) giveUp(); // it was about a path that is no more
+    if (doing_ != Doing::drawing) giveUp(); // it concerned the previous path
     points_ = std::move(points);
 }
 
@@ -59,7 +59,7 @@ void PathHand::setChosen(bool chosen) {
     if (std::exchange(chosen_, chosen) != chosen) emit stateChanged();
 }
 
-/// @return what it did before
+/// @return the previous state
 PathHand::Doing PathHand::become(Doing what) {
     const Doing before = std::exchange(doing_, what);
     if (before != what) emit stateChanged();
@@ -70,7 +70,7 @@ PathPiece PathHand::pieceAt(std::size_t piece) const {
     return {points_[piece].place, points_[piece + 1].place, points_[piece + 1].arc};
 }
 
-/// On the piece that appears nearest. Where only one of its ends comes from the hand, that one.
+/// On the piece that appears nearest. If only one of its ends comes from the hand, that end.
 std::optional<PathPlace> PathHand::placeAt(const QPointF& pointer) const {
     if (points_.size() < 2) return std::nullopt;
     const auto place = nearestPlace(
@@ -105,7 +105,7 @@ bool PathHand::press(const ViewportEvent& event) {
 }
 
 bool PathHand::move(const ViewportEvent& event) {
-    if (!event.buttons.testFlag(Qt::LeftButton)) giveUp(); // the release went to a dialog, or to another program
+    if (!event.buttons.testFlag(Qt::LeftButton)) giveUp(); // the release was sent to a dialog, or to another program
     if (doing_ == Doing::nothing) return false;
     if (doing_ == Doing::drawing) {
         draw(event);

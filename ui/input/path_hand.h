@@ -13,46 +13,46 @@
 
 namespace burin {
 
-/// What a drag does to a place of a path.
+/// How a drag moves a point of a path.
 enum class DragAlong : std::uint8_t {
-    level, ///< it stays on its height
+    level, ///< at constant height
     x,
     y,
     z,      ///< along an axis of the setup; Z is the tool's
-    surface ///< across the view; the part's surface leads it
+    surface ///< across the view direction; projected onto the part's surface
 };
 
-/// How far a sight drags a place, mm. Nothing where it does not say: it runs along the plane or the axis.
-/// @param from the sight when the drag began, @param to the one now
+/// The displacement of a point by dragging, mm. Empty if undefined: the line of sight is parallel to the plane or axis.
+/// @param from line of sight at the start of the drag, @param to the present one
 std::optional<glm::dvec3> dragged(const glm::dvec3& place, const Sight& from, const Sight& to, DragAlong along);
 
-/// A point of a path as the pointer sees it.
+/// A point of a path, for picking.
 struct HandPoint {
     glm::dvec3 place{0.0};    ///< mm, setup frame
     bool usable = false;      ///< it comes from the hand
-    std::optional<Arc> arc{}; ///< of the move that leads to it; nothing: straight
+    std::optional<Arc> arc{}; ///< of the move that ends at it; empty: straight
 };
 
-/// A place on a path: on the piece between two of its points.
+/// A position on a path: on the piece between two of its points.
 struct PathPlace {
     std::size_t piece = 0; ///< from point `piece` to the next
-    double share = 0.0;    ///< of an arc, of its sweep: 0 at its beginning, 1 at its end
+    double share = 0.0;    ///< of an arc: of its sweep; 0 at its start, 1 at its end
 
     std::size_t nearestPoint() const noexcept { return share < 0.5 ? piece : piece + 1; }
 };
 
-/// The pointer on a path. A click on it chooses a place, with Shift all from the place chosen before to that one; a
-/// drag from it moves the place; while it draws, a drag draws a stroke on the height of `setDrawing`. Esc ends what is
-/// under way, then clears what is chosen. Everything else is the camera's. Thread: user interface.
+/// The pointer on a path. A click selects a point, with Shift everything from the point selected before; a drag moves
+/// the point; while drawing, a drag draws a stroke at the height of `setDrawing`. Esc cancels the current operation,
+/// then clears the selection. All other events are left to the camera. Thread: user interface.
 class PathHand final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
     explicit PathHand(Appearance appearance, QObject* parent = nullptr);
 
     void setPoints(std::vector<HandPoint> points); ///< of the path, in order
-    void setChosen(bool chosen);                   ///< some of the path is: Esc clears it
+    void setChosen(bool chosen);                   ///< whether there is a selection, which Esc clears
     void setAlong(DragAlong along) { along_ = along; }
-    /// Draws on a height, mm; nothing: it chooses and drags.
+    /// Draws at a height, mm; empty: selects and drags.
     void setDrawing(std::optional<double> height);
 
     bool press(const ViewportEvent& event) override;
@@ -64,13 +64,13 @@ public:
 
 signals:
     void chosen(const burin::PathPlace& place, bool extend);
-    void dragging(const burin::PathPlace& place, const glm::dvec3& by); ///< mm; while it is dragged
-    void dropped(const burin::PathPlace& place, const glm::dvec3& by);  ///< mm; where it was let go
+    void dragging(const burin::PathPlace& place, const glm::dvec3& by); ///< mm; during the drag
+    void dropped(const burin::PathPlace& place, const glm::dvec3& by);  ///< mm; at the end of the drag
     void drawing(const std::vector<glm::dvec3>& places);                ///< mm; so far
     void drawn(const std::vector<glm::dvec3>& places);                  ///< mm; at least two
-    void givenUp();                                                     ///< what was under way is discarded
-    void stateChanged();                                                ///< what Esc does may be another
-    void cleared(); ///< Esc with nothing under way but what is chosen, or a drawing that is not begun
+    void givenUp();                                                     ///< the current operation is discarded
+    void stateChanged();                                                ///< the meaning of Esc may have changed
+    void cleared(); ///< Esc without an operation, but with a selection or a drawing that has not begun
 
 private:
     enum class Doing : std::uint8_t { nothing, pressed, dragging, drawing };

@@ -12,7 +12,7 @@
 
 namespace burin {
 
-/// Chooses a move with a click near it; every other click and drag is the camera's. Thread: user interface.
+/// Selects a move by a click near it; all other clicks and drags are left to the camera. Thread: user interface.
 class PathPicker final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
@@ -22,17 +22,17 @@ public:
     void setMoves(std::vector<Move> moves) { moves_ = std::move(moves); }
 
     bool press(const ViewportEvent& event) override;
-    bool move(const ViewportEvent& event) override; ///< the camera's as well
+    bool move(const ViewportEvent& event) override; ///< also left to the camera
     bool release(const ViewportEvent& event) override;
 
 signals:
-    void hovered(const QPointF& position); ///< no button is down
-    void chosen(std::size_t move);         ///< its place in the list
+    void hovered(const QPointF& position); ///< no button is pressed
+    void chosen(std::size_t move);         ///< its index in the list
 
 private:
     Appearance appearance_;
     std::vector<Move> moves_;
-    bool taken_ = false; ///< the press that is under way was on a move
+    bool taken_ = false; ///< the current press was on a move
 };
 
 } // namespace burin

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The mill tool's strokes that are cut by themselves: straight lines, rasters, repetitions.
+// The strokes of the mill tool that are cut automatically: straight lines, rasters, repetitions.
 #include "ui/input/mill_geometry.h"
 #include "ui/input/mill_tool.h"
 
@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr double mostPlaces = 1e6; // of one stroke: each waits as a StylusTarget of some 60 bytes until it is cut
+constexpr double mostPlaces = 1e6; // of one stroke: each is held as a StylusTarget of some 60 bytes until it is cut
 
 } // namespace
 
@@ -17,7 +17,7 @@ void MillTool::beginDrawing(Drawing what, const ViewportEvent& event) {
     pressed_ = event;
     drawing_ = what;
     lookAt(view_(), sightOf(event));
-    if (what == Drawing::line) { // on the level of the last stroke, where it ends
+    if (what == Drawing::line) { // starts at the end of the last stroke, at its height
         corner_ = memory_.last().places.back();
         lockAnchor_ = corner_;
         if (settings_.rule == DepthRule::level) levelHeight_ = corner_.z - wheelOffset_;
@@ -36,7 +36,7 @@ void MillTool::draw(const ViewportEvent& event) {
     const glm::dvec3 held = drawing_ == Drawing::line ? locked(lock_, lockAnchor_, lockDirection_, *place) : *place;
     across_ = keptWithin(strokeReach(workpiece, tool_.cutter), held);
     across_.z = corner_.z;
-    showAim(drawing_ == Drawing::line ? std::optional(across_) : std::nullopt); // where the line ends
+    showAim(drawing_ == Drawing::line ? std::optional(across_) : std::nullopt); // the end of the line
     emit stateChanged();
 }
 
@@ -54,7 +54,7 @@ void MillTool::finishDrawing() {
     if (!obstacle.isEmpty()) emit refused(obstacle);
 }
 
-/// A whole stroke at once, at the heights of its corners or along the part. @param grain as of a StylusTarget
+/// Cuts a complete stroke, at the heights of its corners or along the part. @param grain as in StylusTarget
 QString MillTool::cutPlan(const std::vector<glm::dvec3>& corners, double speed, double grain) {
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty() || corners.empty()) return {};

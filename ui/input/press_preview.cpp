@@ -13,11 +13,11 @@
 namespace burin {
 namespace {
 
-constexpr int rings = 8;             // of places on the cutter, from its axis to its edge
-constexpr int placesPerRing = 6;     // on the innermost; the k-th has k times as many
+constexpr int rings = 8;             // of sample points on the cutter, from its axis to its edge
+constexpr int placesPerRing = 6;     // on the innermost ring; the k-th has k times as many
 constexpr double insideEdge = 0.999; // of the radius
 
-/// Height of the flutes' surface over the tip, seen from below, mm.
+/// Height of the flutes' surface above the tip, seen from below, mm.
 double undersideAt(const std::vector<RevolvedPiece>& flutes, double radius) {
     double lowest = std::numeric_limits<double>::infinity();
     for (const RevolvedPiece& piece : flutes)
@@ -26,13 +26,13 @@ double undersideAt(const std::vector<RevolvedPiece>& flutes, double radius) {
     return lowest;
 }
 
-/// What would hold the cutter up.
+/// The contact that limits the cutter's descent.
 struct Rest {
-    double lift = 0.0; ///< mm along the axis, from where the tip was aimed
+    double lift = 0.0; ///< mm along the axis, from the target position of the tip
     glm::dvec3 place{0.0};
 };
 
-/// The highest of the part under each place of the cutter's underside.
+/// Finds the highest point of the part under each point of the cutter's underside.
 class Probe {
 public:
     Probe(const VolumeSnapshot& workpiece, const glm::dvec3& tip, const glm::dvec3& axis)
@@ -41,7 +41,7 @@ public:
         for (unsigned corner = 0; corner < 8; ++corner)
             above_ = std::max(above_, glm::dot(box.corner(corner) - tip, axis) + 1.0);
     }
-    /// Looks down on what lies aside of the axis. @return nothing where there is none of it
+    /// Casts a ray down along the axis, at an offset from it. @return empty if nothing is hit
     std::optional<RayHit> below(const glm::dvec3& aside, RayTarget target) const {
         return castRay(workpiece_, tip_ + aside + axis_ * above_, -axis_, target);
     }
@@ -55,7 +55,7 @@ public:
 private:
     const VolumeSnapshot& workpiece_;
     glm::dvec3 tip_, axis_;
-    double above_ = 0.0; ///< mm over the tip: over everything
+    double above_ = 0.0; ///< mm above the tip: above everything
 };
 
 std::optional<Rest> restOf(const Probe& probe, const Cutter& cutter, const glm::dvec3& axis) {

@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// What a press would do: the tool goes down along its axis to where it is aimed, or as far as the part lets it.
-/// @param aimed mm, setup frame: the tip, as deep as requested; @param axis unit, of the tool
-/// @param allowance mm left on the part, reckoned along the axis
-/// @return nothing where there is nothing to be cut under the tip
+/// The result of a press: the tool moves down along its axis to the target, or as far as the part allows.
+/// @param aimed mm, setup frame: tip position at the requested depth; @param axis unit, of the tool
+/// @param allowance mm left on the part, measured along the axis
+/// @return empty if there is nothing to cut under the tip
 std::optional<PressMark> pressPreview(const VolumeSnapshot& workpiece, const Cutter& cutter, const glm::dvec3& aimed,
                                       const glm::dvec3& axis, double allowance);
 

@@ -8,9 +8,9 @@
 namespace burin {
 namespace {
 
-constexpr int interval = 10;              // ms: the stylus holds thousands of places
-constexpr std::size_t placesADeal = 500;  // so that many heights never hold the window up
-constexpr std::size_t longestTail = 4000; // places that are worth drawing
+constexpr int interval = 10;              // ms: the stylus holds thousands of points
+constexpr std::size_t placesADeal = 500;  // so that computing heights does not block the window
+constexpr std::size_t longestTail = 4000; // points that are worth drawing
 
 } // namespace
 

@@ -15,33 +15,34 @@
 
 namespace burin {
 
-/// Hands the simulated stylus its targets in their order, as fast as it has room for them: a stroke may have more
-/// places than the stylus holds, and may have to wait for its recording. Nothing is lost. Thread: user interface.
+/// Passes targets to the simulated stylus in order, as fast as it has room for them: a stroke may have more points than
+/// the stylus holds, and may have to wait for its recording. No target is lost. Thread: user interface.
 class StrokeFeed final : public QObject {
     Q_OBJECT
 public:
     enum class Height : std::uint8_t {
-        given, ///< the target has its z
-        later  ///< it gets its z when its turn comes
+        given, ///< z is given with the target
+        later  ///< z is computed when the target is passed on
     };
-    /// @param stylus outlives it; @param heightAt z of the tip, mm, from x and y: of targets with Height::later
+    /// @param stylus outlives it; @param heightAt z of the tip, mm, from x and y: for targets with Height::later
     explicit StrokeFeed(SimulatedStylus& stylus, std::function<double(const glm::dvec3&)> heightAt,
                         QObject* parent = nullptr);
 
-    /// A target of a stroke, or one that ends it where its trail ends. Of targets that don't cut the newest counts.
+    /// Adds a target of a stroke, or one that ends the stroke at the end of its trail. Of consecutive targets that
+    /// don't cut only the newest is used.
     void add(const StylusTarget& target, Height height = Height::given);
-    /// Ends what is under way, here and in the stylus: what waits is forgotten.
+    /// Ends the current motion, here and in the stylus; waiting targets are discarded.
     void giveUp(const StylusTarget& target);
 
     void hold(); ///< strokes wait from now on
     void goOn();
-    bool waits() const noexcept { return !queue_.empty(); } ///< the stylus doesn't have all yet
+    bool waits() const noexcept { return !queue_.empty(); } ///< the stylus has not received all targets yet
 
-    bool heightsAreOpen() const; ///< some target that waits has its height still to come
+    bool heightsAreOpen() const; ///< some waiting target has Height::later
 
-    /// The places that the tool has not passed, stroke by stroke, before those of the one under way its own; mm, setup
-    /// frame. Empty: it has nothing to catch up with. Those whose height comes later are known once they are handed
-    /// over.
+    /// The points that the tool has not passed, one chain for each stroke; the chain of the stroke under way begins at
+    /// the tool's own position; mm, setup frame. Empty: the tool has nothing to catch up with. Points with
+    /// Height::later are included once they are passed on.
     PlaceChains tail();
 
 private:
@@ -49,10 +50,10 @@ private:
         StylusTarget target;
         Height height = Height::given;
     };
-    /// A place of a stroke.
+    /// A point of a stroke.
     struct Place {
         glm::dvec3 place{0.0}; // mm
-        bool begins = false;   // the stroke
+        bool begins = false;   // whether it begins the stroke
     };
     void feed();
 
@@ -60,8 +61,8 @@ private:
     std::function<double(const glm::dvec3&)> heightAt_;
     QTimer timer_;
     std::deque<Entry> queue_;
-    std::vector<Place> handed_; ///< of the stroke that is under way, and those that the stylus has behind it
-    bool between_ = true;       ///< strokes: the newest target that was handed over doesn't cut
+    std::vector<Place> handed_; ///< points of the stroke under way, and of those that follow it in the stylus
+    bool between_ = true;       ///< between strokes: the newest target passed on doesn't cut
     bool held_ = false;
 };
 

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t mostRemembered = 64; // strokes; more than anyone takes back to draw on from there
+constexpr std::size_t mostRemembered = 64; // strokes; more than anyone undoes in order to continue from there
 
 } // namespace
 
@@ -26,7 +26,7 @@ void StrokeMemory::begin(std::uint64_t begun) {
 }
 
 void StrokeMemory::add(const glm::dvec3& place, double grain) {
-    if (strokes_.empty()) return; // it was taken back while it was drawn
+    if (strokes_.empty()) return; // it was undone while it was drawn
     DrawnStroke& stroke = strokes_.back().stroke;
     stroke.grain = std::max(stroke.grain, grain);
     if (stroke.places.empty() || stroke.places.back() != place) stroke.places.push_back(place);
@@ -42,7 +42,7 @@ void StrokeMemory::giveUp(std::uint64_t begun) {
     if (replacedBy_ > drawn_) undone_ = std::exchange(undoneBefore_, {});
 }
 
-/// One that was given up in the very moment in which it turned the spindle is a stroke all the same.
+/// A stroke that was cancelled at the moment when it turned on the spindle still counts.
 void StrokeMemory::recall(std::uint64_t begun) {
     if (givenUp_.empty() || givenUp_.front().number > begun) return;
     drawn_ = givenUp_.front().number;
@@ -53,7 +53,7 @@ void StrokeMemory::recall(std::uint64_t begun) {
 
 void StrokeMemory::takeBack(bool undo, std::uint64_t begun) {
     recall(begun);
-    // One that has not turned the spindle yet stays behind all that have.
+    // A stroke that has not turned on the spindle yet stays behind all that have.
     const auto next = std::ranges::find_if(strokes_, [&](const Numbered& each) { return each.number > begun; });
     if (undo) {
         if (next == strokes_.begin()) return;

@@ -11,40 +11,40 @@ namespace burin {
 
 /// A stroke as it was drawn.
 struct DrawnStroke {
-    std::vector<glm::dvec3> places; ///< mm, setup frame: all of them, or its corners
-    double grain = 0.0;             ///< mm, the coarsest of them, as StylusTarget has it; 0: they are exact
+    std::vector<glm::dvec3> places; ///< mm, setup frame: all points, or the corners
+    double grain = 0.0;             ///< mm, the largest value of its points, as in StylusTarget; 0: they are exact
 };
 
-/// The strokes that were drawn since milling began, newest last: what a line goes on from, and what is repeated. One
-/// that is taken back is the last one no more, and one that was given up before it turned the spindle never was. Who
-/// calls says how many of the strokes have turned it so far, `begun`: they do so in the order in which they were drawn.
-/// Thread: user interface.
+/// The strokes drawn since milling began, newest last: lines continue from the last one, and it can be repeated. An
+/// undone stroke is removed, and a stroke cancelled before the spindle was turned on is discarded. The caller passes
+/// the number of strokes that have turned on the spindle so far, `begun`: they do so in the order in which they were
+/// drawn. Thread: user interface.
 class StrokeMemory {
 public:
-    void begin(std::uint64_t begun); ///< a new stroke; what was taken back is forgotten
-    /// Of the stroke that is drawn; a place that follows its like is no new one.
+    void begin(std::uint64_t begun); ///< a new stroke; undone strokes are discarded
+    /// Adds a point to the current stroke unless it equals the previous one.
     void add(const glm::dvec3& place, double grain);
-    /// Strokes that wait to turn the spindle never will. What was taken back before them can be put back again.
+    /// Discards the strokes that have not turned on the spindle. Strokes undone before them can be redone again.
     void giveUp(std::uint64_t begun);
-    /// The last one that turned the spindle; false: the one that was taken back last is there again.
+    /// Removes the last stroke that turned on the spindle; false: restores the one undone last.
     void takeBack(bool undo, std::uint64_t begun);
 
-    /// The stroke that is drawn, else the last one; empty: there is none.
+    /// The current stroke, else the last one; empty: none.
     const DrawnStroke& last() const noexcept;
     bool empty() const noexcept { return last().places.empty(); }
 
 private:
     struct Numbered {
         DrawnStroke stroke;
-        std::uint64_t number = 0; ///< from 1, in the order in which they turn the spindle
+        std::uint64_t number = 0; ///< from 1, in the order in which they turn on the spindle
     };
     void recall(std::uint64_t begun);
 
     std::vector<Numbered> strokes_, undone_;
-    std::vector<Numbered> givenUp_;      ///< by the newest call, the first of them first
-    std::vector<Numbered> undoneBefore_; ///< what could be put back until a stroke was begun
+    std::vector<Numbered> givenUp_;      ///< by the last call, in order
+    std::vector<Numbered> undoneBefore_; ///< could be redone until a stroke was begun
     std::uint64_t drawn_ = 0,
-                  replacedBy_ = 0; ///< number of the newest stroke; of the one that `undoneBefore_` went for
+                  replacedBy_ = 0; ///< number of the newest stroke; of the one that discarded `undoneBefore_`
 };
 
 } // namespace burin

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr double leastExtent = 1e-3; // mm: what is shorter has no direction
+constexpr double leastExtent = 1e-3; // mm: shorter lines have no direction
 
 glm::dvec3 level(const glm::dvec3& way) {
     return {way.x, way.y, 0.0};

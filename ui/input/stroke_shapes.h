@@ -10,34 +10,35 @@
 
 namespace burin {
 
-/// What a stroke keeps to, seen along the tool's axis.
+/// Constraint of a stroke, seen along the tool axis.
 enum class StrokeLock : std::uint8_t {
     none,
     alongX,   ///< only X changes, setup frame
     alongY,   ///< only Y changes
-    direction ///< straight on, as it was going when it was locked
+    direction ///< straight, in the direction that it had when locked
 };
 
-/// Rows that fill a rectangle along its longer side, there and back: first and last lie on its edges, those between
-/// them evenly, at most `stepOver` apart.
-/// @param corner where the first row begins, mm, setup frame; @param opposite the corner across; its z is not read
-/// @param stepOver mm, > 0 @return the ends of the rows in the order in which they are milled, all at corner.z
+/// Rows that fill a rectangle along its longer side, back and forth: the first and the last are on its edges, the
+/// others evenly between them, at most `stepOver` apart.
+/// @param corner start of the first row, mm, setup frame; @param opposite the opposite corner; its z is ignored
+/// @param stepOver mm, > 0 @return the ends of the rows in the order of milling, all at corner.z
 std::vector<glm::dvec3> rasterRows(const glm::dvec3& corner, const glm::dvec3& opposite, double stepOver);
 
-/// A line with more places, so that none is farther from the next than `spacing` (mm, > 0). Its own stay.
+/// A line with additional points, so that consecutive points are at most `spacing` apart (mm, > 0). Its own points are
+/// kept.
 std::vector<glm::dvec3> subdivided(const std::vector<glm::dvec3>& line, double spacing);
 
-/// How many places `subdivided` would give.
+/// The number of points that `subdivided` would return.
 double subdividedCount(const std::vector<glm::dvec3>& line, double spacing);
 
-/// Unit, z = 0, across a line to its left as it goes, seen from above: square to the way from its first place to that
-/// which is farthest from it. Nothing: the line has no extent in x and y.
+/// Unit vector, z = 0, to the left of a line in its direction, seen from above: perpendicular to the vector from its
+/// first point to the point farthest from it. Empty: the line has no extent in x and y.
 std::optional<glm::dvec3> acrossOf(const std::vector<glm::dvec3>& line);
 
-/// In which a line goes at its end: unit, z = 0, over the last `length` mm of it. Nothing: it isn't that long.
+/// The direction of a line at its end: unit, z = 0, over the last `length` mm of it. Empty: it is shorter.
 std::optional<glm::dvec3> directionAtEnd(const std::vector<glm::dvec3>& line, double length);
 
-/// The place nearest to `place` that a lock allows from `anchor` on; z stays.
+/// The nearest point to `place` that a lock allows, starting from `anchor`; z is kept.
 /// @param direction unit, z = 0; of StrokeLock::direction
 glm::dvec3 locked(StrokeLock lock, const glm::dvec3& anchor, const glm::dvec3& direction, const glm::dvec3& place);
 

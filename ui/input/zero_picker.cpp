@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// Along one axis: to the nearest of both sides and the middle.
+/// Along one axis: the nearest of both sides and the middle.
 BoxSide nearestSide(double place, double low, double high) {
     const double share = high > low ? (place - low) / (high - low) : 0.5;
     return share < 0.25 ? BoxSide::low : share > 0.75 ? BoxSide::high : BoxSide::middle;

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// Asks for a place of the part or of the stock's box: the next click on one of them answers, the part's first, as the
-/// stock hides it. Esc cancels the question. Thread: user interface.
+/// Picks a point of the part or of the stock's box: the next click selects it; the part has priority, as the stock
+/// hides it. Esc cancels. Thread: user interface.
 class ZeroPicker final : public FacePicker {
     Q_OBJECT
 public:
@@ -21,15 +21,15 @@ public:
     QString escapeMeaning() override;
 
 signals:
-    /// Its corner, middle of an edge or face that is nearest to where the sight meets it.
+    /// The corner, or middle of an edge or face, of the box nearest to the intersection with the line of sight.
     void stockChosen(const std::array<burin::BoxSide, 3>& sides);
 
 private:
     Box stock_;
-    bool taken_ = false; ///< the press that is under way was on the stock
+    bool taken_ = false; ///< the current press was on the stock
 };
 
-/// Where a sight meets a box from outside; nothing: it does not.
+/// The intersection of a line of sight with a box from outside; empty: none.
 std::optional<glm::dvec3> boxOn(const Sight& sight, const Box& box) noexcept;
 
 } // namespace burin

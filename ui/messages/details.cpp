@@ -17,8 +17,8 @@ namespace burin {
 
 namespace {
 
-/// What core gives as place and detail of an `Error`, as its sources have it; %1 … stand for what it fills in. The
-/// first one that fits counts, so those that say more come first.
+/// The places and details of core's errors as in its sources; %1 … stand for inserted values. The first match is used,
+/// so the more specific ones come first.
 constexpr std::array details{
     // places, names and files
     BURIN_TEXT("Detail", "an id that no shipped machine has; shipped machines can be copied, not changed"),
@@ -427,9 +427,9 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "it threw: %1"),
     BURIN_TEXT("Detail", "it threw"),
 };
-[[maybe_unused]] constexpr TextId range = BURIN_TEXT("Detail", "%1 to %2"); // of numbers alone
+[[maybe_unused]] constexpr TextId range = BURIN_TEXT("Detail", "%1 to %2"); // of numbers only
 
-/// In the user's language with `values` for %1 …, each of them a detail itself.
+/// The text in the user's language with `values` for %1 …, each of them a detail itself.
 QString filledDetail(TextId text, const QStringList& values) {
     QStringList translated;
     for (const QString& value : values) translated << detailText(value.toStdString());
@@ -450,7 +450,7 @@ std::optional<QString> knownDetail(const QString& english) {
     return std::nullopt;
 }
 
-/// "decimal point is missing: X1": a problem of a program's text, with the words that have it.
+/// "decimal point is missing: X1": a problem of a program's text, followed by the words concerned.
 QString problemText(const QString& english) {
     const auto translated = [](const QString& text) {
         return QCoreApplication::translate("ProgramProblem", text.toUtf8().constData());

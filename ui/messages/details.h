@@ -7,8 +7,8 @@
 
 namespace burin {
 
-/// What core records as place or detail of an error ("line 5, column 3", "has to be above 0"), in the user's language;
-/// text that Burin does not know stays as it is. Thread: that of `Messages`.
+/// Translates the place or detail of an error as recorded by core ("line 5, column 3", "has to be above 0") to the
+/// user's language; unknown text is returned unchanged. Thread: that of `Messages`.
 QString detailText(const std::string& detail);
 
 } // namespace burin

@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// What matches a text that was filled from this one in English; it captures the values of %1, %2 …
+/// A pattern that matches English texts filled from this one; it captures the values of %1, %2 …
 QRegularExpression patternOf(TextId text);
 
-/// `text` with the first value for %1 and so on; in one pass, so that a value may itself hold "%2".
+/// `text` with the first value for %1 and so on; in one pass, so that a value may itself contain "%2".
 QString filled(const QString& text, const QStringList& values);
 
 } // namespace burin

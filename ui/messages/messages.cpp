@@ -21,7 +21,7 @@ QString givenDetail(const std::string& text) {
     return text.empty() ? given(text) : detailText(text);
 }
 
-/// The title of a kind of edit, as core marks it.
+/// The title of a kind of edit, as marked by core.
 QString editTitle(const std::string& title) {
     return title.empty() ? given(title) : QCoreApplication::translate("Edit", title.c_str());
 }
@@ -33,11 +33,11 @@ QString Messages::withRecord(const QString& sentence, const Error& error) {
     return sentence.chopped(1) + tr(" (details are in \"%1\").").arg(QString::fromStdString(error.place));
 }
 
-// No default: the compiler names every code that has no sentence yet.
+// No default: the compiler reports every code without a sentence.
 QString Messages::sentence(const Error& error) {
     const QString file = QDir::toNativeSeparators(QString::fromStdString(error.subject));
     const QString subject = subjectText(error.subject);
-    // What a user typed, or named, stays as it is.
+    // Text typed or named by a user is not translated.
     const bool named = error.code == ErrorCode::nameUnknown;
     const bool typed = named || error.code == ErrorCode::argumentInvalid;
     const QString place = typed ? given(error.place) : givenDetail(error.place);
@@ -201,7 +201,7 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::checkFailed:
         return tr("\"%1\" did not pass the check (%2); correct the path and check it again.").arg(file, place);
     }
-    return tr("An unknown fault occurred in \"%1\"; report this.").arg(subject); // a number that is no code
+    return tr("An unknown fault occurred in \"%1\"; report this.").arg(subject); // not a valid code
 }
 
 QString Messages::resourceName(const std::string& name) {

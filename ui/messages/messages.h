@@ -11,24 +11,24 @@
 
 namespace burin {
 
-/// The one place that words what core only records. Thread: the one of the user interface, or any before translations
-/// are installed.
+/// The one place that words the errors recorded by core. Thread: the one of the user interface, or any before
+/// translations are installed.
 class Messages {
     Q_DECLARE_TR_FUNCTIONS(Messages)
 
 public:
-    /// One sentence with a full stop: what happened, to which file or thing, where, and what helps.
+    /// One sentence with a full stop: what happened, to which file or object, where, and the remedy.
     static QString sentence(const Error& error);
 
     /// A text that core marked with BURIN_TEXT, in the language of the user interface.
     static QString text(TextId id);
 
-    /// The name of a tool, machine or material: in the language of the user interface where Burin is shipped with it.
-    /// Of one that bears the name of a body or layer behind it ("Machinable wax (Block)"), what is before that.
+    /// The name of a tool, machine or material, in the language of the user interface if it is shipped with Burin. For
+    /// a name followed by that of a body or layer ("Machinable wax (Block)"), the part before it is translated.
     static QString resourceName(const std::string& name);
 
-    /// Words everything in the first of the locale's languages that there is a translation of; English is the source.
-    /// Needs a QCoreApplication. False: there is none, and all stays English.
+    /// Translates everything to the first of the locale's languages for which there is a translation; English is the
+    /// source. Needs a QCoreApplication. False: there is none, and everything stays English.
     static bool install(const QLocale& locale);
 
 private:

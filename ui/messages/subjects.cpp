@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// The words that core gives as `Error::subject` where it names no file, as its sources have them.
+/// The values of `Error::subject` in core that are no file names, as in its sources.
 constexpr std::array subjects{
     // what a project may lack
     BURIN_TEXT("Subject", "model"),
@@ -50,7 +50,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "verification"),
     BURIN_TEXT("Subject", "volume"),
     BURIN_TEXT("Subject", "voxelisation"),
-    // what a machine limits
+    // limits of a machine
     BURIN_TEXT("Subject", "feed"),
     BURIN_TEXT("Subject", "plunge feed"),
     BURIN_TEXT("Subject", "maximum feed"),
@@ -62,7 +62,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "tilt of the tool axis"),
     BURIN_TEXT("Subject", "dwell"),
     BURIN_TEXT("Subject", "arc"),
-    // what this version can't do
+    // not supported by this version
     BURIN_TEXT("Subject", "the virtual operator with this kind of tool"),
     BURIN_TEXT("Subject", "this pass with this kind of tool"),
     BURIN_TEXT("Subject", "tilted tool axis"),
@@ -71,7 +71,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "a restart of a program that sets its own zero"),
     BURIN_TEXT("Subject", "a restart over a change of the path mode (G61, G64)"),
     BURIN_TEXT("Subject", "a restart over a change of the work offset"),
-    // what a user gives
+    // user input
     BURIN_TEXT("Subject", "restart line"),
     BURIN_TEXT("Subject", "interrupted program"),
     BURIN_TEXT("Subject", "MODEL"),
@@ -79,7 +79,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "trace"),
     BURIN_TEXT("Subject", "paths"),
     BURIN_TEXT("Subject", "tool number"),
-    // what a setup has
+    // properties of a setup
     BURIN_TEXT("Subject", "voxel"),
     BURIN_TEXT("Subject", "margin"),
     BURIN_TEXT("Subject", "part"),

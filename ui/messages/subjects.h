@@ -7,15 +7,15 @@
 
 namespace burin {
 
-/// What core calls a kind of thing or a piece of work ("material", "milling"), in the language of the user interface;
-/// names that somebody gave stay as they are.
+/// Translates core's name for a kind of object or of work ("material", "milling") to the language of the user
+/// interface; names given by users are returned unchanged.
 QString subjectText(const std::string& subject);
 
-/// What a device reports (reasons of core/device/device_fault.h), in the language of the user interface; other text
-/// stays as it is.
+/// Translates a device's reason for a fault (core/device/device_fault.h) to the language of the user interface; other
+/// text is returned unchanged.
 QString deviceReasonText(const std::string& reason);
 
-/// "process 4711", as the project names the owner of a lock, in the language of the user interface.
+/// Translates "process 4711", the project's name for the owner of a lock, to the language of the user interface.
 QString ownerText(const std::string& owner);
 
 } // namespace burin

@@ -35,7 +35,7 @@ AreaCard::AreaCard(QWidget* parent)
     const std::array texts{tr("Brush"), tr("Lasso"), tr("Face")};
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
         shapes_[i] = makeChoiceButton(texts[i], {}, QLatin1String(names[i]), this);
-        shapes_[i]->setAutoExclusive(false); // a second click ends the painting
+        shapes_[i]->setAutoExclusive(false); // a second click ends painting
         row->addWidget(shapes_[i], 1);
         connect(shapes_[i], &QPushButton::clicked, this,
                 [this, i](bool on) { emit paintingWanted(static_cast<AreaTool>(i), on); });

@@ -18,22 +18,22 @@ class ElidedLabel;
 class FieldRow;
 class QuantityField;
 
-/// What paints the area of the next pass.
+/// The tool that paints the area of the next pass.
 enum class AreaTool { brush, lasso, face };
 
 inline constexpr double thinnestBrush = 0.1, widestBrush = 1000.0; // mm
 
-/// What the card of the painted area shows.
+/// The state shown by the card of the painted area.
 struct AreaState {
-    double area = 0.0;                ///< mm²; 0: nothing is painted
-    std::optional<AreaTool> painting; ///< with what
+    double area = 0.0;                ///< mm²; 0 if nothing is painted
+    std::optional<AreaTool> painting; ///< the active tool; empty: not painting
     double brush = 10.0;              ///< mm, diameter
-    bool possible = false;            ///< there is a part to paint on
+    bool possible = false;            ///< whether there is a part to paint on
 
     friend bool operator==(const AreaState&, const AreaState&) = default;
 };
 
-/// The area of the next pass: what paints it, how large it is.
+/// The area of the next pass: the painting tool and the size of the area.
 class AreaCard : public QFrame {
     Q_OBJECT
 public:

@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// Switches of what keeps the tool out besides the part, at hand while one mills. Hidden where there is nothing.
+/// Switches for the fixtures and limits that the tool avoids in addition to the part, within reach while milling.
+/// Hidden if there are none.
 class BoundsPanel : public QWidget {
     Q_OBJECT
 public:
@@ -16,7 +17,7 @@ public:
     void setState(const SurroundingsState& state); ///< never emits
 
 signals:
-    void obstacleSwitched(std::size_t place, bool on); ///< @param place in SurroundingsState::obstacles
+    void obstacleSwitched(std::size_t place, bool on); ///< @param place index in SurroundingsState::obstacles
     void travelSwitched(bool on);
 
 private:

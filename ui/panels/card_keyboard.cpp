@@ -11,7 +11,7 @@ namespace burin {
 
 void CardKeyboard::await(std::size_t card, const QString& part) {
     place_ = Place{card, part, true};
-    forgetKeptFocus(list_); // the button that was pressed waits there while work runs
+    forgetKeptFocus(list_); // where the focus of the pressed button is held while work runs
     list_->setFocus(Qt::OtherFocusReason);
 }
 
@@ -30,7 +30,7 @@ void CardKeyboard::takeFrom(const std::vector<QWidget*>& cards) {
 
 void CardKeyboard::giveTo(const std::vector<QWidget*>& cards) {
     if (!place_) return;
-    if (list_->window()->focusWidget() != list_) { // the user went on
+    if (list_->window()->focusWidget() != list_) { // the user has moved the focus
         place_.reset();
         return;
     }
@@ -38,7 +38,7 @@ void CardKeyboard::giveTo(const std::vector<QWidget*>& cards) {
     const std::size_t place = std::min(place_->card, cards.size() - 1);
     if (!cards[place]->isEnabled()) return;
     auto* target = cards[place]->findChild<QWidget*>(prefix_ + QString::number(place) + place_->part);
-    // What can go no further: the next key must not do something else.
+    // A button that is disabled at the end of the list: the next key press must not trigger another one.
     if (target == nullptr || !target->isEnabled()) target = cards[place];
     target->setFocus(Qt::OtherFocusReason);
     if (place_->isNew) bringIntoView(cards[place]);

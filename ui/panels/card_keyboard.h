@@ -11,24 +11,25 @@
 
 namespace burin {
 
-/// Keeps the keyboard at its place in a list of cards that are disabled while work runs, or made anew. Qt would hand it
-/// on to what comes next, where a key or the wheel may change something. GUI thread.
+/// Keeps the keyboard focus in its position in a list of cards that are disabled while work runs, or recreated. Qt
+/// would pass the focus to the next widget, where a key or the wheel might change something. GUI thread.
 class CardKeyboard {
 public:
-    /// @param list holds the cards; the keyboard waits there, and does nothing
-    /// @param prefix of the names in a card: "edit" for "edit2Switch"
+    /// @param list contains the cards; has the focus in the meantime, where keys have no effect
+    /// @param prefix of the object names in a card: "edit" for "edit2Switch"
     CardKeyboard(QWidget* list, QString prefix) : list_(list), prefix_(std::move(prefix)) {}
 
-    /// A card is about to change its place: the keyboard goes with it.
+    /// Call when a card is about to change its position: the focus moves with it.
     void follow(std::size_t from, std::size_t to) { moved_ = {from, to}; }
-    /// A part of a card that was just made gets the keyboard as soon as it is enabled, and is brought into view.
+    /// Gives the focus to a part of a new card as soon as that part is enabled, and scrolls it into view.
     void await(std::size_t card, const QString& part);
-    /// Before cards are disabled or made anew.
+    /// Call before cards are disabled or recreated.
     template <class Card>
     void take(const std::vector<Card*>& cards) {
         takeFrom({cards.begin(), cards.end()});
     }
-    /// Afterwards: back to where it was, as soon as that is enabled, unless the user took it elsewhere.
+    /// Call afterwards: returns the focus to where it was, as soon as that widget is enabled, unless the user has moved
+    /// it elsewhere.
     template <class Card>
     void give(const std::vector<Card*>& cards) {
         giveTo({cards.begin(), cards.end()});
@@ -43,14 +44,14 @@ private:
     };
     struct Place {
         std::size_t card = 0;
-        QString part; ///< what the widget's name says behind the card's number; empty: the card itself
+        QString part; ///< the part of the widget's name after the card's number; empty: the card itself
         bool isNew = false;
     };
 
     QWidget* list_;
     QString prefix_;
     std::optional<Move> moved_;
-    std::optional<Place> place_; ///< that waits
+    std::optional<Place> place_; ///< the position that waits for the focus
 };
 
 } // namespace burin

@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-constexpr int textPadding = 6; // of the style sheet's label inside of its room
+constexpr int textPadding = 6; // padding of the label in its rectangle, from the style sheet
 
 } // namespace
 

@@ -6,15 +6,16 @@
 
 namespace burin {
 
-/// A choice of one of several texts; a long one ends in "…" and is the tooltip in whole, and the list shows all in
-/// whole. The wheel changes it only when it has the focus. `activated` tells of the user alone.
+/// A choice of one of several texts. A long text is elided with "…" and shown in full in the tooltip; the list shows
+/// all texts in full. The wheel changes the choice only when the box has the focus. `activated` is emitted only for the
+/// user's choices.
 class ChoiceBox : public QComboBox {
     Q_OBJECT
 public:
     explicit ChoiceBox(QWidget* parent = nullptr);
     void showPopup() override;
-    /// Replaces what is offered only when that is something else, so that an open list stays open.
-    /// @param ids as many as texts @param chosen one of them, or none
+    /// Replaces the offered texts only if they differ, so that an open list stays open.
+    /// @param ids one per text @param chosen one of them, or none
     void offer(const QStringList& texts, const QStringList& ids, const QString& chosen);
 
 protected:

@@ -44,7 +44,7 @@ DeviationCard::DeviationCard(QWidget* parent)
     column->addWidget(bands_);
     connect(switch_, &QCheckBox::clicked, this, [this](bool on) {
         showOn(on);
-        if (on) QTimer::singleShot(0, this, &DeviationCard::scrollIntoView); // after the new layout
+        if (on) QTimer::singleShot(0, this, &DeviationCard::scrollIntoView); // after the layout has been updated
         emit switched(on);
     });
     showOn(false);
@@ -69,7 +69,7 @@ void DeviationCard::showOn(bool on) {
     refresh();
 }
 
-/// The legend opens below what was seen so far.
+/// The legend opens below the visible area.
 void DeviationCard::scrollIntoView() {
     for (QWidget* above = parentWidget(); above != nullptr; above = above->parentWidget())
         if (auto* area = qobject_cast<QScrollArea*>(above)) return area->ensureWidgetVisible(this);
@@ -82,7 +82,7 @@ void DeviationCard::showUnderPointer(const std::optional<DeviationSample>& sampl
 
 void DeviationCard::changeEvent(QEvent* event) {
     QFrame::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) refresh(); // swatches are colours, not roles
+    if (event->type() == QEvent::PaletteChange) refresh(); // swatches store colours, not roles
 }
 
 void DeviationCard::refresh() {
@@ -94,7 +94,7 @@ void DeviationCard::refresh() {
         shown.swatch = QColor(colour[0], colour[1], colour[2]);
         return shown;
     };
-    // The colour of each band's middle.
+    // The colour at the middle of each band.
     const double left = tolerance_.allowance + 5.0 * tolerance_.excess, deep = -5.0 * tolerance_.gouge;
     legend_->setTolerance(tolerance_);
     legend_->setUnit(unit_);

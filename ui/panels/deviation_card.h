@@ -17,7 +17,8 @@ namespace burin {
 class DeviationLegend;
 class RowList;
 
-/// The legend of the deviation map with each band's share of the part, its switch, and the value under the pointer.
+/// The legend of the deviation map with each band's share of the part, the switch of the map, and the value under the
+/// pointer.
 class DeviationCard : public QFrame {
     Q_OBJECT
 public:
@@ -25,7 +26,7 @@ public:
     void setUnit(LengthUnit unit);
     void setShares(const DeviationMap::Shares& shares, const DeviationTolerance& tolerance);
     void showOn(bool on); ///< never emits
-    /// @param sample under the pointer; nothing: there is none
+    /// @param sample under the pointer; std::nullopt if there is none
     void showUnderPointer(const std::optional<DeviationSample>& sample);
 
 signals:

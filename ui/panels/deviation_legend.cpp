@@ -101,7 +101,7 @@ void DeviationLegend::paintMarks(QPainter& painter) const {
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const int y =
             static_cast<int>(std::lround(heightAt(static_cast<double>(i) / static_cast<double>(marks.size() - 1))));
-        // A limit of the tolerance goes through the bar; other bands are marked beside it.
+        // The tolerance limits are drawn across the bar; other band limits are marked next to it.
         painter.setPen(
             QPen(marks[i].ofTolerance ? QColor(Qt::black) : activePalette().quietText, marks[i].ofTolerance ? 2 : 1));
         painter.drawLine(marks[i].ofTolerance ? barLeft : barLeft + barWidth, y, barLeft + barWidth, y);

@@ -11,17 +11,17 @@
 
 namespace burin {
 
-/// The scale of the deviation map, stock that is left on top: its colours, the value at each border of a band, which
-/// part of it is within tolerance, and a pointer at the value under the cursor.
+/// The scale of the deviation map, with excess stock at the top: its colours, the values at the band limits, the range
+/// within tolerance, and a pointer at the value under the cursor.
 class DeviationLegend : public QWidget {
     Q_OBJECT
 public:
     explicit DeviationLegend(QWidget* parent = nullptr);
     void setTolerance(const DeviationTolerance& tolerance);
     void setUnit(LengthUnit unit);
-    /// @param deviation mm; nothing: no pointer
+    /// @param deviation mm; std::nullopt: no pointer
     void setPointer(std::optional<double> deviation);
-    /// Where a deviation, mm, stands in the widget, device-independent pixels from its top.
+    /// The position of a deviation (mm) in the widget, device-independent pixels from its top.
     double heightOf(double deviation) const;
 
     QSize sizeHint() const override;

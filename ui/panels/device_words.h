@@ -13,20 +13,20 @@
 
 namespace burin {
 
-/// A limit that a device states.
+/// A limit stated by a device.
 struct DeviceLimit {
-    std::string name; ///< of JSON, with its unit
+    std::string name; ///< JSON key, with its unit
     TextId label;
     std::string unit;
     double value = 0.0; ///< > 0
     std::string source; ///< English, context "Device"
 };
-/// Those that are known.
+/// The limits that are known.
 std::vector<DeviceLimit> limitsOf(const StylusDescription& stylus);
 
-/// The limits with their sources, one a line. @param locale of the numbers
+/// The limits with their sources, one per line. @param locale of the numbers
 QStringList limitLines(const StylusDescription& stylus, const QLocale& locale);
-/// Measurements of a trial, one a line. @param locale of the numbers
+/// The measurements of a trial, one per line. @param locale of the numbers
 QStringList trialLines(const TrialFigures& figures, const QLocale& locale);
 
 } // namespace burin

@@ -74,7 +74,7 @@ void EditCard::addFields(const QString& name) {
     const QString title = Messages::text(titleOf(edit_.parameters));
     for (const EditParameter& parameter : parametersOf(edit_.parameters, zero_)) {
         const std::string_view key = parameter.field.key;
-        // By its place: what a value is called may depend on another one.
+        // Look the key up by index: the key of a value may depend on another value.
         const auto keyNow = [this, place = fields_.size()] { return fieldsOf(edit_.parameters)[place].key; };
         auto* field = new EditFieldEditor(
             parameter, name + QLatin1Char('_') + QLatin1String(key.data(), static_cast<qsizetype>(key.size())),
@@ -122,10 +122,10 @@ void EditCard::showReport(const EditReport* report, LengthUnit unit, const glm::
     const bool hasError = report != nullptr && report->largestDeviation > 0.0;
     setEnabledKeepingFocus(worst_, hasError);
     if (hasError) worstPlace_ = report->worstPlace;
-    if (report == nullptr) return report_->setText(QString(QChar::Nbsp)); // as high as one: the fields below stay
+    if (report == nullptr) return report_->setText(QString(QChar::Nbsp)); // as high as a report: nothing below moves
     QString text = tr("%1 → %2 points").arg(countText(report->pointsBefore), countText(report->pointsAfter));
     for (const QString& first : {entriesText(*report), omittedText(*report, unit)})
-        if (!first.isEmpty()) text = first + QStringLiteral(" · ") + text; // first: the end may have no room
+        if (!first.isEmpty()) text = first + QStringLiteral(" · ") + text; // first, because the end may be elided
     if (report->largestDeviation > 0.0)
         text += QStringLiteral(" · ") + tr("error %1").arg(lengthText(report->largestDeviation, unit));
     if (report_->text() != text) report_->setText(text);

@@ -17,30 +17,32 @@ class EditFieldEditor;
 class ElidedLabel;
 class NamedSwitch;
 
-/// One edit of a path: its switch, its place in the order, its parameters and what it did.
+/// One edit of a path: its switch, its position in the order, its parameters and its effect.
 class EditCard : public QFrame {
     Q_OBJECT
 public:
-    /// @param place in the path, from 0: part of the object names ("edit2Switch", "edit2_tolerance_mm", "edit2Earlier")
+    /// @param place index in the path's list of edits, from 0: part of the object names ("edit2Switch",
+    /// "edit2_tolerance_mm", "edit2Earlier")
     EditCard(std::size_t place, const Edit& edit, QWidget* parent = nullptr);
 
-    /// Shows values without a signal. The kind of edit must be the one it was made for. @param zero  mm, of the
-    /// program, in the setup frame @param takes  whose names and times are told
+    /// Shows values without emitting a signal. The edit must be of the same kind as the one passed to the constructor.
+    /// @param zero program zero, mm, setup frame @param takes whose names and times are shown
     void showEdit(const Edit& edit, const glm::dvec3& zero, const std::vector<TakeInfo>& takes);
-    /// What it did. @param report null: none (switched off, or not evaluated) @param zero as for showEdit
+    /// Shows the effect of the edit. @param report null: none (switched off, or not evaluated) @param zero as for
+    /// showEdit
     void showReport(const EditReport* report, LengthUnit unit, const glm::dvec3& zero);
     void setUnit(LengthUnit unit);
-    /// Whether the edit may go one place up, one down.
+    /// Whether the edit can move up and down by one position.
     void setMovable(bool earlier, bool later);
-    void setDrawing(std::string_view key); ///< the parameter that is being drawn; empty: none
+    void setDrawing(std::string_view key); ///< the parameter that is being drawn in the view; empty: none
     std::string_view kind() const { return idOf(edit_.parameters); }
 
 signals:
     void edited(const burin::Edit& edit);
-    void moveRequested(int by); ///< -1: one place earlier, 1: one later
+    void moveRequested(int by); ///< -1: one position earlier, 1: one later
     void removalRequested();
     void drawingWanted(const QString& key, bool wanted); ///< of a parameter
-    void placeWanted(const glm::dvec3& place);           ///< mm, setup frame: where its error is the largest
+    void placeWanted(const glm::dvec3& place);           ///< the point with the edit's largest error, mm, setup frame
 
 private:
     void addHead(const QString& name);

@@ -98,7 +98,7 @@ void EditFieldEditor::addPlaces(const EditParameter& parameter, const QString& n
     layout()->addWidget(new FieldRow(parameter.label, besideDrawing(text_, name, accessible), parameter.toolTip, this));
 }
 
-/// A value with the button that has it drawn.
+/// A value with the button that starts drawing it.
 QWidget* EditFieldEditor::besideDrawing(QWidget* value, const QString& name, const QString& accessible) {
     auto* row = new QWidget(this);
     auto* line = new QHBoxLayout(row);
@@ -116,7 +116,7 @@ QWidget* EditFieldEditor::besideDrawing(QWidget* value, const QString& name, con
 }
 
 void EditFieldEditor::setDrawing(bool drawing) {
-    if (draw_ != nullptr) draw_->setChecked(drawing); // `clicked` is the user's alone
+    if (draw_ != nullptr) draw_->setChecked(drawing); // doesn't emit `clicked`
 }
 
 void EditFieldEditor::showParameter(const EditParameter& parameter) {
@@ -136,7 +136,7 @@ void EditFieldEditor::showParameter(const EditParameter& parameter) {
 void EditFieldEditor::showValue(const EditValue& value) {
     value_ = value;
     if (number_ != nullptr) number_->showValue(std::get<double>(value) - zero_.x);
-    if (switch_ != nullptr) switch_->setChecked(std::get<bool>(value)); // `clicked` is the user's alone
+    if (switch_ != nullptr) switch_->setChecked(std::get<bool>(value)); // doesn't emit `clicked`
     if (choice_ != nullptr) {
         const auto found = std::ranges::find(choices_, std::get<std::string_view>(value), &EditChoice::name);
         choice_->setCurrentIndex(static_cast<int>(found - choices_.begin()));

@@ -18,20 +18,19 @@ class ChoiceBox;
 class ElidedLabel;
 class QuantityField;
 
-/// One parameter of an edit: a field for a number, three for a place, a switch or a choice. What names a moment or a
-/// stretch of the hand is told and not typed; places are drawn in the view, and so may be a mirror's plane.
+/// One parameter of an edit: a field for a number, three for a point, a switch or a choice. A moment or interval of the
+/// recording is shown as text and can't be typed; lists of points are drawn in the view, as a mirror plane may be.
 class EditFieldEditor : public QWidget {
     Q_OBJECT
 public:
-    /// @param name of the field itself; the three of a place end in "X", "Y", "Z"
-    /// @param accessible what a screen reader calls it
+    /// @param name object name of the field; the names of the three fields of a point end in "X", "Y", "Z"
+    /// @param accessible the accessible name
     EditFieldEditor(const EditParameter& parameter, const QString& name, const QString& accessible,
                     QWidget* parent = nullptr);
 
-    void showParameter(
-        const EditParameter& parameter); ///< the one that it was made for, with another value; without a signal
+    void showParameter(const EditParameter& parameter); ///< another value of the same parameter; emits no signal
     void setUnit(LengthUnit unit);
-    void setDrawing(bool drawing); ///< it is being drawn
+    void setDrawing(bool drawing); ///< whether the parameter is being drawn in the view
 
 signals:
     void edited(const burin::EditValue& value);

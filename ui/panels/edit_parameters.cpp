@@ -20,7 +20,7 @@ class EditParameterTexts {
     Q_DECLARE_TR_FUNCTIONS(EditParameterTexts)
 };
 
-/// The unit at the end of a key: "tolerance_mm" measures a length.
+/// The unit suffix of a key: "tolerance_mm" is a length.
 struct KeyUnit {
     std::string_view ending;
     Quantity quantity;
@@ -43,7 +43,7 @@ Quantity quantityOf(std::string_view key) {
     return unit != nullptr ? unit->quantity : Quantity::ratio;
 }
 
-/// What a field is shown from, if it is a place or one of its coordinates.
+/// The origin for displaying a field, if it is a point or one coordinate of a point.
 glm::dvec3 zeroOf(const EditParameters& edit, std::string_view key, const glm::dvec3& zero) {
     if (key == "low_mm" || key == "high_mm") return {zero.z, 0.0, 0.0};
     if (key == "centre_mm") return zero;
@@ -52,7 +52,7 @@ glm::dvec3 zeroOf(const EditParameters& edit, std::string_view key, const glm::d
     return glm::dvec3(0.0);
 }
 
-/// What a value that is told and not typed says.
+/// The text of a value that is shown and can't be typed.
 struct ValueTexts {
     const std::vector<TakeInfo>& takes;
 

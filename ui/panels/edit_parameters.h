@@ -12,17 +12,17 @@ namespace burin {
 
 /// One parameter of an edit, as a panel shows it.
 struct EditParameter {
-    EditField field; ///< core's: key, value and range, in the inner unit
+    EditField field; ///< from core: key, value and range, in the internal unit
     QString label, toolTip;
     Quantity quantity = Quantity::length; ///< of a number
-    bool drawn = false;                   ///< it may be drawn in the view
-    glm::dvec3 zero{0.0};                 ///< mm, setup frame: what a place is shown from; of a single coordinate, in x
-    QString text{};                       ///< a moment, a stretch or places in words; empty for what has a field
+    bool drawn = false;                   ///< whether it can be drawn in the view
+    glm::dvec3 zero{0.0}; ///< mm, setup frame: the origin for displayed positions; for a single coordinate, in x
+    QString text{};       ///< description of a moment, an interval or points; empty for parameters with a field
 };
 
-/// Every parameter of an edit, in order; none for one that has none.
-/// @param zero  mm, of the program, in the setup frame
-/// @param takes  whose names and times are told
+/// Returns all parameters of an edit, in order; empty if it has none.
+/// @param zero program zero, mm, setup frame
+/// @param takes whose names and times are shown
 std::vector<EditParameter> parametersOf(const EditParameters& edit, const glm::dvec3& zero,
                                         const std::vector<TakeInfo>& takes = {});
 

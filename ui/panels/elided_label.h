@@ -6,8 +6,8 @@
 
 namespace burin {
 
-/// One line of plain text that ends in "…" (or has it in its middle) where there is no room; the whole of it is its
-/// tooltip then, and always what assistive programs read.
+/// One line of plain text that is elided at its end (or in its middle) with "…" if there is not enough room. The full
+/// text is then the tooltip, and it is always what assistive programs read.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:

@@ -30,7 +30,7 @@ void EmbeddingFindings::setFindings(const std::vector<EmbeddingFinding>& finding
     refresh();
 }
 
-/// The first ones in full; a broken model may have hundreds.
+/// Only the first ones are shown in full; a broken model may have hundreds.
 void EmbeddingFindings::refresh() {
     constexpr std::size_t most = 4;
     QStringList sentences;

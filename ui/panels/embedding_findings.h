@@ -13,8 +13,8 @@ namespace burin {
 
 class Notice;
 
-/// What embedding found doubtful, in sentences. As high as they are, and hidden while there are none: it has its place
-/// below all else of a page.
+/// The doubtful findings of the embedding, as sentences. The height follows the text and the widget is hidden while
+/// there are none, so it belongs at the bottom of a page.
 class EmbeddingFindings : public QWidget {
     Q_OBJECT
 public:

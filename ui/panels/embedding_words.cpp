@@ -17,7 +17,7 @@ class EmbeddingWords {
     Q_DECLARE_TR_FUNCTIONS(EmbeddingWords)
 };
 
-/// "scanlines: 64, X 0.000 to 10.000 mm, …"
+/// Number and location of a finding: "scanlines: 64, X 0.000 to 10.000 mm, …"
 QString whereText(const EmbeddingFinding& finding, LengthUnit unit) {
     QStringList parts{EmbeddingWords::tr("scanlines: %1").arg(countText(finding.count))};
     for (int axis = 0; axis < 3 && !finding.place.empty(); ++axis)
@@ -30,7 +30,7 @@ QString whereText(const EmbeddingFinding& finding, LengthUnit unit) {
 
 } // namespace
 
-// No default: the compiler names every kind that has no sentence yet.
+// No default case: the compiler then reports every kind without a sentence.
 QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit) {
     using Kind = EmbeddingFinding::Kind;
     const QString body = bodyName(finding.body);

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// What embedding found doubtful, what it made of it and what helps; with a full stop.
+/// Describes a doubtful finding of the embedding, how it was treated and the remedy; ends with a full stop.
 QString embeddingText(const EmbeddingFinding& finding, LengthUnit unit);
 
 } // namespace burin

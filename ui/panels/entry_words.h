@@ -9,12 +9,13 @@
 
 namespace burin {
 
-// What panels say of strokes that begin in material. For display alone; positions are told from program zero.
+// Texts of the panels for strokes that begin in material. For display only; positions are relative to program zero.
 
-/// "ramps 12 · plunges 1"; empty where no stroke begins in material.
+/// "ramps 12 · plunges 1"; empty if no stroke begins in material.
 QString entriesText(const EditReport& report);
-/// Where the tool plunges as there is room for nothing else, a line each, the deepest first; of many the first ten.
-/// @param zero mm, of the program, in the setup frame
+/// The positions where the tool plunges because there is no room for another entry, one per line, the deepest first, at
+/// most ten.
+/// @param zero program zero, mm, setup frame
 QString plungeLines(const EditReport& report, const glm::dvec3& zero, LengthUnit unit);
 
 } // namespace burin

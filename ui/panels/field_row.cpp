@@ -16,7 +16,7 @@ FieldRow::FieldRow(const QString& label, QWidget* field, const QString& toolTip,
     label_->setProperty("look", "quiet");
     label_->setWordWrap(true);
     label_->setBuddy(field);
-    // A choice gets what room there is in a wider panel, for long names.
+    // In a wider panel a choice gets the extra width, for long names.
     const bool grows = fieldWidth == choiceWidth;
     row->addWidget(label_, grows ? 2 : 1);
     row->addWidget(field, grows ? 3 : 0);

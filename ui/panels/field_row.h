@@ -13,8 +13,8 @@ namespace burin {
 class FieldRow : public QWidget {
     Q_OBJECT
 public:
-    static constexpr int numberWidth = 136, choiceWidth = 184; ///< of the field, pixels; of a choice the least
-    static constexpr int wholeWidth = 0;                       ///< the field stands below its label, as wide as both
+    static constexpr int numberWidth = 136, choiceWidth = 184; ///< width of the field, pixels; for a choice the minimum
+    static constexpr int wholeWidth = 0;                       ///< the field is below its label and as wide as the row
     FieldRow(const QString& label, QWidget* field, const QString& toolTip, QWidget* parent = nullptr,
              int fieldWidth = numberWidth);
 

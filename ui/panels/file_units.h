@@ -6,7 +6,8 @@ class QComboBox;
 
 namespace burin {
 
-/// Fills a box with what a file that states no unit, an STL file, may mean by 1: the data of an item are its mm.
+/// Fills a box with the possible units of a file that states none (STL). The data of each item is the size of the unit
+/// in mm.
 void addFileUnits(QComboBox& box);
 
 } // namespace burin

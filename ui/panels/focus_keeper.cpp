@@ -8,7 +8,7 @@
 namespace burin {
 namespace {
 
-constexpr qint64 typingPause = 2000; // ms: a key that comes later is meant as it is
+constexpr qint64 typingPause = 2000; // ms: a key pressed later is handled normally
 
 bool holds(const QWidget* widget, const QWidget* focus) {
     return focus != nullptr && (widget == focus || widget->isAncestorOf(focus));

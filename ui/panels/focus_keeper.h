@@ -11,24 +11,24 @@ class QWidget;
 
 namespace burin {
 
-/// Enables or disables a widget that may have the keyboard, or hold what has it. Qt would hand the focus on to what
-/// comes next, where a key or the wheel changes a choice, or to nobody, where "4" turns the view. Instead it waits
-/// beside the widget, and keys that go on being typed into a field mean nothing; it comes back when the widget is
-/// enabled again, unless the user took it elsewhere.
+/// Enables or disables a widget that may have the keyboard focus, or contain the widget that has it. Qt would pass the
+/// focus to the next widget, where a key or the wheel changes a choice, or to none, where "4" turns the view. Instead,
+/// the parent widget holds the focus and ignores keys that the user continues to type into the field; the focus returns
+/// when the widget is enabled again, unless the user has moved it elsewhere.
 void setEnabledKeepingFocus(QWidget* widget, bool enabled);
-/// What waits beside a widget of this place comes back no more: the keyboard has gone on, though it waits here still.
+/// Cancels the return of a focus that `place` holds: the user has moved on, although `place` still has the focus.
 void forgetKeptFocus(QWidget* place);
 
-/// Whether a key writes something in a field of text, or corrects what stands there.
+/// Whether a key enters, deletes or confirms text in a text field.
 bool isTyped(const QKeyEvent& key);
 
-/// Holds the keyboard for a widget that is disabled. Ends itself when the focus goes on.
+/// Holds the keyboard focus for a disabled widget. Deletes itself when the focus moves on.
 class FocusKeeper final : public QObject {
     Q_OBJECT
 public:
-    /// @param place takes the focus, and owns this; @param kept gets it back
+    /// @param place takes the focus and owns this object; @param kept gets the focus back
     FocusKeeper(QWidget* place, QWidget* kept);
-    void giveBack(); ///< and ends
+    void giveBack(); ///< returns the focus and deletes this object
     QWidget* kept() const { return kept_; }
 
 protected:
@@ -37,7 +37,7 @@ protected:
 private:
     QWidget* place_;
     QPointer<QWidget> kept_;
-    QElapsedTimer typing_; ///< since the last key that was meant for a field; invalid: it is none
+    QElapsedTimer typing_; ///< since the last key that was meant for the field; invalid if `kept` takes no typed input
 };
 
 } // namespace burin

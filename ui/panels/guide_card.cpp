@@ -136,7 +136,7 @@ void GuideCard::addFigures(const QString& name) {
         });
         break;
     case GuideKind::curve:
-        break; // it is where the edge is
+        break; // its position is that of the edge
     }
 }
 
@@ -150,7 +150,7 @@ void GuideCard::showGuide(const Guide& guide, const glm::dvec3& zero) {
     for (const Field& field : fields_) {
         const double value = field.value(guide_);
         field.field->showValue(field.axis < 0 ? value : value - zero[field.axis]);
-        // A plane has one place, a line two: those that say something are shown.
+        // A plane has one coordinate, a line two: only the meaningful ones are shown.
         if (field.axis >= 0)
             field.field->parentWidget()->setVisible((guide.kind == GuideKind::line) != (field.axis == along));
     }

@@ -19,17 +19,17 @@ class ChoiceBox;
 class NamedSwitch;
 class QuantityField;
 
-/// One guide of the hand: its switch, where it is, and whether it holds.
+/// One guide (virtual fixture): its switch, its position, and whether it currently constrains the hand.
 class GuideCard : public QFrame {
     Q_OBJECT
 public:
-    /// @param place among the guides, from 0: part of the object names ("guide2Switch", "guide2Distance")
+    /// @param place index of the guide, from 0: part of the object names ("guide2Switch", "guide2Distance")
     GuideCard(std::size_t place, const Guide& guide, QWidget* parent = nullptr);
 
-    /// Shows values without a signal. The kind must be the one that it was made for. @param zero mm, of the program, in
-    /// the setup frame: places are shown from there
+    /// Shows values without emitting a signal. The guide must be of the same kind as the one passed to the constructor.
+    /// @param zero program zero, mm, setup frame: positions are displayed relative to it
     void showGuide(const Guide& guide, const glm::dvec3& zero);
-    void showNews(const GuideNews* news, LengthUnit unit); ///< null: nothing is known, as no loop runs
+    void showNews(const GuideNews* news, LengthUnit unit); ///< null: no state is known because no haptic loop runs
     void setUnit(LengthUnit unit);
     GuideKind kind() const noexcept { return guide_.kind; }
 
@@ -41,7 +41,7 @@ private:
     struct Field {
         QuantityField* field;
         std::function<double&(Guide&)> value;
-        int axis; ///< of a place, which is shown from zero; -1: another figure
+        int axis; ///< of a position, which is displayed relative to zero; -1: any other value
     };
     void addHead(const QString& name);
     void addDirection(const QString& name, const QString& label);
@@ -55,7 +55,7 @@ private:
     NamedSwitch* switch_ = nullptr;
     QCheckBox* onSurface_ = nullptr;
     ChoiceBox* direction_ = nullptr;
-    QString news_; ///< what became of it
+    QString news_; ///< the state of the guide
     std::vector<Field> fields_;
 };
 

@@ -93,7 +93,7 @@ void GuidePanel::Fields::rebuildCards() {
     for (GuideCard* card : cards_) {
         list_->removeWidget(card);
         card->hide();
-        card->deleteLater(); // one of them may be telling of its own removal
+        card->deleteLater(); // one of them may be emitting its own removal request
     }
     cards_.clear();
     for (std::size_t i = 0; i < state.guides.size(); ++i) {

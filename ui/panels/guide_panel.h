@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// The guides that lead the hand while it mills.
+/// The guides (virtual fixtures) that lead the hand while milling.
 class GuidePanel : public QWidget {
     Q_OBJECT
 public:
@@ -20,10 +20,10 @@ public:
 signals:
     void guidesToggled(bool on);
     void guideWanted(burin::GuideKind kind);
-    // Places: in GuideState::guides.
+    // `place`: index in GuideState::guides.
     void guideEdited(std::size_t place, const burin::Guide& guide);
     void guideRemovalRequested(std::size_t place);
-    void levelStepped(int levels); ///< +1: along the normal of the guides that have levels
+    void levelStepped(int levels); ///< +1: one level along the normal of the guides that have levels
 
 private:
     class Fields;

@@ -17,7 +17,7 @@ struct GuideWords {
     Q_DECLARE_TR_FUNCTIONS(GuideWords)
 };
 
-/// "Y 12.000 mm"
+/// The coordinate of a guide along an axis: "Y 12.000 mm"
 QString placeOn(int axis, const Guide& guide, const glm::dvec3& zero, LengthUnit unit) {
     return axisLetter(axis) + QLatin1Char(' ') + lengthText(guide.point[axis] - zero[axis], unit);
 }

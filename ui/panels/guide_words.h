@@ -9,13 +9,13 @@
 
 namespace burin {
 
-/// "Plane", "Step-over", and so on.
+/// The name of a kind of guide: "Plane", "Step-over", …
 QString guideName(GuideKind kind);
 
-/// A guide in one line, for the view: "Plane · Y 12.000 mm". @param zero mm, of the program, in the setup frame
+/// A guide in one line, for the view: "Plane · Y 12.000 mm". @param zero program zero, mm, setup frame
 QString guideLine(const Guide& guide, const glm::dvec3& zero, LengthUnit unit);
 
-/// The axis of the setup that a direction is nearest to: 0 … 2.
+/// The setup axis that is closest to a direction: 0 … 2.
 int axisOf(const glm::dvec3& direction);
 /// "X"
 QString axisLetter(int axis);

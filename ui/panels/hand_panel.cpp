@@ -86,7 +86,7 @@ void HandPanel::Fields::addMovement() {
     clutch_ = makeButton(HandPanel::tr("Clutch"), {}, QStringLiteral("clutchButton"), panel_);
     clutch_->setCheckable(true);
     recentre_ = makeButton(HandPanel::tr("Recentre"), {}, QStringLiteral("recentreButton"), panel_);
-    // The state decides what is on: a click is a wish.
+    // The state decides what is on; a click is only a request.
     connect(clutch_, &QPushButton::clicked, this, [this] {
         clutch_->setChecked(state.clutched);
         emit panel_->clutchToggled(!state.clutched);
@@ -148,7 +148,7 @@ void HandPanel::Fields::showButton(ChoiceBox* choice, const QString& none, int f
 
 void HandPanel::Fields::refreshMovement(const QString& noDevice) {
     setEnabledKeepingFocus(scale_, state.hasDevice);
-    scale_->showValue(state.hasDevice ? state.scale : 1.0); // the mouse points at the workpiece itself
+    scale_->showValue(state.hasDevice ? state.scale : 1.0); // the mouse points directly at the workpiece
     clutch_->setChecked(state.clutched);
     enableUnless(clutch_, noDevice, HandPanel::tr("The hand moves, the tool stays"));
     enableUnless(align_, noDevice,

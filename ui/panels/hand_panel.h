@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// How a device's movements become the tool's, what its buttons do, and how it is doing.
+/// How device motion is mapped to tool motion, the functions of the device's buttons, and the device's status.
 class HandPanel : public QWidget {
     Q_OBJECT
 public:
@@ -18,10 +18,10 @@ public:
 signals:
     void clutchToggled(bool on);
     void recentreRequested();
-    void alignmentRequested();      ///< with the view
+    void alignmentRequested();      ///< aligns the device with the view
     void scaleEdited(double scale); ///< mm of the setup per mm of the device
     void rateToggled(bool on);
-    // A button's number, from 1; 0: none.
+    // `button`: number of the button, from 1; 0: none.
     void clutchButtonChosen(int button);
     void levelButtonChosen(int button);
     void forceButtonChosen(int button);

@@ -11,13 +11,13 @@
 
 namespace burin {
 
-/// When a moment of the hand was, from the beginning of its take: "12.34 s". A take that missed ticks is longer than
-/// its ticks, and only its recording knows which: "≈ 12.3 s" then. "sample 12340" of a take that is not among `takes`
-/// or is damaged.
+/// The time of a recorded moment, from the beginning of its take: "12.34 s". For a take with missed ticks it is
+/// approximate, "≈ 12.3 s": the take lasted longer than the sum of its ticks, and only the recording knows which ones
+/// were missed. "sample 12340" if the take is not among `takes` or is damaged.
 QString handTimeText(const std::vector<TakeInfo>& takes, const Moment& moment);
-/// The same with the take's name.
+/// The same as `handTimeText`, with the take's name.
 QString momentText(const std::vector<TakeInfo>& takes, const Moment& moment);
-/// What the hand did between two moments.
+/// The interval between two recorded moments.
 QString stretchText(const std::vector<TakeInfo>& takes, const SourceStretch& stretch);
 
 } // namespace burin

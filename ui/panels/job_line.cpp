@@ -40,7 +40,7 @@ JobLine::Fields::Fields(JobLine* line) : QObject(line) {
     }
 }
 
-/// Left and right go along the line, Enter chooses as Space does.
+/// Left and Right move along the bar; Enter selects a step, as Space does.
 bool JobLine::Fields::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::KeyPress) return false;
     const int key = static_cast<QKeyEvent*>(event)->key();

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// The job as a line of steps, always visible, each with its state; none is ever closed.
+/// The step bar: the steps of the job, always visible, each with its state. Every step can be opened at any time.
 class JobLine : public QWidget {
     Q_OBJECT
 public:

@@ -4,8 +4,8 @@
 
 #include <QString>
 
-/// What the panels of the steps of the job show. Panels own no model: they get one of these and tell by signals what
-/// the user wants.
+/// States of the panels for the steps of the job. Panels own no model: they are given one of these states and report
+/// the user's requests by signals.
 namespace burin {
 
 /// The steps of the job, in order.
@@ -15,13 +15,13 @@ enum class StepProgress {
     missing, ///< cannot be done yet
     ready,
     current,
-    objected, ///< done, but a check objects to it
+    objected, ///< done, but a check reports a problem
     done
 };
 
 struct JobStepState {
     StepProgress progress = StepProgress::missing;
-    QString line; ///< what it holds, or what is missing
+    QString line; ///< a summary of the step, or what is missing
 };
 
 } // namespace burin

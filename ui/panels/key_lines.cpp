@@ -43,7 +43,7 @@ bool KeyLines::showOnly(const QString& text) {
 int KeyLines::keyWidth() const {
     int widest = 0;
     for (const Row& row : rows_) {
-        row.key->ensurePolished(); // the window's style sheet has a say
+        row.key->ensurePolished(); // so that the window's style sheet is taken into account
         widest = std::max(widest, row.key->sizeHint().width());
     }
     return widest;

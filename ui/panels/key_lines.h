@@ -11,22 +11,22 @@ class QGridLayout;
 
 namespace burin {
 
-/// What a key, or something done with the mouse, does.
+/// The effect of a key or a mouse action.
 struct KeyLine {
     QString input, effect;
     QString explanation{}; ///< a tooltip
 };
 
-/// A list of them, in two columns.
+/// A list of key and mouse actions, in two columns.
 class KeyLines final : public QWidget {
     Q_OBJECT
 public:
     explicit KeyLines(const std::vector<KeyLine>& lines, QWidget* parent = nullptr);
 
-    /// Shows those lines alone that hold a text, whatever its case. @return whether there are any
+    /// Shows only the lines that contain `text` (case-insensitive). @return whether there are any
     bool showOnly(const QString& text);
 
-    int keyWidth() const; ///< pixels that the keys need
+    int keyWidth() const; ///< required width of the key column, pixels
     void setKeyWidth(int pixels);
 
 private:
@@ -38,7 +38,7 @@ private:
     std::vector<Row> rows_;
 };
 
-/// Of mouse and keys beside the menus' shortcuts.
+/// Mouse and key actions in addition to the menu shortcuts.
 class HandKeys final : public QObject {
     Q_OBJECT
 public:

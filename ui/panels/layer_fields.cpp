@@ -22,7 +22,7 @@ namespace {
 
 constexpr double farthest = 10'000.0; // mm
 
-/// "0 0.2; 40 0.6": what is no number is left for the check of the layer to refuse.
+/// Parses "0 0.2; 40 0.6". Invalid numbers are left to the check of the layer to reject.
 std::vector<Grading::Control> tableOf(const QString& text) {
     std::vector<Grading::Control> table;
     for (const QString& line : text.split(QLatin1Char(';'), Qt::SkipEmptyParts)) {
@@ -140,7 +140,7 @@ LayerFields::Kind LayerFields::kind() const {
     return layer_.grade->formula.empty() ? Kind::table : Kind::formula;
 }
 
-/// A grade begins with something that can be embedded, and changed from there.
+/// A new grade starts with values that can be embedded, and is edited from there.
 void LayerFields::chooseKind(int kind) {
     const auto wanted = static_cast<Kind>(kind);
     if (wanted == this->kind()) return;
@@ -170,7 +170,7 @@ void LayerFields::takeFormula() {
     else
         grade.formula = formula_->text().trimmed().toStdString();
     if (grade == *layer_.grade) return;
-    if (kind() == Kind::formula && grade.formula.empty()) { // an empty one would mean a table
+    if (kind() == Kind::formula && grade.formula.empty()) { // an empty formula would mean a table
         formula_->setText(QString::fromStdString(layer_.grade->formula));
         return;
     }

@@ -19,12 +19,12 @@ class FieldRow;
 class LengthField;
 class QuantityField;
 
-/// One layer of the stock: name, material, planes, and how its value changes from place to place.
+/// One layer of the stock: name, material, bounding planes, and how its value varies with position.
 class LayerFields : public QWidget {
     Q_OBJECT
 public:
     explicit LayerFields(QWidget* parent = nullptr);
-    /// Never emits. @param within mm, that a side without a plane is shown at
+    /// Never emits. @param within mm: the box whose limits are shown for sides without a plane
     void showLayer(const MaterialRegion& layer, const std::vector<Property>& materials, const Box& within, bool locked);
     void setUnit(LengthUnit unit);
 

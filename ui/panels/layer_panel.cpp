@@ -120,7 +120,7 @@ void LayerPanel::Fields::change(std::vector<MaterialRegion> layers, int chosen) 
     emit panel_->layersEdited(state.layers);
 }
 
-/// The upper half of the stock, of the first material; to be changed from there.
+/// Adds a layer for the upper half of the stock, of the first material, as a starting point.
 void LayerPanel::Fields::addLayer() {
     MaterialRegion region;
     const auto taken = [&](const std::string& name) {
@@ -184,7 +184,7 @@ std::vector<ListRow> LayerPanel::Fields::amountRows() const {
     return rows;
 }
 
-/// By how much a place's value may be off.
+/// The maximum error of a value at any position.
 QString LayerPanel::Fields::gradingText() const {
     if (chosen() < 0) return {};
     const std::string& name = state.layers[static_cast<std::size_t>(chosen())].name;

@@ -15,15 +15,15 @@ namespace burin {
 struct LayerState {
     std::vector<Property> materials; ///< of the library
     std::vector<MaterialRegion> layers;
-    Box stock;                           ///< mm; empty: none yet
-    std::vector<MaterialAmount> amounts; ///< of the stock that is embedded; empty: none is
-    std::vector<RegionGrading> gradings; ///< of it
-    bool locked = false;                 ///< there are recordings
-    bool nothingPushesBack = false;      ///< the workpiece holds no part
+    Box stock;                           ///< mm; empty: no stock yet
+    std::vector<MaterialAmount> amounts; ///< of the embedded stock; empty if none is embedded
+    std::vector<RegionGrading> gradings; ///< of the embedded stock
+    bool locked = false;                 ///< whether there are recordings
+    bool nothingPushesBack = false;      ///< whether the workpiece contains no part
     QString problem;                     ///< why this can't be embedded; empty: it can
 };
 
-/// The layers of the stock in the order of their priority, one of them to be edited; and what the stock holds: each
+/// The layers of the stock in the order of their priority, one of them editable, and the contents of the stock: each
 /// material with volume and mass.
 class LayerPanel : public QWidget {
     Q_OBJECT

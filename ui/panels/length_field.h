@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// A field for a length: mm inside, shown in mm or inches.
+/// A field for a length: in mm internally, displayed in mm or inches.
 class LengthField final : public QuantityField {
     Q_OBJECT
 public:

@@ -17,7 +17,7 @@ namespace burin {
 namespace {
 
 constexpr int chartHeight = 64, textHeight = 16; // pixels
-constexpr double fillShare = 0.35;               // of the force's colour below its line
+constexpr double fillShare = 0.35;               // share of the force's colour below its line
 
 constexpr double shortestPause = 1e-3; // s between two motions
 
@@ -113,7 +113,7 @@ void LoadChart::paintEvent(QPaintEvent*) {
     if (seconds() > 0.0) {
         painter.setPen(QPen(palette.quietText, 1, Qt::DotLine));
         for (const Pause& pause : pauses_)
-            if (pause.start > 0.0) lineAt(pause.start); // the first tool's is where the chart begins
+            if (pause.start > 0.0) lineAt(pause.start); // the first tool's change is at the beginning of the chart
         painter.setPen(palette.text);
         if (time_) lineAt(*time_);
     }

@@ -13,15 +13,15 @@
 
 namespace burin {
 
-/// The cutting force over the time that a program takes, without its tool changes, which are marked: the greatest in
-/// each column of pixels, its peak told in N. A click leads to the line of the motion that is cut then.
+/// The cutting force over the run time of a program without its tool changes, which are marked: the maximum in each
+/// pixel column, with the peak labelled in N. A click selects the program line of the motion at that time.
 class LoadChart : public QWidget {
     Q_OBJECT
 public:
     explicit LoadChart(QWidget* parent = nullptr);
-    /// Its loads over the time that the program takes; null: none. Nothing is done when it shows it.
+    /// Sets the report whose loads are shown; null: none. Does nothing if it is already shown.
     void setReport(std::shared_ptr<const VerifyReport> report);
-    void showTime(std::optional<double> seconds); ///< marks a time; nothing: none
+    void showTime(std::optional<double> seconds); ///< marks a time; std::nullopt: no mark
 
     QSize sizeHint() const override;
 
@@ -35,19 +35,19 @@ protected:
 
 private:
     std::span<const LoadStep> loads() const;
-    /// A tool change, while which nothing is cut.
+    /// A tool change, during which nothing is cut.
     struct Pause {
-        double start = 0.0, length = 0.0; ///< s, of the program
+        double start = 0.0, length = 0.0; ///< s, program time
     };
-    double seconds() const;                       ///< that the chart shows
-    double shownAt(double time) const;            ///< s of the chart at a time of the program
-    double timeAt(double shown) const;            ///< the inverse; behind a pause at its place
-    std::vector<double> columns(int count) const; ///< N, greatest force in each
-    const MotionLoad* at(double seconds) const;   ///< what is cut then, or last before
+    double seconds() const;                       ///< the total time that the chart shows, s
+    double shownAt(double time) const;            ///< chart time of a program time, s
+    double timeAt(double shown) const;            ///< the inverse of `shownAt`; where a pause is, the time after it
+    std::vector<double> columns(int count) const; ///< maximum force in each column, N
+    const MotionLoad* at(double seconds) const;   ///< the load at that time, or the last one before it
     void choose(double x);
 
     std::shared_ptr<const VerifyReport> report_;
-    std::vector<Pause> pauses_; ///< rising
+    std::vector<Pause> pauses_; ///< in ascending order
     double peak_ = 0.0;         ///< N
     std::optional<double> time_;
 };

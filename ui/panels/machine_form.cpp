@@ -244,7 +244,7 @@ void MachineForm::setDialects(const QStringList& names, const QStringList& ids) 
 void MachineForm::showMachine(const MachineProfile& machine, bool locked) {
     record_ = machine;
     lock(locked);
-    torque_->setEnabled(true); // to look at
+    torque_->setEnabled(true); // enabled, so that it can be viewed
     torque_->setReadOnly(locked);
     refresh();
 }

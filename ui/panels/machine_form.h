@@ -10,15 +10,15 @@ namespace burin {
 class ChoiceBox;
 class TorqueTable;
 
-/// Fields for every value of a machine: name, dialect, and by sections the numbers with unit, allowed range and source.
+/// Fields for every value of a machine: name, dialect, and in sections the numbers with unit, allowed range and source.
 class MachineForm final : public RecordForm<MachineProfile> {
     Q_OBJECT
 public:
     explicit MachineForm(QWidget* parent = nullptr);
     void setDialects(const QStringList& names, const QStringList& ids);
-    /// Never emits. @param locked the values are shown and can't be changed
+    /// Never emits. @param locked whether the values are read-only
     void showMachine(const MachineProfile& machine, bool locked);
-    const MachineProfile& machine() const noexcept { return record_; } ///< as the fields say
+    const MachineProfile& machine() const noexcept { return record_; } ///< the machine with the values of the fields
 
 private:
     void addGeneral();

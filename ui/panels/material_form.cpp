@@ -25,7 +25,7 @@ constexpr auto editing =
 
 enum Cell : int { keyCell, valueCell, unitCell, sourceCell, estimateCell, cellCount };
 
-/// What the values that Burin reads are for.
+/// The purpose of the values that Burin reads.
 QString purposeOf(std::string_view key) {
     if (key == specificCuttingEnergy)
         return MaterialForm::tr("K: energy to cut a volume; the cutting force comes from it");
@@ -65,7 +65,7 @@ MaterialForm::MaterialForm(QWidget* parent) : QWidget(parent) {
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(sourceCell, QHeaderView::Stretch);
-    table_->setTabKeyNavigation(false); // Tab leads to the buttons
+    table_->setTabKeyNavigation(false); // Tab moves to the buttons
     column->addWidget(table_, 1);
     auto* row = new QHBoxLayout;
     add_ = makeButton(tr("Add a value"), QStringLiteral("add"), QStringLiteral("addValueButton"), this);
@@ -123,7 +123,7 @@ void MaterialForm::addRow(const std::string& key, const NamedValue& value) {
     table_->setItem(row, estimateCell, estimate);
 }
 
-/// What the cells say.
+/// Reads the values from the cells.
 void MaterialForm::take() {
     if (showing_) return;
     material_.name = name_->text().trimmed().toStdString();
@@ -131,7 +131,7 @@ void MaterialForm::take() {
     for (int row = 0; row < table_->rowCount(); ++row) {
         const auto text = [&](int column) { return table_->item(row, column)->text().trimmed().toStdString(); };
         const std::optional<double> number = parseNumber(text(valueCell));
-        if (!number || text(keyCell).empty()) continue; // `problem` says so
+        if (!number || text(keyCell).empty()) continue; // reported by `problem`
         material_.values[text(keyCell)] = {*number, text(unitCell), text(sourceCell),
                                            table_->item(row, estimateCell)->checkState() == Qt::Checked};
     }

@@ -14,16 +14,16 @@ class QTableWidgetItem;
 
 namespace burin {
 
-/// The values of one material as a table: name, number, unit, source, whether it is an estimate. Further named values
-/// may be added. What can't be read as a number stays in its cell, marked, and the value as it was.
+/// The values of one material as a table: name, number, unit, source, and whether it is an estimate. More named values
+/// can be added. Text that can't be read as a number stays in its cell, marked, and the value remains unchanged.
 class MaterialForm final : public QWidget {
     Q_OBJECT
 public:
     explicit MaterialForm(QWidget* parent = nullptr);
-    /// Never emits. @param locked the values are shown and can't be changed
+    /// Never emits. @param locked whether the values are read-only
     void showMaterial(const Property& material, bool locked);
-    const Property& material() const noexcept { return material_; } ///< as the fields say
-    /// Why the cells are not the material of `material`: a sentence; empty: they are.
+    const Property& material() const noexcept { return material_; } ///< the material with the values of the fields
+    /// Why the cells don't match `material()`, as a sentence; empty if they match.
     QString problem() const;
 
 signals:

@@ -29,7 +29,7 @@ private:
     void refreshChoices();
     void refreshValues();
     void showSource(int row);
-    std::string bodyMaterial() const; ///< id of the shown body's; the stock's where it has none of its own
+    std::string bodyMaterial() const; ///< id of the shown body's material; that of the stock if the body has none
     const Property* material(const std::string& id) const;
 
     MaterialPanel* panel_;
@@ -39,7 +39,7 @@ private:
     QLabel *figuresTitle_, *source_;
     RowList* values_;
     Notice *estimate_, *locked_;
-    bool showsBody_ = false; ///< the figures are those of the body's material
+    bool showsBody_ = false; ///< whether the values shown are those of the body's material
 };
 
 namespace {
@@ -188,7 +188,7 @@ MaterialPanel::MaterialPanel(QWidget* parent) : QWidget(parent), fields_(new Fie
     fields_->refresh();
 }
 
-// The figures are shown in the unit that their source states; none is a length.
+// The values are shown in the unit that their source states; none is a length.
 void MaterialPanel::setUnit(LengthUnit) {}
 
 void MaterialPanel::setState(const MaterialState& state) {

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// Material of stock and bodies with each figure, its unit and its source, estimates marked.
+/// The materials of stock and bodies with each value, its unit and its source; estimates are marked.
 class MaterialPanel : public QWidget {
     Q_OBJECT
 public:
@@ -19,7 +19,7 @@ public:
 
 signals:
     void stockMaterialChosen(const std::string& id);
-    void bodyMaterialChosen(std::size_t body, const std::string& id); ///< @param body in MaterialState's order
+    void bodyMaterialChosen(std::size_t body, const std::string& id); ///< @param body index in MaterialState's order
 
 private:
     class Fields;

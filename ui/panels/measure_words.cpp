@@ -82,7 +82,7 @@ QString measureText(const PartMeasure& measure, const glm::dvec3& zero, LengthUn
                      .arg(lengthText(pair.places, unit), positionText(measure.to->place - measure.from.place, unit));
     if (pair.faces)
         sentences << MeasureWords::tr("Smallest distance between the faces: %1.").arg(lengthText(*pair.faces, unit));
-    if (pair.corners > 0.0) // else it is one corner
+    if (pair.corners > 0.0) // otherwise it is the same corner
         sentences << MeasureWords::tr("Distance between the nearest corners or circle centres: %1.")
                          .arg(lengthText(pair.corners, unit));
     return sentences.join(QLatin1Char(' '));

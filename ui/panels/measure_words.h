@@ -9,9 +9,9 @@
 
 namespace burin {
 
-/// The figure that stands beside what was measured in the view: "25.000 mm", "Ø 12.000 mm".
+/// The value shown next to a measurement in the view: "25.000 mm", "Ø 12.000 mm".
 QString mainFigure(const PartMeasure& measure, LengthUnit unit);
-/// All of it, in sentences. @param zero mm, setup frame: where positions are counted from
+/// The full measurement, in sentences. @param zero mm, setup frame: the origin of displayed positions
 QString measureText(const PartMeasure& measure, const glm::dvec3& zero, LengthUnit unit);
 
 } // namespace burin

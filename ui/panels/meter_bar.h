@@ -8,12 +8,12 @@
 
 namespace burin {
 
-/// A bar beside a number: how much of its scale a value takes.
+/// A bar next to a number that shows the value's share of its scale.
 class MeterBar : public QWidget {
     Q_OBJECT
 public:
     explicit MeterBar(ColourRole role, QWidget* parent = nullptr);
-    void setShare(double share); ///< 0 … 1; more and less is cut off
+    void setShare(double share); ///< 0 … 1; values outside are clamped
     void setRole(ColourRole role);
     double share() const noexcept { return share_; }
     ColourRole role() const noexcept { return role_; }

@@ -84,7 +84,7 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     fold(true);
 }
 
-/// With what unfolds the loop's figures, which few look at while they mill.
+/// The title with the button that unfolds the loop's statistics, which are rarely needed while milling.
 void Meters::Fields::addTitle() {
     auto* row = new QHBoxLayout;
     row->addWidget(makeSectionTitle(Meters::tr("Now"), meters_), 1);
@@ -110,7 +110,7 @@ void Meters::Fields::fold(bool wanted) {
     unfold_->setAccessibleName(does);
 }
 
-/// The three coordinates beside each other, each at its place however many digits the others have.
+/// The three coordinates side by side, each at a fixed position regardless of the digits of the others.
 void Meters::Fields::addPosition() {
     auto* row = new QHBoxLayout;
     row->setSpacing(16);
@@ -137,7 +137,8 @@ MeterBar* Meters::Fields::addBar(ColourRole role) {
     return bar;
 }
 
-/// Against what tool and spindle bear, red from there on; against the highest so far where nobody knows that.
+/// Shows the force relative to the limit of tool and spindle, red above it; if the limit is not known, relative to the
+/// maximum so far.
 void Meters::Fields::showForce() {
     const QLocale locale;
     const auto newtons = [&locale](double force) { return locale.toString(force, 'f', 1); };

@@ -9,7 +9,8 @@
 
 namespace burin {
 
-/// Force, removal rate and position as bars and numbers with their units; unfolded, the haptic loop's figures as well.
+/// Force, removal rate and position as bars and numbers with their units; when unfolded, also the haptic loop's
+/// statistics.
 class Meters : public QWidget {
     Q_OBJECT
 public:

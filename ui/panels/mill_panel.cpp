@@ -48,7 +48,7 @@ private:
     std::array<QPushButton*, 3> repeat_;
     QWidget* repeatRow_;
     ChoiceBox* stylus_;
-    QWidget *pointerTitle_, *keysTitle_, *keys_; ///< of what only the pointer needs
+    QWidget *pointerTitle_, *keysTitle_, *keys_; ///< for controls that only the pointer needs
     QuantityField *depthOfCut_, *press_, *speed_, *stepOver_;
     Notice *missing_, *alarm_, *hint_, *lock_, *how_;
     TakeList* takes_;
@@ -100,7 +100,7 @@ void MillPanel::Fields::addButtons() {
     second->addWidget(redo_, 1);
     column_->addWidget(mill_);
     column_->addLayout(second);
-    // The state decides what is on: a click is a wish.
+    // The state decides what is on; a click is only a request.
     connect(mill_, &QPushButton::clicked, this, [this] {
         mill_->setChecked(state.active);
         emit panel_->millModeToggled(!state.active);
@@ -216,7 +216,7 @@ void MillPanel::Fields::chooseRaster(bool on) {
     if (other) emit panel_->rasterChosen(on);
 }
 
-/// A history of strokes belongs to a workpiece, which is made anew when a project is opened.
+/// The history of strokes belongs to the workpiece, which is recreated when a project is opened.
 QString MillPanel::Fields::reasonAgainstUndo() const {
     if (state.cutting) return MillPanel::tr("A stroke is being cut. Wait until it ends, or press Esc to end it.");
     if (state.canUndoStroke) return {};
@@ -265,7 +265,7 @@ void MillPanel::Fields::refreshButtons() {
     for (QPushButton* button : repeat_) setEnabledKeepingFocus(button, state.canRepeat);
 }
 
-/// Devices come and go under the user's eyes, but never under an open list.
+/// Devices may appear and disappear at any time; an unchanged list isn't refilled, so that it stays open.
 void MillPanel::Fields::refreshStylus() {
     QStringList shown;
     for (int i = 0; i < stylus_->count(); ++i) shown << stylus_->itemText(i);

@@ -9,7 +9,8 @@
 
 namespace burin {
 
-/// Milling: the one button first, then how the tool follows the hand, the takes, and how to mill by mouse and keyboard.
+/// Milling: the main button first, then how the tool follows the hand, the takes, and how to mill with mouse and
+/// keyboard.
 class MillPanel : public QWidget {
     Q_OBJECT
 public:
@@ -19,7 +20,7 @@ public:
 
 signals:
     void millModeToggled(bool on);
-    void stylusChosen(int index); ///< of MillState::styluses
+    void stylusChosen(int index); ///< index in MillState::styluses
     void undoStrokeRequested();
     void redoStrokeRequested();
     void depthRuleChosen(burin::DepthChoice rule);

@@ -19,7 +19,7 @@ namespace burin {
 
 namespace {
 
-// As CAD files call them; short names such as "mm" are the same everywhere.
+// Unit names as used in CAD files; short names such as "mm" need no translation.
 [[maybe_unused]] constexpr std::array longUnitNames{BURIN_TEXT("ImportUnit", "inch"), BURIN_TEXT("ImportUnit", "foot"),
                                                     BURIN_TEXT("ImportUnit", "yard")};
 
@@ -36,7 +36,7 @@ std::optional<QString> nameOf(TextId unnamed, const QString& name) {
     return filled(translated(unnamed), {match.captured(1)});
 }
 
-/// A number gets the locale's decimal point, a name that Burin gave its translation.
+/// Numbers get the locale's decimal point, names given by Burin their translation.
 QString valueText(const QString& value) {
     static const QRegularExpression decimal(QStringLiteral("^-?[0-9]+\\.[0-9]+$"));
     if (decimal.match(value).hasMatch()) return QString(value).replace(QLatin1Char('.'), QLocale().decimalPoint());

@@ -8,11 +8,11 @@
 
 namespace burin {
 
-// What the import recorded in English, in the language of the user interface.
+// Translates what the import recorded in English into the language of the user interface.
 
-/// Also of a note that a project has kept. A text that Burin does not know stays as it is.
+/// Also for notes stored in a project. Unknown texts are returned unchanged.
 QString importNoteText(const std::string& note);
-/// A name that the file gives stays as it is; "Body 2" stands for none.
+/// A name given by the file is returned unchanged; if there is none, "Body 2" is used.
 QString bodyName(const std::string& name);
 
 } // namespace burin

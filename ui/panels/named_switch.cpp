@@ -30,7 +30,7 @@ void NamedSwitch::show(const QString& title, bool on, const QString& news) {
         title_->setText(title);
         box_->setAccessibleName(title);
     }
-    box_->setChecked(on); // `clicked` is the user's alone
+    box_->setChecked(on); // doesn't emit `clicked`
     if (news_->text() != news) news_->setText(news);
 }
 

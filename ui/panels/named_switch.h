@@ -10,11 +10,12 @@ namespace burin {
 
 class ElidedLabel;
 
-/// A check box for something that the user named, and what becomes of it; either text may be longer than its room.
+/// A check box for an item that the user named, with the item's state. Either text may be longer than the available
+/// room.
 class NamedSwitch : public QWidget {
     Q_OBJECT
 public:
-    /// @param name of the check box ("<name>Switch") and of the text behind it ("<name>News")
+    /// @param name prefix of the object names of the check box ("<name>Switch") and of the text after it ("<name>News")
     NamedSwitch(const QString& name, const QString& toolTip, QWidget* parent = nullptr);
     void show(const QString& title, bool on, const QString& news); ///< never emits
 
@@ -22,7 +23,7 @@ signals:
     void switched(bool on); ///< by the user
 
 protected:
-    void mousePressEvent(QMouseEvent* event) override; ///< on the texts: as on the box
+    void mousePressEvent(QMouseEvent* event) override; ///< a click on the texts acts like one on the box
 
 private:
     QCheckBox* box_;

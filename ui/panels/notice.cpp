@@ -18,7 +18,7 @@ namespace {
 
 constexpr int noticeIconSize = 18, noticePaddingAcross = 12, noticePaddingAlong = 8, noticeGap = 8;
 constexpr double tint = 0.12, noticeCorner = 8.0;
-constexpr int keptLines = 3; // of a place for notices
+constexpr int keptLines = 3; // of a NoticePlace
 constexpr int footGap = 4;   // pixels
 
 ColourRole roleOf(Notice::Kind kind) {
@@ -49,7 +49,7 @@ QString iconOf(Notice::Kind kind) {
     return {};
 }
 
-/// As much of a wrapped text as fits so many lines.
+/// The part of a wrapped text that fits into a number of lines.
 QString beginningOf(const QString& text, const QFontMetrics& font, int width, int lines) {
     const QRect room(0, 0, width, 1 << 20);
     const auto fits = [&](const QString& part) {
@@ -101,7 +101,7 @@ int Notice::heightOfLines(int lines) const {
 }
 
 void Notice::showText() {
-    if (maximumLines_ > 0) text_->clear(); // it may hold less than the whole
+    if (maximumLines_ > 0) text_->clear(); // it may contain only a part of the sentence
     setWrappedText(text_, sentence_);
     if (maximumLines_ == 0) return;
     const QMargins margins = layout()->contentsMargins();
@@ -166,7 +166,7 @@ void NoticePlace::showFirst() {
         std::ranges::find_if(notices_, [](const Notice* notice) { return !notice->sentence().isEmpty(); });
     for (auto it = notices_.begin(); it != notices_.end(); ++it) (*it)->setVisible(it == first);
     if (first == notices_.end()) return;
-    (*first)->resize(width(), height()); // its text breaks by this
+    (*first)->resize(width(), height()); // determines the line breaks of its text
     (*first)->resize(width(), std::min(height(), (*first)->heightForWidth(width())));
     if (footWanted_) foot_->setGeometry(0, (*first)->height() + footGap, width(), foot_->sizeHint().height());
 }

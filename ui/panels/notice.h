@@ -10,15 +10,15 @@ class QLabel;
 
 namespace burin {
 
-/// A sentence with an icon: never told by colour alone. Hidden while it has none.
+/// A sentence with an icon, so that its kind is not shown by colour alone. Hidden while there is no sentence.
 class Notice : public QFrame {
     Q_OBJECT
 public:
     enum class Kind { information, passed, warning, error };
     explicit Notice(QWidget* parent = nullptr);
 
-    void tell(Kind kind, const QString& sentence); ///< an empty one hides it
-    /// A longer sentence ends in "…" and is the tooltip in whole.
+    void tell(Kind kind, const QString& sentence); ///< an empty sentence hides the notice
+    /// A longer sentence is elided with "…" and shown in full in the tooltip.
     void setMaximumLines(int lines);
     int heightOfLines(int lines) const; ///< pixels
     void clear() { tell(Kind::information, {}); }
@@ -38,19 +38,19 @@ private:
     QLabel* text_ = nullptr;
     QString sentence_;
     Kind kind_ = Kind::information;
-    int maximumLines_ = 0; ///< 0: as many as it takes
+    int maximumLines_ = 0; ///< 0: no limit
 };
 
-/// Room that is kept for notices which come and go by themselves, so that nothing below moves under the hand. One of
-/// them is seen: the first that has a sentence. A button that belongs to a short one may stand below it, in the same
-/// room.
+/// Reserved space for notices that appear and disappear by themselves, so that nothing below moves under the pointer.
+/// Only the first notice with a sentence is shown. A button that belongs to a short notice can be placed below it, in
+/// the same space.
 class NoticePlace : public QWidget {
     Q_OBJECT
 public:
     explicit NoticePlace(QWidget* parent = nullptr);
-    Notice* add(const char* name);   ///< after those that matter more; owned by this
-    void setFoot(QWidget* foot);     ///< hidden until it is wanted; owned by this
-    void setFootWanted(bool wanted); ///< the notice above it has one line then
+    Notice* add(const char* name);   ///< adds a notice with lower priority than the previous ones; owned by this
+    void setFoot(QWidget* foot);     ///< button below the notice, hidden until `setFootWanted(true)`; owned by this
+    void setFootWanted(bool wanted); ///< shows the button; the notice above it is then limited to one line
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {1, sizeHint().height()}; }

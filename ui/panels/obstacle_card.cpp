@@ -96,7 +96,7 @@ void ObstacleCard::addRow(const QString& label, const QString& toolTip, Quantity
     field->setAccessibleName(accessible);
 }
 
-/// Three fields beside each other under a label.
+/// Three fields side by side below a label.
 void ObstacleCard::addTriple(const QString& name, const QString& label, const QString& toolTip, bool place,
                              const std::function<Get(int)>& get, const std::function<Set(int)>& set) {
     auto* title = new QLabel(figures_);
@@ -136,7 +136,7 @@ void ObstacleCard::addShape() {
             [](int axis) -> Get { return [axis](const Obstacle& of) { return boxOf(of).low[axis]; }; },
             [](int axis) -> Set {
                 return [axis](Obstacle& of, double value) {
-                    boxOf(of).high[axis] += value - boxOf(of).low[axis]; // it moves as it is
+                    boxOf(of).high[axis] += value - boxOf(of).low[axis]; // moves the box without changing its size
                     boxOf(of).low[axis] = value;
                 };
             });
@@ -187,7 +187,7 @@ void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool 
 void ObstacleCard::setUnit(LengthUnit unit) {
     for (const Field& field : fields_) {
         field.field->setLengthUnit(unit);
-        if (field.bare) field.field->setSuffix({}); // three beside each other have no room for it
+        if (field.bare) field.field->setSuffix({}); // three fields side by side have no room for it
     }
     for (const Title& title : titles_) title.label->setText(tr("%1 X, Y, Z, in %2").arg(title.text, unitText(unit)));
 }

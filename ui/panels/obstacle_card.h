@@ -18,18 +18,19 @@ class ChoiceBox;
 class NamedSwitch;
 class QuantityField;
 
-/// "holds the tool", and so on.
+/// The state of a fixture or limit as text: "holds the tool", …
 QString boundNewsText(BoundNews news);
 
-/// One fixture or keep-out volume: its switch, its kind, where it is, how far the tool keeps from it.
+/// One fixture or keep-out volume: its switch, its kind, its position, and the clearance that the tool keeps from it.
 class ObstacleCard : public QFrame {
     Q_OBJECT
 public:
-    /// @param place among the obstacles, from 0: part of the object names ("obstacle1Switch", "obstacle1SizeX")
+    /// @param place index of the obstacle, from 0: part of the object names ("obstacle1Switch", "obstacle1SizeX")
     ObstacleCard(std::size_t place, const Obstacle& obstacle, QWidget* parent = nullptr);
 
-    /// Shows values without a signal. The shape must be of the sort that it was made for. @param zero mm, of the
-    /// program, in the setup frame: places are shown from there. @param locked the switch alone can be used
+    /// Shows values without emitting a signal. The shape must be of the same type as the one passed to the constructor.
+    /// @param zero program zero, mm, setup frame: positions are displayed relative to it. @param locked whether only
+    /// the switch can be used
     void showRow(const ObstacleRow& row, const glm::dvec3& zero, bool locked);
     void setUnit(LengthUnit unit);
     std::size_t shape() const noexcept { return obstacle_.shape.index(); }
@@ -46,8 +47,8 @@ private:
     struct Field {
         QuantityField* field;
         Get get;
-        int axis;          ///< of a place, which is shown from zero; -1: another figure
-        bool bare = false; ///< one of three, whose title has the unit
+        int axis;          ///< of a position, which is displayed relative to zero; -1: any other value
+        bool bare = false; ///< one of three fields in a row, whose title shows the unit
     };
     struct Title {
         QLabel* label;
@@ -68,7 +69,7 @@ private:
     ChoiceBox* kind_ = nullptr;
     QWidget* figures_ = nullptr;
     std::vector<Field> fields_;
-    std::vector<Title> titles_; ///< of three fields
+    std::vector<Title> titles_; ///< of the rows of three fields
 };
 
 } // namespace burin

@@ -11,14 +11,17 @@
 
 namespace burin {
 
-// What panels say of the parts of a path that edits left out. For display alone; positions are told from program zero.
-// @param zero mm, of the program, in the setup frame
+// Texts of the panels for the parts of a path that edits left out. For display only; positions are relative to program
+// zero.
+// @param zero program zero, mm, setup frame
 
-/// "12.345 mm left out"; empty where nothing was.
+/// "12.345 mm left out"; empty if nothing was left out.
 QString omittedText(const EditReport& report, LengthUnit unit);
-/// Where, how long and why, a line each, the longest first; of many the longest ten. Empty where there is nothing.
+/// Position, length and reason of each omission, one per line, the longest first, at most ten. Empty if nothing was
+/// left out.
 QString omissionLines(const EditReport& report, const glm::dvec3& zero, LengthUnit unit);
-/// A sentence of all edits, then where the longest part is and what helps. Empty where nothing was left out.
+/// A sentence for all edits together, then the position of the longest omitted part and the remedy. Empty if nothing
+/// was left out.
 QString omissionNotice(const std::vector<EditReport>& reports, const glm::dvec3& zero, LengthUnit unit);
 
 } // namespace burin

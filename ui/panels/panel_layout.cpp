@@ -15,10 +15,10 @@ namespace burin {
 namespace {
 
 constexpr int panelWidth = 320, panelMargin = 16, panelSpacing = 8;
-constexpr int longestUnbroken = 20; // characters that fit a panel at any rate
+constexpr int longestUnbroken = 20; // characters that always fit a panel
 constexpr QChar breakHere(0x200B);  // zero width space
 
-/// A column whose smallest height is the one that it has on a panel. (QVBoxLayout takes that of its smallest width,
+/// A column whose minimum height is the height at the panel's width. (QVBoxLayout uses the height at its minimum width,
 /// where wrapped texts have many lines; a scroll area then ends far below them.)
 class PanelLayout : public QVBoxLayout {
 public:
@@ -81,7 +81,7 @@ void setWrappedText(QLabel* label, const QString& text) {
 
 void bringIntoView(QWidget* widget) {
     const auto scroll = [widget] {
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // where it is depends on what is under way
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // the position depends on pending layouts
         for (QWidget* parent = widget->parentWidget(); parent != nullptr; parent = parent->parentWidget())
             if (auto* area = qobject_cast<QScrollArea*>(parent)) area->ensureWidgetVisible(widget);
     };
@@ -98,7 +98,7 @@ QScrollArea* makeListArea(QWidget* rows, QWidget* parent) {
     area->setWidget(rows);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus); // it follows the keyboard from row to row
+    area->setFocusPolicy(Qt::NoFocus); // it scrolls with the keyboard focus from row to row
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     return area;

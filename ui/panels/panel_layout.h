@@ -9,28 +9,29 @@ class QScrollArea;
 
 namespace burin {
 
-/// What panels are laid out with: a column on the 8-pixel grid.
+/// The standard layout of panels: a column on the 8-pixel grid.
 QVBoxLayout* makePanelLayout(QWidget* panel);
 
-/// A quiet heading in capitals over a part of a panel.
+/// A subdued heading in capitals above a section of a panel.
 QLabel* makeSectionTitle(const QString& text, QWidget* parent);
 
-/// Wrapped plain text; it breaks inside of long words and file names rather than widening the panel.
+/// Wrapped plain text. Long words and file names are broken rather than widening the panel.
 QLabel* makeWrappedLabel(QWidget* parent);
-/// Sets the text of such a label; nothing is done when it has it.
+/// Sets the text of a wrapped label; does nothing if it is unchanged.
 void setWrappedText(QLabel* label, const QString& text);
 
-/// Scrolls what a widget lies in so that it is seen, as soon as that has been laid out.
+/// Scrolls the enclosing scroll area so that a widget is visible, as soon as the area has been laid out.
 void bringIntoView(QWidget* widget);
-/// A card of a list that is made anew, shown at once: a list that is short for a moment scrolls to its top.
-/// @param place in the list; -1: its end
+/// Adds a card to a list that is being rebuilt, and shows it at once: a list that becomes shorter for a moment would
+/// scroll to its top.
+/// @param place position in the list; -1: at the end
 void addCard(QBoxLayout* list, QWidget* card, int place = -1);
 
-/// Lets the rows of a list scroll inside of a height that the caller gives it: what is below the list stays where it is
-/// when rows come and go.
+/// A scroll area for the rows of a list, with a height set by the caller, so that nothing below the list moves when
+/// rows are added or removed.
 QScrollArea* makeListArea(QWidget* rows, QWidget* parent);
 
-/// Changes the look that the style sheet gives a widget (ui/theme/style_sheet.h); nothing is done when it has it.
+/// Changes the look that the style sheet gives a widget (ui/theme/style_sheet.h); does nothing if it is unchanged.
 void setLook(QWidget* widget, const char* look);
 
 } // namespace burin

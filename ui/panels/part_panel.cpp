@@ -123,7 +123,7 @@ void PartPanel::Fields::makeFileUnit(PartPanel* panel) {
         const double millimetres = fileUnit_->itemData(index).toDouble();
         if (!state.model || millimetres == state.model->unitScale) return;
         emit panel->fileUnitChosen(millimetres);
-        refresh(); // until the file has been read, if at all
+        refresh(); // shows the old unit until the file has been read again, if it is
     });
 }
 
@@ -164,7 +164,7 @@ void PartPanel::Fields::refreshRole() {
     setEnabledKeepingFocus(role_, !state.busy && !state.locked);
 }
 
-/// One that the list lacks is added: the command line takes any.
+/// A unit that is missing in the list is added, because the command line accepts any.
 void PartPanel::Fields::refreshFileUnit() {
     const Model& model = *state.model;
     fileUnitRow_->setVisible(model.lengthUnit == "none");
@@ -203,7 +203,7 @@ void PartPanel::Fields::refreshFile(const std::string& name) {
     file_->setToolTip(file);
 }
 
-/// No value of it: none stands yet.
+/// Shows no values: there are none yet.
 void PartPanel::Fields::refreshPreview() {
     refreshFile(state.preview->sourceFile);
     bodies_->setRows(previewRows());

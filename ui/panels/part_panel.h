@@ -9,19 +9,19 @@
 
 namespace burin {
 
-/// The CAD part: file, unit, bodies with volume and box, what was healed and what is doubtful.
+/// The CAD part: file, unit, bodies with volume and bounding box, and what was healed or is doubtful.
 class PartPanel : public QWidget {
     Q_OBJECT
 public:
     explicit PartPanel(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
     void setState(const PartState& state); ///< never emits
-    void chooseBody(std::size_t body);     ///< its role can be chosen with the keys
+    void chooseBody(std::size_t body);     ///< selects a body, so that its role can be chosen with the keyboard
 
 signals:
     void importRequested();
-    void roleChosen(std::size_t body, burin::BodyRole role); ///< @param body in PartState's order
-    void fileUnitChosen(double millimetres);                 ///< a unit of the file means; it is to be read again
+    void roleChosen(std::size_t body, burin::BodyRole role); ///< @param body index in the order of PartState
+    void fileUnitChosen(double millimetres); ///< the size of the file's unit, mm; the file must be read again
 
 private:
     class Fields;

@@ -69,7 +69,7 @@ private:
     std::vector<QWidget*> passRows_;
     std::vector<EditCard*> cards_;
     CardKeyboard keyboard_;
-    std::string adding_; ///< kind of the edit that the user asked for, until its card stands
+    std::string adding_; ///< kind of the edit that the user requested, until its card exists
 };
 
 PathPanel::Fields::Fields(PathPanel* panel)
@@ -110,7 +110,7 @@ PathPanel::Fields::Fields(PathPanel* panel)
     inner->addWidget(makeSectionTitle(PathPanel::tr("Edits, in order"), content_));
     add_ = makeButton(PathPanel::tr("Add an edit"), QStringLiteral("add"), QStringLiteral("addEditButton"), content_);
     add_->setMenu(editMenu());
-    inner->addWidget(add_); // above the list, which pushes it nowhere
+    inner->addWidget(add_); // above the list, so that the list doesn't move it
     list_ = new QVBoxLayout;
     list_->setSpacing(4);
     inner->addLayout(list_);
@@ -159,7 +159,7 @@ void PathPanel::Fields::addToolChoice() {
             [this] { emit panel_->toolChosen(tool_->currentData().toString().toStdString()); });
 }
 
-/// There all the time, so that nothing moves when there is more than the tool in force to choose.
+/// Always visible, so that nothing moves when there are other tools to choose than the current one.
 void PathPanel::Fields::refreshTool() {
     QStringList names, ids;
     for (const PathState::Tool& tool : state.milled) {
@@ -196,7 +196,7 @@ void PathPanel::Fields::refreshButtons() {
     setEnabledKeepingFocus(eye_, state.exists);
 }
 
-/// Each with what was asked for, and a button that deletes it.
+/// Each pass with its parameters and a button that deletes it.
 void PathPanel::Fields::refreshPasses() {
     if (state.passes == shownPasses_) return;
     shownPasses_ = state.passes;
@@ -308,7 +308,7 @@ bool PathPanel::Fields::cardsFit() const {
     });
 }
 
-/// Where the edit that the user asked for now stands; nothing: it does not yet.
+/// The index of the edit that the user just requested; std::nullopt: it doesn't exist yet.
 std::optional<std::size_t> PathPanel::Fields::addedPlace() const {
     const std::vector<Edit>& edits = state.path.edits;
     if (adding_.empty() || edits.size() != cards_.size() + 1) return std::nullopt;
@@ -402,7 +402,7 @@ void PathPanel::Fields::refreshEdits() {
     if (added) {
         adding_.clear();
         if (state.drawnField)
-            bringIntoView(cards_[*added]); // the keyboard is the view's, where it is drawn
+            bringIntoView(cards_[*added]); // the keyboard focus belongs to the view, where it is drawn
         else
             keyboard_.await(*added, QStringLiteral("Switch"));
     }

@@ -11,32 +11,32 @@ namespace burin {
 
 class AreaCard;
 
-/// The edits in order, each with switch, place, parameters and the error that it caused; the error budget with its
-/// worst place. New ones come from a menu.
+/// The edits in order, each with its switch, position, parameters and the error that it caused; the error budget with
+/// the point of the largest error. New edits are added from a menu.
 class PathPanel : public QWidget {
     Q_OBJECT
 public:
     explicit PathPanel(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
     void setState(const PathState& state); ///< never emits
-    AreaCard& area() const;                ///< the part of the panel that tells the area of the next pass
+    AreaCard& area() const;                ///< the section of the panel for the area of the next pass
 
 signals:
-    void toolChosen(const std::string& id); ///< one that milled
+    void toolChosen(const std::string& id); ///< one of the tools that have takes
     void newPathRequested();
     void passRequested();
     void measureRequested();
-    // Ids: of the path's passes. Indices: of its edits, in their order.
+    // `id`: of one of the path's passes. `index`: of one of its edits, in their order.
     void passRemoved(std::int64_t id);
     void passChangeRequested(std::int64_t id);
-    void placeWanted(const glm::dvec3& place); ///< mm, setup frame: to be looked at
+    void placeWanted(const glm::dvec3& place); ///< mm, setup frame: the point that the view should show
     void passMovedUp(std::int64_t id);
-    void editChanged(std::size_t index, const burin::Edit& edit); ///< switched or a parameter changed
+    void editChanged(std::size_t index, const burin::Edit& edit); ///< switched on or off, or a parameter changed
     void editAdded(const burin::Edit& edit);
     void editRemoved(std::size_t index);
     void editMoved(std::size_t from, std::size_t to);
     void dragChosen(burin::DragChoice drag);
-    void drawingWanted(bool wanted); ///< in the selection's stead
+    void drawingWanted(bool wanted); ///< of a replacement for the selected part of the path
     void fieldDrawingWanted(const burin::DrawnField& field, bool wanted);
     void selectionCleared();
     void evaluateRequested();

@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-/// Texts of this page.
+/// Translation context of this file.
 struct PlacementWords {
     Q_DECLARE_TR_FUNCTIONS(PlacementWords)
 };
@@ -26,7 +26,7 @@ QString numberText(double value, int digits) {
     return QLocale().toString(std::round(value * scale) / scale + 0.0, 'g', 10);
 }
 
-/// "X", "-Z", or the direction's numbers.
+/// A direction as text: "X", "-Z", or its components.
 QString axisText(const glm::dvec3& axis) {
     constexpr double same = 1e-9;
     for (int i = 0; i < 3; ++i)

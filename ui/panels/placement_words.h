@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// "As in the file.", "Turned by 90° about X, moved by 0, 0, 12 mm."
+/// Describes a placement: "As in the file.", "Turned by 90° about X, moved by 0, 0, 12 mm."
 QString placementText(const Placement& placement, LengthUnit unit);
 
 } // namespace burin

@@ -51,7 +51,7 @@ ProgramEditor::ProgramEditor(QWidget* parent)
     connect(findings_, &RowList::rowChosen, this, [this](int row) {
         if (static_cast<std::size_t>(row) >= marks_.size()) return;
         const int line = marks_[static_cast<std::size_t>(row)].line;
-        if (line == 0) return; // it is of the whole program
+        if (line == 0) return; // the finding refers to the whole program
         text_->showLine(line);
         emit lineChosen(line);
     });
@@ -76,8 +76,8 @@ QSize ProgramEditor::sizeHint() const {
     return {QWidget::sizeHint().width(), minimumHeight()};
 }
 
-/// Below the text the list is as high as its rows, up to a part of the whole; beside it, it has the height that there
-/// is. In the panel, which scrolls, the whole is as high with findings as without.
+/// Below the text the list is as high as its rows, up to a part of the total height; next to the text it has the
+/// available height. In the panel, which scrolls, the total height is the same with and without findings.
 void ProgramEditor::arrange() {
     const bool beside = docked_ && width() > height();
     parts_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
@@ -131,7 +131,7 @@ void ProgramEditor::gather() {
     if (state_.report) gatherNearPasses(state_.report->nearPasses);
 }
 
-/// The nearest first.
+/// Sorted with the nearest first.
 void ProgramEditor::gatherNearPasses(const std::vector<NearPass>& passes) {
     constexpr std::size_t most = 50;
     for (const NearPass& pass : std::span(passes).first(std::min(passes.size(), most)))
@@ -173,7 +173,7 @@ void ProgramEditor::showMachineState(const QString& state) {
 }
 
 void ProgramEditor::startSearch() {
-    window()->activateWindow(); // a dock may be a window of its own
+    window()->activateWindow(); // a dock may be a separate window
     text_->startSearch();
 }
 

@@ -20,34 +20,34 @@ class ProgramText;
 class RowList;
 struct ListRow;
 
-/// The text of the program together with the findings of its check. Stands in the program panel, the findings below the
-/// text, or in a dock, where they stand side by side when that is wider than high. Findings take their room from the
-/// text: around it nothing moves as they come and go.
+/// The text of the program together with the findings of its check. Placed in the program panel, with the findings
+/// below the text, or in a dock, where they are side by side if the dock is wider than high. The findings take their
+/// space from the text, so that nothing around the editor moves when they appear or disappear.
 class ProgramEditor final : public QWidget {
     Q_OBJECT
 public:
     explicit ProgramEditor(QWidget* parent = nullptr);
-    /// Adds a button for it to the bar above the text: the action that moves this widget between panel and dock.
+    /// Adds a button to the bar above the text for the action that moves this widget between panel and dock.
     void offer(QAction& move);
     void setDocked(bool docked);
     void setUnit(LengthUnit unit);
-    void setState(const ProgramState& state);        ///< never emits
-    std::size_t errors() const;                      ///< findings that keep the program from passing
-    int line() const;                                ///< from 1: where the cursor stands in the text
-    void showLine(int line);                         ///< from 1; without a signal
-    void setBreakpoints(const std::set<int>& lines); ///< from 1, at which a play stops
-    /// @param state of the machine when the chosen line is done; empty: no line is chosen
+    void setState(const ProgramState& state); ///< never emits
+    std::size_t errors() const;               ///< number of findings that prevent the program from passing the check
+    int line() const;                         ///< the line of the text cursor, from 1
+    void showLine(int line);                  ///< from 1; emits no signal
+    void setBreakpoints(const std::set<int>& lines); ///< from 1; playback stops at them
+    /// @param state of the machine after the selected line; empty: no line is selected
     void showMachineState(const QString& state);
     void startSearch();
-    void tellTextNow(); ///< what was typed and is not reported yet
+    void tellTextNow(); ///< reports typed text that has not been reported yet
 
-    bool hasHeightForWidth() const override { return false; } ///< its parts have, and share the height that it has
+    bool hasHeightForWidth() const override { return false; } ///< its parts have it, and share the available height
     QSize sizeHint() const override;
 
 signals:
     void textEdited(const QString& text); ///< by the user
-    void textCheckRequested();            ///< of the text as it was edited
-    void lineChosen(int line);            ///< from 1; by a click on a finding as well
+    void textCheckRequested();            ///< check of the edited text
+    void lineChosen(int line);            ///< from 1; also by a click on a finding
     void breakpointToggled(int line);     ///< from 1
 
 protected:
@@ -62,9 +62,9 @@ private:
 
     ProgramState state_;
     LengthUnit unit_ = LengthUnit::millimetre;
-    std::vector<LineMark> marks_; ///< what the check found and what the control may not take, a row each
+    std::vector<LineMark> marks_; ///< findings of the check and lines that the control may reject, one per row
     QBoxLayout* parts_;
-    QWidget* side_; ///< the findings and the button that checks again
+    QWidget* side_; ///< the findings and the button that repeats the check
     RowList* findings_;
     QPushButton* checkText_;
     ProgramText* text_;

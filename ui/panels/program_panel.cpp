@@ -28,9 +28,9 @@ namespace {
 
 constexpr double smallestTolerance = 0.001, largestTolerance = 1.0; // mm
 constexpr double largestExcessTolerance = 10.0;                     // mm
-constexpr int pathRows = 2, rowGap = 4;                             // that are seen at once; pixels
+constexpr int pathRows = 2, rowGap = 4;                             // visible at once; pixels
 
-/// Fills a choice anew only where its names changed: one that is open stays open.
+/// Refills a choice only if its names have changed, so that an open list stays open.
 void showChoices(ChoiceBox& box, const std::vector<NamedChoice>& choices, const std::string& chosen) {
     bool same = box.count() == static_cast<int>(choices.size());
     for (int i = 0; same && i < box.count(); ++i) same = box.itemText(i) == choices[static_cast<std::size_t>(i)].name;
@@ -43,7 +43,7 @@ void showChoices(ChoiceBox& box, const std::vector<NamedChoice>& choices, const 
     setEnabledKeepingFocus(&box, !choices.empty());
 }
 
-/// What the machining time is made of.
+/// The components of the machining time.
 QString timeContents(const VerifyReport& report) {
     const QString atFeeds = durationText(report.secondsWithoutAcceleration);
     const auto count = static_cast<int>(report.toolChanges);
@@ -170,10 +170,10 @@ void ProgramPanel::Fields::addNotices() {
     column_->addWidget(notices_);
 }
 
-/// Below what the check says of it.
+/// Places the editor below the result of the check.
 void ProgramPanel::Fields::takeEditor() {
     column_->insertWidget(column_->indexOf(notices_) + 1, editor, 1);
-    editor->show(); // who let it go may have hidden it
+    editor->show(); // the previous owner may have hidden it
 }
 
 void ProgramPanel::Fields::addTarget() {
@@ -202,7 +202,7 @@ void ProgramPanel::Fields::addTarget() {
             [this](int index) { emit panel_->dialectChosen(state.dialects[static_cast<std::size_t>(index)].id); });
 }
 
-/// Whose values they are, and the way to change them.
+/// A note on the origin of the machine's values, and a button to edit them.
 void ProgramPanel::Fields::addMachineFoot() {
     auto* foot = new QHBoxLayout;
     foot->setSpacing(8);
@@ -229,7 +229,7 @@ QString ProgramPanel::Fields::machineNote() const {
                : ProgramPanel::tr("Your own machine.");
 }
 
-/// As high as a few rows, whether they are there or not: what is below stays where it is when a path comes.
+/// The height is always that of a few rows, so that nothing below moves when a path is added.
 void ProgramPanel::Fields::addPaths() {
     column_->addWidget(makeSectionTitle(ProgramPanel::tr("Tools of the program"), panel_));
     paths_ = new QWidget;
@@ -238,7 +238,7 @@ void ProgramPanel::Fields::addPaths() {
     list->setSpacing(rowGap);
     list->setAlignment(Qt::AlignTop);
     makeSwitches(1);
-    pathSwitches_.front()->show(QStringLiteral("T1"), true, QStringLiteral("T1")); // as high as one with texts
+    pathSwitches_.front()->show(QStringLiteral("T1"), true, QStringLiteral("T1")); // as high as a row with texts
     auto* area = makeListArea(paths_, panel_);
     area->setObjectName(QStringLiteral("programPaths"));
     area->setFixedHeight(pathRows * (pathSwitches_.front()->sizeHint().height() + rowGap) - rowGap);
@@ -264,7 +264,7 @@ void ProgramPanel::Fields::showWithoutPath(NamedSwitch& row, const QString& tool
             .arg(tool));
 }
 
-/// In the order of milling; then the tools that milled and have no path.
+/// In the order of milling, followed by the tools that have takes but no path.
 void ProgramPanel::Fields::refreshPaths() {
     const std::size_t paths = state.paths.size(), rows = paths + static_cast<std::size_t>(state.withoutPath.size());
     makeSwitches(rows);
@@ -276,7 +276,7 @@ void ProgramPanel::Fields::refreshPaths() {
         else if (i < rows)
             showWithoutPath(row, state.withoutPath[static_cast<qsizetype>(i - paths)]);
         if (i < paths) row.setToolTip({});
-        // One tool alone is no choice.
+        // With a single tool there is nothing to choose.
         setEnabledKeepingFocus(&row, i < paths && (rows > 1 || !state.paths[i].included));
     }
 }
@@ -331,7 +331,7 @@ void ProgramPanel::Fields::refreshVerdict() {
         notice_->tell(Notice::Kind::information, ProgramPanel::tr("The program is being posted and checked…"));
     else if (!state.problem.isEmpty())
         notice_->tell(Notice::Kind::error, state.problem);
-    else if (!state.hasPath && state.text.isEmpty()) // a program of another system needs none
+    else if (!state.hasPath && state.text.isEmpty()) // a program from another system needs no path
         notice_->tell(Notice::Kind::information, ProgramPanel::tr("Make a path first."));
     else if (state.edited)
         notice_->tell(Notice::Kind::warning, ProgramPanel::tr("The text was edited: check it first."));
@@ -341,7 +341,7 @@ void ProgramPanel::Fields::refreshVerdict() {
         notice_->clear();
     if (!state.report)
         verdict_->clear();
-    else if (state.outdated) // nothing is told as passed that might not pass now
+    else if (state.outdated) // don't report as passed what might fail now
         verdict_->tell(Notice::Kind::warning,
                        (editor->errors() == 0
                             ? ProgramPanel::tr("Out of date: passed its check before the last changes.")
@@ -361,7 +361,7 @@ void ProgramPanel::Fields::refreshVerdict() {
 }
 
 void ProgramPanel::Fields::refreshFigures() {
-    figures_->setVisible(state.report || !state.text.isEmpty()); // they stay while the text is written
+    figures_->setVisible(state.report || !state.text.isEmpty()); // they stay visible while the text is edited
     if (!state.report) {
         for (ValueRow* row : {gouge_, excess_, onPart_, removed_, time_, blocks_}) row->setValue(QStringLiteral("–"));
         return;
@@ -370,7 +370,7 @@ void ProgramPanel::Fields::refreshFigures() {
     gouge_->setValue(lengthText(report.gougeMax, unit_));
     gouge_->setToolTip(report.exactSamples > 0 ? ProgramPanel::tr("Judged on the exact surfaces at the worst points")
                                                : ProgramPanel::tr("Judged on the fine mesh"));
-    // What is longer was not measured.
+    // Larger values were not measured.
     const QString atLeast = report.excessMax < longestExcess ? QString() : QStringLiteral("≥ ");
     excess_->setValue(lengthNumber(report.excessMean, unit_) + QStringLiteral(" / ") + atLeast +
                       lengthText(report.excessMax, unit_));

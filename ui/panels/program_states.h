@@ -13,42 +13,42 @@
 #include <string>
 #include <vector>
 
-/// What the panels of the program show. Panels own no model: they get one of these and tell by signals what the user
-/// wants.
+/// States of the program panels. Panels own no model: they are given one of these states and report the user's requests
+/// by signals.
 namespace burin {
 
-/// Something that can be chosen by its name.
+/// An item that can be chosen by its name.
 struct NamedChoice {
     std::string id;
     QString name;
 };
 
-/// A path that may belong into a program.
+/// A path that can be included in a program.
 struct ProgramPathState {
     std::int64_t id = 0;
-    QString name; ///< its tool's
+    QString name; ///< the name of its tool
     bool included = true;
 };
 
 struct ProgramState {
-    bool hasPath = false;                ///< some path belongs into it
-    bool upToDate = false;               ///< that of the tool in force is, or there is none
+    bool hasPath = false;                ///< whether at least one path is included
+    bool upToDate = false;               ///< whether the current tool's path is up to date, or there is none
     std::vector<ProgramPathState> paths; ///< in the order of milling
-    QStringList withoutPath;             ///< tools that milled and have no path yet
+    QStringList withoutPath;             ///< tools that have takes but no path yet
     NcUnits units = NcUnits::millimetre;
     std::vector<NamedChoice> machines, dialects;
-    std::string machine, dialect; ///< ids of those in force
-    bool typicalMachine = false;  ///< the one in force is shipped with Burin
-    QString missingMachine;       ///< that the project names, and that is not here; empty: it is
+    std::string machine, dialect; ///< ids of the current ones
+    bool typicalMachine = false;  ///< whether the current machine is shipped with Burin
+    QString missingMachine;       ///< the machine that the project names, if it is not available; otherwise empty
     QString text;                 ///< empty: not posted
-    bool edited = false;          ///< by hand, after it was posted, and not checked since
+    bool edited = false;          ///< whether it was edited by hand after it was posted, and not checked since
     std::size_t blocks = 0;
-    std::shared_ptr<const VerifyReport> report; ///< null: not checked; large, so that it is shared
-    std::vector<LintMark> lint;                 ///< of the program that the report is about
-    bool released = false;                      ///< it passed, or its header says why it is wanted all the same
-    double gougeTolerance = 0.02;               ///< mm, for the next check
-    double excessTolerance = 0.1;               ///< mm, the same; 0: not judged
-    double judgedTolerance = 0.02;              ///< mm, that the report was judged by
+    std::shared_ptr<const VerifyReport> report; ///< null: not checked; shared because it is large
+    std::vector<LintMark> lint;                 ///< of the program to which the report refers
+    bool released = false;         ///< whether it passed, or its header states why it is wanted nevertheless
+    double gougeTolerance = 0.02;  ///< mm, for the next check
+    double excessTolerance = 0.1;  ///< mm, for the next check; 0: not judged
+    double judgedTolerance = 0.02; ///< mm, the tolerance by which the report was judged
     bool outdated = false;
     bool busy = false;
     QString problem;

@@ -90,7 +90,7 @@ void ProgramText::offer(QAction& action) {
     connect(button, &QToolButton::clicked, &action, &QAction::trigger);
 }
 
-/// A key that was meant as text and changed nothing gets an answer.
+/// Responds to a key that was meant as text input but changed nothing.
 void ProgramText::hintAtEditing() {
     QToolTip::showText(edit_->mapToGlobal(edit_->rect().bottomLeft()),
                        tr("The text can't be changed yet: press this button to edit it"), edit_);
@@ -103,7 +103,7 @@ bool ProgramText::editable() const {
 bool ProgramText::eventFilter(QObject* watched, QEvent* event) {
     if (watched != wanted_ || (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride))
         return QWidget::eventFilter(watched, event);
-    if (event->type() == QEvent::ShortcutOverride) { // Esc is this field's before it is the window's
+    if (event->type() == QEvent::ShortcutOverride) { // this field handles Esc before the window does
         if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) event->accept();
         return QWidget::eventFilter(watched, event);
     }
@@ -120,7 +120,7 @@ bool ProgramText::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ProgramText::showProgram(const QString& text) {
-    if (settled_.isActive()) return; // what the user writes is newer
+    if (settled_.isActive()) return; // the text being typed is newer
     view_->showProgram(text);
     told();
 }

@@ -17,31 +17,31 @@ class QToolButton;
 
 namespace burin {
 
-/// A program's text with a search above it, and below it what the machine is like when the chosen line is done.
+/// A program's text, with a search bar above it and the machine's state after the selected line below it.
 class ProgramText : public QWidget {
     Q_OBJECT
 public:
     explicit ProgramText(QWidget* parent = nullptr);
 
-    void offer(QAction& action);                     ///< by a button on the right of the search
-    void showProgram(const QString& text);           ///< nothing is done when it shows it
-    int line() const;                                ///< from 1: where the cursor stands
-    void showLine(int line);                         ///< from 1; brings it into view, without a signal
-    void setBreakpoints(const std::set<int>& lines); ///< from 1, at which a play stops
+    void offer(QAction& action);                     ///< adds a button for the action to the right of the search field
+    void showProgram(const QString& text);           ///< does nothing if it is already shown
+    int line() const;                                ///< the line of the text cursor, from 1
+    void showLine(int line);                         ///< from 1; scrolls it into view and emits no signal
+    void setBreakpoints(const std::set<int>& lines); ///< from 1; playback stops at them
     void setMarks(std::vector<LineMark> marks);
-    /// @param state of the machine when the chosen line is done; empty: there is nothing to tell
+    /// @param state of the machine after the selected line; empty: nothing to show
     void showState(const QString& state);
     bool editable() const;
-    void tellNow(); ///< what was typed and not told yet
-    /// The keyboard goes to the search, what stood there is chosen.
+    void tellNow(); ///< reports typed text that has not been reported yet
+    /// Moves the keyboard focus to the search field and selects its text.
     void startSearch();
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override; ///< Enter and Esc in the search
+    bool eventFilter(QObject* watched, QEvent* event) override; ///< handles Enter and Esc in the search field
 
 signals:
     void textEdited(const QString& text); ///< by the user, some time after the last key
-    void lineChosen(int line);            ///< from 1; the user put the cursor there, or a search led there
+    void lineChosen(int line);            ///< from 1; the user or a search moved the cursor there
     void breakpointToggled(int line);     ///< from 1
 
 private:

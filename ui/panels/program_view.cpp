@@ -26,7 +26,7 @@ namespace {
 constexpr int numberPadding = 8, lintMarkWidth = 10;
 constexpr double lineTint = 0.08;
 constexpr int linesASlice = 3000; // about 20 ms
-constexpr int coloured = 1;       // state of a block whose words have their colours
+constexpr int coloured = 1;       // state of a block whose words are coloured
 
 QList<QTextLayout::FormatRange> colours(const QString& line) {
     QList<QTextLayout::FormatRange> ranges;
@@ -42,7 +42,7 @@ QList<QTextLayout::FormatRange> colours(const QString& line) {
 
 } // namespace
 
-/// The strip with the line numbers.
+/// The margin with the line numbers.
 class ProgramView::Margin : public QWidget {
 public:
     explicit Margin(ProgramView* view) : QWidget(view), view_(view) { setObjectName(QStringLiteral("programNumbers")); }
@@ -194,7 +194,7 @@ bool ProgramView::find(const QString& wanted, bool backward) {
         if (backward) end.movePosition(QTextCursor::End);
         found = document()->find(wanted, end, flags);
     }
-    if (found.isNull()) return false; // it stands across a line's end
+    if (found.isNull()) return false; // the text spans a line break
     setTextCursor(found);
     centerCursor();
     return true;
@@ -214,7 +214,7 @@ void ProgramView::placeMargin() {
 void ProgramView::resizeEvent(QResizeEvent* event) {
     QPlainTextEdit::resizeEvent(event);
     placeMargin();
-    if (!isReadOnly()) ensureCursorVisible(); // whoever writes sees what is written, whatever comes above the text
+    if (!isReadOnly()) ensureCursorVisible(); // the typed text stays visible when something appears above the editor
 }
 
 void ProgramView::changeEvent(QEvent* event) {
@@ -224,7 +224,8 @@ void ProgramView::changeEvent(QEvent* event) {
     markCurrentLine();
 }
 
-/// Also while it can't be edited: who clicks into the text and types "G1" wants neither guides nor the top view.
+/// Also while the text is read-only: a user who clicks into the text and types "G1" wants neither guides nor the top
+/// view.
 bool ProgramView::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && isTyped(*static_cast<QKeyEvent*>(event))) {
         event->accept();
@@ -251,7 +252,7 @@ void ProgramView::colourSeen() {
 }
 
 void ProgramView::paintEvent(QPaintEvent* event) {
-    colourSeen(); // colours alone: no line changes its size
+    colourSeen(); // changes only colours: no line changes its size
     QPlainTextEdit::paintEvent(event);
 }
 
@@ -265,7 +266,7 @@ void ProgramView::markCurrentLine() {
     margin_->update();
 }
 
-/// An error is a square, a warning a triangle: never told by colour alone.
+/// An error is a square, a warning a triangle, so that they are not distinguished by colour alone.
 void ProgramView::paintMark(QPainter& painter, const LineMark& mark, double top, double height) const {
     const Palette& palette = activePalette();
     const double side = 8.0, left = 4.0, up = top + 0.5 * (height - side);

@@ -17,7 +17,7 @@ ProgramWord::Kind kindOf(QChar letter) {
     return ProgramWord::Kind::number;
 }
 
-/// Where the comment that starts at `start` ends.
+/// The end of the comment that starts at `start`.
 int commentEnd(const QString& line, int start) {
     if (line[start] == QLatin1Char(';')) return static_cast<int>(line.size());
     const auto end = line.indexOf(QLatin1Char(')'), start);

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// A stretch of a block that is shown in one colour.
+/// A range of characters of a block that is shown in one colour.
 struct ProgramWord {
     int start = 0, length = 0; ///< characters
     enum class Kind { code, axis, speed, comment, number } kind = Kind::code;
@@ -18,7 +18,7 @@ struct ProgramWord {
 };
 
 /// The words of one line of a program: G and M codes, axes and arcs, F S T, comments in brackets or after a semicolon,
-/// block numbers; what is none of them has no entry. For colours alone: it accepts any text.
+/// block numbers. Other text has no entry. For colouring only: accepts any text.
 std::vector<ProgramWord> programWords(const QString& line);
 
 ColourRole roleOf(ProgramWord::Kind kind);

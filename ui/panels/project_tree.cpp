@@ -72,7 +72,7 @@ void ProjectTree::setRows(const std::vector<ProjectRow>& rows) {
 }
 
 QTreeWidgetItem* ProjectTree::itemOf(const ProjectRow& node) const {
-    auto* item = new QTreeWidgetItem; // the tree's, or its parent's
+    auto* item = new QTreeWidgetItem; // owned by the tree or by its parent item
     fill(*item, node);
     for (const ProjectRow& child : node.children) item->addChild(itemOf(child));
     return item;
@@ -110,7 +110,7 @@ void ProjectTree::changeEvent(QEvent* event) {
 }
 
 void ProjectTree::contextMenuEvent(QContextMenuEvent* event) {
-    // By the keyboard it is the selected row's.
+    // When requested by keyboard, the menu is that of the selected row.
     QTreeWidgetItem* item = event->reason() == QContextMenuEvent::Keyboard
                                 ? currentItem()
                                 : itemAt(viewport()->mapFromGlobal(event->globalPos()));

@@ -10,29 +10,29 @@
 
 namespace burin {
 
-/// What a row of the project's tree stands for.
+/// The type of object that a row of the project tree represents.
 enum class ProjectRowKind { group, setup, body, fixture, tool, take, path, pass, program };
 
-/// A row with those below it.
+/// A row with its child rows.
 struct ProjectRow {
     ProjectRowKind kind = ProjectRowKind::group;
-    qint64 id = 0; ///< among those of its kind; of a group its place
+    qint64 id = 0; ///< unique among rows of its kind; for a group, its index
     QString name, detail, toolTip;
     bool current = false;     ///< in use
-    bool dimmed = false;      ///< it counts no more, or is not there yet
-    std::optional<bool> on{}; ///< a box to be ticked; nothing: it has none
+    bool dimmed = false;      ///< whether it is no longer in effect, or doesn't exist yet
+    std::optional<bool> on{}; ///< state of its check box; empty: it has none
     QColor swatch{};          ///< of a material; invalid: none
     std::vector<ProjectRow> children{};
     bool operator==(const ProjectRow&) const = default;
 };
 
-/// All that a project holds, as a tree: what is in use in bold. A double click or Enter opens a row, a box switches it,
-/// the right button offers more.
+/// The contents of a project as a tree; rows in use are bold. A double click or Enter opens a row, its check box
+/// switches it, the right button opens its menu.
 class ProjectTree final : public QTreeWidget {
     Q_OBJECT
 public:
     explicit ProjectTree(QWidget* parent = nullptr);
-    /// Nothing is done where it shows them. Groups stay open or closed, and the selected row stays selected.
+    /// Does nothing if the rows are unchanged. Groups stay open or closed, and the selected row stays selected.
     void setRows(const std::vector<ProjectRow>& rows);
 
 signals:
@@ -42,7 +42,7 @@ signals:
 
 protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
-    void changeEvent(QEvent* event) override; ///< colours are the theme's
+    void changeEvent(QEvent* event) override; ///< updates the colours of the theme
 
 private:
     QTreeWidgetItem* itemOf(const ProjectRow& node) const;

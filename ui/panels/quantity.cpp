@@ -27,7 +27,7 @@ constexpr std::array namedUnits{
     NamedUnit{Quantity::length, "cm", 10.0},
     NamedUnit{Quantity::length, "m", 1000.0},
     NamedUnit{Quantity::length, "µm", 0.001},
-    NamedUnit{Quantity::length, "μm", 0.001}, // the Greek letter, beside the micro sign
+    NamedUnit{Quantity::length, "μm", 0.001}, // the Greek letter, in addition to the micro sign
     NamedUnit{Quantity::length, "um", 0.001},
     NamedUnit{Quantity::length, "in", millimetresPerInch},
     NamedUnit{Quantity::length, "inch", millimetresPerInch},

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// What a number on a panel measures. Inside: mm, mm/s, s, Hz, rad, N, mm³/s, 1; mm/min, mm/s², mm/s³, 1/min, W, N m,
-/// 1/s.
+/// The quantity that a number on a panel measures. Internal units: mm, mm/s, s, Hz, rad, N, mm³/s, 1; mm/min, mm/s²,
+/// mm/s³, 1/min, W, N m, 1/s.
 enum class Quantity {
     length,
     speed,
@@ -30,22 +30,23 @@ enum class Quantity {
     count
 };
 
-/// How a quantity is shown.
+/// The display unit of a quantity.
 struct DisplayUnit {
     QString text;            ///< "mm", "in/s"
-    double size = 1.0;       ///< of one such unit, in the inner unit
-    int decimals = 3;        ///< at most
-    bool allDecimals = true; ///< trailing zeros stand, so that lengths keep their places
+    double size = 1.0;       ///< of one such unit, in the internal unit
+    int decimals = 3;        ///< maximum number of decimals
+    bool allDecimals = true; ///< whether trailing zeros are shown, so that decimals stay aligned
 };
 DisplayUnit displayUnit(Quantity quantity, LengthUnit unit);
 
-/// The number alone, as `displayUnit` says.
+/// The number without its unit, in the form given by `displayUnit`.
 QString quantityNumber(double value, Quantity quantity, LengthUnit unit, const QLocale& locale = QLocale());
 /// "60 mm/s"
 QString quantityText(double value, Quantity quantity, LengthUnit unit, const QLocale& locale = QLocale());
 
-/// What a hand typed: a number with a decimal point or comma, whatever the locale, and at will a unit of the quantity
-/// ("0.5in", "12,5 mm", "80 µm"); without one, `unit` counts. Nothing when it is no such text. In the inner unit.
+/// Parses typed text: a number with a decimal point or comma, regardless of the locale, optionally followed by a unit
+/// of the quantity ("0.5in", "12,5 mm", "80 µm"); without one, `unit` applies. Returns the value in the internal unit,
+/// or std::nullopt if the text is not of this form.
 std::optional<double> readQuantity(const QString& text, Quantity quantity, LengthUnit unit);
 
 } // namespace burin

@@ -18,11 +18,12 @@ namespace burin {
 
 namespace {
 
-// Far more than is shown: changing the display unit must not change the value.
+// Far more than is displayed: changing the display unit must not change the value.
 constexpr int innerDecimals = 9;
 constexpr double largest = 1e6;
 
-/// Leaves undo and redo to the window while nothing is typed: a line of text would take the keys and do nothing.
+/// Leaves the undo and redo keys to the window while nothing is being typed: a line edit would consume them and do
+/// nothing.
 class UndoKeysOfWindow final : public QObject {
 public:
     UndoKeysOfWindow(QObject* parent, QLineEdit* text) : QObject(parent), text_(text) {}
@@ -38,8 +39,8 @@ private:
     QLineEdit* text_;
 };
 
-/// Under a field for a while, over what is there. A tooltip would go with the next click, which may be what left the
-/// field.
+/// Shows a message below a field for a while, over other widgets. A tooltip would disappear with the next click, which
+/// may be the click that left the field.
 void showUnder(QWidget* field, const QString& sentence) {
     constexpr int width = 260, stays = 6000; // px, ms
     QWidget* window = field->window();
@@ -60,7 +61,7 @@ void showUnder(QWidget* field, const QString& sentence) {
     QTimer::singleShot(stays, message, &QObject::deleteLater);
 }
 
-/// A tenth of the size of `shown`, a power of ten, not below the last digit that is shown.
+/// A tenth of the magnitude of `shown`, as a power of ten, but at least the last displayed digit.
 double stepOf(double shown, int decimals) {
     const double smallest = std::pow(10.0, -decimals);
     const double size = std::abs(shown);
@@ -102,7 +103,7 @@ void QuantityField::limit(double low, double high) {
     if (low == minimum() && high == maximum()) return;
     const QSignalBlocker quiet(this);
     setRange(low, high);
-    if (!isTyping()) shown_ = value(); // what the limits changed is nothing that the user did
+    if (!isTyping()) shown_ = value(); // a change caused by the limits is not a change by the user
 }
 
 void QuantityField::showValue(double value) {
@@ -123,7 +124,8 @@ std::optional<double> QuantityField::read(const QString& text) const {
     return readQuantity(bare, quantity_, unit_);
 }
 
-/// Nothing: it is out of range. An end of the range that is typed as it is shown, rounded, is that end.
+/// std::nullopt if the value is out of range. A limit of the range that is typed as it is displayed, rounded, counts as
+/// that limit.
 std::optional<double> QuantityField::withinRange(double typed) const {
     const DisplayUnit unit = displayUnit(quantity_, unit_);
     const double rounding = 0.5 * unit.size * std::pow(10.0, -unit.decimals);
@@ -132,7 +134,7 @@ std::optional<double> QuantityField::withinRange(double typed) const {
 }
 
 double QuantityField::valueFromText(const QString& text) const {
-    // What is shown is rounded: reading it back must not change the value.
+    // The displayed value is rounded: reading it back must not change the value.
     if (text == textFromValue(value()) + suffix() || text == textFromValue(value())) return value();
     return withinRange(read(text).value_or(value())).value_or(value());
 }
@@ -159,7 +161,7 @@ void QuantityField::stepBy(int steps) {
     interpretText();
     const DisplayUnit unit = displayUnit(quantity_, unit_);
     const double shown = value() / unit.size;
-    // Downwards from 1 the steps are those below 1.
+    // Stepping down from 1 uses the step for values below 1.
     const double step = stepOf(steps < 0 ? shown * (1.0 - 1e-6) : shown, unit.decimals);
     const double before = value();
     {
@@ -178,7 +180,7 @@ QAbstractSpinBox::StepEnabled QuantityField::stepEnabled() const {
     return enabled;
 }
 
-/// Esc takes back what is being typed before it means anything to the window.
+/// Esc first discards typed text, before the window handles it.
 bool QuantityField::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && isTyping() &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
@@ -202,7 +204,7 @@ void QuantityField::wheelEvent(QWheelEvent* event) {
     if (hasFocus())
         QDoubleSpinBox::wheelEvent(event);
     else
-        event->ignore(); // scrolling the panel must not turn a number
+        event->ignore(); // scrolling the panel must not change a number
 }
 
 bool QuantityField::isTyping() const {

@@ -8,10 +8,10 @@
 
 namespace burin {
 
-/// A field for one measured number. `value()` is in the inner unit (mm, mm/s, s, Hz); it is shown in the display unit
-/// with that unit behind it, and read as `readQuantity` does. What is out of range is refused: the value stays, and a
-/// message under the field says the range. Steps are a tenth of the number's own size. The wheel turns it only when it
-/// has the focus. Escape takes typing back.
+/// A field for one number with a unit. `value()` is in the internal unit (mm, mm/s, s, Hz); it is displayed in the
+/// display unit, followed by that unit, and parsed by `readQuantity`. Values out of range are rejected: the value
+/// remains unchanged, and a message below the field states the range. Steps are a tenth of the number's magnitude. The
+/// wheel changes the value only when the field has the focus. Escape discards typed text.
 class QuantityField : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -19,10 +19,10 @@ public:
 
     void setLengthUnit(LengthUnit unit);
     void setQuantity(Quantity quantity);
-    /// What may be entered, in the inner unit, without a signal.
+    /// Sets the permitted range, in the internal unit; emits no signal.
     void limit(double low, double high);
-    /// Shows a value without a signal. While the user types, the text stays; their entry then counts against this
-    /// value.
+    /// Shows a value without emitting a signal. While the user types, the text is kept; the entry is then compared with
+    /// this value.
     void showValue(double value);
     Quantity quantity() const noexcept { return quantity_; }
 
@@ -33,7 +33,7 @@ public:
     void stepBy(int steps) override;
 
 signals:
-    /// The user committed another value (Enter, Tab, a click elsewhere) or stepped; in the inner unit.
+    /// The user committed another value (Enter, Tab, a click elsewhere) or stepped; in the internal unit.
     void valueEdited(double value);
 
 protected:
@@ -52,7 +52,7 @@ private:
 
     Quantity quantity_;
     LengthUnit unit_ = LengthUnit::millimetre;
-    double shown_ = 0.0;                    ///< what was last shown or told
+    double shown_ = 0.0;                    ///< the value that was last shown or reported
     mutable std::optional<double> refused_; ///< out of range, typed and not reported yet; `fixup` is const
 };
 

@@ -8,7 +8,7 @@
 
 namespace burin {
 
-// How panels word what bodies and stock are. For display alone.
+// Labels of the panels for the roles of bodies and the forms of stock. For display only.
 
 QString roleText(BodyRole role);
 QString roleToolTip();

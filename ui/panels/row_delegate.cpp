@@ -43,7 +43,7 @@ void paintGround(QPainter& painter, const QStyleOptionViewItem& option) {
     painter.drawRoundedRect(QRectF(option.rect).adjusted(2.0, 1.0, -2.0, -1.0), corner, corner);
 }
 
-/// The room that the icon or swatch at the left takes.
+/// The width of the icon or swatch at the left.
 int markWidth(const QModelIndex& index) {
     if (index.data(swatchRole).value<QColor>().isValid()) return swatchSize + gap;
     return index.data(iconRole).value<QIcon>().isNull() ? 0 : iconSize + gap;
@@ -61,7 +61,7 @@ void paintMark(QPainter& painter, const QStyleOptionViewItem& option, const QMod
                                               (option.state & QStyle::State_Enabled) ? QIcon::Normal : QIcon::Disabled);
 }
 
-/// The room that value and badge at the right of the title take.
+/// The width of value and badge to the right of the title.
 int badgeWidth(const QStyleOptionViewItem& option, const QString& badge) {
     return QFontMetrics(detailFont(option.font)).horizontalAdvance(badge) + gap;
 }
@@ -71,7 +71,7 @@ int valueWidth(const QStyleOptionViewItem& option, const QModelIndex& index) {
            (badge.isEmpty() ? 0 : badgeWidth(option, badge) + gap);
 }
 
-/// The badge, right-aligned at `right`.
+/// Paints the badge, right-aligned at `right`.
 void paintBadge(QPainter& painter, const QStyleOptionViewItem& option, const QString& badge, int right) {
     painter.setFont(detailFont(option.font));
     const int width = badgeWidth(option, badge);

@@ -8,12 +8,12 @@
 
 namespace burin {
 
-/// Paints the rows of a RowList. What has no room ends in "…", and is whole in the tooltip.
+/// Paints the rows of a RowList. Text that doesn't fit is elided with "…" and shown in full in the tooltip.
 class RowDelegate : public QStyledItemDelegate {
     Q_OBJECT
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
-    /// Titles and details are as many lines as they need instead: for whole sentences.
+    /// Whether titles and details are wrapped over as many lines as they need instead: for whole sentences.
     void setTextsWrap(bool wrap) { wrap_ = wrap; }
     static void fill(QListWidgetItem& item, const ListRow& row);
 
@@ -23,7 +23,7 @@ public:
                    const QModelIndex& index) override;
 
 private:
-    /// Where the parts of a row are, in its view's pixels.
+    /// The rectangles of the parts of a row, in pixels of its view.
     struct Places {
         QRect title, detail;
     };

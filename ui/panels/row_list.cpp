@@ -47,7 +47,7 @@ void RowList::setTextsWrap(bool wrap) {
     updateGeometry();
 }
 
-/// Rows of several lines have another height in another width.
+/// The height of rows with several lines depends on the width.
 void RowList::resizeEvent(QResizeEvent* event) {
     QListWidget::resizeEvent(event);
     if (event->size().width() == event->oldSize().width()) return;

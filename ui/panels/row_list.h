@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// One row: a title with a value on the right, and a quieter second line.
+/// One row: a title with a value on the right, and a second line in subdued text.
 struct ListRow {
     QString title, value, detail, toolTip;
     QString badge; ///< a word in a frame before the value; empty: none
@@ -20,26 +20,26 @@ struct ListRow {
     bool operator==(const ListRow&) const = default;
 };
 
-/// A list of rows that is as high as it has rows, up to a number of them, then scrolls.
+/// A list whose height follows its number of rows up to a maximum; beyond that it scrolls.
 class RowList : public QListWidget {
     Q_OBJECT
 public:
     explicit RowList(QWidget* parent = nullptr);
     void setMaximumRows(int rows);
-    /// Rows up to the maximum are shown where there is room for them, and so many at any rate.
+    /// Sets the number of rows that are always shown; more, up to the maximum, are shown if there is room.
     void setLeastRows(int rows);
-    void setFillsHeight(bool fills); ///< takes the height that there is, however many rows it has
+    void setFillsHeight(bool fills); ///< whether the list fills the available height, regardless of its number of rows
     void setTextsWrap(bool wrap);    ///< titles and details are whole sentences, over several lines
-    /// Shows rows without a signal; nothing is done when it has them. The current row stays where it can.
+    /// Shows rows without emitting a signal; does nothing if they are unchanged. The current row is kept if possible.
     void setRows(const std::vector<ListRow>& rows);
-    void setChosen(int row); ///< without a signal; -1: none
+    void setChosen(int row); ///< emits no signal; -1: none
     const std::vector<ListRow>& rows() const noexcept { return rows_; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 signals:
-    /// The user chose a row by mouse or keyboard; clicking the one that is chosen chooses it again.
+    /// The user selected a row by mouse or keyboard; also emitted when the selected row is clicked again.
     void rowChosen(int row);
 
 protected:
@@ -52,7 +52,7 @@ private:
     void followRows();
 
     int maximumRows_ = 6;
-    int leastRows_ = 0; ///< 0: the maximum
+    int leastRows_ = 0; ///< 0: as the maximum
     int beforePress_ = -1;
 };
 

@@ -27,7 +27,7 @@ SegmentTable::SegmentTable(QWidget* parent) : QWidget(parent), grid_(new QGridLa
     grid_->setColumnStretch(buttonColumn, 1);
     add_ = makeButton(tr("Add a segment"), QStringLiteral("add"), QStringLiteral("addSegmentButton"), this);
     add_->setToolTip(tr("On top, as wide as the one below"));
-    add_->setAutoDefault(false); // Enter belongs to the fields
+    add_->setAutoDefault(false); // Enter is handled by the fields
     connect(add_, &QPushButton::clicked, this, &SegmentTable::addSegment);
     layOutEntry();
 }
@@ -96,8 +96,8 @@ void SegmentTable::removeRow() {
     for (QWidget* widget : std::initializer_list<QWidget*>{row.lower, row.upper, row.length, row.remove}) {
         grid_->removeWidget(widget);
         widget->hide();
-        widget->setObjectName({}); // it is not there any more
-        widget->deleteLater();     // it may be what was clicked
+        widget->setObjectName({}); // it must no longer be found by name
+        widget->deleteLater();     // it may be the widget that was clicked
     }
     rows_.pop_back();
 }
@@ -111,7 +111,7 @@ void SegmentTable::removeSegment(std::size_t row) {
     if (readOnly_ || row >= segments_.size()) return;
     std::vector<HolderSegment> segments = segments_;
     segments.erase(segments.begin() + static_cast<std::ptrdiff_t>(row));
-    add_->setFocus(); // the last row goes
+    add_->setFocus(); // the last row is removed
     showSegments(segments);
     emit edited(segments);
 }

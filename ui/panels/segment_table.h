@@ -17,13 +17,13 @@ namespace burin {
 
 class QuantityField;
 
-/// The segments of a holder, a row each, from its face upwards: diameters below and above, length. Names of the
+/// The segments of a holder, one per row, from its face upwards: lower and upper diameter, length. Object names of the
 /// fields: "segmentLower0", "segmentUpper0", "segmentLength0", "removeSegment0", …
 class SegmentTable final : public QWidget {
     Q_OBJECT
 public:
     explicit SegmentTable(QWidget* parent = nullptr);
-    void showSegments(const std::vector<HolderSegment>& segments); ///< without a signal
+    void showSegments(const std::vector<HolderSegment>& segments); ///< emits no signal
     void setReadOnly(bool readOnly);
     void setUnit(LengthUnit unit);
 

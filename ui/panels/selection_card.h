@@ -14,7 +14,7 @@ namespace burin {
 class ChoiceBox;
 class ElidedLabel;
 
-/// What is chosen of the path in the view, and what the pointer does to it.
+/// The part of the path that is selected in the view, and what dragging it with the pointer changes.
 class SelectionCard : public QFrame {
     Q_OBJECT
 public:

@@ -55,7 +55,7 @@ private:
     QPushButton *add_, *remove_, *stock_;
     Notice *outOfDate_, *asked_;
     QLabel* lies_;
-    std::array<QPushButton*, 4> aims_{}; ///< in the order of FaceAim, without none
+    std::array<QPushButton*, 4> aims_{}; ///< in the order of FaceAim, without `none`
     std::array<QPushButton*, 3> turns_{}, mirrors_{};
     ChoiceBox* turnAxis_;
     QuantityField* angle_;

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// The setups of the job, and how the part lies in the one that is worked in.
+/// The setups of the job, and the placement of the part in the current one.
 class SetupPanel : public QWidget {
     Q_OBJECT
 public:
@@ -18,15 +18,15 @@ public:
     void setState(const SetupState& state); ///< never emits
 
 signals:
-    void setupChosen(qint64 number); ///< of its SetupId, for which Qt has no stream
+    void setupChosen(qint64 number); ///< number of its SetupId, for which Qt has no stream operator
     void additionRequested();
     void removalRequested();
-    void named(const QString& name);         ///< the setup that is worked in
-    void stockWanted();                      ///< anew from the setup that leaves it
+    void named(const QString& name);         ///< the current setup's new name
+    void stockWanted();                      ///< take the stock again from the setup that leaves it
     void turned(int axis, double angle);     ///< @param axis 0, 1, 2 for x, y, z @param angle rad
-    void positioned(int axis, double place); ///< mm: where the box around the part is to begin
+    void positioned(int axis, double place); ///< mm: new lower limit of the part's bounding box
     void mirrored(int axis);                 ///< @param axis as in `turned`
-    /// The user picks a face in the view for a direction, or does no longer (none).
+    /// The user starts to pick a face in the view for a direction, or stops picking (none).
     void facePickRequested(burin::FaceAim aim);
 
 private:

@@ -17,60 +17,60 @@
 #include <string>
 #include <vector>
 
-/// What the panels of what bounds the tool, and what it mills show. Panels own no model: they get one of these and tell
-/// by signals what the user wants.
+/// States of the panels for the part, the setup, the stock, the fixtures and limits, and the tool. Panels own no model:
+/// they are given one of these states and report the user's requests by signals.
 namespace burin {
 
 struct PartState {
-    std::shared_ptr<const Model> model; ///< null: none yet
+    std::shared_ptr<const Model> model; ///< null: no part yet
     bool busy = false;
-    std::shared_ptr<const ModelPreview> preview{}; ///< of the one that is being read; null: none
+    std::shared_ptr<const ModelPreview> preview{}; ///< preview of the model that is being read; null: none
     std::vector<BodyRole> roles{};                 ///< of the model's bodies
-    bool locked = false;                           ///< there are recordings: roles stay as they are
+    bool locked = false;                           ///< whether there are recordings, so that roles can't be changed
 };
 
-/// A setup of the job, as lists show it.
+/// A setup of the job, as shown in lists.
 struct SetupRow {
     SetupId id = firstSetup;
-    QString name;  ///< empty: nobody gave it one
+    QString name;  ///< empty: not named by the user
     QString title; ///< never empty
 };
 
-/// Where a face of the part that the user picks is to look.
+/// The direction into which a picked face of the part is to be turned.
 enum class FaceAim { none, down, up, alongX, alongY };
 
 struct SetupState {
-    std::shared_ptr<const Model> part; ///< as it lies; null: none yet
-    std::vector<SetupRow> setups;      ///< one at least
+    std::shared_ptr<const Model> part; ///< as placed in the setup; null: none yet
+    std::vector<SetupRow> setups;      ///< at least one
     SetupId used = firstSetup;
     Placement placement;
-    bool stockOutOfDate = false; ///< another setup left its stock, and has changed since
-    bool embedded = false;       ///< the workpiece is there
-    bool locked = false;         ///< there are recordings: the part stays as it lies
-    bool busy = false;           ///< a setup is being added, or a stock turned
+    bool stockOutOfDate = false; ///< whether the setup that left this stock has changed since
+    bool embedded = false;       ///< whether the workpiece exists
+    bool locked = false;         ///< whether there are recordings, so that the part can't be moved
+    bool busy = false;           ///< whether a setup is being added or a stock is being turned
     FaceAim aim = FaceAim::none; ///< of the face that is being picked
 };
 
 struct StockState {
     bool hasPart = false;
     Setup setup;                       ///< as edited; `stock` filled by placeStock
-    std::optional<EmbeddingSize> size; ///< voxels and memory that embedding would take
-    bool embedded = false;             ///< the workpiece stands as `setup` says
-    bool locked = false;               ///< there are recordings: stock and material stay as they are
+    std::optional<EmbeddingSize> size; ///< number of voxels and memory that embedding would need
+    bool embedded = false;             ///< whether the workpiece exists and matches `setup`
+    bool locked = false;               ///< whether there are recordings, so that stock and material can't be changed
     bool busy = false;
-    QString problem;                        ///< why this stock can't be embedded, a sentence; empty: it can
-    std::vector<EmbeddingFinding> findings; ///< of the workpiece that stands
+    QString problem;                        ///< why this stock can't be embedded, as a sentence; empty: it can
+    std::vector<EmbeddingFinding> findings; ///< of the existing workpiece
 };
 
-/// What becomes of a bound while the tool is in hand.
+/// The state of a fixture or limit while milling.
 enum class BoundNews {
-    none,  ///< nothing is to be told
-    waits, ///< the tool is inside of it: it holds as soon as that is clear
-    holds  ///< it holds the tool back
+    none,  ///< nothing to report
+    waits, ///< the tool is inside; the limit takes effect as soon as the tool is clear of it
+    holds  ///< it is holding the tool back
 };
 
 struct ObstacleRow {
-    std::shared_ptr<const Obstacle> obstacle; ///< never null; whether it is on says `on`
+    std::shared_ptr<const Obstacle> obstacle; ///< never null; `on` states whether it is switched on
     bool on = true;
     BoundNews news = BoundNews::none;
 };
@@ -78,19 +78,19 @@ struct ObstacleRow {
 struct SurroundingsState {
     bool hasPart = false;
     std::vector<ObstacleRow> obstacles;
-    bool travelOn = true; ///< the machine's travel bounds the tool
+    bool travelOn = true; ///< whether the machine's travel limits the tool
     BoundNews travel = BoundNews::none;
     AxisMode axis;
-    bool locked = false;  ///< a recording runs: shapes and axis stay
-    bool busy = false;    ///< a fixture is being read
-    glm::dvec3 zero{0.0}; ///< mm, of the program, in the setup frame
+    bool locked = false;  ///< whether a recording is running, so that shapes and axis can't be changed
+    bool busy = false;    ///< whether a fixture is being read
+    glm::dvec3 zero{0.0}; ///< program zero, mm, setup frame
 };
 
 struct ZeroState {
     bool hasPart = false;
     ProgramZero zero;
-    glm::dvec3 place{0.0}; ///< mm, setup frame: where it is
-    bool picking = false;  ///< the user clicks on a place in the view
+    glm::dvec3 place{0.0}; ///< position of program zero, mm, setup frame
+    bool picking = false;  ///< whether the user is picking a point in the view
 };
 
 struct MaterialState {
@@ -106,9 +106,9 @@ struct ToolState {
     std::vector<std::string> ofTakes; ///< the tool of each take
     double feed = 0.0, plungeFeed = 0.0,
            spindleSpeed = 0.0;        ///< mm/min, mm/min, 1/min in the stock's material; 0: not known yet
-    bool conditionsEstimated = false; ///< the material's figures are estimates
-    bool fieldBusy = false;           ///< the boundary for this tool is being computed
-    bool locked = false;              ///< a recording runs
+    bool conditionsEstimated = false; ///< whether the material's values are estimates
+    bool fieldBusy = false;           ///< whether the boundary for this tool is being computed
+    bool locked = false;              ///< whether a recording is running
 };
 
 struct AllowanceState {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Names of materials, tools, holders and machines that Burin is shipped with, for translations/update, which does not
-// read their files. Names that the user gave stay as they are.
+// Names of the materials, tools, holders and machines that are shipped with Burin, for translations/update, which does
+// not read their files. Names given by the user are not translated.
 #include <QtGlobal>
 
 #include <array>

@@ -32,7 +32,7 @@ ColourRole roleOf(StepProgress progress) {
     return &Palette::text;
 }
 
-/// For those who hear the window instead of seeing it.
+/// The state as text for screen readers.
 QString wordOf(StepProgress progress) {
     switch (progress) {
     case StepProgress::missing:

@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// One step of the job line: its number in a circle, or a tick; its title; and below a line of its state.
+/// One step of the step bar: its number in a circle, or a tick; its title; and below it a line with its state.
 class StepButton : public QAbstractButton {
     Q_OBJECT
 public:

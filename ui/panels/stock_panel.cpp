@@ -23,7 +23,7 @@ namespace {
 constexpr double largestMargin = 1000.0; // mm
 constexpr double smallestVoxel = 0.01, largestVoxel = 10.0;
 constexpr double million = 1e6;
-constexpr int voxelLines = 2; // of the count of voxels, which no change of it moves what is below
+constexpr int voxelLines = 2; // of the voxel count, fixed so that a change of it moves nothing below
 
 /// The margins of the four sides, which the panel shows as one.
 std::array<double, 4> sides(const Setup& setup) {
@@ -56,7 +56,7 @@ private:
     StockShapeFields* shape_;
     LengthUnit unit_ = LengthUnit::millimetre;
     LengthField *sides_, *top_, *bottom_, *voxel_;
-    std::vector<QWidget*> rows_; ///< of these
+    std::vector<QWidget*> rows_; ///< the rows of these fields
     ValueRow* size_;
     QLabel* voxels_;
     QPushButton* embed_;
@@ -161,7 +161,7 @@ void StockPanel::Fields::refreshNotices() {
     sidesNotice_->tell(
         Notice::Kind::information,
         equal || !hasMargins(setup) || !state.problem.isEmpty() || state.locked
-            ? QString() // what stands in the way comes first
+            ? QString() // problems have priority
             : StockPanel::tr("The margins of the sides differ: %1 to %2. An entry sets all four.")
                   .arg(lengthText(std::ranges::min(margins), unit_), lengthText(std::ranges::max(margins), unit_)));
     if (!state.problem.isEmpty())
@@ -195,10 +195,10 @@ void StockPanel::Fields::refresh() {
     bottom_->showValue(setup.marginLow.z);
     voxel_->showValue(setup.voxel);
     for (LengthField* field : {sides_, top_, bottom_}) setEnabledKeepingFocus(field, !state.locked);
-    setEnabledKeepingFocus(voxel_, !state.locked && setup.form != StockForm::file); // a volume has its own
+    setEnabledKeepingFocus(voxel_, !state.locked && setup.form != StockForm::file); // a volume has its own voxel size
     size_->setValue(setup.stock.empty() || !state.hasPart ? QStringLiteral("–") : sizeText(setup.stock.size(), unit_));
     setWrappedText(voxels_, voxelText());
-    voxels_->ensurePolished(); // the style may give it another font
+    voxels_->ensurePolished(); // the style may set another font
     voxels_->setFixedHeight(voxelLines * voxels_->fontMetrics().lineSpacing());
     embed_->setText(state.embedded ? StockPanel::tr("Embedded") : StockPanel::tr("Embed the part"));
     enableUnless(embed_, reasonAgainstEmbedding(),

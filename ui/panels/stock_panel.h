@@ -9,8 +9,8 @@
 
 namespace burin {
 
-/// Box, margins, voxel size, with the voxel count and the memory they would take; Embed. What embedding found in whole
-/// is said elsewhere (EmbeddingFindings): it is as long as it is.
+/// Box, margins and voxel size, with the resulting voxel count and memory; Embed. The full findings of the embedding
+/// are shown elsewhere (EmbeddingFindings), as their length varies.
 class StockPanel : public QWidget {
     Q_OBJECT
 public:
@@ -19,8 +19,8 @@ public:
     void setState(const StockState& state); ///< never emits
 
 signals:
-    void setupEdited(const burin::Setup& setup); ///< margins or voxel; `stock` is for the receiver to fill
-    void fileRequested();                        ///< to read the stock from
+    void setupEdited(const burin::Setup& setup); ///< margins or voxel size; the receiver computes `stock`
+    void fileRequested();                        ///< the user wants to read the stock from a file
     void embedRequested();
 
 private:

@@ -20,7 +20,7 @@ namespace burin {
 namespace {
 
 constexpr double farthest = 10'000.0, smallestSize = 0.01; // mm
-constexpr int aslant = 3;                                  // of the axis choice: none of x, y, z
+constexpr int aslant = 3;                                  // index in the axis choice: none of x, y, z
 
 } // namespace
 
@@ -77,7 +77,7 @@ void StockShapeFields::addFileRow() {
 
 void StockShapeFields::chooseForm(StockForm form) {
     if (form == StockForm::file && !setup_.volume) {
-        form_->setCurrentIndex(static_cast<int>(setup_.form)); // until one was read
+        form_->setCurrentIndex(static_cast<int>(setup_.form)); // until a file has been read
         emit fileRequested();
         return;
     }
@@ -138,7 +138,7 @@ void StockShapeFields::chooseAxis(int axis) {
     emit edited(setup_);
 }
 
-/// The command line takes any direction.
+/// The axis may be none of x, y, z, because the command line accepts any direction.
 int StockShapeFields::axisChosen() const {
     for (int axis = 0; axis < 3; ++axis)
         if (setup_.cylinder.axis[axis] == 1.0) return axis;

@@ -17,8 +17,8 @@ class ChoiceBox;
 class LengthField;
 class NamedSwitch;
 
-/// What the stock looks like: box, cylinder or bodies; around the part or where it is stated; and whether a part is
-/// wanted at all.
+/// The shape of the stock: box, cylinder or bodies; around the part or at stated coordinates; and whether there is a
+/// part at all.
 class StockShapeFields : public QWidget {
     Q_OBJECT
 public:
@@ -28,7 +28,7 @@ public:
 
 signals:
     void edited(const burin::Setup& setup);
-    void fileRequested(); ///< that the stock shall come from; the form changes when it was read
+    void fileRequested(); ///< file to read the stock from; the form changes once it has been read
 
 private:
     using Get = std::function<double(const Setup&)>;

@@ -55,7 +55,7 @@ private:
     QCheckBox* travel_;
     QuantityField *lean_, *heading_;
     std::vector<ObstacleCard*> cards_;
-    bool choosing_ = false; ///< the user wants to choose an axis, and it is still upright
+    bool choosing_ = false; ///< whether the user is choosing an axis that is still upright
     LengthUnit unit_ = LengthUnit::millimetre;
 };
 
@@ -142,7 +142,7 @@ void SurroundingsPanel::Fields::rebuildCards() {
     for (ObstacleCard* card : cards_) {
         list_->removeWidget(card);
         card->hide();
-        card->deleteLater(); // one of them may be telling of its own removal
+        card->deleteLater(); // one of them may be emitting its own removal request
     }
     cards_.clear();
     for (std::size_t i = 0; i < state.obstacles.size(); ++i) {

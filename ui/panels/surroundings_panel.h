@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// What stands around the stock, and how the tool's axis is held.
+/// The fixtures and limits around the stock, and the orientation of the tool axis.
 class SurroundingsPanel : public QWidget {
     Q_OBJECT
 public:
@@ -22,13 +22,13 @@ public:
 
 signals:
     void additionWanted(burin::SurroundingsPanel::Addition addition);
-    // Places: in SurroundingsState::obstacles.
+    // `place`: index in SurroundingsState::obstacles.
     void obstacleEdited(std::size_t place, const burin::Obstacle& obstacle);
     void obstacleSwitched(std::size_t place, bool on);
     void obstacleRemovalRequested(std::size_t place);
     void travelSwitched(bool on);
     void axisChosen(const burin::AxisMode& axis);
-    void axisOfViewRequested(); ///< the tool shall stand as the user looks
+    void axisOfViewRequested(); ///< set the tool axis to the view direction
 
 private:
     class Fields;

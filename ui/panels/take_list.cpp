@@ -20,7 +20,7 @@ namespace burin {
 
 namespace {
 
-constexpr int rowsSeen = 3, rowGap = 4; // at once; pixels
+constexpr int rowsSeen = 3, rowGap = 4; // visible at once; pixels
 
 bool same(const TakeRow& one, const TakeRow& other) {
     return one.strokes == other.strokes && one.recording == other.recording && one.replaying == other.replaying &&
@@ -35,7 +35,7 @@ QString detailOf(const TakeRow& take) {
                  : take.strokes == 1 ? TakeList::tr("1 stroke")
                                      : TakeList::tr("%n strokes", nullptr, static_cast<int>(take.strokes)));
     if (take.recording) {
-        parts.append(TakeList::tr("recording")); // how many samples there are is known when they are written
+        parts.append(TakeList::tr("recording")); // the number of samples is known once they are written
         return parts.join(QStringLiteral(" · "));
     }
     parts.append(TakeList::tr("%1 samples").arg(countText(take.info.sampleCount)));
@@ -72,13 +72,13 @@ void TakeList::setTakes(const std::vector<TakeRow>& takes) {
     const bool rowsStand = std::ranges::equal(takes, takes_, sameTake);
     if (!rowsStand) makeRows(takes);
     showEmpty(takes.empty());
-    // A take that is recorded changes with each look: its row stays and tells what is new.
+    // A take that is being recorded changes with each update: its row is kept and updated.
     for (std::size_t i = 0; rowsStand && i < takes.size(); ++i)
         if (!same(takes[i], takes_[i])) show(rows_[i], takes[i]);
     takes_ = takes;
 }
 
-/// The words fit, but Qt asks for the height that they would have in a narrow column.
+/// The text fits, but Qt requests the height that it would have in a narrow column.
 void TakeList::showEmpty(bool empty) {
     empty_->setVisible(empty);
     area_->setVerticalScrollBarPolicy(empty ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);

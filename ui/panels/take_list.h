@@ -14,14 +14,14 @@ namespace burin {
 
 class ElidedLabel;
 
-/// The takes, the newest first, each with a button that asks for its removal. As high as three of them, whether they
-/// are there or not: more are scrolled to.
+/// The takes, the newest first, each with a button that requests its removal. The height is always that of three takes;
+/// a longer list scrolls.
 class TakeList : public QWidget {
     Q_OBJECT
 public:
-    /// @param whenEmpty what is said where there are none
+    /// @param whenEmpty text shown if there are no takes
     explicit TakeList(const QString& whenEmpty, QWidget* parent = nullptr);
-    void setTakes(const std::vector<TakeRow>& takes); ///< nothing is done when it shows them
+    void setTakes(const std::vector<TakeRow>& takes); ///< does nothing if they are unchanged
     void setRemovable(bool removable);
 
 signals:
@@ -41,8 +41,8 @@ private:
     QVBoxLayout* layout_ = nullptr;
     QLabel* empty_;
     QScrollArea* area_ = nullptr;
-    std::vector<Row> rows_;      ///< as takes_
-    std::vector<TakeRow> takes_; ///< that are shown
+    std::vector<Row> rows_;      ///< in the order of takes_
+    std::vector<TakeRow> takes_; ///< the takes that are shown
     bool removable_ = true;
 };
 

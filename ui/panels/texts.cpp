@@ -24,7 +24,7 @@ class PanelTexts {
     Q_DECLARE_TR_FUNCTIONS(PanelTexts)
 };
 
-/// So many digits that three or four count.
+/// A number with three or four significant digits.
 QString fewDigits(double value) {
     const double size = std::abs(value);
     if (size > 0.0 && size < 0.1) return QLocale().toString(value, 'g', 2);
@@ -75,7 +75,7 @@ QString toolSummary(const Tool& tool, LengthUnit unit) {
     return parts.join(QStringLiteral(", "));
 }
 
-/// Behind the name of a value that holds for one kind of cutter.
+/// The text after the name of a value that applies to one kind of cutter.
 QString cutterText(CutterType type) {
     switch (type) {
     case CutterType::ball:
@@ -197,7 +197,7 @@ QString durationText(double seconds) {
 QString clockText(double seconds, int decimals) {
     long long parts = 1; // of a second
     for (int i = 0; i < decimals; ++i) parts *= 10;
-    constexpr double rounding = 1e-6; // of a part: 0.3 s are not 0.2
+    constexpr double rounding = 1e-6; // of the last digit: 0.3 s must not become 0.2
     const auto all = static_cast<long long>(std::floor(std::max(0.0, seconds) * static_cast<double>(parts) + rounding));
     const QString text = durationText(static_cast<double>(all / parts));
     if (decimals == 0) return text;
@@ -206,7 +206,7 @@ QString clockText(double seconds, int decimals) {
 
 namespace {
 
-/// What a cut asks of spindle or tool, beside the limit.
+/// The load of a cut on spindle or tool, together with the limit.
 QString loadText(const Finding& finding, LengthUnit unit) {
     const auto number = [](double value, int decimals) { return QLocale().toString(value, 'f', decimals); };
     switch (finding.kind) {

@@ -16,20 +16,20 @@
 
 namespace burin {
 
-// How panels word what core records. All of it for display alone.
+// Texts of the panels for data of core. For display only.
 
-QString toolName(const Tool& tool); ///< of a tool that Burin is shipped with in the user's language
-QString toolName(const std::vector<Tool>& tools, const std::string& id); ///< the id where none of them has it
+QString toolName(const Tool& tool); ///< in the user's language if the tool is shipped with Burin
+QString toolName(const std::vector<Tool>& tools, const std::string& id); ///< the id itself if no tool has it
 QString toolSummary(const Tool& tool, LengthUnit unit);                  ///< "Ø 10 mm, R 2 mm, 4 flutes"
 QString materialName(const Property& material);                          ///< as `toolName`
-QString takeName(const std::string& name);                               ///< as `toolName`, of a take that Burin named
-/// "specific_cutting_energy" in words; a name that Burin does not know, with spaces.
+QString takeName(const std::string& name);                               ///< as `toolName`, for takes named by Burin
+/// The label of a value such as "specific_cutting_energy"; unknown names are shown with spaces instead of underscores.
 QString valueNameText(const std::string& name);
 QString prettyUnit(const std::string& unit); ///< "J/mm^3" with a raised 3; empty for "1"
 
-QString countText(std::size_t count);                                ///< grouped: "12,408"
-QString shortLength(double millimetres, LengthUnit unit);            ///< without trailing zeros, with its unit
-QString wayText(double millimetres, LengthUnit unit);                ///< grouped, to the millimetre: "38,393 mm"
+QString countText(std::size_t count);                     ///< with group separators: "12,408"
+QString shortLength(double millimetres, LengthUnit unit); ///< without trailing zeros, with its unit
+QString wayText(double millimetres, LengthUnit unit); ///< with group separators, rounded to the millimetre: "38,393 mm"
 QString sizeText(const glm::dvec3& size, LengthUnit unit);           ///< "120 × 70 × 45 mm"
 QString areaText(double squareMillimetres, LengthUnit unit);         ///< "412 mm²", "0.64 in²"
 QString volumeText(double cubicMillimetres, LengthUnit unit);        ///< "24.51 cm³", "1.496 in³"

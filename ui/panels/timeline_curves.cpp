@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-/// The words of this page.
+/// Translation context of this file.
 struct TimelineCurveWords {
     Q_DECLARE_TR_FUNCTIONS(TimelineCurveWords)
 };

@@ -14,21 +14,21 @@
 
 namespace burin {
 
-/// "Force", …; translated.
+/// The translated name of a curve: "Force", …
 QString curveName(TrackCurve curve);
 /// A value with its unit, for display.
 QString curveText(TrackCurve curve, double value, LengthUnit unit);
 ColourRole curveColour(TrackCurve curve);
 
-/// The curves of recordings, brought to columns of pixels. Those that were asked for last are remembered: a cursor that
-/// moves over them costs nothing.
+/// The curves of recordings, resampled to pixel columns. The last requested ones are cached, so that moving the cursor
+/// over them costs nothing.
 class TimelineCurves {
 public:
-    /// Of all values, from 0 but for the height.
+    /// The range of all values; it starts at 0, except for the height.
     struct Range {
         double low = 0.0, high = 0.0;
     };
-    /// A part of the time, s, in so many columns.
+    /// An interval of time, s, and its number of pixel columns.
     struct Window {
         double begin = 0.0, length = 0.0;
         int columns = 0;
@@ -38,7 +38,7 @@ public:
     /// @param recorded null: none
     void setRecorded(std::shared_ptr<const RecordedTime> recorded);
     const Range& range(TrackCurve curve) const noexcept { return ranges_[static_cast<std::size_t>(curve)]; }
-    /// The greatest value in each column; not a number where there is none.
+    /// The maximum in each column; NaN where there is no value.
     const std::vector<double>& columns(TrackCurve curve, const Window& window);
 
 private:
@@ -46,8 +46,8 @@ private:
 
     std::shared_ptr<const RecordedTime> recorded_;
     std::array<Range, trackCurves> ranges_{};
-    Window window_;                                        ///< of what is remembered
-    std::array<std::vector<double>, trackCurves> columns_; ///< empty: not asked for
+    Window window_;                                        ///< of the cached columns
+    std::array<std::vector<double>, trackCurves> columns_; ///< empty: not requested yet
 };
 
 } // namespace burin

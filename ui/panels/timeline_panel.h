@@ -16,20 +16,20 @@ class QToolButton;
 
 namespace burin {
 
-/// What the timeline's bar and view show.
+/// The state shown by the timeline's bar and view.
 struct TimelinePanelState {
     TimelineState view;
     bool reading = false, arriving = false, playing = false;
     double speed = 1.0;
 };
 
-/// The timeline below the view: which curves it has, the buttons of the play, and the time itself.
+/// The timeline below the view: the choice of curves, the playback buttons, and the time.
 class TimelinePanel final : public QFrame {
     Q_OBJECT
 public:
-    /// Slowest to fastest, as multiples of the time that the hand took.
+    /// Playback speeds from slowest to fastest, as multiples of the recorded speed.
     static constexpr std::array<double, 9> speeds{0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0};
-    /// Actions that are offered as buttons; they outlive it.
+    /// Actions that are shown as buttons; they must outlive the panel.
     struct Offered {
         QAction &play, &present, &punchIn;
     };
@@ -38,9 +38,10 @@ public:
     void setState(const TimelinePanelState& state); ///< never emits
     void setUnit(LengthUnit unit) { view_->setUnit(unit); }
     TimelineView& view() noexcept { return *view_; }
-    /// Curves, play and time, to be placed above: the panel holds the view alone. Whoever places it owns it.
+    /// The bar with curves, playback and time, to be placed above; the panel itself contains only the view. Owned by
+    /// the widget in which it is placed.
     QWidget* bar() noexcept { return bar_; }
-    /// Names of the curves that are on, for settings; and back.
+    /// The names of the visible curves, for settings; `setCurves` restores them.
     QStringList curves() const;
     void setCurves(const QStringList& curves);
 

@@ -24,10 +24,10 @@ namespace {
 
 constexpr int labelWidth = 132, rulerHeight = 18, clipHeight = 26, laneGap = 4, edge = 8; // pixels
 constexpr int leastLane = 20, usualLane = 34;
-constexpr double shortestSeen = 0.2; // s: below that samples are seen one by one
+constexpr double shortestSeen = 0.2; // s: below that, individual samples would be visible
 constexpr double zoomStep = 1.25;
 
-/// A step of a ruler: the next of 1, 2, 5 × 10^n, of minutes 15 and 30 s.
+/// The step of a ruler, s: the smallest round one that is not below `least`; an hour at most.
 double niceStep(double least) {
     for (const double step :
          {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 1800.0})
@@ -35,7 +35,7 @@ double niceStep(double least) {
     return 3600.0;
 }
 
-/// So that a ruler's step is told.
+/// The number of decimals needed to label a ruler's step.
 int decimalsOf(double step) {
     return step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
 }
@@ -58,7 +58,7 @@ void TimelineView::setState(const TimelineState& state) {
         curves_.setRecorded(state_.recorded);
     }
     if (length_ > 0.0 && (state_.seconds < begin_ || state_.seconds > begin_ + length_))
-        moveTo(state_.seconds - 0.1 * length_); // it plays on beyond what is seen
+        moveTo(state_.seconds - 0.1 * length_); // playback continues beyond the visible interval
     update();
 }
 
@@ -195,7 +195,7 @@ void TimelineView::paintLane(QPainter& painter, const Lane& lane) {
         }
         const int top = area.bottom() - static_cast<int>(std::lround((value - range.low) * scale));
         if (top < area.bottom()) painter.fillRect(labelWidth + x, top, 1, area.bottom() - top, fill);
-        const int from = before < 0 ? top : before; // a line without holes
+        const int from = before < 0 ? top : before; // draws a line without gaps
         painter.fillRect(labelWidth + x, std::min(from, top), 1, std::abs(from - top) + 1, colour);
         before = top;
     }
@@ -278,7 +278,7 @@ void TimelineView::paintMarkers(QPainter& painter) const {
     }
 }
 
-/// Its flag, the newest on top.
+/// The marker whose flag is at a position; the newest is on top.
 std::optional<std::size_t> TimelineView::markerAt(const QPointF& place) const {
     if (!state_.recorded || place.y() > rulerHeight) return std::nullopt;
     for (std::size_t i = state_.markers.size(); i-- > 0;) {
@@ -318,7 +318,7 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
     if ((event->buttons() & Qt::LeftButton) != 0) seek(event->position().x());
 }
 
-/// A clip fills the view; again, all is seen.
+/// Zooms to a clip so that it fills the view; a second double click shows everything.
 void TimelineView::mouseDoubleClickEvent(QMouseEvent* event) {
     const std::optional<std::size_t> track = trackAt(secondsAt(event->position().x()));
     if (!track || !clipRow().contains(event->position().toPoint())) return;

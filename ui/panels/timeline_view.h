@@ -13,18 +13,18 @@
 
 namespace burin {
 
-/// What a timeline shows.
+/// The state shown by a timeline.
 struct TimelineState {
-    std::shared_ptr<const RecordedTime> recorded; ///< null: nothing
+    std::shared_ptr<const RecordedTime> recorded; ///< null: no recording
     std::vector<TimeMarker> markers;              ///< in order
-    bool program = false;                         ///< it is a program's time; its takes are stretches with one tool
-    double seconds = 0.0;                         ///< where the cursor stands
-    bool away = false;                            ///< that is the past
-    bool enabled = false;                         ///< it can be gone through
+    bool program = false; ///< whether it shows the time of a program; its takes are then intervals with one tool
+    double seconds = 0.0; ///< position of the cursor, s
+    bool away = false;    ///< whether the cursor is in the past
+    bool enabled = false; ///< whether the user can seek
 };
 
-/// The recordings along their time: takes as clips with their strokes in them, curves above, a cursor. A click or a
-/// drag asks for a moment, the wheel zooms in at the pointer, with Shift it moves along; so do keys.
+/// The recordings along their time axis: takes as clips with their strokes, curves above, and a cursor. A click or a
+/// drag seeks to a moment, the wheel zooms at the pointer, and scrolls with Shift; keys do the same.
 class TimelineView final : public QWidget {
     Q_OBJECT
 public:
@@ -35,16 +35,16 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
-    /// s at a pixel of the widget, and the inverse; for its owner's tests as well.
+    /// Time (s) at a pixel of the widget, and the inverse; also used by tests.
     double secondsAt(double x) const;
     double placeOf(double seconds) const;
 
 signals:
     void sought(double seconds); ///< s from the first take's start
     void playToggled();
-    /// The menu of a take is wanted. @param sample of the take, under the pointer
+    /// The user requested the menu of a take. @param sample of the take, under the pointer
     void menuWanted(qint64 take, quint64 sample, const QPoint& globalPosition);
-    /// The same of a marker. @param marker its place among them
+    /// The user requested the menu of a marker. @param marker index of the marker
     void markerMenuWanted(int marker, const QPoint& globalPosition);
 
 protected:
@@ -64,8 +64,8 @@ private:
     };
     std::vector<Lane> lanes() const;
     QRect clipRow() const;
-    double all() const;                      ///< s of all takes
-    double startOf(std::size_t track) const; ///< s
+    double all() const;                      ///< total length of all takes, s
+    double startOf(std::size_t track) const; ///< start of a take, s
     std::optional<std::size_t> trackAt(double seconds) const;
     void paintRuler(QPainter& painter) const;
     void paintLane(QPainter& painter, const Lane& lane);
@@ -83,7 +83,7 @@ private:
     LengthUnit unit_ = LengthUnit::millimetre;
     std::set<TrackCurve> shown_;
     TimelineCurves curves_;
-    double begin_ = 0.0, length_ = 0.0; ///< s that are seen; length 0: all
+    double begin_ = 0.0, length_ = 0.0; ///< the visible interval, s; length 0: everything
 };
 
 } // namespace burin

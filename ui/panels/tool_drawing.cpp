@@ -18,7 +18,7 @@ namespace burin {
 
 namespace {
 
-constexpr double margin = 12.0, axisShare = 0.3; // of the width, where the axis stands
+constexpr double margin = 12.0, axisShare = 0.3; // position of the axis, share of the width
 constexpr double labelSize = 0.88;
 
 double widest(const Cutter& cutter) {
@@ -38,7 +38,7 @@ QPainterPath frustum(double bottom, double lowerDiameter, double top, double upp
     return path;
 }
 
-/// Two cutting edges winding up the flutes; a hint, not the real helix.
+/// Two cutting edges that wind up the flutes; a sketch, not the real helix.
 QPainterPath edges(const Cutter& cutter) {
     QPainterPath path;
     const double radius = cutter.radius(), lead = 2.2 * cutter.diameter;
@@ -52,12 +52,12 @@ QPainterPath edges(const Cutter& cutter) {
 } // namespace
 
 QPainterPath fluteOutline(const Cutter& cutter) {
-    constexpr int steps = 24; // of a rounding
+    constexpr int steps = 24; // of a corner radius
     std::vector<QPointF> side{{0.0, 0.0}};
     for (const RevolvedPiece& piece : flutePieces(cutter)) {
         const double rounded = piece.bulges() ? piece.top : piece.bottom + piece.cornerRadius;
         for (int i = 0; i <= steps && rounded > piece.bottom; ++i) {
-            // Even in the angle of a quarter: close together where the rounding is level.
+            // Evenly spaced in the angle of a quarter circle: close together where the rounding is horizontal.
             const double part = 1.0 - std::cos(std::numbers::pi / 2.0 * i / steps);
             const double height = piece.bottom + part * (rounded - piece.bottom);
             side.emplace_back(radiusAt(piece, height), height);
@@ -159,7 +159,7 @@ void ToolDrawing::paintHeights(QPainter& painter, double axis) const {
     font.setPointSizeF(labelSize * font.pointSizeF());
     painter.setFont(font);
     const double lineHeight = painter.fontMetrics().height();
-    double free = height() - 0.5 * margin; // labels keep clear of each other, from the tip upwards
+    double free = height() - 0.5 * margin; // labels don't overlap, from the tip upwards
     for (Mark& mark : marks) {
         mark.label = std::max(std::min(mark.line, free - 0.5 * lineHeight), 0.5 * lineHeight);
         free = mark.label - 0.5 * lineHeight;

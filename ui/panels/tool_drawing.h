@@ -12,7 +12,7 @@
 
 namespace burin {
 
-/// A tool from the side, to scale, tip down: flutes, shank and holder in their colours, with its heights.
+/// A side view of a tool, to scale, tip down: flutes, shank and holder in their colours, with its height dimensions.
 class ToolDrawing : public QWidget {
     Q_OBJECT
 public:
@@ -27,14 +27,14 @@ protected:
 
 private:
     void paintHeights(QPainter& painter, double left) const;
-    double scale() const;              ///< pixels a mm
-    double level(double height) const; ///< pixels from the top, of a height over the tip in mm
+    double scale() const;              ///< pixels per mm
+    double level(double height) const; ///< pixels from the top for a height above the tip, mm
 
     std::optional<Tool> tool_;
     LengthUnit unit_ = LengthUnit::millimetre;
 };
 
-/// Outline of the flutes, x across and y up from the tip, mm.
+/// The outline of the flutes, x across and y up from the tip, mm.
 QPainterPath fluteOutline(const Cutter& cutter);
 
 } // namespace burin

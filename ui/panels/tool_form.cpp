@@ -73,7 +73,7 @@ void ToolForm::addFlutes() {
                 tr("Chamfer"), tr("Lollipop"), tr("Profile of lines and arcs")},
                [](const Tool& tool) { return static_cast<int>(tool.cutter.type); },
                [](Tool& tool, int type) {
-                   // A profile is drawn in a file or comes from a model: there is none to change to.
+                   // A profile is drawn in a file or comes from a model: it can't be selected here.
                    if (static_cast<CutterType>(type) != CutterType::profile)
                        tool.cutter.type = static_cast<CutterType>(type);
                }});
@@ -172,11 +172,11 @@ void ToolForm::addLimits() {
         tool_range::breakage, true, &Tool::strength);
 }
 
-/// What depends on the form follows it, and a value that is not stated has no source.
+/// Values that depend on the form are updated, and a value that is not stated has no source.
 void ToolForm::settle(const std::string& key) {
     record_.cutter = fitted(record_.cutter);
     record_.maximumDepthOfCut = std::min(record_.maximumDepthOfCut, record_.cutter.fluteLength);
-    record_.sources.erase("holder"); // no key of its own: part of the cutter
+    record_.sources.erase("holder"); // not a key of its own, but part of the cutter
     record_.sources.erase("number");
     if (key == "holder") record_.sources["cutter"] = tr("entered by the user").toStdString();
     for (const auto& [name, value] : {std::pair{"modulus_n_per_mm2", record_.modulus},
@@ -194,7 +194,7 @@ void ToolForm::setLengthUnit(LengthUnit unit) {
 void ToolForm::showTool(const Tool& tool, bool locked) {
     record_ = tool;
     lock(locked);
-    segments_->setEnabled(true); // to look at
+    segments_->setEnabled(true); // enabled, so that they can be viewed
     segments_->setReadOnly(locked);
     refresh();
 }

@@ -11,15 +11,15 @@ namespace burin {
 class SegmentTable;
 
 /// Fields for every value of a tool: name, number, form and lengths of the flutes, shank, the segments of its holder,
-/// and what it bears. What the type of the cutter gives or leaves out can't be entered.
+/// and its load limits. Values that the cutter type determines or doesn't have can't be entered.
 class ToolForm final : public RecordForm<Tool> {
     Q_OBJECT
 public:
-    /// @param holders whose segments can be taken over
+    /// @param holders holders whose segments can be copied
     explicit ToolForm(std::vector<Holder> holders, QWidget* parent = nullptr);
-    /// Never emits. @param locked the values are shown and can't be changed
+    /// Never emits. @param locked whether the values are read-only
     void showTool(const Tool& tool, bool locked);
-    const Tool& tool() const noexcept { return record_; } ///< as the fields say
+    const Tool& tool() const noexcept { return record_; } ///< the tool with the values of the fields
     void setLengthUnit(LengthUnit unit);
 
 private:

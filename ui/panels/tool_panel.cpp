@@ -17,7 +17,7 @@ namespace burin {
 
 namespace {
 
-constexpr int leastTools = 6, mostTools = 16; // rows that are seen at once
+constexpr int leastTools = 6, mostTools = 16; // rows that are visible at once
 
 } // namespace
 
@@ -51,7 +51,7 @@ ToolPanel::Fields::Fields(ToolPanel* panel) : QObject(panel), panel_(panel), col
     tools_->setToolTip(ToolPanel::tr("Choose the tool to mill with"));
     tools_->setMaximumRows(mostTools);
     tools_->setLeastRows(leastTools);
-    column_->addWidget(tools_, 100); // before what is empty below takes any
+    column_->addWidget(tools_, 100); // gets the height before the empty space below
     notice_ = new Notice(panel);
     notice_->setObjectName(QStringLiteral("toolNotice"));
     column_->addWidget(notice_);

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// The tool library: drawing of the chosen tool to scale, its measures, feed and speed.
+/// The tool library: a drawing of the selected tool to scale, its dimensions, feed and speed.
 class ToolPanel : public QWidget {
     Q_OBJECT
 public:

@@ -41,7 +41,7 @@ TorqueTable::TorqueTable(QWidget* parent) : QWidget(parent), grid_(new QGridLayo
     newTorque_ = makeTorqueField(Quantity::torque, QStringLiteral("newTorqueValue"), tr("Torque at that speed"), this);
     newTorque_->limit(0.0, machine_range::spindleTorque.high);
     add_ = makeButton(tr("Add"), QStringLiteral("add"), QStringLiteral("addTorqueButton"), this);
-    add_->setAutoDefault(false); // Enter belongs to the fields
+    add_->setAutoDefault(false); // Enter is handled by the fields
     message_ = new QLabel(this);
     message_->setObjectName(QStringLiteral("torqueMessage"));
     message_->setProperty("look", "message");
@@ -115,8 +115,8 @@ void TorqueTable::removeRow() {
                             static_cast<QWidget*>(rows_.back().remove)}) {
         grid_->removeWidget(widget);
         widget->hide();
-        widget->setObjectName({}); // it is not there any more
-        widget->deleteLater();     // it may be what was clicked
+        widget->setObjectName({}); // it must no longer be found by name
+        widget->deleteLater();     // it may be the widget that was clicked
     }
     rows_.pop_back();
 }
@@ -148,7 +148,7 @@ void TorqueTable::changeSpeed(std::size_t row, double speed) {
         rows_[row].speed->showValue(points_[row].speed);
         return;
     }
-    const bool entered = rows_[row].speed->hasFocus(); // by Enter rather than by leaving it
+    const bool entered = rows_[row].speed->hasFocus(); // committed by Enter rather than by leaving the field
     std::vector<SpindlePoint> points = points_;
     points[row].speed = speed;
     std::ranges::sort(points, {}, &SpindlePoint::speed);
@@ -172,7 +172,7 @@ void TorqueTable::removePoint(std::size_t row) {
     message_->hide();
     std::vector<SpindlePoint> points = points_;
     points.erase(points.begin() + static_cast<std::ptrdiff_t>(row));
-    if (row + 1 == points_.size()) newSpeed_->setFocus(); // its row goes
+    if (row + 1 == points_.size()) newSpeed_->setFocus(); // its row is removed
     showPoints(points);
     followEntry();
     emit edited(points);

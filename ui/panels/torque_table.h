@@ -17,19 +17,20 @@ namespace burin {
 
 class QuantityField;
 
-/// The torque of a spindle over its speed: a row for each point, by rising speed, and one to enter another point. No
-/// two points have one speed; an entry that would make it so is refused with a message below. Names of the fields:
-/// "torqueSpeed" and "torqueValue" with the row's number from 0, "newTorqueSpeed", "newTorqueValue".
+/// The torque of a spindle over its speed: one row per point, in ascending order of speed, and one to enter another
+/// point. No two points have the same speed; an entry with a speed that exists already is rejected with a message
+/// below. Object names of the fields: "torqueSpeed" and "torqueValue" with the row's number from 0, "newTorqueSpeed",
+/// "newTorqueValue".
 class TorqueTable final : public QWidget {
     Q_OBJECT
 public:
     explicit TorqueTable(QWidget* parent = nullptr);
-    /// Never emits. @param points by rising speed
+    /// Never emits. @param points in ascending order of speed
     void showPoints(const std::vector<SpindlePoint>& points);
     void setReadOnly(bool readOnly);
 
 signals:
-    void edited(const std::vector<burin::SpindlePoint>& points); ///< by the user, by rising speed
+    void edited(const std::vector<burin::SpindlePoint>& points); ///< by the user; in ascending order of speed
 
 private:
     struct Row {
@@ -45,7 +46,7 @@ private:
     void removePoint(std::size_t row);
     void addPoint();
     void followEntry();
-    bool hasSpeed(double speed) const; ///< a point has it; the message then says so
+    bool hasSpeed(double speed) const; ///< whether a point has this speed; if so, the message says so
     void refuse(const QString& sentence);
 
     std::vector<SpindlePoint> points_;

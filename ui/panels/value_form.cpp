@@ -123,7 +123,7 @@ QLineEdit* ValueForm::addTextField(const char* name, const QString& label, const
     return field;
 }
 
-/// Where the values of a key come from.
+/// Adds the field for the source of a key's values.
 void ValueForm::addSource(const char* key, int row) {
     auto* field = new QLineEdit(this);
     field->setObjectName(QString::fromLatin1(key) + QStringLiteral("Source"));
@@ -150,7 +150,7 @@ void ValueForm::addSource(const char* key, int row) {
     });
 }
 
-/// The user stands for what they changed.
+/// The user becomes the source of a value that they changed.
 void ValueForm::changed(const std::string& key) {
     sources()[key] = tr("entered by the user").toStdString();
     settle(key);

@@ -18,9 +18,9 @@ class QLineEdit;
 
 namespace burin {
 
-/// Rows of fields for the values of a file: label, numbers or a choice or text, and the source of the value. A value
-/// that the user changes has them as its source until they state another. Names of the fields: the key of the file,
-/// with "0", "1", "2" where it has several numbers; of a source: the key with "Source".
+/// Rows of fields for the values of a file: label, numbers or a choice or text, and the source of the value. The source
+/// of a value that the user changes is the user, until they state another one. Object names of the fields: the key in
+/// the file, with "0", "1", "2" if it has several numbers; for the source: the key with "Source".
 class ValueForm : public QWidget {
     Q_OBJECT
 public:
@@ -30,14 +30,14 @@ signals:
     void edited(); ///< by the user
 
 protected:
-    /// One number of a key; in the unit that its quantity has inside.
+    /// One number of a key, in the internal unit of its quantity.
     struct NumberField {
         Quantity quantity = Quantity::length;
         NumberRange range;
-        bool optional = false; ///< 0 stands for "not stated"
+        bool optional = false; ///< whether 0 means "not stated"
         std::function<double()> get;
         std::function<void(double)> set;
-        std::function<bool()> used{}; ///< it has a value that can be changed; nothing: always
+        std::function<bool()> used{}; ///< whether it has a value that can be changed; empty: always
     };
     struct ChoiceField {
         QStringList texts;
@@ -53,9 +53,9 @@ protected:
     ValueForm(const QString& sourcePlaceholder, QWidget* parent);
 
     void addTitle(const QString& text);
-    /// @param label beside the buddy, which the caller places. @return the row
+    /// @param label label of the buddy, which the caller places. @return the row
     int beginRow(const QString& label, QWidget* buddy, const QString& toolTip);
-    /// From the first field on, as wide as three of them.
+    /// Places a widget in the column of the first field, as wide as three fields.
     void placeWide(QWidget* field, int row);
     void addNumberFields(const char* key, const QString& label, const QString& toolTip,
                          std::vector<NumberField> numbers, bool withSource);
@@ -63,14 +63,14 @@ protected:
                         bool withSource);
     QLineEdit* addTextField(const char* name, const QString& label, const QString& toolTip, TextField text);
     void addSource(const char* key, int row);
-    void closeRows(); ///< behind the last one
+    void closeRows(); ///< to be called after the last row
     void onRefresh(std::function<void()> show) { refreshers_.push_back(std::move(show)); }
-    void lock(bool locked); ///< the values are shown and can't be changed
+    void lock(bool locked); ///< makes the values read-only
     void changed(const std::string& key);
     void refresh();
 
     virtual std::map<std::string, std::string>& sources() = 0; ///< by key
-    /// What changes with a value that the user changed.
+    /// Updates the values that depend on a value that the user changed.
     virtual void settle(const std::string&) {}
 
 private:
@@ -83,7 +83,7 @@ private:
     std::vector<QuantityField*> numbers_;
 };
 
-/// The form of one kind of file, whose values a record holds.
+/// The form for one kind of file whose values are stored in a record.
 template <class Record>
 class RecordForm : public ValueForm {
 protected:

@@ -19,7 +19,7 @@ ValueRow::ValueRow(const QString& label, QWidget* parent)
     value_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     value_->setTextInteractionFlags(Qt::NoTextInteraction);
     row->addWidget(label_, 0);
-    row->addWidget(value_, 1); // all the room there is: a value that grows needs no new layout to be whole
+    row->addWidget(value_, 1); // all the available width, so that a longer value is shown in full without a new layout
     setAccessibleName(label);
 }
 

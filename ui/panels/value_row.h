@@ -13,7 +13,7 @@ class ValueRow : public QWidget {
     Q_OBJECT
 public:
     explicit ValueRow(const QString& label, QWidget* parent = nullptr);
-    void setValue(const QString& value); ///< as it is shown, with its unit
+    void setValue(const QString& value); ///< as displayed, with its unit
     QString value() const;
 
 private:

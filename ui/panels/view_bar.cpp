@@ -22,7 +22,7 @@ namespace burin {
 namespace {
 
 constexpr int sliderWidth = 120, leastSliderWidth = 50, fieldWidth = 110; // pixels
-constexpr int sliderSteps = 1000;                                         // of the section's way
+constexpr int sliderSteps = 1000;                                         // over the range of the section
 constexpr int transparencyStep = 5;                                       // %
 
 QSlider* makeSlider(const QString& toolTip, const char* name, QWidget* parent) {
@@ -35,7 +35,7 @@ QSlider* makeSlider(const QString& toolTip, const char* name, QWidget* parent) {
     return slider;
 }
 
-/// A button that does what an action does, and is down as long as it is on.
+/// A button that triggers an action and is down while the action is checked.
 QPushButton* makeActionButton(QAction& action, const char* name, QWidget* parent) {
     QPushButton* button = makeChoiceButton(action.iconText(), action.toolTip(), QLatin1String(name), parent);
     button->setCheckable(action.isCheckable());
@@ -56,7 +56,7 @@ QPushButton* makeActionButton(QAction& action, const char* name, QWidget* parent
 
 ViewBar::ViewBar(const Offered& offered, QWidget* parent) : QFrame(parent) {
     setObjectName(QStringLiteral("viewBar"));
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it makes do with what there is
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // it adapts to the available width
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 6, 12, 6);
     layout->setSpacing(8);
@@ -143,7 +143,8 @@ void ViewBar::resizeEvent(QResizeEvent* event) {
 }
 
 void ViewBar::followRoom() {
-    // By what widgets ask for, shown or not: to show them for the question would change their places meanwhile.
+    // Uses the size hints of the widgets, shown or not: showing them just to measure them would move the others
+    // meanwhile.
     const int spacing = layout()->spacing();
     const auto widthOf = [spacing](const QWidget& widget) {
         return std::max(widget.minimumSizeHint().width(), widget.minimumWidth()) + spacing;

@@ -36,7 +36,7 @@ private:
     void makeChoices();
     void makePlace(std::size_t axis);
     void makePicking();
-    /// What is chosen next builds on it, though the state comes a moment later.
+    /// Stores the choice at once, since the next one builds on it and the state arrives a moment later.
     void tell(const ProgramZero& zero) {
         state.zero = zero;
         emit panel_->zeroChosen(zero);
@@ -79,7 +79,7 @@ void ZeroPanel::Fields::makeChoices() {
     connect(on_, &QComboBox::activated, this, [this](int index) {
         ProgramZero zero = state.zero;
         zero.on = zeroReferences[static_cast<std::size_t>(index)];
-        if (zero.on == ZeroReference::point) zero.point = state.place; // it stays where it is
+        if (zero.on == ZeroReference::point) zero.point = state.place; // its position is kept
         tell(zero);
     });
 }
@@ -122,7 +122,7 @@ void ZeroPanel::Fields::refresh() {
     QStringList names;
     for (const int number : offered) names.append(QString::fromStdString(workOffsetName(number)));
     const QString own = QString::fromStdString(workOffsetName(state.zero.workOffset));
-    if (!names.contains(own)) names.append(own); // one of the further ones, from the command line
+    if (!names.contains(own)) names.append(own); // another work offset, set on the command line
     offset_->offer(names, names, own);
     on_->setCurrentIndex(static_cast<int>(state.zero.on));
     const bool stated = state.zero.on == ZeroReference::point;

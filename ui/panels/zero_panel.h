@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// Where the programs have their zero, and in which work offset of the control.
+/// The position of program zero, and the work offset of the control in which it is stored.
 class ZeroPanel : public QWidget {
     Q_OBJECT
 public:
@@ -19,7 +19,7 @@ public:
 
 signals:
     void zeroChosen(const burin::ProgramZero& zero);
-    void pickRequested(bool wanted); ///< a place in the view; false: no longer
+    void pickRequested(bool wanted); ///< picking of a point in the view; false: stop picking
 
 private:
     class Fields;

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// How a side of a box is called along an axis, in the order of BoxSide: "left", "middle", "right" and so on.
+/// The names of the sides of a box along an axis, in the order of BoxSide: "left", "middle", "right", …
 /// @param axis 0, 1, 2 for x, y, z
 std::array<QString, 3> sideTexts(std::size_t axis);
 /// "on the stock: X left, Y front, Z top", "at stated coordinates".

@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// Two unit directions square to an axis and to each other; with the axis as third they are right-handed.
+/// Two unit directions perpendicular to an axis and to each other; together with the axis as the third they are
+/// right-handed.
 struct Across {
     glm::dvec3 x, y;
 };

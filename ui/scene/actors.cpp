@@ -11,8 +11,8 @@
 namespace burin {
 namespace {
 
-/// Moves lines in depth, < 0 towards the eye. VTK switches that on for all mappers of the program at once and adds its
-/// own statistics to everyone's, so each mapper takes them back.
+/// Offsets lines in depth, < 0 towards the eye. VTK enables this for all mappers of the program at once and adds its
+/// global parameters to those of each mapper, so they are subtracted for each mapper.
 void offsetLines(vtkMapper& mapper, double units) {
     vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
     double everyFactor = 0.0, everyUnits = 0.0;

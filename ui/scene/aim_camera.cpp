@@ -16,8 +16,8 @@ constexpr double usualReach = 2048.0; // mm
 void aim(vtkCamera& camera, const CameraView& view, double reach) {
     const CameraAxes axes = axesOf(view);
     const bool parallel = isParallel(view);
-    // No farther away than it must, as the graphics card reckons with seven digits; and always from the same place, or
-    // pixels would flicker whenever something is drawn farther out.
+    // No farther away than necessary, because the graphics card computes with seven digits; and always from the same
+    // position, or pixels would flicker whenever something is drawn farther out.
     const glm::dvec3 eye = parallel ? view.focus + axes.back * std::max(usualReach, 2.0 * reach) : axes.eye;
     camera.SetPosition(eye.x, eye.y, eye.z);
     camera.SetFocalPoint(view.focus.x, view.focus.y, view.focus.z);

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// Lets VTK's camera look as the view does. Clipping planes are the caller's.
-/// @param reach mm from the focus, at least as far as anything that is drawn: a parallel camera stands beyond it
+/// Sets up VTK's camera for a view. The caller sets the clipping planes.
+/// @param reach mm from the focus, at least as far as anything that is drawn: a parallel camera is placed beyond it
 void aim(vtkCamera& camera, const CameraView& view, double reach);
 
 } // namespace burin

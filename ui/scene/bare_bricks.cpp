@@ -10,7 +10,8 @@ namespace burin {
 namespace {
 
 constexpr int voxelsPerSide = linesPerSurfaceTile; // voxels
-/// Part is drawn so far beyond what is bare, cells: where stock ends on it, and as far as a flat view sees beneath.
+/// How far the part is drawn beyond its bare regions, cells: where stock ends on it, and as far as a flat view
+/// direction sees beneath the stock.
 constexpr int seenBeyond = 4;
 
 glm::ivec3 gridAxes(const Grid& grid) {
@@ -70,7 +71,7 @@ void findBareBricks(const VolumeSnapshot& workpiece, int level, const SurfaceMes
         const glm::vec3 place = (byAxes(axes, mesh.points[point]) - gridLow) * perMillimetre;
         const glm::ivec3 low = glm::clamp(glm::ivec3(glm::floor(place - reach)), glm::ivec3(0), end);
         const glm::ivec3 high = glm::clamp(glm::ivec3(glm::floor(place + reach)), glm::ivec3(0), end);
-        if (low == lastLow && high == lastHigh) continue; // as most points have
+        if (low == lastLow && high == lastHigh) continue; // as for most points
         lastLow = low;
         lastHigh = high;
         for (int v = low.y; v <= high.y; ++v)

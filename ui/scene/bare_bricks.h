@@ -10,13 +10,13 @@
 
 namespace burin {
 
-/// Where a workpiece shows bare part, by surface bricks; and everywhere outside of its grid.
+/// The surface bricks in which a workpiece shows bare part. Everything outside its grid counts as bare.
 class BareBricks {
 public:
     explicit BareBricks(const Grid& grid);
     /// @param bricks of the grid
     void mark(std::span<const SurfaceBrick> bricks);
-    /// Whether a box reaches into a marked brick or beyond the grid. @param low, high corners, mm, setup frame
+    /// Whether a box extends into a marked brick or beyond the grid. @param low, high corners, mm, setup frame
     bool touches(const glm::vec3& low, const glm::vec3& high) const;
     friend bool operator==(const BareBricks& a, const BareBricks& b) { return a.marks_ == b.marks_; }
 
@@ -27,15 +27,15 @@ private:
     }
 
     glm::ivec3 axes_;      ///< of u, v and the runs
-    glm::ivec3 count_;     ///< bricks along them
-    glm::vec3 low_, high_; ///< the grid's, along them, mm
-    float slack_;          ///< mm: rounded off, a face of the grid lies in it
-    float perMillimetre_;  ///< bricks
-    bool any_ = false;     ///< is marked
+    glm::ivec3 count_;     ///< number of bricks along `axes_`
+    glm::vec3 low_, high_; ///< limits of the grid along `axes_`, mm
+    float slack_;          ///< mm: tolerance for rounding of positions on a face of the grid
+    float perMillimetre_;  ///< bricks per mm
+    bool any_ = false;     ///< whether any brick is marked
     std::vector<std::uint8_t> marks_;
 };
 
-/// The bricks in which a surface shows bare part, and those beside that are seen past its border.
+/// Finds the bricks in which a surface shows bare part, and the adjacent ones that are visible past its border.
 /// @param mesh  all triangles of a tile at a level, not simplified
 /// @param found replaced; each brick once
 void findBareBricks(const VolumeSnapshot& workpiece, int level, const SurfaceMesh& mesh,

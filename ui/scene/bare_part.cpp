@@ -12,17 +12,18 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// What a triangle is; around a point, what its triangles are.
+// The kind of a triangle; for a point, the kinds of its triangles.
 constexpr std::uint8_t bareTriangle = 1, stockTriangle = 2, bothTriangles = 3;
-/// Of drawing each point of the border between its neighbours, by level: steps of one cell are gone after eight. What a
-/// point sees of the border by then, and of the surface beside that, lies in its tile and the next.
+/// Rounds of moving each border point between its neighbours, by level: steps of one cell have disappeared after eight
+/// rounds. The part of the border that influences a point by then, and the surface next to it, lie in its tile and the
+/// next.
 constexpr std::array<int, coarsestSurfaceLevel + 1> straighteningRounds{8, 8, 4, 2};
-constexpr int seenBesideBorder = 2;             ///< cells
-constexpr float farthestMove = 0.45F;           ///< of a point in all, cells: no triangle beside the border folds
-constexpr float ledAway = 0.8F, ledDown = 1.5F; ///< from the border, of the stock beneath the part, cells
-constexpr float besideReach = 1.6F;             ///< cells, from a point to those that have a triangle with it
+constexpr int seenBesideBorder = 2;   ///< cells
+constexpr float farthestMove = 0.45F; ///< total movement of a point, cells: no triangle next to the border folds over
+constexpr float ledAway = 0.8F, ledDown = 1.5F; ///< offset of the stock beneath the part from the border, cells
+constexpr float besideReach = 1.6F;             ///< cells, from a point to those that share a triangle with it
 
-/// Where a point goes that is drawn half the way between two others, along the surface.
+/// The position of a point after moving it halfway to the midpoint of two others, along the surface.
 glm::vec3 drawnBetween(const glm::vec3& a, const glm::vec3& b, const glm::vec3& place, const glm::vec3& normal) {
     const glm::vec3 way = 0.5F * (0.5F * (a + b) - place);
     return place + way - normal * glm::dot(way, normal);
@@ -73,8 +74,8 @@ bool BareBorder::markBare(const PropertyList& properties, const SurfaceMesh& mes
     return std::find(bare_.begin(), bare_.end(), 1) != bare_.end();
 }
 
-/// Points on a limit go elsewhere only where all tiles that have them know by themselves of bare part there: these must
-/// find the same. The others stay.
+/// Points on a limit are moved only if all tiles that share them find bare part there on their own, since these must
+/// obtain the same result. The other points stay.
 void BareBorder::findShared(const TileLimits& limits, const BareRims& rims, float cell, const SurfaceMesh& mesh) {
     roles_.assign(mesh.points.size(), Role::free);
     shared_.clear();
@@ -103,7 +104,7 @@ void BareBorder::findBareShared(const SurfaceMesh& mesh, int axisOfRuns) {
     std::ranges::sort(bareShared_, {}, [&](const BareShared& one) { return one.place[axisOfRuns]; });
 }
 
-/// Among the points that the tiles on both sides have.
+/// Whether there is bare part nearby among the points that are shared by the tiles on both sides.
 bool BareBorder::isBareBeside(const Shared& shared, float reach) const {
     using Kind = TileLimit::Kind;
     const TileLimit& limit = shared.limit;
@@ -121,7 +122,7 @@ bool BareBorder::isBareBeside(const Shared& shared, float reach) const {
     });
 }
 
-/// What has to be seen of other tiles, behind the tile's own.
+/// Appends the required parts of other tiles after the tile's own points and triangles.
 void BareBorder::addBeyond(const TileLimits& limits, float reach, const OtherTile& other, SurfaceMesh& mesh) {
     std::vector<SurfaceTile> tiles;
     for (const Shared& one : shared_) {
@@ -143,7 +144,8 @@ void BareBorder::addBeyond(const TileLimits& limits, float reach, const OtherTil
     roles_.resize(mesh.points.size(), Role::free);
 }
 
-/// Where two pieces of the tile meet along the runs, both have their own points; where tiles meet alike.
+/// Merges coincident points: where two pieces of the tile meet along the runs, each has its own points; likewise where
+/// tiles meet.
 void BareBorder::weld(const SurfaceMesh& mesh) {
     table_.weld(mesh.points, placeOf_);
     corners_.resize(mesh.triangles.size());
@@ -151,7 +153,7 @@ void BareBorder::weld(const SurfaceMesh& mesh) {
                    [&](std::uint32_t corner) { return placeOf_[corner]; });
 }
 
-/// A triangle is what most of its corners are, as in the simplifier.
+/// The kind of a triangle is that of most of its corners, as in the simplifier.
 void BareBorder::classify() {
     triangles_.resize(corners_.size() / 3);
     around_.assign(bare_.size(), 0);
@@ -187,7 +189,7 @@ void BareBorder::findBorder() {
                           std::back_inserter(border_));
 }
 
-/// Points where the border forks, or where it leaves what is seen, stay.
+/// Points where the border forks, or where it leaves the available surface, stay.
 void BareBorder::findNeighbours() {
     beside_.resize(bare_.size());
     besideCount_.assign(bare_.size(), 0);
@@ -219,7 +221,7 @@ void BareBorder::straighten(SurfaceMesh& mesh, int rounds, float cell) {
     }
 }
 
-/// The first triangles of bare part beside the border become stock.
+/// The first triangles of bare part next to the border become stock.
 void BareBorder::continueStock(SurfaceMesh& mesh) {
     besideBorder_.assign(bare_.size(), {});
     const auto eachCorner = [&](std::uint8_t kind, auto visit) {
@@ -271,7 +273,8 @@ void BareBorder::keepShared(BareRims& rims, SurfaceMesh& mesh) {
     for (auto& [limit, all] : points) rims.set(limit, std::move(all));
 }
 
-/// Away from the stock and down: stock that ends upright and stock that runs out flat both meet the part soon.
+/// Moves a point away from the stock and down: both stock with a steep end and stock that tapers off then meet the part
+/// soon.
 void BareBorder::leadOn(SurfaceMesh& mesh, std::size_t point, float cell) const {
     const Border& border = besideBorder_[point];
     const glm::vec3 place = border.places / border.count, normal = glm::normalize(border.normals);

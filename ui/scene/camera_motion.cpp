@@ -11,21 +11,21 @@
 namespace burin {
 namespace {
 
-constexpr double orbitPerPixel = 0.4 * pi / 180.0; // rad: a hand's width of the pointer is a half turn
+constexpr double orbitPerPixel = 0.4 * pi / 180.0; // rad: moving the pointer by a hand's width is half a turn
 constexpr double zoomPerNotch = 0.85;
-// A second of a full push or turn.
+// Effect of one second of full push or turn.
 constexpr double picturesPerSecond = 0.6; // heights of the picture
-constexpr double zoomPerSecond = 2.5;     // times as far
+constexpr double zoomPerSecond = 2.5;     // factor of the distance
 constexpr double turnPerSecond = 1.5;     // rad
 
-/// How much of a movement is done. @return 1: all of it
+/// The completed fraction of a movement. @return 1: finished
 double shareOf(CameraMotion::Clock::time_point start, CameraMotion::Clock::duration duration,
                CameraMotion::Clock::time_point now) {
     if (duration <= CameraMotion::Clock::duration::zero()) return 1.0;
     return std::min(1.0, std::chrono::duration<double>(now - start) / duration);
 }
 
-/// Gathers speed and brakes without a jolt.
+/// Accelerates and decelerates smoothly.
 double eased(double share) {
     return share * share * (3.0 - 2.0 * share);
 }
@@ -126,7 +126,7 @@ void CameraMotion::fit(Clock::time_point now, Clock::duration duration) {
     flyTo(fitted(destination(), size_, content_), now, duration);
 }
 
-/// Stays where it is, but in no projection between the two.
+/// Ends the animation at the current view, but not in a projection between the two.
 void CameraMotion::endFlight(const glm::dvec3& pivot) {
     if (flight_) view_ = converged(view_, flight_->to.convergence, pivot);
     flight_.reset();

@@ -10,8 +10,8 @@
 
 namespace burin {
 
-/// Moves the camera: by a drag of the pointer, by the wheel, or by itself to another view. Knows no window; the owner
-/// gives it the time.
+/// Moves the camera: by dragging with the pointer, by the wheel, or by an animation to another view. Independent of any
+/// window; the owner passes the time.
 class CameraMotion {
 public:
     using Clock = std::chrono::steady_clock;
@@ -19,31 +19,31 @@ public:
 
     const CameraView& view() const noexcept { return view_; }
     const QSizeF& size() const noexcept { return size_; }
-    /// Of the widget, device-independent pixels. Until the user moves the camera, the picture stays fitted.
+    /// Sets the size of the widget, device-independent pixels. Until the user moves the camera, the view stays fitted.
     void setSize(const QSizeF& size);
-    /// What `fit` shows, mm.
+    /// Sets the box that `fit` shows, mm.
     void setContent(const Box& content);
 
     void beginDrag(Drag drag, const QPointF& position, const glm::dvec3& pivot);
-    /// @param duration that a view along an axis takes to become one of the chosen projection when it is turned
+    /// @param duration of the transition from a view along an axis to the chosen projection when it is rotated
     void drag(const QPointF& position, Clock::time_point now = {}, Clock::duration duration = {});
     void endDrag() noexcept { drag_ = Drag::none; }
     Drag dragging() const noexcept { return drag_; }
-    /// As a device in the other hand pushes it: the content moves with the cap, and turns about its middle.
-    /// @param seconds that the push lasted. @param duration as in `drag`
+    /// Moves the camera by a 3D mouse: the content moves with the cap, and rotates about its centre.
+    /// @param seconds duration of the push. @param duration as in `drag`
     void push(const CameraPush& push, double seconds, Clock::time_point now = {}, Clock::duration duration = {});
     /// @param steps notches, > 0: nearer
     void zoom(double steps, const glm::dvec3& pivot);
 
-    /// Whether pictures are parallel. Views straight along an axis always are, until they are turned; then the choice
-    /// holds again. @param duration zero: at once
+    /// Selects parallel or perspective projection. Views straight along an axis are always parallel until they are
+    /// rotated; then this choice applies again. @param duration zero: at once
     void setParallel(bool parallel, Clock::time_point now, Clock::duration duration);
-    /// A standard view, all in the picture. @param duration zero: at once
+    /// Turns to a standard view that shows the whole content. @param duration zero: at once
     void turnTo(StandardView standard, Clock::time_point now, Clock::duration duration);
-    /// A view of somebody else's, at once; it stays as one that the user moved to.
+    /// Sets a view from outside, at once; it is then treated like a view set by the user.
     void setView(const CameraView& view);
     void fit(Clock::time_point now, Clock::duration duration);
-    /// Lets a movement that is under way go on. False: there is none any more.
+    /// Advances a running animation. Returns false if there is none any more.
     bool advance(Clock::time_point now);
     bool moving() const noexcept { return flight_ || change_ || drag_ != Drag::none; }
 
@@ -53,7 +53,7 @@ private:
         Clock::time_point start;
         Clock::duration duration;
     };
-    /// From perspective to parallel or back, while the camera may be moved.
+    /// A transition from perspective to parallel or back, during which the camera may be moved.
     struct Change {
         double from = 1.0, to = 1.0; ///< convergence
         Clock::time_point start;
@@ -62,7 +62,7 @@ private:
     double chosenConvergence() const noexcept { return parallel_ ? 0.0 : 1.0; }
     void flyTo(const CameraView& view, Clock::time_point now, Clock::duration duration);
     void endFlight(const glm::dvec3& pivot);
-    CameraView destination() const; ///< where a movement that is under way ends
+    CameraView destination() const; ///< the final view of a running animation
     void change(double convergence, Clock::time_point now, Clock::duration duration);
     void converge(Clock::time_point now);
 
@@ -73,7 +73,7 @@ private:
     std::optional<Flight> flight_;
     std::optional<Change> change_;
     bool parallel_ = false;  ///< the user's choice
-    bool alongAxis_ = false; ///< a view that is parallel of itself
+    bool alongAxis_ = false; ///< whether the view is along an axis and hence parallel
     Drag drag_ = Drag::none;
     QPointF dragPosition_;
     glm::dvec3 pivot_{0.0};

@@ -6,10 +6,10 @@
 
 namespace burin {
 
-/// How a hand pushes and turns what it sees, as a 3D mouse tells it: the object goes where the cap goes.
+/// Translation and rotation of the content as reported by a 3D mouse: the object moves with the cap.
 struct CameraPush {
-    glm::dvec3 push{0.0}; ///< share of full deflection: right, away from the user, up
-    glm::dvec3 turn{0.0}; ///< share of full deflection about the same axes, right-handed
+    glm::dvec3 push{0.0}; ///< fraction of full deflection: right, away from the user, up
+    glm::dvec3 turn{0.0}; ///< fraction of full deflection about the same axes, right-handed
 };
 
 } // namespace burin

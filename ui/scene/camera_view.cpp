@@ -13,12 +13,12 @@ namespace {
 constexpr double smallestDistance = 0.05, largestDistance = 1.0e6; // mm
 constexpr double fitMargin = 1.12;
 constexpr double leastConvergence =
-    0.002; // less can't be told from none, and its eye would be too far away to reckon with
-constexpr double parallelReach = 1.0e5; // mm from the focus to the eye of a parallel picture
+    0.002; // smaller values are indistinguishable from 0, and the eye would be too far away for the computation
+constexpr double parallelReach = 1.0e5; // mm from the focus to the eye of a parallel view
 
 const double halfHeight = std::tan(0.5 * cameraViewAngle); // of the picture, at distance 1
 
-/// In units of the half height of the picture, y up.
+/// Position in units of half the height of the picture, y up.
 glm::dvec2 fromPixels(const QSizeF& size, const QPointF& position) {
     const double half = 0.5 * std::max(1.0, size.height());
     return {(position.x() - 0.5 * size.width()) / half, (0.5 * size.height() - position.y()) / half};
@@ -29,7 +29,8 @@ double reachOf(const CameraView& view) {
     return isParallel(view) ? parallelReach : view.distance / view.convergence;
 }
 
-/// What stands for the distance to a place in the law of the picture: it shows so much, in half heights.
+/// The equivalent of the distance to a point in the projection: proportional to the height that the picture covers
+/// there.
 double widthAt(const CameraView& view, const glm::dvec3& back, const glm::dvec3& place) {
     return isParallel(view) ? view.distance : view.distance - view.convergence * glm::dot(place - view.focus, back);
 }
@@ -127,7 +128,7 @@ CameraView fitted(const CameraView& view, const QSizeF& size, const Box& box) {
 CameraView converged(const CameraView& view, double convergence, const glm::dvec3& pivot) {
     const glm::dvec3 back = axesOf(view).back;
     const double nearer = glm::dot(pivot - view.focus, back);
-    CameraView other = view; // the same picture, told from a focus that is as far away as the pivot
+    CameraView other = view; // the same picture, expressed with a focus that is as far away as the pivot
     other.focus += back * nearer;
     other.distance = std::clamp(widthAt(view, back, pivot), smallestDistance, largestDistance);
     other.convergence = convergence;
@@ -164,7 +165,7 @@ CameraView turnedTo(const CameraView& view, StandardView standard) {
     case StandardView::isometric:
         break;
     }
-    return look(-45.0, 35.264389682754654); // the three axes equally long
+    return look(-45.0, 35.264389682754654); // the three axes have the same length
 }
 
 CameraView between(const CameraView& from, const CameraView& to, double share) {

@@ -25,7 +25,7 @@ void layOut(QWidget& canvas) {
     canvas.setFocusPolicy(Qt::NoFocus);
 }
 
-/// Composed into the window by the graphics card.
+/// A canvas that the graphics card composes into the window.
 class CardCanvas final : public QOpenGLWidget, public Canvas {
 public:
     CardCanvas(QWidget& parent, CanvasPainter& painter) : QOpenGLWidget(&parent), painter_(painter) {
@@ -64,7 +64,8 @@ private:
     bool begun_ = false;
 };
 
-/// A context of its own; its picture is copied into the window's own pixels, again and again until there is another.
+/// A canvas with its own context; its picture is copied into the window's pixels at each paint until there is a new
+/// one.
 class PixelCanvas final : public QWidget, public Canvas {
 public:
     PixelCanvas(QWidget& parent, CanvasPainter& painter, std::unique_ptr<QOpenGLContext> context,
@@ -112,8 +113,8 @@ private:
         doneCurrent();
     }
     bool isDue() const { return stale_ || rows_.size() != pixelSize(); }
-    /// Much else appears together with the canvas, all of it laid out and painted for the first time: the picture
-    /// follows it.
+    /// Many other widgets appear together with the canvas and are laid out and painted for the first time: the picture
+    /// follows them.
     void waitForTurn() {
         QPainter(this).fillRect(rect(), palette().window());
         QTimer::singleShot(0, this, [this] { refresh(); });
@@ -138,13 +139,13 @@ private:
         picture_.setDevicePixelRatio(devicePixelRatioF());
         buffer_->bind();
         context_->functions()->glReadPixels(0, 0, pixels.width(), pixels.height(), bgra, bytesReversed, rows_.bits());
-        // OpenGL's lowest row comes first.
+        // OpenGL's first row is the lowest.
         for (int row = 0; row < pixels.height(); ++row)
             std::memcpy(picture_.scanLine(row), rows_.constScanLine(pixels.height() - 1 - row),
                         static_cast<std::size_t>(rows_.bytesPerLine()));
     }
 
-    // A pixel of QImage is a number 0xAARRGGBB, on machines of either byte order.
+    // A pixel of QImage is the number 0xAARRGGBB, regardless of the byte order of the machine.
     static constexpr GLenum bgra = 0x80E1, bytesReversed = 0x8367;
 
     CanvasPainter& painter_;
@@ -153,8 +154,8 @@ private:
     std::unique_ptr<QOpenGLFramebufferObject> buffer_;
     QImage rows_, picture_;
     bool begun_ = false;
-    bool stale_ = true;    ///< the picture isn't the newest
-    bool appears_ = false; ///< is to be painted for the first time since it was hidden
+    bool stale_ = true;    ///< whether the picture is outdated
+    bool appears_ = false; ///< whether the next paint is the first one since it was hidden
 };
 
 } // namespace

@@ -11,45 +11,48 @@ class QOpenGLContext;
 
 namespace burin {
 
-/// Who draws on a canvas. All with the canvas's context current.
+/// Interface of the object that draws on a canvas. All functions are called with the canvas's context current.
 class CanvasPainter {
 public:
     virtual ~CanvasPainter() = default;
-    /// A context is there; before anything is drawn. It may not do: then nothing must be drawn with it.
+    /// Called when a context has been created, before anything is drawn. If the context is not sufficient, nothing must
+    /// be drawn with it.
     virtual void begin(QOpenGLContext& context) = 0;
-    /// @param framebuffer that is to be drawn into, as large as the canvas in screen pixels
+    /// @param framebuffer to draw into, of the size of the canvas in screen pixels
     virtual void paint(unsigned framebuffer) = 0;
-    /// What was drawn is where the window will show it.
+    /// Called when the drawn picture is where the window will show it.
     virtual void painted() = 0;
-    /// The context is about to go.
+    /// Called before the context is destroyed.
     virtual void end() = 0;
 };
 
-/// A surface for OpenGL that fills its place in a widget and leaves mouse and keyboard to it.
+/// An OpenGL surface that fills its area of a widget and leaves mouse and keyboard to the widget.
 class Canvas {
 public:
-    /// As a child of `parent`, in the way that is fast on this machine: a graphics card composes the window. Drawn in
-    /// software that would cost as much again as the picture itself (all of the window is uploaded, blended and copied
-    /// anew, 40 to 50 ms at 1600 × 1000), so there the picture is read back and shown like any widget's.
-    /// @param painter outlives the canvas
+    /// Creates a canvas as a child of `parent`, of the kind that is fast on this machine. With a graphics card, the
+    /// card composes the window. With software rendering that would cost as much again as the picture itself (the whole
+    /// window is uploaded, blended and copied again, 40 to 50 ms at 1600 × 1000), so in that case the picture is read
+    /// back and shown like that of any other widget.
+    /// @param painter must outlive the canvas
     static std::unique_ptr<Canvas> make(QWidget& parent, CanvasPainter& painter);
     virtual ~Canvas() = default;
 
     virtual QWidget& widget() = 0;
-    /// A context is there.
+    /// Whether there is a context.
     virtual bool isValid() const = 0;
-    /// There is another picture, to be painted soon.
+    /// Requests a repaint because the picture has changed.
     virtual void refresh() = 0;
-    /// Draws and gives the picture, in screen pixels.
+    /// Draws and returns the picture, in screen pixels.
     virtual QImage grab() = 0;
-    /// Draws what nobody sees, before the widget is shown, where the processor makes the programs that draw: it takes
-    /// tens of milliseconds for each. Nothing on a graphics card, whose context comes with the widget.
+    /// With software rendering, draws an invisible picture before the widget is shown, because compiling each shader
+    /// program takes the processor tens of milliseconds. Does nothing on a graphics card, where the context is created
+    /// with the widget.
     virtual void warmUp() = 0;
     virtual void makeCurrent() = 0;
     virtual void doneCurrent() = 0;
 };
 
-/// Whether a current context draws without a graphics card.
+/// Whether a current context renders in software, without a graphics card.
 bool drawsInSoftware(QOpenGLContext& context);
 
 } // namespace burin

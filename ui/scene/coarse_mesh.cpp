@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-constexpr double mostLeftOut = 0.98; ///< of the triangles
+constexpr double mostLeftOut = 0.98; ///< maximum fraction of removed triangles
 
 } // namespace
 

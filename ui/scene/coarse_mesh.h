@@ -9,8 +9,8 @@
 
 namespace burin {
 
-/// The surface of a mesh with fewer triangles: some of its points, with their normals. Creases and borders stay as they
-/// are; the rest lies within the tolerance. Any thread.
+/// The surface of a mesh with fewer triangles: a subset of its points, with their normals. Creases and borders are
+/// unchanged; the remaining surface deviates by no more than the tolerance. Any thread.
 /// @param tolerance mm
 vtkSmartPointer<vtkPolyData> coarsened(const ShadedMesh& mesh, double tolerance);
 

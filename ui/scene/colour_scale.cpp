@@ -14,7 +14,7 @@ namespace burin {
 
 namespace {
 
-constexpr double scaleMargin = 16.0, scaleTop = 120.0; // device-independent pixels, as all of these
+constexpr double scaleMargin = 16.0, scaleTop = 120.0; // device-independent pixels, like all of these
 constexpr double scalePadding = 8.0, barWide = 16.0, barGap = 6.0, leastHigh = 160.0;
 constexpr double lineSpacing = 1.05; // of the font's height, between marks
 

@@ -11,14 +11,14 @@
 
 namespace burin {
 
-/// What the colours in a picture stand for.
+/// The meaning of the colours in a picture.
 struct ColourScaleContent {
     QString heading;                       ///< quantity and unit
-    std::function<QColor(double)> colours; ///< of a share of the way from the lowest mark to the highest, 0 … 1
-    QStringList marks;                     ///< numbers from the lowest to the highest, as far apart; one: in the middle
+    std::function<QColor(double)> colours; ///< at a fraction (0 … 1) of the range from the lowest to the highest mark
+    QStringList marks; ///< numbers from the lowest to the highest, evenly spaced; a single one is in the middle
 };
 
-/// A bar of colours with their values on a plate at the picture's right, below the view cube.
+/// A colour bar with its values on a background plate at the right of the picture, below the view cube.
 class ColourScale {
 public:
     explicit ColourScale(vtkRenderer& renderer) : image_(renderer) { image_.setVisible(false); }
@@ -26,9 +26,10 @@ public:
     void setPalette(const Palette& palette);
     void set(ColourScaleContent content);
     void setVisible(bool visible);
-    /// Before each paint. @param right room that is taken at the right already, device-independent pixels @param ratio
-    /// screen pixels a device-independent one
-    /// @return `right` with its own room, if it is visible
+    /// Call before each paint.
+    /// @param right width that is already occupied at the right, device-independent pixels @param ratio screen pixels
+    /// per device-independent pixel
+    /// @return `right` plus its own width, if it is visible
     double place(const QSizeF& size, double ratio, double right);
 
 private:
@@ -37,7 +38,7 @@ private:
     ScreenImage image_;
     ColourScaleContent content_;
     QColor text_, plate_;
-    double ratio_ = 0.0; ///< that the image is drawn for; 0: it is to be drawn anew
+    double ratio_ = 0.0; ///< for which the image is drawn; 0: the image must be redrawn
     bool visible_ = false;
 };
 

@@ -14,13 +14,13 @@
 namespace burin {
 namespace {
 
-constexpr std::array<double, 3> rings{1.3, 2.0, 3.0}; // radii of the cutter from the axis
+constexpr std::array<double, 3> rings{1.3, 2.0, 3.0}; // distances from the axis, in radii of the cutter
 constexpr int placesPerRing = 12;
 
-constexpr double fadedOpacity = 0.1;               // of a holder each of three or four pieces one behind the other
-constexpr double fadesFrom = 0.1, fadedFrom = 0.5; // share of the tip's surroundings that is hidden
+constexpr double fadedOpacity = 0.1;               // for each of three or four pieces of a holder behind each other
+constexpr double fadesFrom = 0.1, fadedFrom = 0.5; // hidden fraction of the tip's surroundings
 
-/// Whether a half-line in the tool frame passes through the cylinder round a piece.
+/// Whether a ray in the tool frame passes through the bounding cylinder of a piece.
 bool meets(const Ray& line, const RevolvedPiece& piece) {
     double low = 0.0, high = std::numeric_limits<double>::infinity();
     const auto narrow = [&](double from, double to) {
@@ -41,8 +41,8 @@ bool meets(const Ray& line, const RevolvedPiece& piece) {
     return low < high;
 }
 
-/// The share of what lies round a tip of which a sight, from there to the eye, is hidden.
-/// @param hides takes the sight with its whole length as direction
+/// The fraction of the surroundings of a tip from which the sight line to the eye is blocked.
+/// @param hides takes the sight line with its full length as direction
 template <class Hides>
 double hiddenShare(const CutPlace& cut, const CameraView& view, const Hides& hides) {
     const glm::dvec3 eye = axesOf(view).eye;

@@ -9,23 +9,24 @@
 
 namespace burin {
 
-/// Where a tool cuts, or would: what lies round its tip is to be seen.
+/// The position where a tool cuts, or would cut: the surroundings of its tip should be visible.
 struct CutPlace {
     ToolPose pose;       ///< setup frame, mm
     double radius = 0.0; ///< of the cutter, mm
 };
 
-/// How much of what lies round the tip is hidden from the eye by shank and holder. The flutes don't count: they show
+/// The fraction of the tip's surroundings that shank and holder hide from the eye. The flutes don't count: they show
 /// where the tool is.
 /// @return 0 … 1
 double coveredShare(const Cutter& cutter, const ToolPose& pose, const CameraView& view);
 
-/// How much of what lies round a tip is hidden from the eye by a closed solid. What lies in the solid doesn't count:
+/// The fraction of a tip's surroundings that a closed solid hides from the eye. Points inside the solid don't count:
 /// there is nothing to be seen.
-/// @return 0 … 1. Cost: some microseconds for each of a few dozen sights
+/// @return 0 … 1. Cost: some microseconds for each of a few dozen sight lines
 double coveredShare(const TriangleTree& solid, const CutPlace& cut, const CameraView& view);
 
-/// Of what hides a share (0 … 1) of a cut: solid (1) where that is little, a trace of itself where it is half or more.
+/// The opacity of an object that hides a fraction (0 … 1) of a cut: solid (1) if the fraction is small, almost
+/// transparent if it is half or more.
 double opacityOver(double coveredShare);
 
 } // namespace burin

@@ -15,8 +15,8 @@
 namespace burin {
 namespace {
 
-/// Most of a colour is its own, so that it can be compared with the legend whichever way a face looks; the rest is lit,
-/// so that the shape can be read.
+/// Most of a colour is ambient, so that it can be compared with the legend regardless of a face's direction; the
+/// remainder is lit, so that the shape can be recognised.
 constexpr double ownLight = 0.62, shading = 0.38;
 
 vtkSmartPointer<vtkActor> deviationActor(vtkRenderer& renderer) {
@@ -50,7 +50,7 @@ DeviationActors::DeviationActors(vtkRenderer& renderer)
     measured_->GetMapper()->ScalarVisibilityOn();
     measured_->GetMapper()->SetColorModeToDirectScalars();
     setColour(*unmeasured_, QColor(unmeasuredColour[0], unmeasuredColour[1], unmeasuredColour[2]));
-    // Stripes of the screen, so that grey is never taken for a shaded value.
+    // Stripes in screen space, so that grey is never mistaken for a shaded value.
     unmeasured_->GetShaderProperty()->AddFragmentShaderReplacement(
         "//VTK::Color::Impl", true,
         "//VTK::Color::Impl\n"

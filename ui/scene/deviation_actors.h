@@ -14,7 +14,7 @@ namespace burin {
 class DeviationActors {
 public:
     explicit DeviationActors(vtkRenderer& renderer);
-    /// Without triangles: nothing is drawn.
+    /// Sets the surface; if it has no triangles, nothing is drawn.
     void set(const DeviationSurface& surface);
     bool empty() const noexcept { return triangles_ == 0; }
     std::size_t triangles() const noexcept { return triangles_; }

@@ -9,8 +9,8 @@
 
 namespace burin {
 
-/// Writes deviations as a VTK PolyData file (.vtp): a point each, with arrays `excess_mm`, `reachable`, `deviation_mm`
-/// (gouges are negative) and `colour` (red, green, blue: that of the window's deviation map).
+/// Writes deviations as a VTK PolyData file (.vtp): one point per sample, with arrays `excess_mm`, `reachable`,
+/// `deviation_mm` (gouges are negative) and `colour` (red, green, blue: that of the window's deviation map).
 /// Errors: fileNotWritable, diskFull.
 Result<void> writeDeviationMap(const std::vector<DeviationSample>& deviations, const DeviationTolerance& tolerance,
                                const std::filesystem::path& file);

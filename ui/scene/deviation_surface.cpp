@@ -13,7 +13,7 @@ namespace burin {
 namespace {
 
 constexpr double mostTriangles = 200'000.0;
-constexpr double trianglesInSquare = 4.7; // that halving leaves in the square of the longest edge
+constexpr double trianglesInSquare = 4.7; // that remain per square of the longest edge after halving
 
 /// All bodies in one mesh.
 ShadedMesh shadedPart(const Model& part) {
@@ -38,7 +38,7 @@ double areaOf(const ShadedMesh& mesh) {
     return area;
 }
 
-/// Colours of the points. @return which of them have a value
+/// Sets the colours of the points. @return which of them have a value
 std::vector<std::uint8_t> colourPoints(DeviationSurface& surface, const DeviationPicture& picture, double spacing) {
     const DeviationMap map(*picture.samples, spacing);
     const DeviationScale scale(picture.tolerance);
@@ -57,8 +57,8 @@ std::vector<std::uint8_t> colourPoints(DeviationSurface& surface, const Deviatio
     return measured;
 }
 
-/// Takes the triangles with more unmeasured corners than measured ones out of the mesh. A corner at the border gets the
-/// colour of a measured neighbour, as no value fades into grey.
+/// Removes the triangles with more unmeasured than measured corners from the mesh. A corner at the border gets the
+/// colour of a measured neighbour, so that no value fades into grey.
 void partUnmeasured(DeviationSurface& surface, const std::vector<std::uint8_t>& measured) {
     std::vector<std::uint32_t> all;
     all.swap(surface.mesh.triangles);

@@ -12,25 +12,25 @@
 
 namespace burin {
 
-/// What the deviation map shows: samples over the part and how they are judged.
+/// The data of the deviation map: samples over the part and the tolerance by which they are judged.
 struct DeviationPicture {
-    std::shared_ptr<const std::vector<DeviationSample>> samples; ///< null: there is nothing to show
+    std::shared_ptr<const std::vector<DeviationSample>> samples; ///< null: nothing to show
     DeviationTolerance tolerance;
-    double spacing = 1.0; ///< mm: about as far as the samples are apart, > 0
+    double spacing = 1.0; ///< mm: approximate distance between samples, > 0
 };
 
-/// The part's surface in the colours of its deviation, divided so finely that the samples show.
+/// The part's surface in the colours of its deviation, subdivided finely enough to show the samples.
 struct DeviationSurface {
-    ShadedMesh mesh;                       ///< its triangles are those that were measured
-    std::vector<DeviationColour> colours;  ///< a point each
-    std::vector<std::uint32_t> unmeasured; ///< three corners each: no sample is near, or too much is left out of reach
+    ShadedMesh mesh;                       ///< contains only the measured triangles
+    std::vector<DeviationColour> colours;  ///< one per point
+    std::vector<std::uint32_t> unmeasured; ///< three corners each: no sample nearby, or too much stock out of reach
 };
 
-/// Takes some tenths of a second for a large part: for a worker thread. At most about 200,000 triangles where the
-/// part's own are fewer: beyond that the surface is coarser than the samples, and shows their means.
+/// Takes some tenths of a second for a large part: call on a worker thread. Subdivides to about 200,000 triangles at
+/// most, unless the part itself has more: beyond that the surface is coarser than the samples and shows their means.
 DeviationSurface deviationSurface(const Model& part, const DeviationPicture& picture);
 
-/// A mesh whose edges are all halved until none is longer than `edge` mm; no gap opens between neighbours.
+/// The mesh with its edges halved until none is longer than `edge` mm; no gaps open between neighbouring triangles.
 ShadedMesh divided(ShadedMesh mesh, double edge);
 
 } // namespace burin

@@ -14,11 +14,11 @@
 
 namespace burin {
 
-/// One round of dividing triangles at the middles of their edges. Neighbours share a middle, so no gap opens. Where an
-/// edge is halved, the longest one of its triangles is, too: no triangle becomes a needle, and rounds come to an end
-/// (M. C. Rivara, 1984).
-/// @tparam Wants asked once for each edge with its ends' numbers: whether it is to be halved
-/// @tparam AddMiddle adds the point in the middle of an edge and gives its number
+/// One round of subdividing triangles at the midpoints of their edges. Neighbours share a midpoint, so no gap opens. If
+/// an edge is halved, so is the longest edge of its triangles: no triangle degenerates into a needle, and the rounds
+/// terminate (M. C. Rivara, 1984).
+/// @tparam Wants called once per edge with the indices of its ends; returns whether it is to be halved
+/// @tparam AddMiddle adds the midpoint of an edge and returns its index
 template <class Wants, class AddMiddle>
 class EdgeHalving {
 public:
@@ -68,7 +68,7 @@ private:
         return any;
     }
 
-    /// @return whether there was one that had not been chosen
+    /// @return whether an edge was newly chosen
     bool chooseLongest() {
         bool any = false;
         eachTriangle([&](const Corners& corner) {
@@ -103,7 +103,7 @@ private:
             for (std::size_t i = 0; i < 3; ++i) add(corner[i], *middle[i], *middle[(i + 2) % 3]);
             return add(*middle[0], *middle[1], *middle[2]);
         }
-        // Turned so that the first edge is halved, and where there are two, the second one, too.
+        // Rotate the corners so that the first edge is halved and, if two are halved, the second one as well.
         std::size_t first = 0;
         while (!middle[first] || (halved == 2 && !middle[(first + 1) % 3])) ++first;
         const std::uint32_t a = corner[first], b = corner[(first + 1) % 3], c = corner[(first + 2) % 3];

@@ -11,8 +11,8 @@
 namespace burin {
 namespace {
 
-constexpr double rapidDash = 2.0, plungeDash = 0.5; // mm; as long as the gap after it
-constexpr double mostDashes = 200.0;                // of one move
+constexpr double rapidDash = 2.0, plungeDash = 0.5; // mm; also the length of the gap after it
+constexpr double mostDashes = 200.0;                // maximum for one move
 
 void addDashes(std::vector<LineEnds>& lines, const glm::dvec3& from, const glm::dvec3& to, double dash) {
     const double periods = std::clamp(std::round(glm::distance(from, to) / (2.0 * dash)), 1.0, mostDashes);
@@ -20,7 +20,7 @@ void addDashes(std::vector<LineEnds>& lines, const glm::dvec3& from, const glm::
     for (double period = 0.0; period < periods + 0.5; period += 1.0) lines.emplace_back(at(period), at(period + 0.5));
 }
 
-/// Straight, or in the turns of a helix.
+/// Adds a plunge: straight, or as the turns of a helix.
 void addPlunge(std::vector<LineEnds>& lines, const glm::dvec3& from, const PathPoint& point) {
     std::vector<LineEnds> chords;
     addMove(chords, from, point);
@@ -31,7 +31,7 @@ std::size_t indexOf(MoveKind kind) {
     return static_cast<std::size_t>(kind);
 }
 
-/// Each with a dot where it begins, as some are too short to be seen as lines.
+/// The omitted parts, each with a dot at its start, because some are too short to be visible as lines.
 PlaceChains omissionsOf(const EvaluatedPath& path) {
     PlaceChains chains;
     for (const EditReport& report : path.reports)

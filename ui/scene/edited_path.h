@@ -14,9 +14,9 @@
 
 namespace burin {
 
-/// What the machine shall do, told apart by colour and by stroke: cuts in orange, conventional ones in pink, rapids
-/// grey and dashed, plunges in short white dashes, retracts in an unbroken grey; what edits left out, as it was before
-/// them, in red with a dot where it begins.
+/// The commanded moves of the machine, distinguished by colour and line style: cuts in orange, conventional cuts in
+/// pink, rapids grey and dashed, plunges in short white dashes, retracts in solid grey; parts left out by edits, as
+/// they were before the edit, in red with a dot at their start.
 class EditedPath {
 public:
     explicit EditedPath(vtkRenderer& renderer);
@@ -24,13 +24,13 @@ public:
     void setLineWidth(double screenPixels);
     void setPath(const EvaluatedPath& path);
     void setVisible(bool visible);
-    /// Moves at feed are drawn by something else; what is left are rapids and what edits left out.
+    /// Hides the moves at feed, which are then drawn by another object; rapids and parts left out by edits remain.
     void setFeedsHidden(bool hidden);
     Box box() const noexcept { return box_; }
 
 private:
     static constexpr std::size_t kinds = 5, conventional = 4;
-    std::array<HaloedLines, kinds> lines_; ///< by MoveKind; then conventional cuts
+    std::array<HaloedLines, kinds> lines_; ///< indexed by MoveKind, then conventional cuts
     MarkedLines omitted_;
     PlaceChains omissions_;
     Box box_;

@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// Knows how far each point of a surface stands from the part, and adds points where that is too little.
+/// Computes the distance of each point of a surface from the part, and adds points where the resolution is too low.
 class ExcessDivision {
 public:
     ExcessDivision(SurfaceMesh& mesh, const PropertyList& properties, const ExcessColours& left,
@@ -48,13 +48,13 @@ private:
     double leftAt(const glm::vec3& point, PropertyIndex property) const {
         if (properties_.isProtected(property)) return 0.0;
         const double left = part_.closest(point, reach_).signedDistance;
-        // Stock is not within the part: so little is how exactly voxels show where it ends.
+        // Stock can't be inside the part: such small values are within the accuracy of the voxels.
         return left < 0.0 && left >= -cell_ ? 0.0 : left;
     }
 
     glm::vec3 middle(std::uint32_t a, std::uint32_t b) const { return 0.5F * (mesh_.points[a] + mesh_.points[b]); }
 
-    /// An edge along which the excess is another one than what would be drawn.
+    /// Whether the excess along an edge differs from the interpolated value that would be drawn.
     bool hides(std::uint32_t a, std::uint32_t b) const {
         const double length = glm::distance(mesh_.points[a], mesh_.points[b]);
         if (length <= shortest_ || isBeyond(a, b, length)) return false;
@@ -63,9 +63,9 @@ private:
         return std::abs(scale_.positionOf(leftAt(middle(a, b), mesh_.properties[a])) - drawn) > unlike_;
     }
 
-    /// All of an edge lies beyond the scale: the distance to the part changes no faster than a point moves.
+    /// Whether all of an edge is beyond the scale: the distance to the part changes no faster than a point moves.
     bool isBeyond(std::uint32_t a, std::uint32_t b, double length) const {
-        if (std::min(left_[a], left_[b]) < reach_) return false; // farther than that was not measured
+        if (std::min(left_[a], left_[b]) < reach_) return false; // distances beyond that were not measured
         const double enough = reach_ + 0.5 * length;
         return part_.closest(middle(a, b), enough).distance >= enough;
     }
@@ -86,7 +86,7 @@ private:
     DeviationScale scale_;
     double reach_, cell_, longest_, shortest_; ///< mm
     double unlike_;                            ///< of the scale's length
-    std::vector<double> left_;                 ///< mm, a point each
+    std::vector<double> left_;                 ///< mm, one per point
 };
 
 } // namespace

@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// A scale with its marks, for stock that is left on the part.
+/// The colour scale with its marks for stock left on the part.
 ColourScaleContent excessScale(const DeviationScale& scale, LengthUnit unit);
 
 } // namespace burin

@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-constexpr double nearer = -4.0; // units of depth: as lines that lie on a surface
+constexpr double nearer = -4.0; // depth units, as for lines on a surface
 
 class FilmActor final : public vtkOpenGLActor {
 public:
@@ -40,7 +40,7 @@ vtkSmartPointer<vtkActor> glassActor(vtkPolyData* surface) {
     actor->SetMapper(mapper);
     actor->GetProperty()->BackfaceCullingOn();
     actor->PickableOff();
-    actor->ForceOpaqueOn(); // VTK's pass for transparent things costs full-screen buffers (actors.h)
+    actor->ForceOpaqueOn(); // VTK's translucent pass needs full-screen buffers (actors.h)
     return actor;
 }
 
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkActor> filmActor(vtkPolyData* surface) {
     const vtkSmartPointer<vtkActor> actor = glassActor(surface);
     actor->GetProperty()->BackfaceCullingOff();
     actor->GetProperty()->LightingOff();
-    // As for lines (actors.cpp): VTK adds its own statistics to everyone's.
+    // As for lines (actors.cpp): VTK adds its global parameters to those of each mapper.
     vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
     double everyFactor = 0.0, everyUnits = 0.0;
     vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(everyFactor, everyUnits);

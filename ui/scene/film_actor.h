@@ -8,11 +8,11 @@
 
 namespace burin {
 
-/// A surface like a film of colour: blended over what is drawn already where that does not hide it, and hiding nothing
-/// itself (it leaves depths alone). Not lit; where it lies on another surface it is the one that is seen.
+/// An actor for a translucent, unlit surface: it is blended over what is already drawn where that does not hide it, and
+/// hides nothing itself (it doesn't write depths). If it coincides with another surface, it is the visible one.
 vtkSmartPointer<vtkActor> filmActor(vtkPolyData* surface);
 
-/// The same, lit and from its front alone, and no nearer than it lies: a solid body that is seen through.
+/// As `filmActor`, but lit, with only front faces drawn and without a depth offset: a translucent solid.
 vtkSmartPointer<vtkActor> glassActor(vtkPolyData* surface);
 
 } // namespace burin

@@ -21,7 +21,7 @@ namespace {
 constexpr double tipLength = 14.0, tipRadius = 5.5, shaftRadius = 1.8; // device-independent pixels
 constexpr double labelDistance = 16.0;
 
-/// One unit long along +Z, its head as large as an arrow of `length` pixels wants it.
+/// An arrow of unit length along +Z, with the head size of an arrow of `length` pixels.
 vtkSmartPointer<vtkPolyData> arrow(double length) {
     vtkNew<vtkArrowSource> source;
     source->SetTipLength(std::min(0.6, tipLength / length));
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkPolyData> arrow(double length) {
     return turned->GetOutput();
 }
 
-/// On the screen, device-independent pixels.
+/// The length of the arrow on the screen, device-independent pixels.
 double lengthFor(double newtons) {
     return std::min(ForceArrow::longest, 22.0 + newtons * ForceArrow::pixelsPerNewton);
 }
@@ -76,7 +76,7 @@ void ForceArrow::place(const CameraView& view, const QSizeF& size, double ratio)
     const double newtons = glm::length(force_), pixel = pixelAt(view, size, tip_), length = lengthFor(newtons);
     const glm::dvec3 direction = force_ / newtons;
     setPose(*matrix_, {tip_, direction});
-    // The head keeps its size: along the arrow by the length, across it as if it were the longest.
+    // Keeps the size of the head: scaled by the length along the arrow, and by the maximum length across it.
     const double along = length * pixel, across = longest * pixel;
     for (int row = 0; row < 3; ++row) {
         matrix_->SetElement(row, 0, matrix_->GetElement(row, 0) * across);
@@ -86,7 +86,7 @@ void ForceArrow::place(const CameraView& view, const QSizeF& size, double ratio)
     value_.set(QCoreApplication::translate("burin::Viewport", "%1 N").arg(QLocale().toString(newtons, 'f', 1)), colour_,
                plate_, ratio);
     const QPointF head = appearanceOf(view, size, tip_ + direction * along), tail = appearanceOf(view, size, tip_);
-    // Beside the head, away from the tail; over it when the arrow points at the eye.
+    // Next to the head, away from the tail; above it when the arrow points at the eye.
     const QPointF way = head - tail;
     const double seen = std::hypot(way.x(), way.y());
     const QPointF beyond = seen > 4.0 ? way * (labelDistance / seen) : QPointF(0.0, -labelDistance);

@@ -13,8 +13,8 @@
 
 namespace burin {
 
-/// What the hand feels: an arrow from the tip with its value. Its length on the screen grows with the force up to a
-/// cap, whatever the zoom; the number tells the truth beyond it.
+/// The force rendered to the hand: an arrow from the tip with its value. Its length on the screen is proportional to
+/// the force up to a maximum, regardless of the zoom; beyond that, the number shows the true value.
 class ForceArrow {
 public:
     static constexpr double pixelsPerNewton = 40.0, longest = 130.0; ///< device-independent pixels
@@ -25,7 +25,8 @@ public:
     /// @param force N; @param tip mm, setup frame
     void set(const glm::dvec3& force, const glm::dvec3& tip);
     bool visible() const noexcept;
-    /// Before each paint: length and label follow the view. @param ratio screen pixels a device-independent one
+    /// Call before each paint: length and label follow the view. @param ratio screen pixels per device-independent
+    /// pixel
     void place(const CameraView& view, const QSizeF& size, double ratio);
 
 private:

@@ -19,7 +19,7 @@ void FrameClock::Durations::add(Clock::duration duration) {
 double FrameClock::Durations::percentile95() const {
     if (newest.empty()) return 0.0;
     std::vector<double> sorted = newest;
-    // The least value that 95 % of all don't exceed.
+    // The smallest value that is not exceeded by 95 % of all values.
     const std::size_t rank = (95 * sorted.size() + 99) / 100 - 1;
     std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(rank));
     return sorted[rank];

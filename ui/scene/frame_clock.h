@@ -10,19 +10,19 @@
 
 namespace burin {
 
-/// Keeps the times of the newest paints and cuts.
+/// Records the times of the newest paints and cuts.
 class FrameClock {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// @param cut when the oldest cut was made that this paint shows first
+    /// @param cut time of the oldest cut that this paint is the first to show
     void add(Clock::time_point begin, Clock::time_point end, std::optional<Clock::time_point> cut);
     void reset();
-    /// Its timings; what is drawn is the owner's to add.
+    /// The timings; the owner adds the values about what is drawn.
     FrameStatistics statistics() const;
 
 private:
-    /// The newest durations, ms, and what all of them came to.
+    /// The newest durations, ms, with the count and maximum of all durations.
     struct Durations {
         static constexpr std::size_t kept = 4096;
         std::vector<double> newest;

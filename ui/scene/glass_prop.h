@@ -10,14 +10,14 @@
 
 namespace burin {
 
-/// Draws actors like coloured glass over what was drawn before: of surfaces that lie behind each other the nearest
-/// alone, in whatever order they come. Their depths are drawn first, then their colours.
+/// Draws actors like coloured glass over what was drawn before: of surfaces behind each other only the nearest,
+/// regardless of their order. Their depths are drawn first, then their colours.
 class GlassProp final : public vtkProp {
 public:
     static GlassProp* New();
     vtkTypeMacro(GlassProp, vtkProp)
 
-        /// Not owned; they outlive the next paint, and need not be in a renderer.
+        /// Not owned; they must outlive the next paint, and need not be in a renderer.
         void set(std::vector<vtkActor*> actors) {
         actors_ = std::move(actors);
     }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int linesEachWay = 14; // from the middle
 
-/// Every line in pieces of one spacing, so that each end can fade.
+/// Each line is divided into pieces of one spacing, so that its ends can fade out.
 std::vector<LineEnds> gridLines(const glm::dvec3& middle, double spacing) {
     std::vector<LineEnds> lines;
     const double reach = linesEachWay * spacing;
@@ -74,7 +74,7 @@ void GroundGrid::refresh() {
     actor_->SetVisibility(!content_.empty());
     if (content_.empty()) return;
     const double spacing = roundSpacing(std::max({content_.size().x, content_.size().y, 1e-3}));
-    // The lines lie on round coordinates of the setup frame, just under the table's height.
+    // The lines are at round coordinates of the setup frame, slightly below the table.
     const glm::dvec3 centre = content_.centre();
     const glm::dvec3 middle(std::round(centre.x / spacing) * spacing, std::round(centre.y / spacing) * spacing,
                             content_.low.z - 0.03 * spacing);

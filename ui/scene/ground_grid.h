@@ -13,13 +13,13 @@
 
 namespace burin {
 
-/// A quiet grid on the table, under what stands on it; it fades away from there.
+/// A subdued grid on the table below the content; it fades out with distance.
 class GroundGrid {
 public:
     explicit GroundGrid(vtkRenderer& renderer);
     void setColour(const QColor& colour);
     void setLineWidth(double screenPixels) { burin::setLineWidth(*actor_, screenPixels); }
-    /// @param content what stands on the table, mm; empty: no grid
+    /// @param content bounding box of what is on the table, mm; empty: no grid
     void setContent(const Box& content);
 
 private:

@@ -22,9 +22,9 @@ namespace {
 
 constexpr int cornerSteps = 8, rings = 9;
 constexpr double opacityBelow = 0.5;
-constexpr double reachShare = 0.16; // how far the shadow reaches, of the longer side
+constexpr double reachShare = 0.16; // extent of the shadow, fraction of the longer side
 
-/// Closed outlines around the box: the first inside of its foot, the others farther and farther out and fainter.
+/// Closed outlines around the box: the first one inside its footprint, the others increasingly far out and fainter.
 class Shadow {
 public:
     Shadow(const Box& box, double height, const QColor& colour) : box_(box), height_(height), colour_(colour) {
@@ -105,7 +105,7 @@ void GroundShadow::setContent(const Box& content) {
 void GroundShadow::refresh() {
     actor_->SetVisibility(!content_.empty());
     if (content_.empty()) return;
-    const double below = 2e-3 * std::max(content_.size().x, content_.size().y); // over the grid, under the workpiece
+    const double below = 2e-3 * std::max(content_.size().x, content_.size().y); // above the grid, below the workpiece
     const Shadow shadow(content_, content_.low.z - below, colour_);
     vtkPolyDataMapper::SafeDownCast(actor_->GetMapper())->SetInputData(shadow.data());
 }

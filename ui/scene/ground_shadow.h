@@ -10,13 +10,13 @@
 
 namespace burin {
 
-/// The soft shadow on the table around what stands there: it tells where the workpiece ends and the ground begins. Seen
-/// from above only.
+/// The soft shadow on the table around the content: it shows where the workpiece ends and the ground begins. Visible
+/// only from above.
 class GroundShadow {
 public:
     explicit GroundShadow(vtkRenderer& renderer);
     void setPalette(const Palette& palette);
-    /// @param content what stands on the table, mm; empty: no shadow
+    /// @param content bounding box of what is on the table, mm; empty: no shadow
     void setContent(const Box& content);
 
 private:

@@ -71,9 +71,9 @@ struct GuideActors::Drawn {
     vtkNew<vtkTubeFilter> tubes;
     Label label;
     GuideMark mark;
-    glm::dvec3 middle{0.0}; ///< mm, of what is drawn as a tube
+    glm::dvec3 middle{0.0}; ///< mm, centre of what is drawn as a tube
     bool hasTube = false;
-    std::uint64_t order = 0; ///< of the surface that is waited for, or stands
+    std::uint64_t order = 0; ///< number of the surface that is requested or shown
 };
 
 GuideActors::GuideActors(vtkRenderer& seen, vtkRenderer& through, SurfaceMaker maker)
@@ -117,7 +117,7 @@ void GuideActors::shape(Drawn& drawn, const GuideMark& mark) {
     drawn.setShapes(shapesOf(mark, marks_));
 }
 
-/// What stood before stays until the new one is there.
+/// The previous surface stays until the new one is ready.
 void GuideActors::orderSurface(Drawn& drawn) {
     const std::uint64_t order = drawn.order = ++orders_;
     maker_(marks_, drawn.mark.guide.distance, [this, order](const std::shared_ptr<const GuideSurface>& surface) {
@@ -154,13 +154,13 @@ void GuideActors::place(const CameraView& view, const QSizeF& size, double ratio
         if (!drawn->hasTube) continue;
         const double wanted = (drawn->mark.holds ? holdingTubeRadius : tubeRadius) * pixelAt(view, size, drawn->middle);
         const double now = drawn->tubes->GetRadius();
-        // A radius that is about right costs nothing.
+        // A radius that is approximately right is kept, to save the cost of a change.
         if (!(wanted < now * tubeFits && now < wanted * tubeFits)) drawn->tubes->SetRadius(wanted);
     }
     placeLabels(size, ratio);
 }
 
-/// One below the other in the upper left corner.
+/// Places the labels one below the other in the upper left corner.
 void GuideActors::placeLabels(const QSizeF& size, double ratio) {
     QColor plate = palette_.field;
     plate.setAlpha(190);

@@ -19,13 +19,13 @@
 
 namespace burin {
 
-/// The guides of the hand: patches, outlines, curves, each once where it is to be seen and faintly through whatever
-/// hides it; a line of words for each in the picture's corner. One that holds the hand stands out in the accent's
-/// colour. Thread: user interface.
+/// The guides (virtual fixtures): patches, outlines and curves, each drawn normally where it is visible and faintly
+/// through whatever hides it, with a line of text for each in the corner of the picture. A guide that constrains the
+/// hand is highlighted in the accent colour. GUI thread.
 class GuideActors {
 public:
     using Shaped = std::function<void(std::shared_ptr<const GuideSurface>)>;
-    /// Makes a surface somewhere else, and hands it over here; may forget what it was asked before.
+    /// Creates a surface asynchronously and passes it to `then` on the GUI thread; may drop earlier requests.
     using SurfaceMaker = std::function<void(const GuideMarks& marks, double distance, Shaped then)>;
 
     /// @param seen draws after the workpiece, with its depths; @param through draws over everything
@@ -34,10 +34,11 @@ public:
 
     void setPalette(const Palette& palette);
     void set(const GuideMarks& marks);
-    void setTip(const glm::dvec3& tip) { tip_ = tip; } ///< mm, of the tool: lead and tilt stand there
-    void setLineWidth(double screenPixels);            ///< of a thin line
+    void setTip(const glm::dvec3& tip) { tip_ = tip; } ///< mm, of the tool: position of lead and tilt guides
+    void setLineWidth(double screenPixels);            ///< width of a thin line
     bool visible() const noexcept { return !drawn_.empty(); }
-    /// Before each paint: what has a size on the screen keeps it. @param ratio screen pixels a device-independent one
+    /// Call before each paint: adapts elements with a constant size on the screen. @param ratio screen pixels per
+    /// device-independent pixel
     void place(const CameraView& view, const QSizeF& size, double ratio);
 
 private:
@@ -51,10 +52,10 @@ private:
     SurfaceMaker maker_;
     Palette palette_;
     GuideMarks marks_;
-    std::vector<std::unique_ptr<Drawn>> drawn_; ///< as marks_.guides
+    std::vector<std::unique_ptr<Drawn>> drawn_; ///< in the order of marks_.guides
     glm::dvec3 tip_{0.0};
     double lineWidth_ = 1.0;
-    std::uint64_t orders_ = 0; ///< counts surfaces that were asked for
+    std::uint64_t orders_ = 0; ///< number of surfaces that were requested
 };
 
 } // namespace burin

@@ -15,10 +15,10 @@ namespace burin {
 namespace {
 
 constexpr double cornerStep = 15.0 * pi / 180.0;
-constexpr double tooNear = 0.999; // of the distance: nearer to the pass than this is no place of the guide
+constexpr double tooNear = 0.999; // fraction of the distance: points nearer to the pass don't belong to the guide
 constexpr double most = 1e9;      // levels
 
-/// The corners of a convex polygon come in the order of their angle about its middle.
+/// Sorts the corners of a convex polygon by their angle about its centre.
 void putInOrder(Polygon& corners, const glm::dvec3& normal) {
     glm::dvec3 middle(0.0);
     for (const glm::dvec3& corner : corners) middle += corner / static_cast<double>(corners.size());
@@ -28,7 +28,7 @@ void putInOrder(Polygon& corners, const glm::dvec3& normal) {
     });
 }
 
-/// @param onIt the side that corners on the plane itself count for
+/// @param onIt the side to which corners on the plane itself are assigned
 Polygon crossings(const Box& box, const std::array<double, 8>& heights, bool onIt) {
     const auto above = [&](unsigned corner) { return heights[corner] > 0.0 || (onIt && heights[corner] == 0.0); };
     Polygon corners;
@@ -42,7 +42,7 @@ Polygon crossings(const Box& box, const std::array<double, 8>& heights, bool onI
     return corners;
 }
 
-/// A pass as it is seen along a direction, thinned.
+/// Thins a pass.
 std::vector<glm::dvec3> thinned(std::span<const glm::dvec3> pass) {
     std::vector<glm::dvec3> corners{pass.front()};
     PathThinner thinner(static_cast<float>(passTolerance));
@@ -60,7 +60,7 @@ std::vector<glm::dvec3> thinned(std::span<const glm::dvec3> pass) {
     return even;
 }
 
-/// A polyline as it is seen along a direction, going on straight beyond its ends.
+/// A polyline as seen along a direction, extended straight beyond its ends.
 class SeenPass {
 public:
     SeenPass(std::vector<glm::dvec3> corners, const glm::dvec3& direction, double beyond)
@@ -90,7 +90,7 @@ private:
     glm::dvec3 direction_;
 };
 
-/// Beside every segment, rounded about the corners that bend away. @param distance < 0: on the right
+/// The offset curve next to every segment, rounded around the corners that bend away. @param distance < 0: on the right
 Polygon SeenPass::side(double distance) const {
     Polygon places;
     for (std::size_t i = 0; i + 1 < corners_.size(); ++i) {

@@ -11,25 +11,27 @@
 
 namespace burin {
 
-// Where guides are to be seen, mm, setup frame. Any thread.
+// The visible geometry of guides, mm, setup frame. Any thread.
 
 using Polygon = std::vector<glm::dvec3>;
 
-/// What of a plane lies in a box: a convex polygon's three to six corners in order; empty: none. @param normal unit
+/// The intersection of a plane with a box: the three to six corners of a convex polygon, in order; empty if there is
+/// none. @param normal unit
 Polygon planeInBox(const Box& box, const glm::dvec3& point, const glm::dvec3& normal);
 
-/// The first and last of the planes point + level · distance · normal that meet a box; nothing: none does.
+/// The first and last of the planes point + level · distance · normal that intersect a box; std::nullopt if none does.
 std::optional<std::pair<int, int>> levelsInBox(const Box& box, const glm::dvec3& point, const glm::dvec3& normal,
                                                double distance);
 
-/// What of an endless line lies in a box; nothing: none. @param direction unit
+/// The part of an infinite line within a box; std::nullopt if there is none. @param direction unit
 std::optional<std::pair<glm::dvec3, glm::dvec3>> lineInBox(const Box& box, const glm::dvec3& point,
                                                            const glm::dvec3& direction);
 
-/// The two curves at a distance from a pass on either side, seen along `direction` (unit), straight on beyond its ends,
-/// at its height; in pieces where one runs into the pass again. The pass is taken within `passTolerance`, or, where it
-/// has more corners than `passCorners`, evenly thinned to as many; corners are rounded by steps of 15°, so that a curve
-/// lies within 1 % of the distance. Cost: square of the corners.
+/// The two offset curves at a distance on either side of a pass, seen along `direction` (unit), extended straight
+/// beyond its ends, at its height; in pieces where a curve would come too close to another part of the pass. The pass
+/// is simplified within `passTolerance` or, if it then has more than `passCorners` corners, evenly thinned to that
+/// number; corners are rounded in steps of 15°, so that a curve is accurate to 1 % of the distance. Cost: quadratic in
+/// the number of corners.
 std::vector<Polygon> besidePass(std::span<const glm::dvec3> pass, const glm::dvec3& direction, double distance);
 inline constexpr double passTolerance = 0.02; ///< mm
 inline constexpr std::size_t passCorners = 600;

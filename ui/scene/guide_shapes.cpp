@@ -18,7 +18,7 @@ namespace {
 
 constexpr int arcSteps = 16;
 
-/// Polylines and polygons as VTK has them.
+/// Builds VTK data from polylines and polygons.
 class ShapeMaker {
 public:
     void addLine(std::span<const glm::dvec3> places, bool closed = false) {
@@ -118,7 +118,7 @@ GuideShapes leaningShapes(const GuideMark& mark, const glm::dvec3& tip, double l
     const double angle = std::acos(std::clamp(glm::dot(normal, mark.axis), -1.0, 1.0));
     if (angle < 1e-3 || angle > pi - 1e-3) return makers.made();
     Polygon arc;
-    for (int step = 0; step <= arcSteps; ++step) { // evenly from the one to the other
+    for (int step = 0; step <= arcSteps; ++step) { // evenly from one to the other
         const double share = static_cast<double>(step) / arcSteps;
         arc.push_back(tip + 0.8 * length / std::sin(angle) *
                                 (normal * std::sin((1.0 - share) * angle) + mark.axis * std::sin(share * angle)));

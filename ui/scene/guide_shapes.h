@@ -9,26 +9,26 @@
 
 namespace burin {
 
-/// What a guide is drawn with. None of them is null.
+/// The shapes with which a guide is drawn. None of them is null.
 struct GuideShapes {
     vtkSmartPointer<vtkPolyData> film;  ///< a patch of surface
-    vtkSmartPointer<vtkPolyData> lines; ///< that stand out while it holds
-    vtkSmartPointer<vtkPolyData> quiet; ///< lines that never do: the other levels
+    vtkSmartPointer<vtkPolyData> lines; ///< lines that are highlighted while the guide constrains the hand
+    vtkSmartPointer<vtkPolyData> quiet; ///< lines that are never highlighted: the other levels
     vtkSmartPointer<vtkPolyData> tube;  ///< lines that are drawn as a tube
 };
 
-/// Of a plane its patch in the room; of levels the patch of the one that holds, and the outlines of those next to it;
-/// of a line and a curve the line itself; of a step-over the two curves beside the last pass, and that pass quietly. A
-/// surface's shapes take longer (guideSurface); those of lead and tilt follow the tool.
+/// For a plane, its patch within the box `room`; for levels, the patch of the current level and the outlines of its
+/// neighbours; for a line or a curve, the line itself; for a step-over, the two curves beside the last pass, and that
+/// pass subdued. The shapes of a surface take longer (guideSurface); those of lead and tilt follow the tool.
 GuideShapes shapesOf(const GuideMark& mark, const GuideMarks& all);
-/// Outlines that are drawn on either side of the level that holds; more would be a curtain.
+/// The number of outlines drawn on either side of the current level; more would obscure the view.
 inline constexpr int levelsBeside = 12;
 
-/// Lead and tilt at the tool, in units that `length` mm make: the normal that they start from, the axis that they want,
-/// and the arc between the two.
+/// Lead and tilt at the tool, scaled to `length` mm: the reference normal, the requested axis, and the arc between the
+/// two.
 GuideShapes leaningShapes(const GuideMark& mark, const glm::dvec3& tip, double length);
 
-/// Whether the one needs other shapes than the other, the tool's place and the highlight aside.
+/// Whether two marks have the same shapes, apart from the tool's position and the highlighting.
 bool shapedAlike(const GuideMark& one, const GuideMark& other);
 
 } // namespace burin

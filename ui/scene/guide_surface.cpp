@@ -23,10 +23,10 @@ namespace burin {
 namespace {
 
 constexpr int newtonSteps = 4;
-constexpr double onIt = 0.01; // of the field's cell
+constexpr double onIt = 0.01; // fraction of the field's cell
 constexpr double usableGradient = 0.2;
 
-/// The field minus the distance on a grid. Beyond the fine band only the sign counts.
+/// The field minus the distance, sampled on a grid. Beyond the fine band only the sign matters.
 vtkSmartPointer<vtkImageData> sampled(const ClearanceField& field, const Box& tips, double distance) {
     const glm::dvec3 size = tips.size();
     const double cell = std::max({size.x, size.y, size.z}) / guideSurfaceCells;
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImageData> sampled(const ClearanceField& field, const Box& ti
     return image;
 }
 
-/// Moves a corner onto the surface. False: there is none near it.
+/// Moves a corner onto the surface. Returns false if there is none near it.
 bool settle(const ClearanceField& field, double distance, double reach, glm::dvec3& place) {
     const glm::dvec3 start = place;
     for (int step = 0; step < newtonSteps; ++step) {
@@ -62,11 +62,11 @@ bool settle(const ClearanceField& field, double distance, double reach, glm::dve
         place -= sample.gradient * (off / square);
         if (glm::distance(place, start) > reach) return false;
     }
-    // Over a crease of the field the last step may swing; half a cell of it is as near as it gets.
+    // At a crease of the field the last step may oscillate; half a cell is the accuracy that can be reached there.
     return std::abs(field.at(place).clearance - distance) <= 0.5 * field.spacing();
 }
 
-/// The triangles all of whose corners lie on the surface.
+/// The triangles whose corners are all on the surface.
 vtkSmartPointer<vtkPolyData> settled(const ClearanceField& field, double distance, double reach, vtkPolyData& raw) {
     vtkPoints& points = *raw.GetPoints();
     std::vector<bool> good(static_cast<std::size_t>(points.GetNumberOfPoints()));

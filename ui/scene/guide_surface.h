@@ -9,16 +9,16 @@
 
 namespace burin {
 
-/// All places of a tool's tip at a distance of the tool from the part, as it is drawn.
+/// The surface of all tip positions at which the tool has a given distance from the part, as it is drawn.
 struct GuideSurface {
     vtkSmartPointer<vtkPolyData> shell;    ///< triangles
     vtkSmartPointer<vtkPolyData> contours; ///< lines at round heights
 };
 
-/// Where the field is fine, which is where a guide can hold. Corners of the triangles lie on the surface within the
-/// field's own bound and a hundredth of its cell; the triangles are as large as a `guideSurfaceCells`th of the longest
-/// side of `tips`, and cut off what is finer. Takes some tenths of a second: for a worker thread.
-/// @param tips mm, setup frame: where to look
+/// Only where the field is fine, which is where a guide can act. Triangle corners lie on the surface within the field's
+/// own error bound and a hundredth of its cell; the triangle size is 1/`guideSurfaceCells` of the longest side of
+/// `tips`, and finer detail is lost. Takes some tenths of a second: call on a worker thread.
+/// @param tips mm, setup frame: the region to search
 GuideSurface guideSurface(const ClearanceField& field, const Box& tips, double distance);
 inline constexpr int guideSurfaceCells = 120;
 

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr double haloWidth = 2.0, dotWidth = 3.0; // widths of the line
+constexpr double haloWidth = 2.0, dotWidth = 3.0; // in widths of the line
 
 } // namespace
 
@@ -33,7 +33,7 @@ void HaloedLines::setLines(vtkPolyData* lines) {
 }
 
 void HaloedLines::setLinesAndDots(vtkPolyData* lines) {
-    // A dot is as near as its halo, which came first: dots have none.
+    // A dot is at the same depth as its halo, which is drawn first; so the halo contains no dots.
     vtkNew<vtkPolyData> withoutDots;
     withoutDots->ShallowCopy(lines);
     withoutDots->SetVerts(nullptr);

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// Lines with a seam of another lightness on both sides, so that they are seen on whatever they lie. Points are drawn
-/// as dots with a seam. Invisible at first. The renderer outlives them.
+/// Lines with an outline (halo) of another lightness on both sides, so that they are visible on any background. Points
+/// are drawn as dots with an outline. Invisible at first. The renderer must outlive the object.
 class HaloedLines {
 public:
     explicit HaloedLines(vtkRenderer& renderer);
@@ -17,11 +17,11 @@ public:
     HaloedLines(const HaloedLines&) = delete;
     HaloedLines& operator=(const HaloedLines&) = delete;
 
-    void setLines(vtkPolyData* lines); ///< it may grow later
-    /// With points (vertices) as well; it stays as it is from now on.
+    void setLines(vtkPolyData* lines); ///< the data may grow later
+    /// As `setLines`, with points (vertices) as well; the data must not change afterwards.
     void setLinesAndDots(vtkPolyData* lines);
     void setColours(const QColor& line, const QColor& halo);
-    /// @param screenPixels of the line; the seams add half of it on either side
+    /// @param screenPixels width of the line; the outline adds half of it on either side
     void setWidth(double screenPixels);
     void setVisible(bool visible);
     bool visible() const { return line_->GetVisibility() != 0; }

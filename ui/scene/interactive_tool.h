@@ -15,23 +15,23 @@ namespace burin {
 /// A pointer event over the viewport, in the setup frame.
 struct ViewportEvent {
     QPointF position;                      ///< device-independent pixels from the viewport's top left
-    glm::dvec3 rayOrigin{0.0};             ///< mm: where the sight through the pointer begins
+    glm::dvec3 rayOrigin{0.0};             ///< mm: origin of the sight line through the pointer
     glm::dvec3 rayDirection{0.0};          ///< unit
     bool parallel = false;                 ///< as in `Sight`
     double seenFrom = 0.0;                 ///< mm, as in `Sight`
-    Qt::MouseButton button = Qt::NoButton; ///< that changed
+    Qt::MouseButton button = Qt::NoButton; ///< the button that changed
     Qt::MouseButtons buttons;
     Qt::KeyboardModifiers modifiers;
     double wheelSteps = 0.0; ///< notches, > 0 away from the user
 };
 
-/// The sight through the pointer.
+/// The sight line through the pointer.
 inline Sight sightOf(const ViewportEvent& event) noexcept {
     return {event.rayOrigin, event.rayDirection, event.parallel, event.seenFrom};
 }
 
-/// One way of using the pointer in the viewport: the camera, the mouse as a stylus, … The viewport asks the active tool
-/// first; what it doesn't take (false) moves the camera.
+/// A mode of using the pointer in the viewport: the camera, the mouse as a stylus, … The viewport offers each event to
+/// the active tool first; events that it doesn't handle (false) move the camera.
 class InteractiveTool {
 public:
     virtual ~InteractiveTool() = default;
@@ -39,11 +39,11 @@ public:
     virtual bool move(const ViewportEvent&) { return false; }
     virtual bool release(const ViewportEvent&) { return false; }
     virtual bool wheel(const ViewportEvent&) { return false; }
-    /// @return true when the key meant something. Esc comes here too.
+    /// @return whether the key was handled. Esc is passed here as well.
     virtual bool key(int /*key*/, Qt::KeyboardModifiers) { return false; }
-    /// What Esc does now, a short sentence; empty: nothing.
+    /// The current effect of Esc, a short sentence; empty: none.
     virtual QString escapeMeaning() { return {}; }
-    virtual void leave() {} ///< the pointer left the viewport, or the tool is put away
+    virtual void leave() {} ///< the pointer left the viewport, or the tool was deactivated
 };
 
 } // namespace burin

@@ -34,7 +34,7 @@ vtkSmartPointer<vtkImageData> imageData(const QImage& image) {
 
 QImage plateImage(const QSizeF& size, double ratio, const QColor& plate) {
     constexpr double radius = 4.0;   // device-independent pixels
-    constexpr float opacity = 0.85F; // what lies below shines through a little
+    constexpr float opacity = 0.85F; // slightly translucent
     QImage image((size * ratio).toSize(), QImage::Format_RGBA8888);
     image.setDevicePixelRatio(ratio);
     QColor colour = plate;
@@ -108,7 +108,7 @@ void Label::set(const QString& text, const QColor& colour, const QColor& plate, 
     const QSizeF size(metrics.horizontalAdvance(text) + 2.0 * padX, metrics.height() + 2.0 * padY);
     QImage image((size * ratio).toSize() + QSize(1, 1), QImage::Format_RGBA8888);
     image.setDevicePixelRatio(ratio);
-    // Where nothing is drawn the edge must not blend towards black.
+    // Where nothing is drawn, edges must not blend towards black.
     QColor empty = plate.alpha() > 0 ? plate : colour;
     empty.setAlpha(0);
     image.fill(empty);

@@ -16,14 +16,14 @@
 
 namespace burin {
 
-/// Qt's picture as VTK takes it for a texture: RGBA, lowest row first.
+/// Converts a Qt image to a VTK texture image: RGBA, lowest row first.
 vtkSmartPointer<vtkImageData> imageData(const QImage& image);
 
-/// An empty plate with round corners, for letters and scales. @param size device-independent pixels @param ratio screen
-/// pixels a device-independent one
+/// An empty background plate with rounded corners, for text and scales.
+/// @param size device-independent pixels @param ratio screen pixels per device-independent pixel
 QImage plateImage(const QSizeF& size, double ratio, const QColor& plate);
 
-/// A picture that stands upright on the screen, over everything of its renderer: labels in the window's own font.
+/// An image that is upright on the screen, over everything else of its renderer: for labels in the window's own font.
 class ScreenImage {
 public:
     explicit ScreenImage(vtkRenderer& renderer);
@@ -31,27 +31,28 @@ public:
     ScreenImage(const ScreenImage&) = delete;
     ScreenImage& operator=(const ScreenImage&) = delete;
     void setImage(const QImage& image);
-    /// Upper left corner in the renderer's widget, screen pixels; @param height of the widget, screen pixels
+    /// Sets the position of the upper left corner in the renderer's widget, screen pixels. @param height of the widget,
+    /// screen pixels
     void setPosition(const QPointF& upperLeft, int height);
     void setVisible(bool visible) { actor_->SetVisibility(visible); }
     const QSize& size() const noexcept { return size_; } ///< screen pixels
 
 private:
-    vtkRenderer& renderer_; ///< outlives it
+    vtkRenderer& renderer_; ///< must outlive this object
     vtkSmartPointer<vtkTexturedActor2D> actor_;
     vtkSmartPointer<vtkPoints> corners_;
     QSize size_;
 };
 
-/// A line of text on a quiet plate. Drawn anew only when something about it changes.
+/// A line of text on a subdued background plate. Redrawn only when something about it changes.
 class Label {
 public:
     explicit Label(vtkRenderer& renderer) : image_(renderer) {}
-    /// @param plate behind the text; transparent: none. @param ratio screen pixels a device-independent one
+    /// @param plate colour behind the text; transparent: none. @param ratio screen pixels per device-independent pixel
     void set(const QString& text, const QColor& colour, const QColor& plate, double ratio);
-    /// Middle of the label in the widget, screen pixels; @param height of the widget, screen pixels
+    /// Sets the centre of the label in the widget, screen pixels. @param height of the widget, screen pixels
     void setMiddle(const QPointF& middle, int height);
-    /// Its upper left corner instead, the same way.
+    /// Sets the upper left corner instead, likewise.
     void setUpperLeft(const QPointF& corner, int height) { image_.setPosition(corner, height); }
     void setVisible(bool visible) { image_.setVisible(visible); }
 

@@ -14,7 +14,7 @@
 
 namespace burin {
 
-/// Lines of two points each, so that a stroke's end needs no mark.
+/// Lines of two points each, so that the end of a stroke needs no marker.
 struct LivePath::Block {
     vtkSmartPointer<vtkFloatArray> points = vtkSmartPointer<vtkFloatArray>::New();
     vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
@@ -23,7 +23,7 @@ struct LivePath::Block {
     explicit Block(vtkRenderer& renderer) : drawn(renderer) { drawn.setLines(data); }
     std::size_t lines() const { return static_cast<std::size_t>(points->GetNumberOfTuples()) / 2; }
 
-    /// Tells VTK what there is now.
+    /// Updates VTK with the current data.
     void publish() {
         vtkNew<vtkTypeInt32Array> connectivity;
         const vtkIdType count = points->GetNumberOfTuples();

@@ -16,13 +16,13 @@
 
 namespace burin {
 
-/// The path as it is recorded. Points go into a small block that is handed to the driver with each addition; blocks
-/// that are full are merged two by two, so that an hour of milling stays some dozen actors, and a point costs the same
-/// however long the path is.
+/// The path as it is being recorded. Points are added to a small block that is uploaded to the driver with each
+/// addition; full blocks are merged in pairs, so that an hour of milling needs only some dozen actors, and the cost of
+/// a point doesn't depend on the length of the path.
 class LivePath {
 public:
     static constexpr std::size_t blockLines = 1024, largestBlock = 65'536;
-    static constexpr float tolerance = 0.01F; ///< mm, that thinning may move the drawn path
+    static constexpr float tolerance = 0.01F; ///< mm, maximum deviation of the drawn path due to thinning
 
     explicit LivePath(vtkRenderer& renderer);
     ~LivePath();

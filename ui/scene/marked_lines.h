@@ -9,7 +9,8 @@
 
 namespace burin {
 
-/// Lines over everything else: what is chosen or looked at, what the user draws. A chain of one place is a dot.
+/// Lines over everything else: for selected or inspected parts of a path, and for what the user draws. A chain of one
+/// point is drawn as a dot.
 class MarkedLines {
 public:
     explicit MarkedLines(vtkRenderer& renderer);

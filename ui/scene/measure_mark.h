@@ -8,11 +8,11 @@
 
 namespace burin {
 
-/// What was measured, as it is drawn.
+/// A measurement, as it is drawn.
 struct MeasureMark {
-    PlaceChains lines;     ///< mm, setup frame; one place: a dot
-    glm::dvec3 place{0.0}; ///< mm: where the text stands
-    QString text;          ///< the main figure with its unit
+    PlaceChains lines;     ///< mm, setup frame; a chain of one point is a dot
+    glm::dvec3 place{0.0}; ///< mm: position of the text
+    QString text;          ///< the main value with its unit
 };
 
 } // namespace burin

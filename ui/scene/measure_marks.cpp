@@ -8,7 +8,7 @@ namespace burin {
 
 namespace {
 
-constexpr QPointF beside(14.0, 10.0); // device-independent pixels from the place to the text
+constexpr QPointF beside(14.0, 10.0); // device-independent pixels from the position to the text
 
 } // namespace
 

@@ -12,16 +12,16 @@
 
 namespace burin {
 
-/// Draws what was measured over everything else: lines, dots, and the main figure beside them.
+/// Draws a measurement over everything else: lines, dots, and the main value next to them.
 class MeasureMarks {
 public:
-    /// @param renderer of marks that nothing hides
+    /// @param renderer for marks that are never hidden
     explicit MeasureMarks(vtkRenderer& renderer) : lines_(renderer), label_(renderer) {}
     void setPalette(const Palette& palette);
     void setLineWidth(double screenPixels) { lines_.setLineWidth(screenPixels); }
     void set(const std::optional<MeasureMark>& mark);
     bool visible() const noexcept { return mark_.has_value(); }
-    /// Before each paint. @param size of the widget, device-independent pixels
+    /// Call before each paint. @param size of the widget, device-independent pixels
     void place(const CameraView& view, const QSizeF& size, double ratio);
 
 private:

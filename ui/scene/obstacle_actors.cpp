@@ -20,7 +20,7 @@ namespace burin {
 namespace {
 
 constexpr double obstacleOpacity = 0.12, holdingObstacleOpacity = 0.28, offOpacity = 0.45;
-constexpr double holdingShare = 0.35; // of red
+constexpr double holdingShare = 0.35; // fraction of red
 
 void setData(vtkActor& actor, vtkPolyData* data) {
     vtkPolyDataMapper::SafeDownCast(actor.GetMapper())->SetInputData(data);
@@ -30,7 +30,7 @@ bool isKeptOut(const Obstacle& obstacle) {
     return obstacle.kind == ObstacleKind::keepOut;
 }
 
-/// A fixture is like glass where it hides the cut.
+/// A fixture is drawn like glass when it hides the cut.
 vtkSmartPointer<vtkActor> seenThrough(const Obstacle& obstacle) {
     const vtkNew<vtkPolyData> nothing;
     return isKeptOut(obstacle) ? filmActor(nothing) : glassActor(nothing);
@@ -38,7 +38,7 @@ vtkSmartPointer<vtkActor> seenThrough(const Obstacle& obstacle) {
 
 } // namespace
 
-/// One obstacle on the screen; empty until its mesh is there.
+/// One obstacle on the screen; empty until its mesh is ready.
 struct ObstacleActors::Drawn {
     Drawn(vtkRenderer& solidRenderer, vtkRenderer& filmRenderer, ObstacleMark wanted)
         : solids(solidRenderer), films(filmRenderer), mark(std::move(wanted)), film(seenThrough(*mark.obstacle)) {
@@ -56,7 +56,7 @@ struct ObstacleActors::Drawn {
 
     vtkRenderer &solids, &films;
     ObstacleMark mark;
-    std::shared_ptr<const ObstacleSurface> surface; ///< null until it is made
+    std::shared_ptr<const ObstacleSurface> surface; ///< null until it has been created
     double opacity = 1.0;                           ///< of a fixture
     vtkSmartPointer<vtkActor> solid = surfaceActor(vtkNew<vtkPolyData>()),
                               edges = raisedLineActor(vtkNew<vtkPolyData>()), film;

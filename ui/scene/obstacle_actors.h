@@ -20,34 +20,34 @@
 
 namespace burin {
 
-/// What an obstacle is drawn with.
+/// The surface of an obstacle.
 struct ObstacleSurface {
     ShadedMesh drawn;
     TriangleTree solid; ///< closed
 };
-/// Any thread; some tenths of a second for a large one.
+/// Any thread; takes some tenths of a second for a large obstacle.
 ObstacleSurface surfaceOf(const Obstacle& obstacle);
 
-/// What stands around the stock: fixtures as solids, keep-out volumes as films with their edges, either in red while it
-/// holds the tool back. Where a fixture hides a cut from the eye it fades, but for its edges, and what is behind it is
-/// seen through it. Margins are not drawn. Thread: user interface.
+/// The obstacles around the stock: fixtures as solids, keep-out volumes as translucent surfaces with their edges,
+/// tinted red while they hold the tool back. A fixture that hides a cut from the eye fades, except for its edges, so
+/// that what is behind it becomes visible. Clearance margins are not drawn. GUI thread.
 class ObstacleActors {
 public:
     using Made = std::function<void(std::shared_ptr<const ObstacleSurface>)>;
-    /// Makes the surface of an obstacle somewhere else, and hands it over here.
+    /// Creates the surface of an obstacle asynchronously and passes it to `then` on the GUI thread.
     using SurfaceMaker = std::function<void(std::shared_ptr<const Obstacle> obstacle, Made then)>;
 
-    /// @param solids draws the workpiece, @param films what is seen through, with the workpiece's depths
+    /// @param solids draws the workpiece, @param films draws translucent surfaces, with the workpiece's depths
     ObstacleActors(vtkRenderer& solids, vtkRenderer& films, SurfaceMaker maker);
     ~ObstacleActors();
 
     void set(std::vector<ObstacleMark> marks);
     void setPalette(const Palette& palette);
     void setLineWidth(double screenPixels);
-    /// Before each paint. @param cuts that are not to be hidden
+    /// Call before each paint. @param cuts positions that must not be hidden
     void place(std::span<const CutPlace> cuts, const CameraView& view);
-    bool filmsVisible() const noexcept; ///< there is something in the films' renderer
-    Box box() const;                    ///< of those that are on, mm
+    bool filmsVisible() const noexcept; ///< whether there is something in the films' renderer
+    Box box() const;                    ///< bounding box of the obstacles that are on, mm
 
 private:
     struct Drawn;

@@ -8,11 +8,11 @@
 
 namespace burin {
 
-/// How a fixture or a keep-out volume is to be seen.
+/// How a fixture or keep-out volume is drawn.
 struct ObstacleMark {
-    std::shared_ptr<const Obstacle> obstacle; ///< never null, and never another in the same place of memory meanwhile
-    bool on = true;                           ///< it keeps the tool out; else its outline alone is drawn
-    bool holds = false;                       ///< it holds the tool back just now
+    std::shared_ptr<const Obstacle> obstacle; ///< never null; its address is not reused for another one in the meantime
+    bool on = true;                           ///< whether it keeps the tool out; if not, only its outline is drawn
+    bool holds = false;                       ///< whether it is currently holding the tool back
 
     friend bool operator==(const ObstacleMark&, const ObstacleMark&) = default;
 };

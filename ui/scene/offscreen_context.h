@@ -8,15 +8,15 @@
 
 namespace burin {
 
-/// An OpenGL context of this thread that draws without a display. Current from `make` on, until it is let go of or
-/// destroyed.
+/// An OpenGL context of the calling thread that renders without a display. It is current from `make` until it is
+/// released or destroyed.
 class OffscreenContext {
 public:
-    /// Errors: notSupported with what EGL lacks.
+    /// Errors: notSupported, with the missing EGL feature.
     static Result<OffscreenContext> make(int width, int height);
     ~OffscreenContext();
     void makeCurrent();
-    void release(); ///< none is current then: others may be made so
+    void release(); ///< afterwards no context is current, so another one can be made current
     OffscreenContext(OffscreenContext&&) noexcept;
     OffscreenContext& operator=(OffscreenContext&&) noexcept;
 

@@ -13,8 +13,7 @@
 
 namespace burin {
 
-/// What the job mills with other tools than the one in force: where they cut and plunge, in grey, without their
-/// rapids.
+/// The paths of the job's tools other than the current one: cuts and plunges, in grey, without rapids.
 class OtherPaths {
 public:
     explicit OtherPaths(vtkRenderer& renderer);

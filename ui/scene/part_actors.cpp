@@ -14,13 +14,13 @@
 namespace burin {
 namespace {
 
-constexpr std::size_t fewTriangles = 5'000;     // of a body: always drawn in full
-constexpr double coarseTolerance = 1e-5;        // of the part's diagonal
+constexpr std::size_t fewTriangles = 5'000;     // of a body: fewer are always drawn in full
+constexpr double coarseTolerance = 1e-5;        // fraction of the part's diagonal
 constexpr double invisibleError = 0.5;          // pixels
-constexpr std::size_t ghostTriangles = 100'000; // more would cost a hovering pointer its frames
+constexpr std::size_t ghostTriangles = 100'000; // more would reduce the frame rate while the pointer hovers
 constexpr double ghostOpacity = 0.16, ghostEdgeOpacity = 0.8;
 constexpr double edgeOpacity = 0.8;
-constexpr double edgeHeight = 0.3; // just above their own faces: not through stock that covers them
+constexpr double edgeHeight = 0.3; // just above their own faces, so that covering stock hides them
 
 } // namespace
 
@@ -150,7 +150,7 @@ void PartActors::showSolids() {
     }
 }
 
-/// Only what is in force is chosen: it costs.
+/// Cells are chosen only for what is shown, because choosing is expensive.
 void PartActors::show(Piece& piece, bool shown) const {
     if (shown) piece.cells.choose(visible_ ? nullptr : bare_);
     piece.actor->SetVisibility(shown && piece.cells.count() > 0);

@@ -25,69 +25,70 @@ namespace burin {
 /// A body of the part, ready to be drawn.
 struct ShadedBody {
     std::shared_ptr<const ShadedMesh> mesh; ///< not null
-    std::optional<QColor> colour;           ///< the file's; none: the part's blue
+    std::optional<QColor> colour;           ///< from the file; empty: the part's blue
 };
 
 /// @param crease rad, as in `shaded`
 ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour,
                       double crease = creaseAngle);
-/// Takes some tenths of a second for a large model: for a worker thread.
+/// Takes some tenths of a second for a large model: call on a worker thread.
 std::vector<ShadedBody> shadedBodies(const Model& model);
 
-/// What is drawn of bodies while things move and from afar.
+/// The simplified bodies that are drawn while things move and from a distance.
 struct CoarseBodies {
-    std::vector<vtkSmartPointer<vtkPolyData>> surfaces; ///< one a body; null: the body itself is coarse enough
-    double error = 0.0;                                 ///< how far they may lie from the bodies, mm
+    std::vector<vtkSmartPointer<vtkPolyData>> surfaces; ///< one per body; null: the body itself is coarse enough
+    double error = 0.0;                                 ///< maximum deviation from the bodies, mm
 };
-/// Takes about half a second for sixty thousand triangles: for a worker thread, when the part is to be seen already.
+/// Takes about half a second for sixty thousand triangles: call on a worker thread once the part is visible.
 /// @param size the part's diagonal, mm
 CoarseBodies coarseBodies(const std::vector<ShadedBody>& bodies, double size);
 
-/// The bare part: bodies in their colours, smooth, with feature edges. And its ghost, seen through the stock.
+/// The bare part: bodies in their colours, smoothly shaded, with feature edges. Also draws the ghost of the part that
+/// is visible through the stock.
 class PartActors {
 public:
-    /// @param solids draws the workpiece, @param marks what nothing hides
+    /// @param solids draws the workpiece, @param marks draws what is never hidden
     PartActors(vtkRenderer& solids, vtkRenderer& marks) : solids_(solids), marks_(marks) {}
 
     void setBodies(std::vector<ShadedBody> bodies);
-    /// Of the bodies that are set; until then these are always drawn in full.
+    /// For the current bodies; until this is called they are always drawn in full.
     void setCoarse(const CoarseBodies& coarse);
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
-    void setHidden(std::vector<bool> hidden); ///< by body; those that it does not name are drawn
-    /// Drawn in the part's blue where the workpiece is bare, whether visible or not; not picked for that.
+    void setHidden(std::vector<bool> hidden); ///< by body; bodies beyond its size are drawn
+    /// Whether the part is drawn in its blue where the workpiece is bare, whether visible or not; this doesn't make it
+    /// pickable.
     void setInWorkpiece(bool drawn);
-    /// Where that is; null: it may be bare anywhere.
+    /// Sets where the workpiece is bare; null: it may be bare anywhere.
     void setBare(const std::shared_ptr<const BareBricks>& bare);
-    /// Draws only what a plane doesn't cut off; null: all. The plane may be moved.
+    /// Draws only what a plane doesn't cut off; null: everything. The plane may be moved.
     void setClip(vtkPlane* clip);
-    /// Of a part with very many triangles, the edges alone.
+    /// Shows the ghost; for a part with very many triangles, only the edges.
     void setGhost(bool visible);
     bool ghostVisible() const noexcept { return ghost_ && !bodies_.empty(); }
-    /// Something else is drawn where the surfaces are: edges and picking stay.
+    /// Whether something else is drawn in place of the surfaces: edges and picking remain.
     void setCovered(bool covered);
-    /// Behind what was added to the renderer so far: what hides much of the part is drawn before it, which spares most
-    /// of its pixels.
+    /// Draws the part after everything added to the renderer so far: what hides much of the part is then drawn first,
+    /// which saves most of the part's pixels.
     void drawLast();
-    /// Chooses how fine the surfaces are drawn: coarsely while something moves, or where nobody could see the
-    /// difference.
-    /// @param pixel what a screen pixel covers, mm
+    /// Chooses the detail of the surfaces: coarse while something moves, or if the difference would not be visible.
+    /// @param pixel length that a screen pixel covers, mm
     void setDetail(bool moving, double pixel);
     void setLineWidth(double screenPixels);
     void setDepthCue(const DepthCue& cue);
-    /// The nearest place that a sight meets; nothing: it misses, or the part isn't shown.
+    /// The nearest point on a sight line; std::nullopt if it misses the part or the part isn't shown.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
     std::size_t triangles() const;
 
 private:
-    /// Of the part's cells, those that are chosen.
+    /// The chosen subset of the part's cells.
     struct Piece {
         PartCells cells;
         vtkSmartPointer<vtkActor> actor;
     };
     struct Drawn {
         Piece surface;
-        std::optional<Piece> coarse; ///< none: as the surface
+        std::optional<Piece> coarse; ///< empty: as the surface
         Piece edges;
         vtkSmartPointer<vtkActor> ghostSurface, ghostEdges;
         ShadedBody body;

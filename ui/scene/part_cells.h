@@ -12,15 +12,15 @@
 
 namespace burin {
 
-/// Triangles of a part's surface, or its edges: all, or those that may be seen where a workpiece is bare.
+/// Triangles of a part's surface, or its edges: all, or only those that may be visible where a workpiece is bare.
 class PartCells {
 public:
-    /// @param all triangles alone or lines of two points alone; stays as it is
+    /// @param all either only triangles or only lines of two points; must not change
     explicit PartCells(vtkPolyData& all);
-    /// What is chosen, to be drawn; at first all.
+    /// The chosen cells, to be drawn; initially all.
     vtkPolyData* data() const noexcept { return chosen_; }
     std::size_t count() const noexcept { return static_cast<std::size_t>(chosen_->GetNumberOfCells()); }
-    /// Cost: linear, when it's another choice than before. @param near null: all
+    /// Cost: linear if the choice differs from the previous one. @param near null: all
     void choose(const std::shared_ptr<const BareBricks>& near);
 
 private:

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// A move of a path as lines: straight, or its arc in chords that leave it by 0.02 mm at most.
+/// Adds a move of a path as lines: straight, or its arc as chords that deviate from it by 0.02 mm at most.
 void addMove(std::vector<LineEnds>& lines, const glm::dvec3& from, const PathPoint& point);
 
 } // namespace burin

@@ -9,12 +9,12 @@
 
 namespace burin {
 
-/// Leaves out the places of a growing polyline that a straight line replaces within a tolerance.
+/// Drops points of a growing polyline that a straight line can replace within a tolerance.
 class PathThinner {
 public:
     explicit PathThinner(float tolerance) : tolerance_(tolerance) {}
     void begin(const glm::vec3& first);
-    /// @return true: the place before becomes a corner and `next` the new end; false: `next` replaces the end.
+    /// @return true: the previous point becomes a corner and `next` the new end; false: `next` replaces the end.
     bool add(const glm::vec3& next);
 
 private:
@@ -22,7 +22,7 @@ private:
     static constexpr std::size_t mostPending = 32;
     float tolerance_;
     glm::vec3 corner_{0.0F};
-    std::vector<glm::vec3> pending_; ///< after the corner, the end last
+    std::vector<glm::vec3> pending_; ///< points after the corner, the end last
 };
 
 } // namespace burin

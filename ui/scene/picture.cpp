@@ -26,9 +26,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int samplesPerPixel = 8;
-constexpr double largestToolShare = 1.0 / 3.0; // of the content's diagonal: the tool must not dwarf the work
+constexpr double largestToolShare = 1.0 / 3.0; // of the content's diagonal: the tool must not dwarf the workpiece
 
-/// VTK 9.1 logs two lines about GLEW for every context that has no X server behind it; they mean nothing.
+/// VTK 9.1 logs two lines about GLEW for every context without an X server; they are harmless.
 class QuietVtk {
 public:
     QuietVtk() : before_(vtkObject::GetGlobalWarningDisplay()) { vtkObject::GlobalWarningDisplayOff(); }
@@ -57,7 +57,7 @@ std::vector<ObstacleMark> marksOf(const std::vector<Obstacle>& obstacles) {
     return marks;
 }
 
-/// Far enough away for the content, and as much of the tool as does not dwarf it.
+/// A view from far enough away to show the content, and as much of the tool as doesn't dwarf it.
 CameraView viewOf(const PictureContent& content, StandardView from, const Box& shown) {
     CameraView view = turnedTo({}, from);
     view.convergence = from == StandardView::isometric ? 1.0 : 0.0;
@@ -147,7 +147,7 @@ public:
     }
 
 private:
-    /// Has the context for itself, quietly.
+    /// Makes the context current and suppresses VTK's log.
     class Current {
     public:
         explicit Current(OffscreenContext& context) : context_(context) { context.makeCurrent(); }

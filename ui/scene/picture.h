@@ -20,45 +20,47 @@
 
 namespace burin {
 
-/// Where a picture is cut open; the side that is nearer to the eye comes off.
+/// The section plane of a picture; the side nearer to the eye is removed.
 struct PictureSection {
-    int axis = 0;          ///< 0, 1, 2 for x, y, z: the plane is square to it
+    int axis = 0;          ///< 0, 1, 2 for x, y, z: normal of the plane
     double position = 0.0; ///< mm along it, setup frame
 };
 
-/// What a picture of the workpiece shows, setup frame, mm.
+/// The content of a picture of the workpiece, setup frame, mm.
 struct PictureContent {
     VolumeSnapshot workpiece;          ///< not empty
-    std::shared_ptr<const Model> part; ///< seen where the workpiece is seen through. Null: none
+    std::shared_ptr<const Model> part; ///< visible where the workpiece is transparent; null: none
     std::vector<Obstacle> obstacles;   ///< those that are on are drawn as such
-    std::optional<Tool> tool;          ///< standing at `pose`
+    std::optional<Tool> tool;          ///< drawn at `pose`
     ToolPose pose;
-    std::vector<std::shared_ptr<const EvaluatedPath>> paths; ///< none is null; the first in the colours of its moves
-    std::shared_ptr<const PathValues> values; ///< of the first path, for its colours; null: by kinds of moves
-    std::optional<ExcessColours> left;        ///< what the workpiece is coloured by; nothing: by its materials
+    std::vector<std::shared_ptr<const EvaluatedPath>> paths; ///< never null; the first one in the colours of its moves
+    std::shared_ptr<const PathValues> values; ///< of the first path, for its colours; null: coloured by kind of move
+    std::optional<ExcessColours> left;        ///< colouring of the workpiece; empty: by its materials
     StandardView view = StandardView::isometric;
     double opacity = 1.0; ///< of the workpiece, 0 … 1
     std::optional<PictureSection> section;
-    std::optional<ZeroPlace> zero;   ///< program zero; nothing: it is not drawn
-    Theme theme = Theme::dark;       ///< whose colours it has
+    std::optional<ZeroPlace> zero;   ///< program zero; empty: not drawn
+    Theme theme = Theme::dark;       ///< theme of the colours
     int width = 1600, height = 1000; ///< pixels
 };
 
-/// Draws what the window shows of it in full detail. Needs no display, but a QGuiApplication for its letters (on the
-/// "offscreen" platform), and is used on its thread alone: an EGL context without a surface (Mesa) is made for it. The
-/// workpiece is meshed on a thread of its own, which nothing waits for; between the calls no context is current.
+/// Draws the content as the window would, in full detail. Needs no display, but a QGuiApplication for its text (on the
+/// "offscreen" platform), and must be used only on the application's thread: an EGL context without a surface (Mesa) is
+/// created for it. The workpiece is meshed on a separate thread without blocking the caller; between calls no context
+/// is current.
 class PictureDrawing {
 public:
-    /// Some tenths of a second for a large part. Errors: notSupported (no EGL with OpenGL 3.2), those of loadPalette.
+    /// Takes some tenths of a second for a large part. Errors: notSupported (no EGL with OpenGL 3.2), those of
+    /// loadPalette.
     static Result<PictureDrawing> begin(const PictureContent& content);
     ~PictureDrawing();
     PictureDrawing(PictureDrawing&&) noexcept;
     PictureDrawing& operator=(PictureDrawing&&) noexcept;
 
-    /// Takes over what is meshed. Some milliseconds. @return whether all is there
+    /// Takes over the meshes that are finished; takes some milliseconds. @return whether the meshing is complete
     bool ready();
-    void wait(); ///< until all is there
-    /// PNG, once it is ready; may be asked for several views. A tenth of a second or two.
+    void wait(); ///< blocks until the meshing is complete
+    /// Returns a PNG, once it is ready; can be called for several views. Takes a tenth of a second or two.
     std::string draw(StandardView view);
 
 private:
@@ -67,7 +69,8 @@ private:
     std::unique_ptr<Stage> stage_;
 };
 
-/// The whole of it at once, waiting for the mesher: some seconds. @return PNG. Errors: those of PictureDrawing::begin.
+/// Draws a picture in one call, waiting for the mesher: takes some seconds. @return PNG. Errors: those of
+/// PictureDrawing::begin.
 Result<std::string> drawPicture(const PictureContent& content);
 
 } // namespace burin

@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// Each a chain of places, mm, setup frame; fewer than two draw nothing.
+/// Polylines, mm, setup frame; one of a single point is drawn as a dot.
 using PlaceChains = std::vector<std::vector<glm::dvec3>>;
 
 } // namespace burin

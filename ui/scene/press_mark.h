@@ -8,13 +8,13 @@
 
 namespace burin {
 
-/// Where a press of the button would lead the tool, setup frame, mm.
+/// Where pressing the button would move the tool, setup frame, mm.
 struct PressMark {
-    glm::dvec3 tip{0.0};               ///< where the tip would stand
+    glm::dvec3 tip{0.0};               ///< position of the tip
     glm::dvec3 axis{0.0, 0.0, 1.0};    ///< unit, of the tool
     double radius = 0.0;               ///< of the cutter
     double depth = 0.0;                ///< of the tip below the workpiece's surface, along the axis
-    std::optional<glm::dvec3> contact; ///< where the cutter would touch the part; nothing: it stays clear of it
+    std::optional<glm::dvec3> contact; ///< point where the cutter would touch the part; empty: it stays clear of it
     friend bool operator==(const PressMark&, const PressMark&) = default;
 };
 

@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-constexpr double previewCrease = 50.0 * pi / 180.0; // coarse triangles of one face differ by more than fine ones
+constexpr double previewCrease = 50.0 * pi / 180.0; // coarse triangles of a face differ more in normal than fine ones
 
 } // namespace
 

@@ -14,14 +14,15 @@
 
 namespace burin {
 
-/// Takes some milliseconds for ten thousand triangles: for a worker thread.
+/// Takes some milliseconds for ten thousand triangles: call on a worker thread.
 std::vector<ShadedBody> shadedBodies(const ModelPreview& preview);
 
-/// Part and stock to be: what the picture of a preview holds, mm. @param margin of that stock, mm
+/// The bounding box of the part and its future stock, which the picture of a preview contains, mm. @param margin of
+/// that stock, mm
 Box boundsOf(const ModelPreview& preview, double margin);
 
-/// A part that is still being read, on a workpiece of its own with a camera of its own: nothing of the open project is
-/// mixed with it. Thread: user interface.
+/// The preview of a part that is still being read, in its own renderer: nothing of the open project is mixed with it.
+/// GUI thread.
 class PreviewStage {
 public:
     explicit PreviewStage(vtkRenderWindow& window);
@@ -29,7 +30,7 @@ public:
     void setPalette(const Palette& palette);
     void setLengthUnit(LengthUnit unit) { scaleBar_.setUnit(unit); }
     void setLineWidths(double ratio);
-    /// @param content what a fitted view shows, mm
+    /// @param content box that a fitted view shows, mm
     void set(std::vector<ShadedBody> bodies, const Box& content);
     void clear();
     bool shown() const noexcept { return renderer_->GetDraw() != 0; }
@@ -38,7 +39,7 @@ public:
     std::size_t triangles() const { return part_.triangles(); }
     void setDepthCue(const DepthCue& cue) { part_.setDepthCue(cue); }
     vtkRenderer& renderer() noexcept { return *renderer_; }
-    /// Before each paint. @param ratio screen pixels a device-independent one
+    /// Call before each paint. @param ratio screen pixels per device-independent pixel
     void place(const CameraView& view, const QSizeF& size, double ratio) { scaleBar_.place(view, size, ratio); }
 
 private:

@@ -4,7 +4,7 @@
 
 namespace burin {
 
-/// A round length (1, 2 or 5 times a power of ten, mm) that `length` holds about ten times.
+/// A round length (1, 2 or 5 times a power of ten, mm) of about a tenth of `length`.
 double roundSpacing(double length);
 
 } // namespace burin

@@ -17,7 +17,7 @@
 namespace burin {
 namespace {
 
-constexpr double margin = 16.0, wanted = 1000.0; // device-independent pixels; a tenth of `wanted`, about
+constexpr double margin = 16.0, wanted = 1000.0; // device-independent pixels; the bar is about a tenth of `wanted`
 constexpr double tick = 5.0, barWidth = 2.0, padding = 6.0;
 
 } // namespace

@@ -8,13 +8,14 @@
 
 namespace burin {
 
-/// A round length to compare with, on a plate in the lower left corner; true at the distance that the camera looks at.
+/// A scale bar of a round length on a background plate in the lower left corner; correct at the distance of the
+/// camera's focus.
 class ScaleBar {
 public:
     explicit ScaleBar(vtkRenderer& renderer) : image_(renderer) {}
     void setPalette(const Palette& palette);
     void setUnit(LengthUnit unit);
-    /// Before each paint. @param ratio screen pixels a device-independent one
+    /// Call before each paint. @param ratio screen pixels per device-independent pixel
     void place(const CameraView& view, const QSizeF& size, double ratio);
 
 private:
@@ -23,7 +24,7 @@ private:
     ScreenImage image_;
     QColor colour_, plate_;
     LengthUnit unit_{};   ///< millimetre
-    double length_ = 0.0; ///< in its unit
+    double length_ = 0.0; ///< in `unit_`
     int pixels_ = 0;      ///< device-independent
     double ratio_ = 0.0;
 };

@@ -18,7 +18,7 @@ std::array<std::uint8_t, 3> bytes(const QColor& colour) {
             static_cast<std::uint8_t>(colour.blue())};
 }
 
-/// What is drawn, mm, as far as near and far plane have to reach.
+/// The bounding box of what is drawn, mm, which near and far plane must enclose.
 Box drawnBy(vtkRenderer& renderer) {
     std::array<double, 6> b{};
     renderer.ComputeVisiblePropBounds(b.data());
@@ -130,7 +130,7 @@ void Scene::setPreview(std::vector<ShadedBody> bodies, const Box& content) {
 
 void Scene::clearPreview() {
     preview_.clear();
-    solids_->DrawOn(); // the others' turn comes with the next paint
+    solids_->DrawOn(); // the other renderers are enabled at the next paint
     refresh();
 }
 
@@ -178,7 +178,7 @@ void Scene::setExcess(std::optional<ExcessColours> left) {
     fillExcessScale();
 }
 
-/// Bare part has nothing left on it.
+/// Bare part has no stock left on it.
 void Scene::colourPart() {
     if (!left_) return part_.setColours(partColour_, edgeColour_);
     const DeviationColour bare = left_->scale().colourOf(0.0);

@@ -37,13 +37,13 @@
 
 namespace burin {
 
-/// Everything that stands on the workpiece, and in its stead what there is to see of a part that is being read, in one
-/// VTK window of four layers: the workpiece, the guides with the workpiece's depths, the marks that must never be
-/// hidden (ghost, coupling, force, guides seen through), the view cube. Knows no Qt widget. Thread: user interface.
+/// The whole scene, or in its place the preview of a part that is being read, in one VTK window of four layers: the
+/// workpiece, the guides with the workpiece's depths, the marks that must never be hidden (ghost, coupling, force,
+/// guides seen through other objects), the view cube. Independent of Qt widgets. GUI thread.
 class Scene {
 public:
-    /// @param workpieceReady called on a worker's thread when there is more of the workpiece to draw
-    /// @param surfaces makes the surfaces of guides, @param obstacles those of obstacles
+    /// @param workpieceReady called on a worker thread when there is more of the workpiece to draw
+    /// @param surfaces creates the surfaces of guides, @param obstacles those of obstacles
     Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, GuideActors::SurfaceMaker surfaces,
           ObstacleActors::SurfaceMaker obstacles);
 
@@ -59,27 +59,27 @@ public:
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
     void setCoarsePart(const CoarseBodies& coarse) { part_.setCoarse(coarse); }
     void setHiddenBodies(std::vector<bool> hidden) { part_.setHidden(std::move(hidden)); } ///< by body
-    /// In the stead of all else, until it is cleared. @param content what a fitted view shows, mm
+    /// Shown instead of everything else until it is cleared. @param content box that a fitted view shows, mm
     void setPreview(std::vector<ShadedBody> bodies, const Box& content);
     void clearPreview();
     bool previewing() const noexcept { return preview_.shown(); }
-    /// Nothing: while there is no workpiece to be seen.
+    /// std::nullopt: visible as long as no workpiece is visible.
     void setPartVisible(std::optional<bool> visible);
     void setStock(const std::optional<Box>& stock);
     void setWorkpiece(const VolumeSnapshot& workpiece, std::optional<std::chrono::steady_clock::time_point> oldestCut);
     void setWorkpieceVisible(bool visible);
-    void setWorkpieceOpacity(double opacity); ///< less than 1: the part is seen in it. 0 … 1
-    /// The workpiece by what is left on the part, with the scale of the colours; nothing: by material.
+    void setWorkpieceOpacity(double opacity); ///< 0 … 1; less than 1: the part is visible in it
+    /// Colours the workpiece by the stock left on the part, with a colour scale; std::nullopt: by material.
     void setExcess(std::optional<ExcessColours> left);
     void setSection(const std::optional<SectionPlane>& plane);
     SectionActors& section() noexcept { return section_; }
     void setTool(const std::optional<Tool>& tool);
     void setToolVisible(bool visible);
-    /// @param flashLit the bright half of an alarm's flash
+    /// @param flashLit whether an alarm's flash is in its bright half
     void setMarks(const ToolMarks& marks, bool flashLit);
-    /// With it the part is seen through the stock.
+    /// While there is a mark, the part is visible through the stock.
     void setPressMark(const std::optional<PressMark>& mark);
-    /// The part is seen through the stock, mark or not.
+    /// Shows the part through the stock, with or without a press mark.
     void setPartSeen(bool seen);
     void setObstacles(std::vector<ObstacleMark> marks);
     void setZero(const std::optional<ZeroPlace>& zero) { zero_.set(zero); }
@@ -87,10 +87,10 @@ public:
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
     OtherPaths& otherPaths() noexcept { return otherPaths_; }
-    /// The edited path's moves at feed in the colours of a quantity; null: by their kinds.
+    /// Colours the edited path's moves at feed by a quantity; null: by kind of move.
     void setPathValues(std::shared_ptr<const PathValues> values);
     void setPathVisible(bool visible);
-    /// Stands for the part's own surface. Without triangles: none.
+    /// Replaces the part's own surface. Without triangles: none.
     void setDeviations(const DeviationSurface& surface);
     TouchedVoxelsActor& touchedVoxels() noexcept { return touchedVoxels_; }
     MarkedLines& moveMark() noexcept { return moveMark_; }
@@ -102,15 +102,15 @@ public:
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
-    /// Part, stock, workpiece and what stands around them, or the preview: what `fit` shows. Not the tool, which may be
-    /// far away.
+    /// The box that `fit` shows: part, stock, workpiece and the obstacles around them, or the preview. Not the tool,
+    /// which may be far away.
     Box contentBox() const;
-    /// The nearest place of workpiece or part, or of the preview, on a sight. Nothing: it misses them.
+    /// The nearest point of workpiece or part, or of the preview, on a sight line; std::nullopt if it misses them.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
-    /// Puts everything in its place for a paint.
-    /// @param size of the widget, device-independent pixels; @param ratio screen pixels a device-independent one
-    /// @param moving view, tool or workpiece are in motion: coarse detail will do
-    /// @return when the oldest cut was made that the paint shows first
+    /// Prepares everything for a paint.
+    /// @param size of the widget, device-independent pixels; @param ratio screen pixels per device-independent pixel
+    /// @param moving whether view, tool or workpiece are in motion: coarse detail is then sufficient
+    /// @return time of the oldest cut that this paint is the first to show
     std::optional<std::chrono::steady_clock::time_point> prepare(const CameraView& view, const QSizeF& size,
                                                                  double ratio, bool moving);
     std::size_t triangles() const;
@@ -124,7 +124,7 @@ private:
     void aimCamera(vtkRenderer& renderer, const Box& bounds, const CameraView& view);
     Box drawnBounds();
     DepthCue depthCue(vtkRenderer& renderer) const;
-    std::vector<CutPlace> cuts() const; ///< those that nothing may hide
+    std::vector<CutPlace> cuts() const; ///< those that must not be hidden
 
     vtkNew<vtkRenderer> solids_, films_, marks_;
     PreviewStage preview_;
@@ -159,9 +159,9 @@ private:
     Box partBox_;
     std::optional<bool> partWish_;
     VolumeSnapshot shown_;
-    std::uint64_t workpieceDrawn_ = 0; ///< which volume the part is drawn behind
-    bool partSeen_ = false;            ///< asked for, through the stock
-    bool seenThrough_ = false;         ///< the workpiece is transparent
+    std::uint64_t workpieceDrawn_ = 0; ///< the volume behind which the part is drawn
+    bool partSeen_ = false;            ///< whether it was requested to be visible through the stock
+    bool seenThrough_ = false;         ///< whether the workpiece is transparent
     bool workpieceVisible_ = true, toolVisible_ = true;
     ToolMarks toolMarks_;
     double lineRatio_ = 0.0;

@@ -18,17 +18,17 @@
 namespace burin {
 namespace {
 
-constexpr double faceShade = 0.82;     // of a material's colour: the cut is told from what is lit
-constexpr double arrowLength = 34.0;   // device-independent pixels to either side
+constexpr double faceShade = 0.82;     // fraction of a material's colour: distinguishes the cut face from lit surfaces
+constexpr double arrowLength = 34.0;   // device-independent pixels on either side
 constexpr double gripReach = 14.0;     // device-independent pixels from the middle of the handle
-constexpr double gripWidth = 5.5;      // widths of a line
-constexpr double beyondContent = 0.03; // of the content's diagonal: the outline stands out of it
+constexpr double gripWidth = 5.5;      // in widths of a line
+constexpr double beyondContent = 0.03; // of the content's diagonal: the outline extends this far beyond the content
 
 void showData(vtkActor& actor, vtkPolyData* data) {
     vtkPolyDataMapper::SafeDownCast(actor.GetMapper())->SetInputData(data);
 }
 
-/// A place of the plane. @param across along the two axes that follow the plane's
+/// A point of the plane. @param across coordinates along the two axes that follow the plane's axis
 glm::dvec3 placeOn(const SectionPlane& plane, const glm::dvec2& across) {
     glm::dvec3 place(0.0);
     place[plane.axis] = plane.position;
@@ -128,7 +128,7 @@ void SectionActors::place(const VolumeSnapshot& workpiece, const Box& content, c
     std::vector<LineEnds> lines;
     for (std::size_t i = 0; i < corners.size(); ++i) lines.emplace_back(corners[i], corners[(i + 1) % corners.size()]);
     showData(*outline_, lineData(lines));
-    // At the corner that is nearest to the eye; an upright plane is held at its upper edge.
+    // At the corner that is nearest to the eye; for a vertical plane, at its upper edge.
     const glm::dvec3 back = axesOf(view).back;
     const auto nearest = [&](int axis) { return axis != 2 && back[axis] < 0.0 ? around.low[axis] : around.high[axis]; };
     gripPlace_ = placeOn(*plane_, {nearest(first), nearest(second)});
@@ -158,7 +158,7 @@ double SectionActors::dragged(const CameraView& view, const QSizeF& size, const 
     const auto began = alongAxis(sightThrough(view, size, from), gripPlace_, axis);
     const auto now = alongAxis(sightThrough(view, size, to), gripPlace_, axis);
     if (began && now) return plane_->position + *now - *began;
-    // The axis leads to the eye: up in the picture is nearer.
+    // The axis points at the eye: moving up in the picture is moving nearer.
     const double towards = axesOf(view).back[plane_->axis] > 0.0 ? 1.0 : -1.0;
     return plane_->position + towards * (from.y() - to.y()) * pixelAt(view, size, gripPlace_);
 }

@@ -20,26 +20,28 @@
 
 namespace burin {
 
-/// A section plane: the face that it cuts, in the materials' colours, its outline, and a handle that moves it.
+/// A section plane: the cut face in the materials' colours, the outline of the plane, and a handle that moves it.
 class SectionActors {
 public:
-    /// @param solids draws the workpiece, @param marks what nothing hides
+    /// @param solids draws the workpiece, @param marks draws what is never hidden
     SectionActors(vtkRenderer& solids, vtkRenderer& marks);
 
     void setPalette(const Palette& palette);
     void set(const std::optional<SectionPlane>& plane);
-    /// Without it the plane can't be moved with the pointer: for a picture that nobody will touch.
+    /// Shows or hides the handle. Without it the plane can't be moved with the pointer: for a picture that is not
+    /// interactive.
     void setHandle(bool visible);
     const std::optional<SectionPlane>& plane() const noexcept { return plane_; }
-    /// Cuts off what `plane` doesn't keep from what is drawn with it.
+    /// The clipping plane: cuts off what `plane` doesn't keep from all that is drawn with it.
     vtkPlane& clip() const noexcept { return *clip_; }
     void workpieceChanged() noexcept { stale_ = true; }
     void setLineWidth(double screenPixels);
-    /// Before each paint. @param workpiece whose face is drawn; empty: none  @param content what the outline surrounds
+    /// Call before each paint. @param workpiece whose cut face is drawn; empty: none @param content box that the
+    /// outline surrounds
     void place(const VolumeSnapshot& workpiece, const Box& content, const CameraView& view, const QSizeF& size);
-    /// Whether the pointer is on the handle, as it was drawn last.
+    /// Whether the pointer is on the handle as it was last drawn.
     bool gripAt(const CameraView& view, const QSizeF& size, const QPointF& position) const;
-    /// Where the plane goes when the handle is dragged. @return mm along its axis
+    /// The new position of the plane when the handle is dragged. @return mm along its axis
     double dragged(const CameraView& view, const QSizeF& size, const QPointF& from, const QPointF& to) const;
 
 private:
@@ -50,7 +52,7 @@ private:
     std::optional<SectionPlane> plane_;
     std::array<std::uint8_t, 3> partColour_{};
     bool handle_ = true;
-    bool stale_ = true; ///< another face is to be drawn
+    bool stale_ = true; ///< whether the face must be redrawn
     glm::dvec3 gripPlace_{0.0};
 };
 

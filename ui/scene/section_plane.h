@@ -8,19 +8,20 @@
 
 namespace burin {
 
-/// Where part and workpiece are cut open to be looked into; what is milled stays as it is.
+/// The plane at which part and workpiece are cut open for display; the milled workpiece itself is unchanged.
 struct SectionPlane {
-    int axis = 1;          ///< 0, 1, 2 for x, y, z: the plane is square to it
+    int axis = 1;          ///< 0, 1, 2 for x, y, z: normal of the plane
     double position = 0.0; ///< mm along it, setup frame
-    bool keepsLow = false; ///< what lies lower along the axis stays to be seen, instead of what lies higher
+    bool keepsLow = false; ///< whether the lower side along the axis remains visible, instead of the upper one
     friend bool operator==(const SectionPlane&, const SectionPlane&) = default;
 };
 
-/// How far along a sight what the plane keeps begins, mm; beyond everything where the sight stays in what is cut away.
+/// The distance along a sight line at which the kept side of the plane begins, mm; very large if the sight line stays
+/// in the removed side.
 inline double seenFrom(const SectionPlane& plane, const Sight& sight) noexcept {
-    constexpr double never = 1e9; // finite: places are reckoned with it
+    constexpr double never = 1e9; // finite, because positions are computed from it
     const double before = (plane.keepsLow ? 1.0 : -1.0) * (sight.origin[plane.axis] - plane.position);
-    if (before <= 0.0) return 0.0; // the eye is on the side that is kept
+    if (before <= 0.0) return 0.0; // the eye is on the kept side
     const double nearer = (plane.keepsLow ? -1.0 : 1.0) * sight.direction[plane.axis];
     return nearer > 0.0 ? std::min(before / nearer, never) : never;
 }

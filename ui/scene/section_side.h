@@ -6,10 +6,10 @@
 
 namespace burin {
 
-/// Whether the low half along an axis is the one to keep, so that the eye looks into what a section plane cuts open.
-/// @param along the direction of the sight through the middle of the picture, unit
+/// Whether the low side along an axis must be kept so that the eye looks at the cut face of a section plane.
+/// @param along direction of the sight line through the centre of the picture, unit
 inline bool keepsLowBefore(const glm::dvec3& along, int axis) noexcept {
-    constexpr double straight = 0.05; // of a direction: the eye is on neither side
+    constexpr double straight = 0.05; // component of a direction: the eye is on neither side
     return axis == 1 ? along.y < -straight : along[axis] < straight;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
 
-/// Which corners of which triangles meet in each vertex, without a list a vertex.
+/// The triangle corners that meet in each vertex, without a separate list per vertex.
 class Fans {
 public:
     Fans(const std::vector<Corners>& triangles, std::size_t vertices) : starts_(vertices + 1, 0) {
@@ -26,7 +26,7 @@ public:
         for (std::uint32_t corner = 0; corner < corners_.size(); ++corner)
             corners_[next[triangles[corner / 3][corner % 3]]++] = corner;
     }
-    /// Corner 3 t + i: corner i of triangle t.
+    /// Corner 3 t + i is corner i of triangle t.
     std::span<const std::uint32_t> of(std::size_t vertex) const {
         return std::span(corners_).subspan(starts_[vertex], starts_[vertex + 1] - starts_[vertex]);
     }
@@ -77,7 +77,7 @@ private:
         return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
     }
 
-    /// A corner's normal: of all triangles around it that lie within the crease, weighted by their angle.
+    /// The normal of a corner: the mean of all triangles around it within the crease angle, weighted by their angle.
     void shadeFan(std::span<const std::uint32_t> fan, std::size_t vertex, ShadedMesh& result) const {
         const std::size_t firstPoint = result.points.size();
         for (const std::uint32_t corner : fan) {
@@ -97,13 +97,14 @@ private:
         }
     }
 
-    /// The edge from corner i to the next one, told by the triangle on whose side it runs upwards in index.
+    /// Adds the edge from corner i to the next one; only the triangle in which it runs towards the larger index adds
+    /// it.
     void addCrease(std::uint32_t triangle, std::uint32_t i, ShadedMesh& result) const {
         const std::uint32_t from = triangles_[triangle][i], to = triangles_[triangle][(i + 1) % 3];
         if (from > to) return;
         for (const std::uint32_t corner : fans_.of(from)) {
             const Corners& other = triangles_[corner / 3];
-            if (other[(corner % 3 + 2) % 3] != to) continue; // runs the other way: the neighbour
+            if (other[(corner % 3 + 2) % 3] != to) continue; // only the neighbour has the edge in reverse
             if (glm::dot(normals_[triangle], normals_[corner / 3]) >= cosine_) return;
         }
         result.creases.push_back(result.triangles[3 * triangle + i]);
@@ -112,7 +113,7 @@ private:
 
     const std::vector<glm::dvec3>& vertices_;
     double cosine_;
-    std::vector<glm::dvec3> normals_; ///< a triangle each
+    std::vector<glm::dvec3> normals_; ///< one per triangle
     std::vector<Corners> triangles_;
     Fans fans_;
 };

@@ -11,23 +11,23 @@
 
 namespace burin {
 
-/// A mesh as it is drawn: a point for each normal, so that an edge keeps its crease.
+/// A mesh for drawing: one point for each normal, so that sharp edges remain sharp.
 struct ShadedMesh {
     std::vector<glm::vec3> points;        ///< mm
-    std::vector<glm::vec3> normals;       ///< unit, outwards, a point each
+    std::vector<glm::vec3> normals;       ///< unit, outwards, one per point
     std::vector<std::uint32_t> triangles; ///< three corners each
     std::vector<std::uint32_t> creases;   ///< two ends each: edges that are drawn as lines
 };
 
-/// Between normals of two triangles that meet at an edge of a solid, rad.
+/// The angle between the normals of two triangles from which their common edge is sharp, for a solid, rad.
 inline constexpr double creaseAngle = 25.0 * pi / 180.0;
 
-/// Smooth where neighbouring triangles differ by less than `crease` (rad), sharp elsewhere. Triangles without area are
-/// left out. Any thread; cost: linear.
+/// Shades a mesh smoothly where the normals of neighbouring triangles differ by less than `crease` (rad), with sharp
+/// edges elsewhere. Triangles without area are dropped. Any thread; cost: linear.
 ShadedMesh shaded(const TriangleMesh& mesh, double crease);
 
-/// Distance, in lengths of `direction`, to the nearest triangle that a ray meets, from either side. Nothing: it misses.
-/// Cost: linear.
+/// The distance, in lengths of `direction`, to the nearest triangle that a ray hits, from either side; std::nullopt if
+/// it misses. Cost: linear.
 std::optional<double> distanceAlong(const ShadedMesh& mesh, const glm::dvec3& origin, const glm::dvec3& direction);
 
 } // namespace burin

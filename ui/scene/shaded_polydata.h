@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// A shaded mesh as VTK has it.
+/// A shaded mesh as VTK data.
 struct ShadedPolyData {
     vtkSmartPointer<vtkPolyData> surface; ///< with normals
     vtkSmartPointer<vtkPolyData> creases; ///< lines

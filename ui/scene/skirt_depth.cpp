@@ -29,7 +29,7 @@ std::vector<float> skirtDepths(const VolumeSnapshot& workpiece, const SurfaceMes
     std::vector<float> depths;
     for (const std::uint32_t point : rim) {
         const glm::dvec3 place(surface.points[point]), down = -glm::dvec3(surface.normals[point]);
-        double through = step; // the surface itself may lie a little beside the material
+        double through = step; // the surface itself may be slightly outside the material
         while (through < 2.0 * deepest && isMaterial(workpiece, place + through * down)) through += step;
         depths.push_back(std::min(deepest, static_cast<float>(0.5 * through)));
     }

@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// How far down into the material a skirt may reach at each point of a rim: no farther than half through it, so that no
-/// skirt comes out of the other side of a wall. mm.
+/// The permitted depth of a skirt into the material at each point of a rim, mm: at most half the material's thickness,
+/// so that no skirt protrudes from the other side of a wall.
 /// @param rim     points of the surface
-/// @param deepest mm, where there is material enough
+/// @param deepest mm, where the material is thick enough
 std::vector<float> skirtDepths(const VolumeSnapshot& workpiece, const SurfaceMesh& surface,
                                std::span<const std::uint32_t> rim, float deepest);
 

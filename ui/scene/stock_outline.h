@@ -15,7 +15,7 @@
 
 namespace burin {
 
-/// The stock to be: a thin box, and while nothing is embedded its faces, seen through.
+/// The outline of the future stock: a thin box and, while nothing is embedded, its translucent faces.
 class StockOutline {
 public:
     explicit StockOutline(vtkRenderer& renderer);
@@ -24,7 +24,7 @@ public:
     const std::optional<Box>& box() const noexcept { return stock_; }
     void setFaces(bool visible);
     void setLineWidth(double screenPixels) { burin::setLineWidth(*edges_, screenPixels); }
-    /// What is seen through the faces has to be drawn before them, so they go to the end of the renderer's list.
+    /// Moves the faces to the end of the renderer's list, since what is visible through them must be drawn first.
     void drawLast();
 
 private:

@@ -10,19 +10,20 @@ namespace burin {
 
 namespace {
 
-/// Cells that a surface made of cells may take off the edges and corners of a solid.
+/// How much a surface made of cells may bevel the edges and corners of a solid, cells.
 constexpr double reachOfBevels = 1.25;
-/// Points that are nearer to the shape stay where they are, mm.
+/// Points that are nearer to the shape than this are not moved, mm.
 constexpr float nearEnough = 1e-4F;
 
-/// What the untouched stock needs: of its bricks of 8 × 8 scanlines all inside are one, those on its sides may differ.
+/// The memory needed for the untouched stock: of its bricks of 8 × 8 scanlines all inner ones are identical, those on
+/// its sides may differ.
 std::size_t reserveFor(const Grid& grid) {
     constexpr std::size_t bytesPerBrick = 2048, bricksInside = 64, linesPerBrick = 8;
     const auto aroundIt = 2 * static_cast<std::size_t>(grid.lineCountU() + grid.lineCountV()) / linesPerBrick;
     return bytesPerBrick * (bricksInside + aroundIt);
 }
 
-/// Quadrangles, two triangles each, are split along the diagonal that keeps both in faces of the stock.
+/// Splits quadrilaterals (two triangles each) along the diagonal that keeps both triangles in faces of the stock.
 void splitAlongEdges(const KnownFaces& faces, SurfaceMesh& mesh) {
     const auto offFaces = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         const std::array corners{mesh.points[a], mesh.points[b], mesh.points[c]};
@@ -39,7 +40,7 @@ void splitAlongEdges(const KnownFaces& faces, SurfaceMesh& mesh) {
     }
 }
 
-/// Where two rows of points have met in an edge.
+/// These occur where two rows of points have met in an edge.
 void dropTrianglesWithoutArea(SurfaceMesh& mesh) {
     std::size_t kept = 0;
     for (std::size_t corner = 0; corner < mesh.triangles.size(); corner += 3) {
@@ -87,7 +88,7 @@ StockSharpening::StockSharpening(std::shared_ptr<const StockShape> stock, const 
     const Result<PropertyIndex> material =
         properties.add(Property{.id = "stock", .name = {}, .base = {}, .values = {}});
     Result<RunVolume> volume = RunVolume::make(grid, properties, reserveFor(grid));
-    if (!stock || !material || !volume || !stock->fill(*volume, *material)) return; // edges as they come will do
+    if (!stock || !material || !volume || !stock->fill(*volume, *material)) return; // the bevelled edges are acceptable
     stock_ = std::move(stock);
     volume_ = *std::move(volume);
     untouched_ = volume_->snapshot();

@@ -12,7 +12,7 @@
 namespace burin {
 namespace {
 
-constexpr double apart = 0.02; // mm: from here on the hand and the tool are told apart
+constexpr double apart = 0.02; // mm: from this distance on, hand and tool are shown separately
 
 /// Dashes from the origin to (0, 0, 1).
 std::vector<LineEnds> unitDashes() {

@@ -16,8 +16,8 @@
 
 namespace burin {
 
-/// Where the hand wants the tool while the part holds it back: the flutes seen through, and the coupling between the
-/// two as a dashed line.
+/// The position commanded by the hand while the part holds the tool back: the translucent flutes, and the coupling
+/// between the two positions as a dashed line.
 class StylusGhost {
 public:
     explicit StylusGhost(vtkRenderer& renderer);

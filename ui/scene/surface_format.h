@@ -6,8 +6,9 @@
 
 namespace burin {
 
-/// OpenGL as VTK wants it in a viewport: core profile 3.2, depth and stencil. Not forward-compatible, which Qt asks for
-/// unless deprecated functions are requested: there, lines wider than a pixel are an error, and drawn one pixel wide.
+/// The OpenGL format that VTK needs in a viewport: core profile 3.2, depth and stencil. Not forward-compatible (which
+/// Qt requests unless deprecated functions are requested): in a forward-compatible context, lines wider than one pixel
+/// are an error and are drawn one pixel wide.
 inline QSurfaceFormat sceneSurfaceFormat() {
     QSurfaceFormat format;
     format.setVersion(3, 2);

@@ -18,16 +18,16 @@
 namespace burin {
 namespace {
 
-constexpr double helixAngle = 30.0 * pi / 180.0; // usual for end mills; drawn, not reckoned with
+constexpr double helixAngle = 30.0 * pi / 180.0; // typical for end mills; only for drawing, not used in computations
 
-/// Radius of the flutes at a height over the tip, mm.
+/// The radius of the flutes at a height above the tip, mm.
 double fluteRadius(std::span<const RevolvedPiece> flutes, double height) {
     for (const RevolvedPiece& piece : flutes)
         if (height <= piece.top) return radiusAt(piece, std::max(height, piece.bottom));
     return flutes.back().topRadius;
 }
 
-/// The cutting edges as helices on the flutes, a hair outside of them.
+/// The cutting edges as helices on the flutes, slightly outside them.
 std::vector<LineEnds> cuttingEdges(const Tool& tool) {
     std::vector<LineEnds> lines;
     const Cutter& cutter = tool.cutter;
@@ -47,7 +47,7 @@ std::vector<LineEnds> cuttingEdges(const Tool& tool) {
     return lines;
 }
 
-/// A piece grown by a margin on every side: seen from within it is an outline.
+/// A piece enlarged by a margin on every side: its inside faces form an outline.
 RevolvedPiece grown(RevolvedPiece piece, double margin) {
     piece.bottom -= margin;
     piece.top += margin;

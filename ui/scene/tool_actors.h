@@ -19,29 +19,29 @@
 
 namespace burin {
 
-/// From the tool frame (tip at the origin, axis +Z) to the setup frame, as VTK takes it.
+/// Sets a VTK matrix to the transformation from the tool frame (tip at the origin, axis +Z) to the setup frame.
 void setPose(vtkMatrix4x4& matrix, const ToolPose& pose);
 
-/// The tool: flutes with their edges, shank and holder told apart. In an alarm shank and holder flash and carry an
-/// outline, so that colour alone doesn't tell it. Where shank and holder hide from the eye what the tip is at, they
-/// fade and what is behind them is seen through them; in an alarm they never do.
+/// The tool: flutes with their cutting edges, shank and holder, distinguished by colour. In an alarm shank and holder
+/// flash and have an outline, so that the alarm is not shown by colour alone. If shank and holder hide the surroundings
+/// of the tip from the eye, they fade so that what is behind them becomes visible; in an alarm they never fade.
 class ToolActors {
 public:
-    /// @param solids draws the workpiece, @param films what is seen through, with the workpiece's depths
+    /// @param solids draws the workpiece, @param films draws translucent surfaces, with the workpiece's depths
     ToolActors(vtkRenderer& solids, vtkRenderer& films) : solids_(solids), films_(films) {}
 
     void setPalette(const Palette& palette);
     void setTool(const std::optional<Tool>& tool);
     void setPose(const ToolPose& pose);
     void setVisible(bool visible);
-    /// @param lit the bright half of a flash; has no effect without the alarm
+    /// @param lit whether the flash is in its bright half; has no effect without the alarm
     void setAlarm(bool alarm, bool lit);
     void setLineWidth(double screenPixels);
-    /// Before each paint.
+    /// Call before each paint.
     void place(const CameraView& view);
-    /// Where it cuts, if it is to be seen.
+    /// The position where the tool cuts, if the tool is visible.
     std::optional<CutPlace> cut() const;
-    bool filmsVisible() const noexcept; ///< there is something in the films' renderer
+    bool filmsVisible() const noexcept; ///< whether there is something in the films' renderer
     std::size_t triangles() const;
 
 private:
@@ -49,7 +49,7 @@ private:
     struct Drawn {
         Section section = Section::flutes;
         vtkSmartPointer<vtkActor> actor;
-        vtkSmartPointer<vtkActor> faded; ///< in its stead while it hides the tip; null: it never does
+        vtkSmartPointer<vtkActor> faded; ///< drawn instead while the section hides the tip; null: it never does
     };
     void add(Section section, vtkSmartPointer<vtkActor> actor, vtkSmartPointer<vtkActor> faded = nullptr);
     QColor colourOf(Section section) const;

@@ -11,10 +11,10 @@
 
 namespace burin {
 
-/// Surface of one piece of a tool, mm, tip at the origin, axis +Z, with normals.
+/// The surface of one piece of a tool, mm, tip at the origin, axis +Z, with normals.
 vtkSmartPointer<vtkPolyData> pieceSurface(const RevolvedPiece& piece);
 
-/// The same of several, as one.
+/// The surfaces of several pieces, as one.
 vtkSmartPointer<vtkPolyData> piecesSurface(std::span<const RevolvedPiece> pieces);
 
 } // namespace burin

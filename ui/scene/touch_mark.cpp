@@ -22,8 +22,8 @@ namespace burin {
 namespace {
 
 constexpr int outlineSides = 48;       // of the cutter's outline
-constexpr double contactWidth = 4.0;   // widths of a line
-constexpr double labelDistance = 22.0; // device-independent pixels beside the outline
+constexpr double contactWidth = 4.0;   // in widths of a line
+constexpr double labelDistance = 22.0; // device-independent pixels from the outline
 
 std::vector<LineEnds> outlineOf(const PressMark& mark) {
     const Across across = acrossOf(mark.axis);

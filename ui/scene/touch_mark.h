@@ -16,11 +16,11 @@
 
 namespace burin {
 
-/// Where a press would lead the tool, seen through the stock: a line down to it, the outline of the cutter, how deep it
-/// is, and the point at which it touches the part.
+/// Shows where a press would move the tool, visible through the stock: a line down to the position, the outline of the
+/// cutter, its depth, and the point at which it touches the part.
 class TouchMark {
 public:
-    /// @param renderer of marks that nothing hides
+    /// @param renderer for marks that are never hidden
     explicit TouchMark(vtkRenderer& renderer);
     void setPalette(const Palette& palette);
     void setUnit(LengthUnit unit) { unit_ = unit; }
@@ -28,7 +28,7 @@ public:
     const std::optional<PressMark>& mark() const noexcept { return mark_; }
     bool visible() const noexcept { return mark_.has_value(); }
     void setLineWidth(double screenPixels);
-    /// Before each paint. @param size of the widget, device-independent pixels
+    /// Call before each paint. @param size of the widget, device-independent pixels
     void place(const CameraView& view, const QSizeF& size, double ratio);
 
 private:

@@ -14,10 +14,10 @@
 
 namespace burin {
 
-/// The voxels of the workpiece that shank or holder touch (the paper's collision area), as cubes that nothing hides.
+/// The voxels of the workpiece that shank or holder touch (the paper's collision area), as cubes that are never hidden.
 class TouchedVoxelsActor {
 public:
-    /// @param renderer of marks that nothing hides
+    /// @param renderer for marks that are never hidden
     explicit TouchedVoxelsActor(vtkRenderer& renderer);
     void setColours(const QColor& faces, const QColor& edges);
     void set(const std::vector<TouchedVoxels>& areas);

@@ -19,7 +19,7 @@ namespace burin {
 
 namespace {
 
-constexpr double haloWidth = 2.0; // widths of the line
+constexpr double haloWidth = 2.0; // in widths of the line
 constexpr int legendMarks = 5;
 
 /// viridis (S. van der Walt, N. Smith, 2015, matplotlib, CC0), nine of its colours.
@@ -40,13 +40,13 @@ QColor colourOf(const ValuedPiece& piece, const PathValues& values) {
     return valueColour(range > 0.0 ? (*piece.value - values.low) / range : 1.0);
 }
 
-/// As many digits as tell the marks of a scale apart.
+/// The number of decimals needed to distinguish the marks of a scale.
 int decimalsFor(double range) {
     if (!(range > 0.0)) return 3;
     return std::clamp(static_cast<int>(std::ceil(-std::log10(range / (legendMarks - 1)))) + 1, 0, 4);
 }
 
-/// Values and unit as the user reads lengths.
+/// Values and unit in the user's length unit.
 struct ShownUnit {
     double factor = 1.0;
     QString text;
@@ -111,7 +111,7 @@ void ValuedPath::setLineWidth(double screenPixels) {
 }
 
 void ValuedPath::setValues(std::shared_ptr<const PathValues> values) {
-    if (values == values_) return; // told again with each change of the path
+    if (values == values_) return; // called again with each change of the path
     values_ = std::move(values);
     std::vector<LineEnds> lines;
     vtkNew<vtkUnsignedCharArray> colours;

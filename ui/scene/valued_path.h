@@ -14,9 +14,9 @@
 
 namespace burin {
 
-/// Moves at feed in the colours of a quantity, with a seam as other lines have, and the scale of its colours in the
-/// picture's upper right corner: dark for low values, bright for high ones, which a colour-blind eye and grey tell
-/// apart as well. What has no value is grey.
+/// Moves at feed in the colours of a quantity, with an outline like other lines, and a colour scale in the picture's
+/// upper right corner: dark for low values, bright for high ones, which can be distinguished by colour-blind users and
+/// in greyscale as well. Moves without a value are grey.
 class ValuedPath {
 public:
     explicit ValuedPath(vtkRenderer& renderer);
@@ -27,7 +27,7 @@ public:
     void setPalette(const Palette& palette);
     void setUnit(LengthUnit unit);
     void setLineWidth(double screenPixels);
-    /// Null: none, and no scale.
+    /// Null: no values and no scale.
     void setValues(std::shared_ptr<const PathValues> values);
     void setVisible(bool visible);
     bool shown() const noexcept { return visible_ && values_ != nullptr; }
@@ -44,7 +44,7 @@ private:
     bool visible_ = true;
 };
 
-/// sRGB, of a share of the way from the lowest value to the highest, 0 … 1.
+/// The sRGB colour at a fraction (0 … 1) of the range from the lowest value to the highest.
 QColor valueColour(double share);
 
 } // namespace burin

@@ -26,8 +26,8 @@ constexpr std::array<StandardView, 6> faces{StandardView::top,  StandardView::bo
                                             StandardView::back, StandardView::left,   StandardView::right};
 constexpr int atlasColumns = 3, atlasRows = 2;
 constexpr double cellPixels = 72.0; // device-independent
-constexpr double eyeDistance = 9.6; // the cube reaches from -1 to 1
-constexpr double cubeReach = 4.0;   // beyond all that is drawn of it
+constexpr double eyeDistance = 9.6; // the cube extends from -1 to 1
+constexpr double cubeReach = 4.0;   // beyond everything that is drawn of it
 constexpr double axisFrom = -1.0, axisTo = 1.35, letterAt = 1.65;
 
 CameraView cubeView(const CameraView& view) {
@@ -39,12 +39,12 @@ CameraView cubeView(const CameraView& view) {
     return own;
 }
 
-/// Upper left corner of the cube's square in the widget.
+/// The upper left corner of the cube's square in the widget.
 QPointF cornerOf(const QSizeF& size) {
     return {size.width() - ViewCube::side - ViewCube::margin, ViewCube::margin};
 }
 
-/// Each face as its own view sees it: right and up of the picture are right and up of the lettering.
+/// Each face is oriented as in its own view: right and up of the picture are right and up of the lettering.
 vtkSmartPointer<vtkPolyData> cubeData() {
     vtkNew<vtkPoints> points;
     vtkNew<vtkFloatArray> texture, normals;
@@ -185,7 +185,7 @@ void ViewCube::place(const CameraView& view, const QSizeF& size, double ratio) {
         const QPointF at = appearanceOf(own, QSizeF(side, side), axisPlace(axis, letterAt));
         Label& letter = *letters_[static_cast<std::size_t>(axis)];
         letter.setMiddle(at * ratio, static_cast<int>(std::lround(side * ratio)));
-        letter.setVisible(!faceAt(view, size, cornerOf(size) + at).has_value()); // else it would stand on the cube
+        letter.setVisible(!faceAt(view, size, cornerOf(size) + at).has_value()); // otherwise it would be on the cube
     }
 }
 

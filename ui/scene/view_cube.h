@@ -19,23 +19,23 @@
 
 namespace burin {
 
-/// A cube in the upper right corner with the names of the views on its faces and the axes at its low corner. Turns with
-/// the camera; a click on a face requests that view.
+/// A cube in the upper right corner with the names of the views on its faces and the axes at its low corner. Rotates
+/// with the camera; a click on a face requests that view.
 class ViewCube {
     Q_DECLARE_TR_FUNCTIONS(ViewCube)
 
 public:
     static constexpr double side = ViewCubeRoom::side, margin = ViewCubeRoom::margin;
 
-    /// @param layer of its own, over the others
+    /// @param layer its own layer, over the others
     ViewCube(vtkRenderWindow& window, int layer);
     void setPalette(const Palette& palette);
-    /// Before each paint. @param ratio screen pixels a device-independent one
+    /// Call before each paint. @param ratio screen pixels per device-independent pixel
     void place(const CameraView& view, const QSizeF& size, double ratio);
 
-    /// The face at a place of the widget. @param size of the widget; both device-independent pixels
+    /// The face at a position of the widget. @param size of the widget; both in device-independent pixels
     static std::optional<StandardView> faceAt(const CameraView& view, const QSizeF& size, const QPointF& position);
-    /// @return true when that changes the picture
+    /// @return whether the picture changes
     bool setHovered(std::optional<StandardView> face);
 
 private:

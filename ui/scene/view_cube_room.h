@@ -4,7 +4,7 @@
 
 namespace burin {
 
-/// The square in the upper right corner of a view that its cube takes, device-independent pixels.
+/// The square in the upper right corner of a view that is occupied by its view cube, device-independent pixels.
 struct ViewCubeRoom {
     static constexpr double side = 104.0, margin = 8.0;
 };

@@ -25,11 +25,11 @@ struct ViewLight {
 };
 
 constexpr ViewLight keyLight{{-0.4, 0.55, 0.58}, 0.72}, fillLight{{0.8, -0.3, 0.6}, 0.26};
-/// Light from everywhere, and how much more of it comes from above than from the side.
+/// Ambient light, and how much more of it comes from above than from the side.
 constexpr double skyLight = 0.36, skySlope = 0.12;
-/// How much light the farthest of a depth cue loses.
+/// The fraction of light lost at the far end of a depth cue.
 constexpr double depthLoss = 0.30;
-/// How strongly the bend of a surface, 1 / pixel, counts, and how much light it takes or gives at most.
+/// The weight of a surface's curvature, 1 / pixel, and the maximum light that it removes or adds.
 constexpr double bendGain = 0.9, hollowLoss = 0.30, ridgeGain = 0.14;
 
 std::string number(double value) {
@@ -45,7 +45,7 @@ std::string lightOf(const ViewLight& light) {
            number(towards.y) + ", " + number(towards.z) + ")))";
 }
 
-/// In the words of VTK's shader for surfaces.
+/// The shading as code for VTK's surface shader.
 std::string simpleShading() {
     return "  float lit = " + number(skyLight) + " + " + number(skySlope) + " * normalVCVSOutput.y + " +
            lightOf(keyLight) + " + " + lightOf(fillLight) + ";\n  float bend = " + number(bendGain) +
@@ -81,7 +81,7 @@ void setBackdrop(vtkRenderer& renderer, const QColor& top, const QColor& bottom)
 void shadeSimply(vtkActor& actor) {
     static const std::string shading = simpleShading();
     actor.GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Light::Impl", true, shading, false);
-    // Nothing is transparent: depth may be decided before a pixel is shaded.
+    // Nothing is transparent, so the depth test can be done before a pixel is shaded.
     actor.GetShaderProperty()->AddFragmentShaderReplacement("if (gl_FragData[0].a <= 0.0)", true, "if (false)", false);
     setDepthCue(actor, {});
 }

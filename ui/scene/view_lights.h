@@ -11,26 +11,27 @@
 
 namespace burin {
 
-/// Lights that go with the eye: a strong one from the upper left, so that faces of every direction differ and a groove
-/// reads as a groove, a weak one from the right, and what a bright sky gives.
+/// Adds lights that move with the camera: a strong one from the upper left, so that faces of different directions
+/// differ and a groove is recognised as a groove, a weak one from the right, and ambient light like that of a bright
+/// sky.
 void addViewLights(vtkRenderer& renderer);
 
-/// What is seen behind everything.
+/// Sets the background gradient.
 void setBackdrop(vtkRenderer& renderer, const QColor& top, const QColor& bottom);
 
-/// Shades a matt surface by the workpiece's lights as an eye far away would see it: no reflection, power or root a
-/// light and pixel, which in software takes half of the time of a picture. Hollow edges are darker, raised ones
-/// lighter. For surfaces with normals at their points.
+/// Shades a matt surface by the workpiece's lights as for a distant eye: without the reflection, power or square root
+/// per light and pixel that take half of a frame's time in software rendering. Concave edges are darker, convex ones
+/// lighter. For surfaces with point normals.
 void shadeSimply(vtkActor& actor);
 
-/// Between which distances from the eye a surface gets dimmer, mm, along the direction of sight: floors of one
-/// direction at different depths are told apart.
+/// The range of distances from the eye, mm, along the direction of sight, over which a surface gets dimmer, so that
+/// floors of the same direction at different depths can be distinguished.
 struct DepthCue {
     double nearest = 0.0, farthest = 0.0;
 };
-/// From the nearest to the farthest corner of a box. @param along unit. An empty box: none.
+/// The depth cue from the nearest to the farthest corner of a box. @param along unit. An empty box: none.
 DepthCue depthCueOf(const Box& box, const glm::dvec3& eye, const glm::dvec3& along);
-/// Of an actor that `shadeSimply` shades.
+/// Sets the depth cue of an actor that is shaded by `shadeSimply`.
 void setDepthCue(vtkActor& actor, const DepthCue& cue);
 
 } // namespace burin

@@ -23,7 +23,7 @@ bool same(const ToolMarks& a, const ToolMarks& b) {
            a.force == b.force && a.ghost == b.ghost && a.alarm == b.alarm && a.cutting == b.cutting;
 }
 
-/// A tetrahedron with edges: drawn as any part is.
+/// A tetrahedron with edges, drawn like any part.
 std::vector<ShadedBody> sampleBodies() {
     TriangleMesh mesh;
     mesh.vertices = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
@@ -64,13 +64,13 @@ void Viewport::setLengthUnit(LengthUnit unit) {
 }
 
 void Viewport::setPart(std::shared_ptr<const Model> model) {
-    // The part that was to take its preview's place does not come any more.
+    // The part that was to replace its preview won't arrive any more.
     if (std::exchange(impl_->previewEnds, false)) impl_->endPreview(true);
     impl_->orderPart(std::move(model), [] {});
 }
 
 void Viewport::setPreviewedPart(std::shared_ptr<const Model> model) {
-    ++impl_->previewOrdered; // what isn't drawn yet is too late
+    ++impl_->previewOrdered; // discards a preview that isn't drawn yet
     if (!impl_->scene.previewing()) fit();
     impl_->previewEnds = true;
     impl_->orderPart(std::move(model), [this] {
@@ -92,7 +92,7 @@ bool Viewport::showsPreview() const {
     return impl_->scene.previewing();
 }
 
-/// @param drawn called as soon as the part is
+/// @param drawn called as soon as the part is drawn
 void Viewport::Impl::orderPart(std::shared_ptr<const Model> model, std::function<void()> drawn) {
     const std::uint64_t order = ++partOrdered;
     part = model;
@@ -101,8 +101,8 @@ void Viewport::Impl::orderPart(std::shared_ptr<const Model> model, std::function
         contentChanged();
         return;
     }
-    // Shading takes some tenths of a second for a large part, what is drawn while things move some more: on a thread of
-    // the pool.
+    // Shading takes some tenths of a second for a large part, and the simplified part for moving scenes some more, so
+    // both run on a pool thread.
     const QPointer<Viewport> self(&widget);
     QThreadPool::globalInstance()->start([self, model = std::move(model), order, drawn = std::move(drawn)] {
         workInBackground();
@@ -140,7 +140,7 @@ void Viewport::setWorkpiece(const VolumeSnapshot& workpiece,
                             std::optional<std::chrono::steady_clock::time_point> oldestCut) {
     impl_->scene.setWorkpiece(workpiece, oldestCut);
     impl_->motion.setContent(impl_->scene.contentBox());
-    if (oldestCut) impl_->moved(); // otherwise the worker calls if there is another picture
+    if (oldestCut) impl_->moved(); // otherwise the worker calls when there is a new picture
 }
 
 void Viewport::setWorkpieceVisible(bool visible) {
@@ -470,7 +470,7 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void Viewport::wheelEvent(QWheelEvent* event) {
     event->accept();
-    const QPoint angle = event->angleDelta(); // some platforms turn it aside while a modifier is down
+    const QPoint angle = event->angleDelta(); // some platforms swap the axes while a modifier is down
     ViewportEvent sighted = impl_->eventAt(*event, event->modifiers());
     sighted.wheelSteps = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
     if (InteractiveTool* tool = impl_->toolInHand(); tool != nullptr && tool->wheel(sighted)) return;
@@ -479,7 +479,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
-    // Only what moves by steps may repeat; a spindle that is switched by a key that is held would chatter.
+    // Only keys that move in steps may repeat; a key that switches the spindle would toggle it rapidly while held.
     const bool mayRepeat = event->key() >= Qt::Key_Left && event->key() <= Qt::Key_PageDown;
     if (event->isAutoRepeat() && !mayRepeat) return;
     if (InteractiveTool* tool = impl_->toolInHand(); tool != nullptr && tool->key(event->key(), event->modifiers()))

@@ -37,12 +37,12 @@ namespace burin {
 
 enum class StandardView { isometric, top, bottom, front, back, left, right };
 
-/// What a tick looks like.
+/// The state of the tool at one tick, as it is drawn.
 struct ToolMarks {
     ToolPose proxy;
-    glm::dvec3 stylusTip{
-        0.0}; ///< mm, setup frame: where the hand wants it; drawn as a ghost with the coupling to the proxy
-    glm::dvec3 force{0.0}; ///< N, setup frame: the arrow, with its value
+    glm::dvec3 stylusTip{0.0}; ///< mm, setup frame: the tip position commanded by the hand; drawn as a ghost with the
+                               ///< coupling to the proxy
+    glm::dvec3 force{0.0};     ///< N, setup frame: drawn as an arrow with its value
     bool ghost = false;
     bool alarm = false; ///< shank contact: shank and holder flash
     bool cutting = false;
@@ -50,7 +50,7 @@ struct ToolMarks {
 
 struct CameraView;
 
-/// How drawing has kept up; for the status line and benchmarks. Times in ms, since the last `resetStatistics`.
+/// Drawing performance, for the status line and benchmarks. Times in ms, since the last `resetStatistics`.
 struct FrameStatistics {
     std::size_t frames = 0;
     double paintMaximum = 0.0, paintP95 = 0.0;             ///< of one paint, GUI thread
@@ -58,129 +58,132 @@ struct FrameStatistics {
     std::size_t cutsShown = 0;
     std::size_t triangles = 0; ///< drawn in the newest frame
     bool fullDetail = false;   ///< of the newest frame
-    bool busy = false;         ///< a worker is still meshing
+    bool busy = false;         ///< whether a worker is still meshing
 };
 
-/// The viewport: owns a canvas and the VTK render window that draws on it (the only Qt widget that knows VTK). Draws
-/// what it is given and asks for nothing; never waits for the worker that meshes.
-/// Mouse: middle or right drag orbits, Shift + middle drag (or middle + right) pans, wheel zooms to the cursor, unless
-/// the active tool takes the event. Thread: user interface.
+/// The viewport: owns a canvas and the VTK render window that draws on it (the only Qt widget that depends on VTK).
+/// Draws only the data passed to it; never waits for the meshing worker. Mouse: middle or right drag orbits, Shift +
+/// middle drag (or middle + right) pans, wheel zooms to the cursor, unless the active tool handles the event. GUI
+/// thread.
 class Viewport : public QWidget {
     Q_OBJECT
 public:
-    /// Why this machine can't draw, a sentence for the user; empty: it can. Makes a context for a moment. To be asked
-    /// before a viewport is made.
+    /// Why this machine can't draw, as a sentence for the user; empty: it can. Creates a temporary context. Call before
+    /// creating a viewport.
     static QString drawingObstacle();
 
     explicit Viewport(QWidget* parent = nullptr);
     ~Viewport() override;
 
     void setPalette3D(const Palette& palette);
-    /// Of the scale bar.
+    /// The unit of the scale bar and other labels.
     void setLengthUnit(LengthUnit unit);
-    /// The bare part, drawn until there is a workpiece (and on wish beside it). Null: none.
+    /// Sets the bare part, drawn until there is a workpiece (and on request together with it). Null: none.
     void setPart(std::shared_ptr<const Model> model);
-    /// As setPart, of the part whose preview is drawn: that stays until the part can be drawn, which is seen from where
-    /// the preview was. Where no preview was drawn yet, the part is fitted into the picture.
+    /// As setPart, for the part whose preview is shown: the preview stays until the part can be drawn, which is then
+    /// shown from the same view. If no preview was drawn yet, the part is fitted into the picture.
     void setPreviewedPart(std::shared_ptr<const Model> model);
-    /// Drawn in the stead of everything else, as soon as it can be, and fitted into the picture; the interactive tool
-    /// then gets nothing, and nothing is picked. Null: what was drawn before, seen from where it was.
-    /// @param margin around it that is in the picture, too, mm
+    /// Sets a preview that is drawn instead of everything else, as soon as it is ready, and fitted into the picture;
+    /// meanwhile the interactive tool gets no events, and nothing is picked. Null: back to the previous content and
+    /// view.
+    /// @param margin around it that is also in the picture, mm
     void setPreview(const std::shared_ptr<const ModelPreview>& preview, double margin = 0.0);
-    bool showsPreview() const; ///< it is drawn
+    bool showsPreview() const; ///< whether a preview is drawn
     void setPartVisible(bool visible);
     void setHiddenBodies(std::vector<bool> hidden); ///< of the part, by body; the others are drawn
-    /// Outline of the stock to be, mm, setup frame. Nothing: none.
+    /// The outline of the future stock, mm, setup frame; std::nullopt: none.
     void setStockOutline(const std::optional<Box>& stock);
-    /// The workpiece as it is now: bricks that changed are meshed on the worker's thread and drawn when they are ready.
-    /// @param oldestCut for the statistics. An empty snapshot: none.
+    /// Sets the current workpiece: changed bricks are meshed on the worker thread and drawn when they are ready.
+    /// @param oldestCut for the statistics. An empty snapshot: no workpiece.
     void setWorkpiece(const VolumeSnapshot& workpiece,
                       std::optional<std::chrono::steady_clock::time_point> oldestCut = std::nullopt);
     void setWorkpieceVisible(bool visible);
-    /// Less than 1: the part is seen in the workpiece. 0 … 1
+    /// 0 … 1. Less than 1: the part is visible in the workpiece.
     void setWorkpieceOpacity(double opacity);
-    /// The workpiece in the colours of what is left on the part, with their scale; nothing: by material.
+    /// Colours the workpiece by the stock left on the part, with a colour scale; std::nullopt: by material.
     void setExcess(std::optional<ExcessColours> left);
-    /// Cuts part and workpiece open in the picture alone. A handle moves the plane: see `sectionDragged`.
+    /// Cuts part and workpiece open, only in the picture. A handle moves the plane: see `sectionDragged`.
     void setSection(const std::optional<SectionPlane>& plane);
-    /// Part, stock and workpiece, and what stands around them, mm, setup frame.
+    /// The bounding box of part, stock, workpiece and the obstacles around them, mm, setup frame.
     Box contentBox() const;
     void setTool(const std::optional<Tool>& tool);
     void setToolMarks(const ToolMarks& marks);
     void setToolVisible(bool visible);
-    /// Where a press would lead the tool: drawn with the part, both seen through the stock. Nothing: neither.
+    /// Where a press would move the tool: drawn together with the part, both visible through the stock; std::nullopt:
+    /// neither.
     void setPressMark(const std::optional<PressMark>& mark);
-    /// Fixtures and keep-out volumes; may come with every tick, too.
+    /// Sets fixtures and keep-out volumes; may be called at every tick.
     void setObstacles(const std::vector<ObstacleMark>& obstacles);
-    void setPartSeen(bool seen);                        ///< through the stock, where something of it is to be picked
-    void setZero(const std::optional<ZeroPlace>& zero); ///< nothing: none is drawn
-    /// The guides of the hand; may come with every tick, as only what changed is made anew. Curves outlive their show.
+    void setPartSeen(bool seen);                        ///< through the stock, while something on it is to be picked
+    void setZero(const std::optional<ZeroPlace>& zero); ///< std::nullopt: none is drawn
+    /// Sets the guides (virtual fixtures); may be called at every tick, since only changes are rebuilt. Curves must
+    /// exist as long as they are shown.
     void setGuides(const GuideMarks& guides);
-    /// The path as it is recorded: tips, mm; a stroke begins where `newStroke`.
+    /// Adds to the path that is being recorded: tips, mm; `newStroke` begins a new stroke.
     void appendLivePath(std::span<const glm::vec3> tips, bool newStroke);
     void clearLivePath();
-    /// The edited path, colour by kind of move and by the side on which it mills.
+    /// Sets the edited path, coloured by kind of move and by the milling side.
     void setPath(const EvaluatedPath& path);
-    /// Its moves at feed in the colours of a quantity, with their scale; null: by their kinds.
+    /// Colours the path's moves at feed by a quantity, with a colour scale; null: by kind of move.
     void setPathValues(std::shared_ptr<const PathValues> values);
     void setPathVisible(bool visible);
-    /// What the job mills with other tools.
+    /// Sets the paths that the job mills with other tools.
     void setOtherPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths);
     void setOtherPathsVisible(bool visible);
-    /// What a program leaves on the part, or takes from it, in colours on the part. They come from a worker's thread,
-    /// and stand until they are taken away by a picture without samples.
+    /// Shows what a program leaves on the part, or removes from it, in colours on the part. The coloured surface is
+    /// computed on a worker thread and stays until a picture without samples is set.
     void setDeviations(const DeviationPicture& picture);
-    /// What shank or holder touch, as cubes; none: nothing.
+    /// Sets the voxels that shank or holder touch, drawn as cubes; empty: none.
     void setTouchedVoxels(const std::vector<TouchedVoxels>& areas);
-    /// What is chosen or looked at of a path.
+    /// Sets the selected or inspected part of a path.
     void setMoveMark(const PlaceChains& moves);
-    /// What the user drew for the path: areas, guides.
+    /// Sets what the user drew for the path: areas, guides.
     void setOutlines(const PlaceChains& lines);
-    /// What the tool has still to cut: the pointer's trail, a line or rows to come.
+    /// Sets what the tool has yet to cut: the pointer's trail, a planned line or rows.
     void setStrokePlans(const PlaceChains& lines);
-    /// The area of the next pass, as lines on the part.
+    /// Sets the area of the next pass, as lines on the part.
     void setArea(const PlaceChains& lines);
-    void setMeasureMark(const std::optional<MeasureMark>& mark); ///< what was measured; nothing: none
-    /// Strokes of a pass that is not computed yet.
+    void setMeasureMark(const std::optional<MeasureMark>& mark); ///< the measurement; std::nullopt: none
+    /// Sets the strokes of a pass that is not computed yet.
     void setPassPreview(const PlaceChains& lines);
 
-    /// A view straight along an axis is parallel, whatever else is chosen, until it is turned.
+    /// A view straight along an axis is parallel, regardless of `setParallel`, until it is rotated.
     void setStandardView(StandardView view);
     const CameraView& cameraView() const noexcept;
     void setCameraView(const CameraView& view); ///< at once
     void fit();
-    /// As a device in the other hand pushes the picture. @param seconds that the push lasted
+    /// Moves the view by a 3D mouse. @param seconds duration of the push
     void push(const CameraPush& push, double seconds);
-    /// The projection of all other views: parallel, or in perspective.
+    /// The projection of all other views: parallel or perspective.
     void setParallel(bool parallel);
-    /// Not owned; nullptr: the camera alone.
+    /// Not owned; nullptr: only the camera.
     void setInteractiveTool(InteractiveTool* tool);
-    InteractiveTool* interactiveTool() const; ///< null: the camera alone
-    /// Sight through a place of the widget (device-independent pixels).
+    InteractiveTool* interactiveTool() const; ///< null: only the camera
+    /// The sight line through a position of the widget (device-independent pixels).
     ViewportEvent sight(const QPointF& position) const;
-    /// The place of workpiece or part that appears there, mm, setup frame; nothing: the workpiece alone does, or a
-    /// preview.
+    /// The point of workpiece or part that appears at a position, mm, setup frame; std::nullopt if nothing is there, or
+    /// while a preview is shown.
     std::optional<glm::dvec3> pick(const QPointF& position) const;
-    /// Where a place in the setup frame appears, device-independent pixels.
+    /// The position at which a point of the setup frame appears, device-independent pixels.
     QPointF project(const glm::dvec3& place) const;
 
-    /// Before anything is to be seen: has what draws a part made ready in some turns of the event loop, so that the
-    /// first picture of one doesn't hold up the thread. Nothing once there is a part, or the view is shown.
+    /// Call before anything is shown: prepares the drawing of a part in some turns of the event loop, so that the first
+    /// picture of a part doesn't block the thread. Does nothing once there is a part or the view is shown.
     void warmUp();
-    bool isValid() const; ///< it can draw
-    /// Draws and gives the picture, in screen pixels.
+    bool isValid() const; ///< whether it can draw
+    /// Draws and returns the picture, in screen pixels.
     QImage grabFramebuffer();
 
     FrameStatistics statistics() const;
     void resetStatistics();
 
 signals:
-    /// After each paint.
+    /// Emitted after each paint.
     void painted();
     void interactiveToolChanged();
-    /// The user drags the section plane. @param position mm along its axis, within the content
+    /// Emitted while the user drags the section plane. @param position mm along its axis, within the content
     void sectionDragged(double position);
-    /// OpenGL is too old; the sentence is for the user, as from `drawingObstacle`.
+    /// Emitted if OpenGL is too old; the sentence is for the user, as from `drawingObstacle`.
     void drawingFailed(const QString& sentence);
 
 protected:

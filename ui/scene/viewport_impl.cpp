@@ -15,10 +15,10 @@ namespace {
 
 using namespace std::chrono_literals;
 constexpr auto flightTime = 180ms;
-constexpr auto restTime = 350ms; // after the last motion: then everything is drawn in full detail
+constexpr auto restTime = 350ms; // after the last motion; everything is then drawn in full detail
 constexpr auto flashTime = 167ms;
-/// A paint is followed by a pause of this part of its time: painted back to back, a picture in software would leave
-/// nothing of the processor to those who make what it shows.
+/// A paint is followed by a pause of its duration divided by this number: without pauses, software rendering would
+/// leave no processor time for the threads that create its content.
 constexpr int pausePerPaint = 4;
 
 } // namespace
@@ -81,7 +81,8 @@ void Viewport::Impl::begin(QOpenGLContext& context) {
     window->SetIsCurrent(true);
     window->SetReadyForRendering(true);
     window->SetOwnContext(0);
-    // Smooth edges cost nothing on a graphics card, but two to five times a frame in software (measured).
+    // Multisampling costs nothing on a graphics card, but multiplies the time of a frame by two to five in software
+    // (measured).
     window->SetMultiSamples(drawsInSoftware(context) ? 0 : 4);
     window->OpenGLInitContext();
     window->SetFrameBlitModeToBlitToCurrent();

@@ -24,21 +24,21 @@
 
 namespace burin {
 
-/// What a viewport is made of: scene, camera, canvas, and when to paint.
+/// The parts of a viewport: scene, camera, canvas, and the timing of paints.
 class Viewport::Impl final : public CanvasPainter {
 public:
     explicit Impl(Viewport& viewport);
 
     CameraMotion::Clock::duration flight() const;
-    /// Paints soon: in a turn of the event loop of its own, so that panels which change at the same time and input need
-    /// not wait for the picture, and where that is costly after a pause in which others get their turn.
+    /// Requests a paint in a later turn of the event loop, so that input and panels that change at the same time need
+    /// not wait for the picture; if painting is costly, only after a pause in which others get their turn.
     void refresh() {
         if (breath.isActive())
             waiting = true;
         else if (!turn.isActive())
             turn.start();
     }
-    /// Something on the screen moves: coarse detail is enough until it rests.
+    /// Call when something on the screen moves: coarse detail is sufficient until it comes to rest.
     void moved() {
         rest.start();
         refresh();
@@ -47,8 +47,8 @@ public:
         motion.setContent(scene.contentBox());
         refresh();
     }
-    /// What a movement of the camera turns and scales about: the place under the pointer, or one as far away as what
-    /// the camera looks at.
+    /// The pivot about which camera movements rotate and scale: the point under the pointer, or one as far away as the
+    /// camera's focus.
     glm::dvec3 pivotAt(const QPointF& position) const {
         const Sight sight = sightThrough(motion.view(), motion.size(), position);
         return scene.pick(sight).value_or(besideFocus(motion.view(), sight));
@@ -60,7 +60,7 @@ public:
         sighted.modifiers = modifiers;
         return sighted;
     }
-    /// That gets what the pointer and the keys do; null: the camera alone.
+    /// The tool that receives pointer and key events; null: only the camera.
     InteractiveTool* toolInHand() const { return scene.previewing() ? nullptr : tool; }
     bool onSectionGrip(const QPointF& position) {
         return !scene.previewing() && scene.section().gripAt(motion.view(), motion.size(), position);
@@ -69,7 +69,7 @@ public:
         const SectionPlane plane = *scene.section().plane();
         const Box content = scene.contentBox();
         const double to = scene.section().dragged(motion.view(), motion.size(), *sectionGrip, position);
-        // A pointer beyond the ends takes the plane along again when it comes back.
+        // A pointer that was beyond the ends moves the plane again when it returns.
         if (to < content.low[plane.axis] || to > content.high[plane.axis]) return;
         sectionGrip = position;
         emit widget.sectionDragged(to);
@@ -78,7 +78,7 @@ public:
         const auto face = position ? ViewCube::faceAt(motion.view(), motion.size(), *position) : std::nullopt;
         if (scene.cube().setHovered(face)) refresh();
     }
-    /// What takes some tenths of a second is made on a thread of the pool and handed over on this one.
+    /// Runs work that takes some tenths of a second on a pool thread and passes the result to `then` on this thread.
     template <class Make, class Then>
     void onPool(Make make, Then then) {
         const QPointer<Viewport> self(&widget);
@@ -113,9 +113,9 @@ public:
     CameraMotion motion;
     FrameClock clock;
     QTimer rest, flash, breath, turn;
-    bool waiting = false; ///< to be painted after the breath
+    bool waiting = false; ///< whether to paint after the pause
     FrameClock::Clock::time_point paintBegan;
-    std::optional<FrameClock::Clock::time_point> paintedCut; ///< of the paint under way
+    std::optional<FrameClock::Clock::time_point> paintedCut; ///< of the current paint
     InteractiveTool* tool = nullptr;
     ToolMarks marks;
     std::optional<PressMark> press;
@@ -124,17 +124,17 @@ public:
     std::vector<ObstacleMark> obstacles;
     std::optional<ZeroPlace> zero;
     std::shared_ptr<const Model> part;
-    std::uint64_t deviationsOrdered = 0;      ///< counts setDeviations, as partOrdered
-    std::uint64_t partOrdered = 0;            ///< counts setPart: a part that comes late must not replace a newer one
-    std::uint64_t previewOrdered = 0;         ///< counts setPreview, as partOrdered
-    std::optional<CameraMotion> motionBefore; ///< the preview, while that is drawn
-    bool previewEnds = false;                 ///< with the part that was ordered last
-    bool usable = false;                      ///< there is a context that can draw
+    std::uint64_t deviationsOrdered = 0; ///< counts setDeviations calls, like partOrdered
+    std::uint64_t partOrdered = 0; ///< counts setPart calls: a part that is finished late must not replace a newer one
+    std::uint64_t previewOrdered = 0;         ///< counts setPreview calls, like partOrdered
+    std::optional<CameraMotion> motionBefore; ///< the camera state before the preview, while the preview is drawn
+    bool previewEnds = false;                 ///< whether the preview ends with the part that was ordered last
+    bool usable = false;                      ///< whether there is a context that can draw
     bool failureTold = false;
     bool flashLit = true;
-    bool paintedMoving = true;      ///< the newest paint was made in motion
-    bool flying = false;            ///< the camera flies on after the paint under way
-    std::unique_ptr<Canvas> canvas; ///< last: it draws a last farewell to the above
+    bool paintedMoving = true;      ///< whether the newest paint was made in motion
+    bool flying = false;            ///< whether the camera animation continues after the current paint
+    std::unique_ptr<Canvas> canvas; ///< last member, because its destruction still uses the above
 };
 
 } // namespace burin

@@ -22,21 +22,22 @@ namespace burin {
 
 namespace {
 
-/// Triangles that one paint may hand to the graphics driver for the first time (about 20 ms in software).
+/// Triangles that one paint may newly upload to the graphics driver (about 20 ms in software).
 constexpr std::size_t uploadsPerPaint = 60'000;
-/// Full detail is added up to here while something moves; below the limit, for a faster way from cut to screen.
+/// While something moves, full detail is added up to this number; it is below the limit to shorten the time from cut to
+/// screen.
 constexpr std::size_t comfortableTriangles = 45'000;
-/// More are not drawn at rest either, whatever the size of the workpiece: no paint may take 100 ms.
+/// The maximum drawn at rest, regardless of the size of the workpiece: no paint may take 100 ms.
 constexpr std::size_t restTriangles = 250'000;
 
 vtkSmartPointer<vtkActor> groupActor() {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetColorModeToDirectScalars();
-    mapper->SetStatic(1); // the data come finished: no pipeline to ask
+    mapper->SetStatic(1); // the data are complete: no pipeline to update
     auto actor = vtkSmartPointer<vtkActor>::New();
     actor->SetMapper(mapper);
     shadeSimply(*actor);
-    actor->GetProperty()->BackfaceCullingOn(); // the surface is closed: what faces away costs, and is never seen
+    actor->GetProperty()->BackfaceCullingOn(); // closed surface: back faces would cost time and are never visible
     actor->VisibilityOff();
     return actor;
 }
@@ -44,10 +45,10 @@ vtkSmartPointer<vtkActor> groupActor() {
 /// One of the two surfaces of a group.
 struct LayerActor {
     vtkSmartPointer<vtkActor> actor = groupActor();
-    std::optional<SurfaceUpdate> next; ///< newer than what the actor holds
-    std::size_t triangles = 0;         ///< that the actor holds
-    std::vector<SurfaceBrick> bare;    ///< where it leaves out bare part
-    bool loaded = false;               ///< the actor holds something
+    std::optional<SurfaceUpdate> next; ///< newer than the actor's data
+    std::size_t triangles = 0;         ///< of the actor's data
+    std::vector<SurfaceBrick> bare;    ///< where bare part is left out
+    bool loaded = false;               ///< whether the actor has data
 
     void load() {
         static_cast<vtkPolyDataMapper*>(actor->GetMapper())->SetInputData(next->data);
@@ -62,7 +63,7 @@ struct LayerActor {
 struct Group {
     glm::dvec3 centre{0.0};
     LayerActor moving, rest;
-    bool restCurrent = false; ///< the surface at rest shows the newest cut
+    bool restCurrent = false; ///< whether the surface at rest shows the newest cut
     LayerActor* drawn = nullptr;
 };
 
@@ -176,8 +177,8 @@ private:
         if (delivery.cut && (!cut_ || *delivery.cut < *cut_)) cut_ = delivery.cut;
     }
 
-    /// Which groups shall show what they have at rest: all, or while something moves as many as the limit allows,
-    /// those near the focus first.
+    /// The groups that show their surface at rest: all, or while something moves as many as the limit allows, those
+    /// near the focus first.
     std::vector<bool> choose(const std::vector<Group*>& nearest, bool moving) const {
         std::size_t all = 0;
         for (const Group* group : nearest) all += group->moving.coming();
@@ -190,7 +191,8 @@ private:
         return rest;
     }
 
-    /// Hands over what is chosen and not loaded yet, within the budget; groups beyond it go on showing what they show.
+    /// Uploads what is chosen and not loaded yet, within the budget; groups beyond it keep showing their current
+    /// surface.
     void load(const std::vector<Group*>& nearest, const std::vector<bool>& rest) {
         std::size_t budget = uploadsPerPaint;
         waiting_ = false;
@@ -227,7 +229,7 @@ private:
         for (LayerActor* one : {&group.moving, &group.rest}) {
             setBlended(*one->actor, opacity_);
             clipBy(*one->actor, clip_);
-            // Where a section cuts, its face and the surface may stand a hair apart; then the inside closes the gap.
+            // At a section, the cut face and the surface may be slightly apart; the back faces then close the gap.
             one->actor->GetProperty()->SetBackfaceCulling(clip_ == nullptr);
         }
     }
@@ -252,7 +254,7 @@ private:
     std::uint64_t volume_ = 0;
     bool visible_ = true, waiting_ = false;
     std::optional<CutTime> cut_, cutShown_;
-    WorkpieceMesher mesher_; ///< last: its thread ends before the rest goes
+    WorkpieceMesher mesher_; ///< last member: its thread ends before the other members are destroyed
 };
 
 WorkpieceActors::WorkpieceActors(vtkRenderer& solids, vtkRenderer& films, std::function<void()> ready)

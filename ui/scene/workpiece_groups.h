@@ -10,7 +10,8 @@
 
 namespace burin {
 
-/// Square groups of a workpiece's surface tiles, each drawn by one actor: an actor costs, however little it draws.
+/// Square groups of a workpiece's surface tiles, each drawn by one actor, because every actor has a cost, however
+/// little it draws.
 class WorkpieceGroups {
 public:
     WorkpieceGroups() = default;
@@ -23,7 +24,7 @@ public:
 
     std::size_t count() const { return centres_.size(); }
     std::size_t tileCount() const { return static_cast<std::size_t>(tiles_.x) * static_cast<std::size_t>(tiles_.y); }
-    /// Of each group's part of the grid, mm, setup frame.
+    /// The centre of each group's part of the grid, mm, setup frame.
     const std::vector<glm::dvec3>& centres() const { return centres_; }
     std::size_t place(SurfaceTile tile) const { return static_cast<std::size_t>(tile.v * tiles_.x + tile.u); }
     std::size_t groupOf(SurfaceTile tile) const {

@@ -17,18 +17,19 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/// For so long nothing may change before full detail is made.
+/// The time without changes after which full detail is meshed.
 constexpr auto restDelay = 100ms;
-/// What a tool changes at once: finished before the next snapshot is looked at.
+/// The number of groups that a tool changes at once: they are finished before the next snapshot is taken.
 constexpr std::size_t fewGroups = 4;
-/// Changed tiles are made in full as long as that takes no more, s.
+/// Changed tiles are meshed at full detail as long as this takes no longer than this, s.
 constexpr double timeForFull = 0.015;
-/// Groups of full detail that a tool changes at once, and what they have more of than finished ones: tiles not joined.
+/// Groups of full detail that a tool changes at once, and the factor by which they have more triangles than finished
+/// groups, because their tiles are not joined.
 constexpr std::size_t changedGroups = 2, unjoined = 2;
-constexpr double rimTolerance = 0.01; ///< voxels: what a skirt may leave open at its upper edge
-constexpr double skirtCells = 1.5;    ///< of the coarser layer: as deep as the two may differ
+constexpr double rimTolerance = 0.01; ///< voxels: permitted gap at the upper edge of a skirt
+constexpr double skirtCells = 1.5;    ///< cells of the coarser layer: as deep as the two layers may differ
 
-// Details by which a layer comes down to its limit of triangles; tolerances in voxels.
+// Levels of detail by which a layer is reduced to its limit of triangles; tolerances in voxels.
 constexpr std::array<SurfaceDetail, 6> movingDetails{{{1, 0.5}, {1, 1.0}, {2, 1.0}, {2, 2.0}, {3, 4.0}, {3, 8.0}}};
 constexpr std::array<SurfaceDetail, 6> restDetails{{{0, 0.1}, {0, 0.2}, {1, 0.4}, {1, 0.8}, {2, 1.6}, {3, 3.2}}};
 
@@ -36,7 +37,7 @@ constexpr const std::array<SurfaceDetail, 6>& details(SurfaceLayer which) {
     return which == SurfaceLayer::moving ? movingDetails : restDetails;
 }
 
-/// Tiles are kept by the ten thousand: the room that simplification left is given back.
+/// Tens of thousands of tiles are stored: frees the memory that simplification no longer needs.
 void giveBackUnused(SurfaceMesh& mesh) {
     const auto fit = [](auto& values) {
         if (values.capacity() > 2 * values.size()) values.shrink_to_fit();
@@ -80,12 +81,12 @@ bool WorkpieceMesher::Layer::hasStale() const {
 WorkpieceMesher::WorkpieceMesher(const Limits& limits, std::function<void()> ready)
     : limits_(limits), ready_(std::move(ready)), thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-WorkpieceMesher::~WorkpieceMesher() = default; // the thread is asked to stop and joined first
+WorkpieceMesher::~WorkpieceMesher() = default; // the thread is first asked to stop, and joined
 
 // ---- Any thread
 
 void WorkpieceMesher::show(const VolumeSnapshot& workpiece, std::optional<CutTime> oldestCut) {
-    VolumeSnapshot skipped = workpiece; // what it holds in the end is let go outside the lock
+    VolumeSnapshot skipped = workpiece; // its final content is released outside the lock
     {
         const std::lock_guard lock(mutex_);
         std::swap(newest_, skipped);
@@ -111,7 +112,7 @@ void WorkpieceMesher::setExcess(std::optional<ExcessColours> left) {
     {
         const std::lock_guard lock(mutex_);
         if (wantedExcess_ == left) return;
-        std::swap(wantedExcess_, left); // what it held is let go outside the lock
+        std::swap(wantedExcess_, left); // its previous content is released outside the lock
         recolour_ = true;
         busy_.store(true, std::memory_order_release);
     }
@@ -192,7 +193,7 @@ void WorkpieceMesher::takeNewest() {
         if (newestCut_ && (!cut_ || *newestCut_ < *cut_)) cut_ = newestCut_;
         newestCut_.reset();
     }
-    // A workpiece in the past is a volume of its own: what it shares with the one that was drawn stays drawn.
+    // A workpiece of the past is a separate volume: what it shares with the drawn one stays drawn.
     const bool other = before.empty() || shown_.empty() || !alike(before.grid(), shown_.grid()) ||
                        !alike(before.properties(), shown_.properties());
     if (!other)
@@ -204,7 +205,7 @@ void WorkpieceMesher::takeNewest() {
 void WorkpieceMesher::startVolume() {
     groups_ = shown_.empty() ? WorkpieceGroups() : WorkpieceGroups(shown_.grid());
     for (Layer& one : layers_) one.start(groups_);
-    changed_.assign(groups_.count(), Clock::now() - restDelay); // full detail may follow without a pause
+    changed_.assign(groups_.count(), Clock::now() - restDelay); // full detail can follow without a pause
     fullFits_ = false;
     {
         const std::lock_guard lock(mutex_);
@@ -239,8 +240,8 @@ void WorkpieceMesher::refreshMoving() {
     deliverCut();
 }
 
-/// A tile that is at full detail already needs no coarse one.
-/// False: left off for a newer snapshot. What is made by then stays.
+/// A tile that is already at full detail needs no coarse one. Returns false if it was interrupted for a newer snapshot;
+/// tiles that are already meshed are kept.
 bool WorkpieceMesher::refreshMovingTiles(std::size_t group, bool mayStop, bool inFull) {
     bool complete = true;
     groups_.eachTile(group, [&](SurfaceTile tile) {
@@ -253,8 +254,8 @@ bool WorkpieceMesher::refreshMovingTiles(std::size_t group, bool mayStop, bool i
     return complete;
 }
 
-/// One group at a time: cuts go first. What it shows while things move becomes coarse all through again, so that the
-/// next groups find room.
+/// Processes one group at a time, since cuts have priority. The group's moving surface becomes completely coarse again,
+/// to make room for the next groups.
 void WorkpieceMesher::refreshRest() {
     Layer& rest = layer(SurfaceLayer::rest);
     const std::size_t group = nearestStale(rest, Clock::now() - restDelay);
@@ -267,7 +268,7 @@ void WorkpieceMesher::refreshRest() {
     if (!rest.hasStale()) settleRest();
 }
 
-/// False: left off for a newer snapshot. What is made by then stays.
+/// Returns false if it was interrupted for a newer snapshot; tiles that are already meshed are kept.
 bool WorkpieceMesher::refreshTiles(SurfaceLayer which, std::size_t group) {
     bool complete = true;
     groups_.eachTile(group, [&](SurfaceTile tile) {
@@ -304,7 +305,7 @@ void WorkpieceMesher::makeTile(SurfaceLayer which, SurfaceTile tile) {
     }
 }
 
-/// @param mixed of tiles at full detail where there are such, as they are
+/// @param mixed whether to use tiles at full detail where they exist, unchanged
 SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, bool mixed) {
     const Layer& rest = layer(SurfaceLayer::rest);
     std::vector<const SurfaceMesh*> pieces;
@@ -337,7 +338,7 @@ std::vector<RgbColour> WorkpieceMesher::coloursOf(SurfaceMesh& mesh, const Exces
                  : colourByMaterial(mesh, shown_.properties(), colour_);
 }
 
-/// Whether the tiles that a cut has changed can be made at full detail at once.
+/// Whether the tiles changed by a cut can be meshed at full detail at once.
 bool WorkpieceMesher::fullFitsInTime() {
     const std::vector<std::uint8_t>& stale = layer(SurfaceLayer::rest).staleTiles;
     const auto tiles = static_cast<double>(std::count(stale.begin(), stale.end(), 1));
@@ -350,11 +351,11 @@ bool WorkpieceMesher::roomForFull() {
     return layer(SurfaceLayer::moving).triangleCount() + changedGroups * unjoined * largest <= limits_.moving;
 }
 
-/// All groups are made: do they keep to the limit?
+/// Called when all groups are meshed: checks whether they keep to the limit.
 void WorkpieceMesher::settleMoving() {
     Layer& moving = layer(SurfaceLayer::moving);
     if (!moving.tooMany(limits_.moving)) return;
-    if (fullFits_) { // without tiles of full detail first
+    if (fullFits_) { // first without tiles of full detail
         fullFits_ = false;
         std::fill(moving.staleGroups.begin(), moving.staleGroups.end(), std::uint8_t{1});
     } else
@@ -396,7 +397,7 @@ void WorkpieceMesher::deliverCut() {
     ready_();
 }
 
-/// groups_.count(): none that has not changed since.
+/// Returns groups_.count() if there is none that hasn't changed since.
 std::size_t WorkpieceMesher::nearestStale(const Layer& layer, Moment changedBefore) {
     glm::dvec3 focus;
     {

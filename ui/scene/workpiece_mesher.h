@@ -26,63 +26,63 @@ using CutTime = std::chrono::steady_clock::time_point;
 /// Which of its two surfaces a group of tiles shows.
 enum class SurfaceLayer : std::uint8_t { moving, rest };
 
-/// A group of tiles that the worker has made.
+/// A group of tiles meshed by the worker.
 struct SurfaceUpdate {
     std::size_t group = 0;
-    SurfaceLayer layer = SurfaceLayer::moving; ///< `moving` puts what the group has at rest out of date
+    SurfaceLayer layer = SurfaceLayer::moving; ///< `moving` makes the group's `rest` surface outdated
     vtkSmartPointer<vtkPolyData> data;
     std::size_t triangles = 0;
-    std::vector<SurfaceBrick> bare; ///< where bare part was left out, some of them more than once
+    std::vector<SurfaceBrick> bare; ///< where bare part was left out; may contain duplicates
 };
 
-/// What the worker hands over.
+/// A delivery of the worker.
 struct SurfaceDelivery {
-    std::uint64_t volume = 0;           ///< counts volumes: with another one, all groups are new
-    Grid grid;                          ///< the volume's; of no meaning without groups
+    std::uint64_t volume = 0;           ///< number of the volume: when it changes, all groups are new
+    Grid grid;                          ///< grid of the volume; meaningless without groups
     std::vector<glm::dvec3> groups;     ///< centre of each group, mm
-    std::vector<SurfaceUpdate> updates; ///< at most one a group and layer
-    std::optional<CutTime> cut;         ///< the oldest of the cuts that the updates show for the first time
+    std::vector<SurfaceUpdate> updates; ///< at most one per group and layer
+    std::optional<CutTime> cut;         ///< time of the oldest cut that the updates show for the first time
 };
 
-/// Meshes a workpiece on a thread of its own: at once, and after every change, so that it can be drawn while things
-/// move; groups in which nothing has changed for a moment, at full detail. Only changed tiles are made anew. Where
-/// the limit for things that move leaves room and time allows, changed tiles are made in full at once. Holds two
-/// snapshots at most: the one that is meshed and the newest.
+/// Meshes a workpiece on a separate thread: coarsely at once and after every change, so that it can be drawn while
+/// things move; and at full detail for groups in which nothing has changed for a moment. Only changed tiles are meshed
+/// again. If the triangle limit for moving scenes and the time allow, changed tiles are meshed at full detail at once.
+/// Holds at most two snapshots: the one being meshed and the newest.
 class WorkpieceMesher {
 public:
-    /// Triangles in all that a layer is brought down to, by coarser details if need be.
+    /// The maximum total number of triangles of each layer; coarser detail is used if necessary.
     struct Limits {
         std::size_t moving = 0, rest = 0;
     };
 
     /// @param ready called on the worker's thread after each delivery
     WorkpieceMesher(const Limits& limits, std::function<void()> ready);
-    /// Waits for the tile that is being made.
+    /// Waits for the tile that is being meshed.
     ~WorkpieceMesher();
     WorkpieceMesher(const WorkpieceMesher&) = delete;
     WorkpieceMesher& operator=(const WorkpieceMesher&) = delete;
 
     // ---- Any thread; none of these waits for meshing.
 
-    /// @param workpiece empty: nothing is to be shown
+    /// @param workpiece empty: nothing is shown
     void show(const VolumeSnapshot& workpiece, std::optional<CutTime> oldestCut);
     void setPartColour(const RgbColour& colour);
-    /// By what is left on the part, instead of by material; nothing: by material.
+    /// Colours the surface by the stock left on the part; std::nullopt: by material.
     void setExcess(std::optional<ExcessColours> left);
-    /// Whether the part's own mesh is drawn as well: bare part is left out then.
+    /// Whether the part's own mesh is drawn as well: bare part is then left out.
     void setPartDrawn(bool drawn);
-    /// Groups near this place come first, mm.
+    /// Groups near this point are meshed first, mm.
     void setFocus(const glm::dvec3& focus);
     SurfaceDelivery take();
-    /// Whether a delivery is to come.
+    /// Whether a delivery is pending.
     bool busy() const { return busy_.load(std::memory_order_acquire); }
 
 private:
     /// The tiles of one layer.
     struct Layer {
-        std::size_t step = 0; ///< on the ladder of details
+        std::size_t step = 0; ///< index in the sequence of details
         std::vector<SurfaceMesh> tiles;
-        std::vector<std::vector<SurfaceBrick>> bare; ///< by tile: where bare part is to be left out
+        std::vector<std::vector<SurfaceBrick>> bare; ///< by tile: where bare part must be left out
         BareRims rims;
         std::vector<std::uint8_t> staleTiles, staleGroups;
         std::vector<std::size_t> triangles; ///< by group
@@ -122,7 +122,7 @@ private:
     const Limits limits_;
     const std::function<void()> ready_;
 
-    std::mutex mutex_; ///< guards the next eleven
+    std::mutex mutex_; ///< guards the next eleven members
     std::condition_variable_any wake_;
     bool newestWaits_ = false, recolour_ = false, remesh_ = false;
     VolumeSnapshot newest_;
@@ -134,25 +134,25 @@ private:
     SurfaceDelivery delivery_;
     std::atomic<bool> busy_ = false;
 
-    // The worker's own.
+    // Used only by the worker thread.
     std::stop_token stop_;
     VolumeSnapshot shown_;
-    std::optional<CutTime> cut_; ///< in what is shown, not delivered yet
+    std::optional<CutTime> cut_; ///< in the snapshot that is shown, not delivered yet
     RgbColour colour_ = barePartColour;
     std::optional<ExcessColours> left_;
-    bool withoutPart_ = false; ///< bare part is left out
+    bool withoutPart_ = false; ///< whether bare part is left out
     WorkpieceGroups groups_;
     std::array<Layer, 2> layers_;
     std::vector<Moment> changed_;  ///< when each group changed last
-    bool fullFits_ = false;        ///< there is room for full detail where a tool cuts, in what is drawn while it does
-    double fullTileSeconds_ = 0.0; ///< that a tile at full detail takes, running mean
+    bool fullFits_ = false;        ///< whether the moving layer has room for full detail where a tool cuts
+    double fullTileSeconds_ = 0.0; ///< time to mesh a tile at full detail, running mean
     SurfaceExtractor extractor_;
     StockSharpening sharpening_;
     BareBorder border_;
     SurfaceSimplifier simplifier_;
     SurfaceMesh joined_;
 
-    std::jthread thread_; ///< last, so that it ends first
+    std::jthread thread_; ///< last member, so that it is destroyed first
 };
 
 } // namespace burin

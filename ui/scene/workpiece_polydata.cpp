@@ -17,7 +17,7 @@ namespace burin {
 
 namespace {
 
-/// The vertices of a mesh and its skirt, one after the other.
+/// Writes the vertices of a mesh and its skirt, one after the other.
 class PointWriter {
 public:
     explicit PointWriter(std::size_t count) {
@@ -71,7 +71,7 @@ vtkSmartPointer<vtkCellArray> triangleCells(std::span<const std::uint32_t> trian
     return cells;
 }
 
-/// Where the skirt ends below each point of the rim.
+/// The lower end of the skirt below each point of the rim.
 std::vector<glm::vec3> skirtEnds(const SurfaceMesh& mesh, std::span<const std::uint32_t> rim,
                                  std::span<const float> depths) {
     std::vector<glm::vec3> beyond(rim.empty() ? 0 : mesh.points.size(), glm::vec3(0.0F));
@@ -109,7 +109,7 @@ vtkSmartPointer<vtkPolyData> surfacePolyData(const SurfaceMesh& mesh, std::span<
     auto data = vtkSmartPointer<vtkPolyData>::New();
     writer.giveTo(*data);
     data->SetPolys(triangleCells(mesh.triangles, mesh.points.size(), rim));
-    data->ComputeBounds(); // here, so that the user interface's thread need not
+    data->ComputeBounds(); // computed here, so that the GUI thread need not do it
     return data;
 }
 

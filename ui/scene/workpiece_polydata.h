@@ -16,18 +16,18 @@ namespace burin {
 
 using RgbColour = std::array<std::uint8_t, 3>; ///< sRGB
 
-/// The part where it is bare, whatever it is made of: nothing else on the workpiece is blue.
+/// The colour of bare part, regardless of its material: nothing else on the workpiece is blue.
 inline constexpr RgbColour barePartColour{74, 144, 217};
 
-/// The colours of a surface's points by what they are made of; bare part has its own.
+/// The colours of a surface's points by their material; bare part has its own colour.
 std::vector<RgbColour> colourByMaterial(const SurfaceMesh& mesh, const PropertyList& properties,
                                         const RgbColour& partColour);
 
-/// A surface for VTK: points and normals in single precision, an sRGB colour a point. Any thread.
-/// @param colours a point each
-/// @param rim   edges (two points each) that get a skirt, at each point as deep as `skirt` says, mm, down into the
-/// material and a third as far beyond
-///              the rim, under the next piece: no light shows between this one and a coarser or finer one beside it
+/// A surface as VTK data: points and normals in single precision, one sRGB colour per point. Any thread.
+/// @param colours one per point
+/// @param rim   edges (two points each) that get a skirt; at each point it extends by the depth in `skirt`, mm, down
+/// into the material and a third as far beyond the rim, under the next piece, so that no gap is visible between this
+/// piece and a coarser or finer one next to it
 vtkSmartPointer<vtkPolyData> surfacePolyData(const SurfaceMesh& mesh, std::span<const RgbColour> colours,
                                              std::span<const std::uint32_t> rim = {},
                                              std::span<const float> skirt = {});

@@ -16,9 +16,9 @@ namespace burin {
 namespace {
 
 constexpr double axisLength = 44.0, headLength = 9.0;   // device-independent pixels
-constexpr double labelBeside = 24.0, labelBelow = 13.0; // likewise, of its middle from zero
+constexpr double labelBeside = 24.0, labelBelow = 13.0; // likewise, of its centre from zero
 
-/// An arrow along an axis, its head seen from every side.
+/// An arrow along an axis, with a head that is visible from every side.
 std::vector<LineEnds> arrow(const glm::dvec3& from, int axis, double pixel) {
     glm::dvec3 along(0.0);
     along[axis] = 1.0;
@@ -47,7 +47,7 @@ void ZeroMark::setPalette(const Palette& palette) {
     colour_ = palette.text;
     plate_ = palette.panel;
     plate_.setAlphaF(0.85F);
-    const std::array colours{palette.force, palette.inOrder, palette.part}; // as the view cube has its axes
+    const std::array colours{palette.force, palette.inOrder, palette.part}; // as for the axes of the view cube
     for (std::size_t axis = 0; axis < axes_.size(); ++axis) setColour(*axes_[axis], colours[axis]);
 }
 

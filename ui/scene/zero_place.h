@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// Where a setup's programs have their zero.
+/// The program zero of a setup.
 struct ZeroPlace {
     glm::dvec3 place{0.0}; ///< mm, setup frame
     QString name;          ///< of the work offset

@@ -70,7 +70,7 @@ private:
             .arg(number(from.x), number(from.y), number(from.z), unitText(unit_));
     }
 
-    /// What a machinist must not find out later.
+    /// Warnings for the machinist.
     void warn() {
         const bool released = source_.program && source_.program->released();
         if (!source_.program)
@@ -236,7 +236,7 @@ private:
     const SheetSource& source_;
     LengthUnit unit_;
     SheetPage page_;
-    std::optional<ProgramUse> use_; ///< of the program, where there is one
+    std::optional<ProgramUse> use_; ///< of the program, if there is one
 };
 
 } // namespace

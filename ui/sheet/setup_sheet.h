@@ -12,13 +12,13 @@
 
 namespace burin {
 
-/// One HTML page for whoever clamps and runs the setup: pictures of the stock as it is clamped, machine, work offset
-/// and zero, stock and materials, fixtures, tools with stick-out, feeds and times, the program and what its check
-/// found. In the language of the program, lengths in `unit`, coordinates from program zero. Without a link to any
-/// other file.
+/// Returns one HTML page for whoever clamps and runs the setup: pictures of the clamped stock, machine, work offset and
+/// zero, stock and materials, fixtures, tools with stick-out, feeds and times, the program and the findings of its
+/// check. In the language of the program, lengths in `unit`, coordinates from program zero. Without links to other
+/// files.
 /// @param pictures PNG of `sheetPicture`, one for each of `sheetViews`
 std::string setupSheet(const SheetContent& content, LengthUnit unit, std::span<const std::string> pictures);
-/// What its pictures show.
+/// The contents of its pictures.
 PictureContent sheetPicture(const SheetContent& content);
 inline constexpr std::array sheetViews{StandardView::isometric, StandardView::top, StandardView::front};
 

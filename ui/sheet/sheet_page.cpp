@@ -8,7 +8,7 @@ namespace burin {
 
 namespace {
 
-// Dark on white, as it is printed; a table or picture is not torn over two sheets.
+// Dark on white, for printing; a table or picture is not split between two pages.
 constexpr const char* style = R"css(
 body { font: 11pt/1.4 sans-serif; color: #1a1d21; max-width: 60rem; margin: 1.5rem auto; padding: 0 1rem; }
 h1 { font-size: 1.5rem; margin: 0 0 0.2rem; } h2 { font-size: 1.1rem; margin: 1.6rem 0 0.5rem; border-bottom: 1px solid #bbb; }

@@ -10,20 +10,20 @@
 
 namespace burin {
 
-/// Writes one HTML page that needs no other file and prints on A4. Every text that it is given is escaped.
+/// Writes one HTML page that needs no other file and prints on A4. All text arguments are escaped.
 class SheetPage {
 public:
     explicit SheetPage(const QString& title);
     void section(const QString& title);
-    /// What stands on the left names what stands on the right.
+    /// The left column names the values in the right one.
     void facts(const std::vector<std::pair<QString, QString>>& rows);
     void table(const QStringList& heads, const std::vector<QStringList>& rows);
     void sentence(const QString& text, bool warns = false);
     /// @param png bytes of a PNG file
     void picture(const QByteArray& png, const QString& caption);
-    /// Marks that are HTML already, beside each other.
+    /// Pictures that are HTML already, side by side.
     void marks(const QStringList& html);
-    QString html() const; ///< all of it
+    QString html() const; ///< the complete page
 
 private:
     QString title_, body_;

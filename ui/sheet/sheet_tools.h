@@ -11,16 +11,16 @@
 
 namespace burin {
 
-/// What a program does with one tool. Feeds mm/min, speeds 1/min.
+/// How a program uses one tool. Feeds mm/min, speeds 1/min.
 struct ToolUse {
     double seconds = 0.0;                   ///< with accelerations and corners, without the tool change
     double leastFeed = 0.0, mostFeed = 0.0; ///< of moves that are no rapids; 0: none
     double leastSpeed = 0.0, mostSpeed = 0.0;
-    /// mm: lowest place of the tip over program zero, in moves that are no rapids; infinite: there are none
+    /// mm: lowest tip position relative to program zero, in moves that are no rapids; infinite: there are none
     double deepest = std::numeric_limits<double>::infinity();
 };
 
-/// What a program does, and with what.
+/// The time of a program, and its tools.
 struct ProgramUse {
     double seconds = 0.0;       ///< tool changes included
     std::vector<ToolUse> tools; ///< one for each tool, in their order

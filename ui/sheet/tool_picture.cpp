@@ -33,7 +33,7 @@ public:
         if (cutter_.stickOut > cutter_.fluteLength)
             frustum(cutter_.fluteLength, cutter_.shankDiameter, cutter_.stickOut, cutter_.shankDiameter, "shank");
         for (const QPolygonF& outline : fluteOutline(cutter_).toSubpathPolygons()) polygon(outline, "flutes");
-        double free = height_; // labels keep clear of each other
+        double free = height_; // labels must not overlap
         label(0.0, QStringLiteral("Ø ") + shortLength(cutter_.diameter, unit_), free);
         label(cutter_.fluteLength, SheetText::tr("flutes %1").arg(shortLength(cutter_.fluteLength, unit_)), free);
         label(cutter_.stickOut, SheetText::tr("stick-out %1").arg(shortLength(cutter_.stickOut, unit_)), free);

@@ -10,7 +10,7 @@
 namespace burin {
 
 /// A tool from the side, tip down, as an SVG element with its diameter, flutes and stick-out.
-/// @param pixels a mm: the same for all tools of a page, so that they compare
+/// @param pixels per mm: the same for all tools of a page, so that they can be compared
 QString toolPicture(const Tool& tool, double pixels, LengthUnit unit);
 
 } // namespace burin

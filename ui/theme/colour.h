@@ -9,7 +9,7 @@ namespace burin {
 /// Contrast of two opaque colours, 1 … 21. Source: WCAG 2.1, relative luminance and contrast ratio.
 double contrast(const QColor& one, const QColor& other);
 
-/// `share` of `over` on `ground`, 0 … 1, mixed in sRGB as a half-transparent layer would be; opaque.
+/// Blends `over` onto `ground` in sRGB with an opacity of `share` (0 … 1). The result is opaque.
 QColor mixed(const QColor& ground, const QColor& over, double share);
 
 /// Near-black or white, whichever reads better on `ground`.

@@ -24,7 +24,7 @@ QDir iconFolder() {
     return QDir(QString::fromStdString((resourceDirectory() / "icons").string()));
 }
 
-/// Draws a drawing whose lines are all black in the colour that its role has now.
+/// Renders a drawing with black lines in the current colour of a role.
 class ThemedIconEngine : public QIconEngine {
 public:
     ThemedIconEngine(QString name, QByteArray drawing, ColourRole role)
@@ -42,7 +42,7 @@ public:
     }
 
     QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        if (size.isEmpty()) return {}; // a button that has no room yet
+        if (size.isEmpty()) return {}; // a button that has no size yet
         const QRgb colour = (activePalette().*role_).rgb();
         const auto key = std::make_tuple(size.width(), size.height(), colour, mode == QIcon::Disabled);
         if (drawn_.contains(key)) return drawn_[key];
@@ -67,7 +67,7 @@ private:
     QMap<Key, QPixmap> drawn_;
 };
 
-/// The file's content, read once; empty when there is none.
+/// The content of an icon's file, read only once; empty if there is no such file.
 QByteArray drawingOf(const QString& name) {
     static QHash<QString, QByteArray> known;
     if (const auto found = known.constFind(name); found != known.constEnd()) return *found;

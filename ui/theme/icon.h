@@ -9,12 +9,12 @@
 
 namespace burin {
 
-/// An icon of resources/icons in the colour of a role, sharp at any scale. It looks the colour up when it paints, so it
-/// follows a change of theme; disabled it is drawn in half its strength. Empty (`isNull`) when there is none of that
-/// name.
+/// An icon from resources/icons in the colour of a role, sharp at any scale. The colour is looked up when the icon is
+/// painted, so it follows a change of theme; a disabled icon is drawn at half opacity. Null (`isNull`) if there is no
+/// icon of that name.
 QIcon themedIcon(const QString& name, ColourRole role = &Palette::text);
 
-/// Names of all icons there are, sorted.
+/// The names of all available icons, sorted.
 QStringList iconNames();
 
 } // namespace burin

@@ -25,7 +25,7 @@ QString unitText(LengthUnit unit) {
 QString fixedNumber(double value, int decimals, const QLocale& locale) {
     QLocale plain = locale;
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
-    // "-0.000" would tell of a direction that is not there.
+    // "-0.000" would suggest a direction that doesn't exist.
     if (std::abs(value) < 0.5 * std::pow(10.0, -decimals)) value = 0.0;
     return plain.toString(value, 'f', decimals);
 }

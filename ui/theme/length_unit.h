@@ -7,16 +7,16 @@
 
 namespace burin {
 
-/// What lengths are shown in. Inside and in files everything stays mm.
+/// The unit in which lengths are displayed. Internally and in files all lengths are in mm.
 enum class LengthUnit { millimetre, inch };
 
-/// Digits behind the decimal sign: a micrometre, and the tenth of a thou that is nearest to it.
+/// Number of decimals: one micrometre, and a tenth of a thou, which is the closest inch resolution to it.
 inline constexpr int millimetreDecimals = 3, inchDecimals = 4;
 
-/// "12.500 mm", "0.4921 in": fixed decimals, the locale's decimal sign (display alone, never files). Between number and
-/// unit stands a no-break space.
+/// "12.500 mm", "0.4921 in": fixed decimals with the locale's decimal sign (for display only, never for files). Number
+/// and unit are separated by a no-break space.
 QString lengthText(double millimetres, LengthUnit unit, const QLocale& locale = QLocale());
-/// The same without its unit.
+/// The same as `lengthText`, but without the unit.
 QString lengthNumber(double millimetres, LengthUnit unit, const QLocale& locale = QLocale());
 QString unitText(LengthUnit unit); ///< "mm", "in"
 

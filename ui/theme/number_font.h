@@ -6,8 +6,9 @@
 
 namespace burin {
 
-/// `base` if all of its digits are equally wide, so that numbers don't jitter while they change; otherwise the same
-/// size and weight of a family whose digits are. (Qt 6.4 can't ask a font for its tabular figures.)
+/// Returns `base` if all of its digits have the same width, so that numbers don't jitter while they change; otherwise a
+/// font of the same size and weight from a family with equally wide digits. (Qt 6.4 can't request a font's tabular
+/// figures.)
 QFont numberFont(const QFont& base);
 
 } // namespace burin

@@ -27,8 +27,8 @@ Restyling::Restyling(QApplication& application) : QObject(&application), applica
 }
 
 void Restyling::begin(const QString& sheet) {
-    // A new sheet visits every widget that the style keeps rules of, about a millisecond each: it is made to forget
-    // them first.
+    // A new sheet visits every widget for which the style has cached rules, about a millisecond each: clear that cache
+    // first.
     application_.style()->unpolish(&application_);
     application_.setStyleSheet(sheet);
     hidden_.clear();
@@ -42,7 +42,7 @@ void Restyling::begin(const QString& sheet) {
 }
 
 void Restyling::collect(QWidget& widget, std::vector<QPointer<QWidget>>& visible) {
-    if (widget.testAttribute(Qt::WA_WState_Polished)) { // the others are styled when they are shown first
+    if (widget.testAttribute(Qt::WA_WState_Polished)) { // the others are styled when they are first shown
         if (widget.isVisible()) {
             visible.emplace_back(&widget);
         } else {

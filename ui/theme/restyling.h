@@ -11,11 +11,11 @@
 
 namespace burin {
 
-/// Puts another style sheet in force without a stall: visible widgets are styled at once, hidden ones in pieces between
-/// events or when they are shown, whichever comes first. No widget is seen in the old style. GUI thread.
+/// Applies another style sheet without a stall: visible widgets are styled at once, hidden ones in small batches
+/// between events or when they are shown, whichever comes first. No widget is visible in the old style. GUI thread.
 class Restyling final : public QObject {
 public:
-    explicit Restyling(QApplication& application); ///< its child
+    explicit Restyling(QApplication& application); ///< becomes a child of `application`
     void begin(const QString& sheet);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -25,8 +25,8 @@ private:
     void stylePiece();
 
     QApplication& application_;
-    std::vector<QPointer<QWidget>> hidden_; ///< not styled yet, unless shown meanwhile
-    QSet<QObject*> pending_;                ///< those of them that were not shown
+    std::vector<QPointer<QWidget>> hidden_; ///< not styled yet, unless shown in the meantime
+    QSet<QObject*> pending_;                ///< widgets of `hidden_` that have not been shown yet
     QTimer pieces_;
 };
 

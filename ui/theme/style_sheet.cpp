@@ -14,8 +14,8 @@ namespace burin {
 
 namespace {
 
-// @name stands for a colour or a folder. A rule for every widget would nearly double the time of another theme: what
-// all have in common, such as the colours of a selection, is the palette's.
+// @name is a placeholder for a colour or a folder. A rule for every widget would nearly double the time to change the
+// theme: common properties, such as the colours of a selection, come from the palette.
 constexpr const char* rules = R"(
 QMainWindow, QDialog { background: @panel; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
@@ -170,7 +170,7 @@ std::vector<Replacement> replacements(const Palette& palette) {
     named.emplace_back(QStringLiteral("@icons"), QDir::fromNativeSeparators(folder));
     const bool darkTick = readableOn(palette.accent).lightness() < 128;
     named.emplace_back(QStringLiteral("@tick"), darkTick ? QStringLiteral("tick-dark") : QStringLiteral("tick-light"));
-    // "@accent" is the beginning of "@accentFill": the longer name first.
+    // "@accent" is a prefix of "@accentFill": replace longer names first.
     std::ranges::sort(named, std::greater(), [](const Replacement& one) { return one.first.size(); });
     return named;
 }

@@ -6,9 +6,9 @@
 
 namespace burin {
 
-/// The application's style sheet in a palette's colours. Widgets ask for a special look by the dynamic property "look":
-/// "primary" (the action of a panel), "record", "recording", "flat", "choice" (one of several buttons side by side),
-/// "quiet", "title", "section", "card", "inOrder", "force", "accent".
+/// The application's style sheet in a palette's colours. Widgets select a special look with the dynamic property
+/// "look": "primary" (the main action of a panel), "record", "recording", "flat", "choice" (one of several buttons side
+/// by side), "quiet", "title", "section", "card", "inOrder", "force", "accent".
 QString styleSheet(const Palette& palette);
 
 } // namespace burin

@@ -25,7 +25,7 @@ namespace {
 constexpr ResourceKind themeResource{"theme", "themes"};
 constexpr double smallestPointSize = 10.0;
 
-/// Roles that a user's theme may lack since it was written before they came, and what stands for them.
+/// Roles that a user's theme may lack because it was written before they were added, with their default values.
 constexpr std::array<std::pair<ColourRole, const char*>, 5> laterRoles{{{&Palette::conventionalPath, "#ff9cf2"},
                                                                         {&Palette::rapidPath, "#c9c4bb"},
                                                                         {&Palette::plungePath, "#f4f6f8"},
@@ -41,7 +41,7 @@ const char* idOf(Theme theme) {
     return theme == Theme::light ? "light" : "dark";
 }
 
-/// "#1b2026": an opaque colour.
+/// Whether a text is an opaque colour such as "#1b2026".
 bool isColour(const std::string& text) {
     return text.size() == 7 && text[0] == '#' &&
            std::all_of(text.begin() + 1, text.end(), [](unsigned char c) { return std::isxdigit(c) != 0; });
@@ -57,8 +57,8 @@ Palette systemRoles() {
     return palette;
 }
 
-/// The desktop's font. Where there is none ("Sans Serif" and the like stand for whatever is installed), the first of
-/// some families that read well small and whose digits are equally wide.
+/// The desktop's font. If there is none ("Sans Serif" and similar names stand for whatever is installed), the first
+/// available of some families that are legible at small sizes and have digits of equal width.
 QFont windowFont(QFont font) {
     const QString family = font.family();
     const bool chosen = !family.isEmpty() && !family.startsWith(QStringLiteral("sans"), Qt::CaseInsensitive);
@@ -67,7 +67,7 @@ QFont windowFont(QFont font) {
         font.setFamilies(QStringList{QLatin1String(preferred), family});
         break;
     }
-    // Some systems without a desktop hand out 9 points, too small for a screen that is looked at from a machine.
+    // Some systems without a desktop report 9 points, which is too small for a screen that is viewed from a machine.
     if (font.pointSizeF() < smallestPointSize) font.setPointSizeF(smallestPointSize);
     return font;
 }
@@ -135,13 +135,14 @@ Result<Palette> loadPalette(Theme theme) {
 }
 
 void applyTheme(QApplication& application, const Palette& palette) {
-    // Each of style, font and style sheet visits every widget that there is; style and font are the same in all themes.
+    // Setting the style, the font or the style sheet visits every existing widget; style and font are the same in all
+    // themes.
     if (!std::exchange(applied(), palette)) {
         application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
         application.setFont(windowFont(QFontDatabase::systemFont(QFontDatabase::GeneralFont)));
     }
     application.setPalette(systemPalette(palette));
-    static QPointer<Restyling> restyling; // it goes with the application
+    static QPointer<Restyling> restyling; // destroyed with the application
     if (!restyling) restyling = new Restyling(application);
     restyling->begin(styleSheet(palette));
 }

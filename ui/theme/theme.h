@@ -15,21 +15,22 @@ class QApplication;
 
 namespace burin {
 
-/// The roles that colours have; both themes carry the same ones. Values come from resources/themes/<id>.json.
+/// The colour roles; both themes define the same ones. The values come from resources/themes/<id>.json.
 struct Palette {
     QColor window, panel, field, border, text, quietText; ///< surfaces and the two greys for text
     QColor accent, force, inOrder, part;                  ///< one accent, three signals: red, green, blue
     QColor sceneTop, sceneBottom, grid;                   ///< the viewport's background
     QColor flutes, shank, holder, ghost, coupling, guide, path, livePath; ///< in the viewport
-    /// Moves of a path that are not climb milling, and what is chosen of it. Every line of a path has a seam in
-    /// `pathHalo`, of the opposite lightness: one of the two stands out from whatever it lies on.
+    /// Moves of a path that are not climb milling, and the selected part of a path. Every path line has an outline in
+    /// `pathHalo`, of the opposite lightness, so that one of the two contrasts with any background.
     QColor conventionalPath, rapidPath, plungePath, chosenPath, pathHalo;
 };
 
-/// One role of a palette: `&Palette::accent`. What keeps a role instead of a colour follows a change of theme.
+/// One role of a palette, such as `&Palette::accent`. Code that stores a role instead of a colour follows a change of
+/// theme.
 using ColourRole = QColor Palette::*;
 
-/// Every role with its key in the files.
+/// Every role with its key in the theme files.
 inline constexpr std::array<std::pair<std::string_view, ColourRole>, 26> colourRoles{{
     {"window", &Palette::window},
     {"panel", &Palette::panel},
@@ -64,13 +65,13 @@ enum class Theme { dark, light };
 
 /// Errors: resourceInvalid, fileNotFound.
 Result<Palette> loadPalette(Theme theme);
-/// A palette from the text of a file. @param origin file name for messages. Errors: resourceInvalid.
+/// Reads a palette from the text of a theme file. @param origin file name for messages. Errors: resourceInvalid.
 Result<Palette> paletteFromJson(std::string_view text, const std::string& origin);
-/// Dresses the whole application: QPalette, font and style sheet. May be called again for another theme; widgets then
-/// get QEvent::PaletteChange. GUI thread.
+/// Styles the whole application: QPalette, font and style sheet. May be called again for another theme; widgets then
+/// receive QEvent::PaletteChange. GUI thread.
 void applyTheme(QApplication& application, const Palette& palette);
-/// What `applyTheme` was last given, for widgets that paint themselves; before that, roles taken from the system's
-/// QPalette. GUI thread.
+/// The palette that was last passed to `applyTheme`, for widgets that paint themselves; before the first call, roles
+/// derived from the system's QPalette. GUI thread.
 const Palette& activePalette();
 
 } // namespace burin

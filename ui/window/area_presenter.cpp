@@ -13,7 +13,7 @@ namespace burin {
 
 namespace {
 
-constexpr double turnedStep = 1.1; // of the brush, a notch of the wheel
+constexpr double turnedStep = 1.1; // factor of the brush per notch of the wheel
 
 } // namespace
 
@@ -42,7 +42,7 @@ AreaPresenter::AreaPresenter(Workbench& workbench, Viewport& viewport, AreaCard&
     connect(&painter_, &AreaPainter::cancelled, this, [this] { paint(AreaTool::brush, false); });
     connect(&painter_, &AreaPainter::stateChanged, this, &AreaPresenter::escapeChanged);
     connect(&viewport, &Viewport::interactiveToolChanged, this, [this] {
-        if (painting_ && viewport_.interactiveTool() != &painter_) { // another took the pointer
+        if (painting_ && viewport_.interactiveTool() != &painter_) { // another tool took the pointer
             painting_.reset();
             viewport_.setPartSeen(false);
             presentSoon();
@@ -82,7 +82,7 @@ void AreaPresenter::paint(AreaTool tool, bool wanted) {
         if (!was) before_ = viewport_.interactiveTool();
         painting_ = tool;
         viewport_.setInteractiveTool(&painter_);
-        viewport_.setFocus(); // Esc is the painter's, wherever painting was asked for
+        viewport_.setFocus(); // so that the painter receives Esc, wherever painting was started
     } else if (was) {
         painting_.reset();
         if (viewport_.interactiveTool() == &painter_) viewport_.setInteractiveTool(std::exchange(before_, nullptr));
@@ -108,7 +108,7 @@ void AreaPresenter::turnBrush(double notches) {
     presentSoon();
 }
 
-/// The part that is painted on is that of the workpiece.
+/// The area is painted on the part of the workpiece.
 void AreaPresenter::followPart() {
     std::shared_ptr<const MillingContext> milling = workbench_.workpiece.milling();
     if (milling && milling->part.bounds().empty()) milling = nullptr;
@@ -125,7 +125,7 @@ void AreaPresenter::followPart() {
             return hit ? std::optional(ray.origin + hit->distance * ray.direction) : std::nullopt;
         },
         milling_->part.bounds().high.z);
-    drawn_ = {}; // it lies on another part
+    drawn_ = {}; // the lines were made for another part
     lines_.clear();
 }
 

@@ -14,18 +14,18 @@
 
 namespace burin {
 
-/// The area of the next pass: its card, its lines on the part, and the pointer that paints it in the path's step.
+/// The area of the next pass: its card, its lines on the part, and the pointer that paints it in the path step.
 class AreaPresenter final : public Presenter {
     Q_OBJECT
 public:
     AreaPresenter(Workbench& workbench, Viewport& viewport, AreaCard& card, QObject* parent);
     void setUnit(LengthUnit unit) override;
     void connectActions(const Actions& actions);
-    void setShown(JobStep step); ///< another step than the path's ends the painting
+    void setShown(JobStep step); ///< painting ends when another step than the path's is shown
 
 signals:
-    void paintingBegins(); ///< the path's step has to be shown
-    void escapeChanged();  ///< what Esc does may be another
+    void paintingBegins(); ///< the path step must be shown
+    void escapeChanged();  ///< the meaning of Esc may have changed
     void refused(const burin::Error& error);
 
 private:
@@ -41,11 +41,11 @@ private:
     Viewport& viewport_;
     AreaCard& card_;
     AreaPainter painter_;
-    InteractiveTool* before_ = nullptr; ///< that the view had before the painting
+    InteractiveTool* before_ = nullptr; ///< the view's tool before painting
     std::shared_ptr<const MillingContext> milling_;
     std::optional<AreaTool> painting_;
-    PlaceChains lines_;   ///< of the area as it is
-    PlanRegion drawn_;    ///< what they are of
+    PlaceChains lines_;   ///< of the present area
+    PlanRegion drawn_;    ///< the area that `lines_` belong to
     double brush_ = 10.0; // mm
     bool shown_ = false;
 };

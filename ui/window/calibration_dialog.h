@@ -17,16 +17,15 @@ class ChoiceBox;
 class NamedSwitch;
 class Notice;
 
-/// Fits K and Kr to a file of measured forces, shows what came of it with its confidence, and keeps it where the user
-/// says so.
+/// Fits K and Kr to a file of measured forces, shows the result with its confidence, and keeps it on request.
 class CalibrationDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// @param materials those that a new one may take its other values from
-    /// @param like      the first of these that is offered
+    /// @param materials from which a new one may take its other values
+    /// @param like      the one of these that is preselected
     CalibrationDialog(const std::vector<Property>& materials, const std::string& like, QWidget* parent);
 
-    /// What the user keeps, once the dialog was accepted.
+    /// The materials that the user keeps; valid after the dialog was accepted.
     const std::vector<Property>& calibrated() const noexcept { return calibrated_; }
 
 private:
@@ -35,7 +34,7 @@ private:
     void fit();
     CalibrationRequest request() const;
 
-    std::vector<std::string> ids_; ///< of what `like_` offers, from its second entry on
+    std::vector<std::string> ids_; ///< ids of the entries of `like_` from the second on
     std::vector<Property> calibrated_;
     QString file_;
     bool onWorkpiece_ = false;

@@ -75,7 +75,7 @@ bool DeviationPresenter::take(std::shared_ptr<const CheckedProgram> program) {
     return true;
 }
 
-/// It takes more than a tenth of a second: on a thread of the pool. Until then the one before it stays.
+/// Takes more than a tenth of a second, so it runs on a thread of the pool. The previous map is kept until then.
 void DeviationPresenter::makeMap() {
     const QPointer<DeviationPresenter> self(this);
     QThreadPool::globalInstance()->start([self, program = program_, cell = voxel()]() mutable {

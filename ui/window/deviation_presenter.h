@@ -10,14 +10,14 @@
 
 namespace burin {
 
-/// The deviation map of the newest program: on the part in the viewport, as shares in the panel, as a value under the
+/// The deviation map of the newest program: on the part in the viewport, as shares in the panel, and as a value at the
 /// pointer.
 class DeviationPresenter final : public Presenter {
     Q_OBJECT
 public:
     DeviationPresenter(Workbench& workbench, Viewport& viewport, DeviationCard& card, ScenePresenter& scene,
                        QObject* parent);
-    void setShown(bool shown); ///< the program's step is shown
+    void setShown(bool shown); ///< whether the program step is shown
     void pointAt(const QPointF& position);
     void setUnit(LengthUnit unit) override;
 
@@ -29,21 +29,21 @@ private:
         std::shared_ptr<const CheckedProgram> program;
         DeviationMap map;
     };
-    /// @return whether there is something else to draw
+    /// @return whether the picture must change
     bool take(std::shared_ptr<const CheckedProgram> program);
     void makeMap();
     void adopt(std::shared_ptr<const Mapped> made);
 
-    double voxel() const; ///< mm; there is a program that fits
+    double voxel() const; ///< mm; requires a program that is up to date
 
     Viewport& viewport_;
     DeviationCard& card_;
     ScenePresenter& scene_;
-    std::shared_ptr<const CheckedProgram> program_; ///< whose map is asked for; null: none fits
-    std::shared_ptr<const Mapped> mapped_;          ///< the newest map that is made
-    DeviationTolerance tolerance_;                  ///< that shares and bands are told in
+    std::shared_ptr<const CheckedProgram> program_; ///< whose map is requested; null: none is up to date
+    std::shared_ptr<const Mapped> mapped_;          ///< the newest finished map
+    DeviationTolerance tolerance_;                  ///< for shares and colour bands
     bool shown_ = false, on_ = false, drawn_ = false;
-    bool otherMap_ = false; ///< than the one that is drawn
+    bool otherMap_ = false; ///< the map differs from the one drawn
 };
 
 } // namespace burin

@@ -7,11 +7,11 @@
 
 namespace burin {
 
-/// What the user lets a program miss the part by, and what is meant to stay on it.
+/// The tolerances of the program's deviation from the part, and the allowance.
 inline DeviationTolerance deviationTolerance(const Workbench& workbench) {
     DeviationTolerance tolerance;
     tolerance.gouge = workbench.program.gougeTolerance();
-    // 0: what is left is not judged; it is shown on the usual scale.
+    // 0: excess is not judged; it is shown on the default scale.
     if (workbench.program.excessTolerance() > 0.0) tolerance.excess = workbench.program.excessTolerance();
     tolerance.allowance = workbench.mill.allowance();
     return tolerance;

@@ -19,7 +19,7 @@ namespace burin {
 namespace {
 
 constexpr QSize deviceDialogSize(860, 560);
-constexpr double mostForce = 4.0; // N: a fifth of the strongest that there is
+constexpr double mostForce = 4.0; // N: a fifth of the strongest device's force
 
 QLabel* makeText(const QString& name, QWidget* parent) {
     auto* label = new QLabel(parent);
@@ -126,7 +126,7 @@ QuantityField* DeviceDialog::addShare(QBoxLayout& column, const QString& label, 
     return field;
 }
 
-/// Of the device of the row.
+/// For the device of the selected row.
 void DeviceDialog::showFelt() {
     const StylusController::Choice* device = current();
     const bool felt = device != nullptr && !device->id.empty();
@@ -144,7 +144,7 @@ void DeviceDialog::keepFelt() {
     emit feltEdited();
 }
 
-/// The device of the row; null: it is a driver without its library.
+/// The device of the selected row; null: a driver without its library.
 const StylusController::Choice* DeviceDialog::current() const {
     const auto& choices = styluses_.choices();
     const auto place = static_cast<std::size_t>(row_);
@@ -201,7 +201,7 @@ void DeviceDialog::showRows() {
     list_->setChosen(row_);
 }
 
-/// What the device of the row can be used for.
+/// Updates the buttons for the possible uses of the selected device.
 void DeviceDialog::showUses() {
     const StylusController::Choice* device = current();
     enableUnless(use_, device == nullptr ? tr("Select a device or the mouse.") : QString(),

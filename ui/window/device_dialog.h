@@ -19,18 +19,18 @@ class Notice;
 class QuantityField;
 class RowList;
 
-/// Lists the styluses that were found and the drivers whose library is missing; tests a device before a job is milled
-/// with it, and edits what is felt through it.
+/// Lists the styluses found and the drivers whose library is missing; tests a device before it is used for a job, and
+/// edits its force rendering.
 class DeviceDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// @param styluses, tester, view, settings outlive it
+    /// @param styluses, tester, view, settings outlive the dialog
     DeviceDialog(StylusController& styluses, DeviceTester& tester, ViewDevice& view, UserSettings& settings,
                  QWidget* parent);
     ~DeviceDialog() override; ///< ends a test
 
 signals:
-    void feltEdited(); ///< share of the cutting force or friction; stored already
+    void feltEdited(); ///< share of the cutting force or friction; already stored
 
 private:
     void layOut();
@@ -58,7 +58,7 @@ private:
     Notice* notice_ = nullptr;
     int row_ = 0;
     double pushed_ = 0.0; ///< N
-    FeltCutting felt_;    ///< of the device of the row
+    FeltCutting felt_;    ///< of the selected device
 };
 
 } // namespace burin

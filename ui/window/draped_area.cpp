@@ -9,12 +9,12 @@ namespace burin {
 
 namespace {
 
-constexpr double finestDrape = 0.3;  // mm between places
-constexpr double mostPlaces = 2000;  // of the outlines of an area; and of its hatching
+constexpr double finestDrape = 0.3;  // mm between points
+constexpr double mostPlaces = 2000;  // of the outlines of an area, and of its hatching
 constexpr double hatchLines = 40;    // across an area
 constexpr double closestHatch = 1.5; // mm
 
-/// Lays lines in plan on a part.
+/// Projects lines in plan onto a part.
 class Drape {
 public:
     Drape(const MeshDistance& part, double step) : part_(part), step_(step) {}
@@ -25,7 +25,7 @@ public:
         const std::optional<TriangleHit> hit = part_.hit(ray);
         return {place, hit ? ray.origin.z - hit->distance : box.low.z};
     }
-    /// Without its first place.
+    /// Without its first point.
     void add(const glm::dvec2& from, const glm::dvec2& to, std::vector<glm::dvec3>& line) const {
         const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / step_)));
         for (int i = 1; i <= steps; ++i) line.push_back(at(glm::mix(from, to, static_cast<double>(i) / steps)));
@@ -43,7 +43,7 @@ double lengthOf(const PlanRegion& area) {
     return length;
 }
 
-/// Where a line along x crosses a region's border, in order.
+/// The intersections of a line along x with a region's border, in order.
 std::vector<double> crossings(const PlanRegion& area, double y) {
     std::vector<double> found;
     for (const PlanRing& ring : area.rings)

@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// The outlines of an area in plan as they lie on a part, seen from above; beside it on the height of its lowest place.
+/// The outlines of an area in plan projected onto a part from above; next to the part at the height of its lowest
+/// point.
 PlaceChains drapedOutlines(const PlanRegion& area, const MeshDistance& part);
 /// The same with hatching.
 PlaceChains drapedArea(const PlanRegion& area, const MeshDistance& part);

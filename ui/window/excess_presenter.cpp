@@ -43,7 +43,7 @@ bool ExcessPresenter::eventFilter(QObject* watched, QEvent* event) {
     return true;
 }
 
-/// Empty: there is nothing, or something else than the workpiece.
+/// Empty if the pointer is not on the workpiece.
 QString ExcessPresenter::textAt(const QPointF& position) const {
     const std::optional<glm::dvec3> place = viewport_.pick(position);
     if (!place) return {};

@@ -8,8 +8,7 @@
 
 namespace burin {
 
-/// Colours the workpiece by the stock that is left on the part, as it is milled, and tells how much it is where the
-/// pointer rests.
+/// Colours the workpiece by the stock left on the part during milling, and shows its thickness at the pointer.
 class ExcessPresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -19,7 +18,7 @@ public:
 
 private:
     void present() override;
-    std::optional<ExcessColours> wanted() const; ///< nothing: it is off, or there is nothing to be coloured
+    std::optional<ExcessColours> wanted() const; ///< empty: off, or nothing to colour
     QString textAt(const QPointF& position) const;
 
     Viewport& viewport_;

@@ -10,8 +10,8 @@ namespace burin {
 
 namespace {
 
-constexpr double beyondStock = 0.04;  // of the stock's longest side: guides stand out of it
-constexpr double framePeriod = 0.016; // s: as often as the session is looked at
+constexpr double beyondStock = 0.04;  // of the stock's longest side: guides extend beyond it
+constexpr double framePeriod = 0.016; // s: the rate at which the session is polled
 
 Box roomAround(const Box& stock) {
     const glm::dvec3 size = stock.size();
@@ -39,7 +39,7 @@ void GuideScenePresenter::setShown(JobStep step) {
     presentSoon();
 }
 
-/// The loop remembers its last pass as long as it runs, and so does this.
+/// The loop keeps its last pass as long as it runs, and so does this presenter.
 void GuideScenePresenter::forgetPass() {
     pass_.forget();
     lastPass_.reset();
@@ -57,7 +57,7 @@ void GuideScenePresenter::keepPass() {
     const std::vector<Guide>& guides = workbench_.guides.guides();
     const auto stepOver = std::ranges::find(guides, GuideKind::stepOver, &Guide::kind);
     const glm::dvec3 direction = stepOver == guides.end() ? glm::dvec3(0.0, 0.0, 1.0) : stepOver->direction;
-    if (std::exchange(passDirection_, direction) != direction) forgetPass(); // as the loop does
+    if (std::exchange(passDirection_, direction) != direction) forgetPass(); // the same as in the loop
     if (!workbench_.session.state().cutting) pass_.finish();
     if (pass_.number() == passNumber_) return;
     passNumber_ = pass_.number();

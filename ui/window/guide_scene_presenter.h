@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// The guides of the hand in the viewport: while the tool is in hand or about to be taken.
+/// The guides of the hand in the viewport: while the tool is being moved or in the mill step.
 class GuideScenePresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -29,11 +29,11 @@ private:
     Viewport& viewport_;
     const Actions& actions_;
     JobStep step_ = JobStep::part;
-    LastPass pass_;                ///< as the loop knows it, at its height
+    LastPass pass_;                ///< as in the loop, at its height
     std::uint32_t passNumber_ = 0; ///< of the one in `lastPass_`
     std::shared_ptr<const std::vector<glm::dvec3>> lastPass_;
     glm::dvec3 passDirection_{0.0};
-    GuideAxis leaning_; ///< where lead and tilt want the axis
+    GuideAxis leaning_; ///< the axis commanded by lead and tilt
 };
 
 } // namespace burin

@@ -6,12 +6,12 @@ namespace burin {
 
 namespace {
 
-constexpr double scaleStep = 1.25; // of the hand, by the keyboard
+constexpr double scaleStep = 1.25; // factor of the hand's scale, by keyboard
 
-/// What lies to the right in the picture, setup frame.
+/// The direction to the right in the picture, setup frame.
 glm::dvec3 rightOf(const Viewport& viewport) {
     const double middle = 0.5 * viewport.height();
-    const auto along = [&](double x) { // parallel sights differ in where they begin, others in where they lead
+    const auto along = [&](double x) { // rays differ in origin in a parallel projection, in direction otherwise
         const ViewportEvent sight = viewport.sight(QPointF(x, middle));
         return sight.rayOrigin + sight.rayDirection;
     };

@@ -14,7 +14,7 @@ class HandPresenter final : public Presenter {
     Q_OBJECT
 public:
     HandPresenter(Workbench& workbench, HandPanel& panel, QObject* parent);
-    /// @param viewport that the hand is aligned with; outlives this
+    /// @param viewport with which the hand is aligned; outlives the presenter
     void connectActions(const Actions& actions, const Viewport& viewport);
 
 private:

@@ -87,7 +87,7 @@ JobStepState JobPresenter::path() const {
     if (path.busy()) return {StepProgress::current, tr("being made")};
     if (path.waiting()) return {StepProgress::current, tr("waits for the workpiece")};
     if (path.problem()) return {StepProgress::ready, tr("not possible")};
-    if (!path.hasTakes() && path.toolsWithoutPath().empty()) { // a tool that is loaded, but has not milled
+    if (!path.hasTakes() && path.toolsWithoutPath().empty()) { // the tool is loaded, but has not milled
         const int count = static_cast<int>(path.jobPaths().size());
         return {StepProgress::done, count == 1 ? tr("1 path") : tr("%n paths", nullptr, count)};
     }

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// The line of steps: what each holds, what is missing.
+/// The step bar: the state of each step, and what is missing.
 class JobPresenter final : public Presenter {
     Q_OBJECT
 public:

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array stepIds{"part", "stock", "material", "tool", "allowance", "mill", "path", "program"};
 
-/// The number of that name where it lies within the bounds; `otherwise` else.
+/// The number of that name if it is within the bounds; `otherwise` if not.
 double numberIn(const QJsonObject& object, const char* name, double low, double high, double otherwise) {
     const double value = object[QLatin1String(name)].toDouble(otherwise);
     return value >= low && value <= high ? value : otherwise;
@@ -111,7 +111,7 @@ std::optional<LeftAt> leftAtFromJson(const std::string& text) {
     LeftAt left;
     for (std::size_t i = 0; i < stepIds.size(); ++i)
         if (all[QLatin1String("step")].toString() == QLatin1String(stepIds[i])) left.step = static_cast<JobStep>(i);
-    // Older projects don't say it: whoever was at the tool's work had a workpiece.
+    // Older projects don't state it: there was a workpiece if the mill step or a later one was shown.
     left.embedded = all[QLatin1String("embedded")].toBool(left.step >= JobStep::mill);
     left.tool = all[QLatin1String("tool")].toString().toStdString();
     left.setup = static_cast<std::int64_t>(numberIn(all, "setup", 1.0, 1e9, 1.0));

@@ -15,21 +15,21 @@
 
 namespace burin {
 
-/// Where the user left a project: what the window shows and is set to, so that it is there again when it is opened.
+/// The user's position in a project: what the window shows and how it is set, restored when the project is opened.
 struct LeftAt {
     JobStep step = JobStep::part;
-    bool embedded = false;  ///< the workpiece was there
-    std::string tool;       ///< id of the one that was chosen
-    std::int64_t setup = 1; ///< number of the one that was worked in
+    bool embedded = false;  ///< there was a workpiece
+    std::string tool;       ///< id of the chosen tool
+    std::int64_t setup = 1; ///< number of the setup in use
     MillToolSettings mill;
     CameraView camera;
     PlanRegion area;           ///< of the next pass, mm, frame of that setup
-    QMap<QString, bool> shown; ///< by the name of the action that switches it: what the view shows
+    QMap<QString, bool> shown; ///< visibility in the view, by the name of the action that switches it
 };
 
-/// JSON text that a project keeps (Project::setLeftAt).
+/// JSON text stored in a project (Project::setLeftAt).
 std::string toJson(const LeftAt& left);
-/// Values that are missing or out of range stay as a new window has them. Nothing: the text says nothing.
+/// Values that are missing or out of range get the defaults of a new window. Empty if the text is not valid.
 std::optional<LeftAt> leftAtFromJson(const std::string& text);
 
 } // namespace burin

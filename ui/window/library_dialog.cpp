@@ -36,7 +36,8 @@ LibraryDialog::LibraryDialog(Texts texts, QSize size, QWidget* parent) : QDialog
     resize(size);
 }
 
-/// "copy" and "Button" around "Machine"; without a word before it the kind begins with a small letter.
+/// Surrounds the kind with two words, such as "copy" and "Button" around "Machine"; without a word before it the kind
+/// begins with a lower-case letter.
 QString LibraryDialog::named(const char* before, const char* after) const {
     QString kind = texts_.kind;
     if (*before == '\0') kind[0] = kind[0].toLower();
@@ -131,7 +132,7 @@ QWidget* LibraryDialog::makeFoot() {
     revert_ = makeButton(tr("Revert"), QStringLiteral("undo"), named("revert", "Button"), foot);
     save_ = makePrimaryButton(tr("Save"), named("save", "Button"), foot);
     auto* close = makeButton(tr("Close"), QStringLiteral("cancel"), named("close", "sButton"), foot);
-    close->setToolTip(tr("Close this window (Esc)")); // the key is the dialog's, and a field's while one types in it
+    close->setToolTip(tr("Close this window (Esc)")); // the dialog handles the key, or a field while it is being edited
     for (QPushButton* button : {revert_, save_, close}) row->addWidget(button);
     connect(save_, &QPushButton::clicked, this, &LibraryDialog::saveChanges);
     connect(revert_, &QPushButton::clicked, this, [this] { showEntry(id_); });
@@ -248,7 +249,7 @@ void LibraryDialog::choose(int row) {
 
 void LibraryDialog::copyShown() {
     if (id_.empty() || !leaveChanges()) return;
-    search_->clear(); // or the copy may not be among what is found
+    search_->clear(); // otherwise the copy may not match the search
     showEntry(copy(std::string(id_)));
     auto* name = page_->findChild<QLineEdit*>(nameField_);
     name->setFocus();
@@ -282,9 +283,9 @@ void LibraryDialog::addFromFile() {
     if (!incoming->notes.isEmpty()) warn(incoming->notes);
 }
 
-/// What can't be kept is not lost, but stays in the fields.
+/// Values that can't be saved stay in the fields.
 void LibraryDialog::saveChanges() {
-    save_->setFocus(); // what is being typed is entered
+    save_->setFocus(); // enters text that is being typed
     if (!edited() || !problem().isEmpty()) return;
     if (const Result<void> kept = keep(); !kept) fail(kept.error());
 }

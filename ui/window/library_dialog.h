@@ -20,13 +20,13 @@ namespace burin {
 class Notice;
 class RowList;
 
-/// Lets the user look through a library of small files, those that Burin is shipped with and the user's own, search,
-/// copy, change, delete and add one. What is changed counts when it is saved. What a library holds, and the form that
-/// shows one of it, is up to the class of its kind.
+/// Lets the user browse a library of small files, shipped with Burin or the user's own: search, copy, change, delete
+/// and add. Changes take effect when saved. Derived classes provide the contents of the library and the form for an
+/// item.
 class LibraryDialog : public QDialog {
     Q_OBJECT
 public:
-    void reject() override; ///< asks about changes that are not saved
+    void reject() override; ///< asks about unsaved changes
 
 protected:
     struct Entry {
@@ -41,45 +41,45 @@ protected:
         QString title;
         QString shippedBadge;
         QString copyTip, addTip, deleteTip, notDeletable;
-        QString known; ///< an ID that is there already: %1
+        QString known; ///< message that an ID exists already: %1
     };
 
     LibraryDialog(Texts texts, QSize size, QWidget* parent);
 
-    // In the constructor of a kind: the buttons of its own, then the rest.
+    // For constructors of derived classes: first their own buttons, then `start`.
     QPushButton* addListButton(const QString& text, const QString& icon, const QString& name, const QKeySequence& key,
                                const QString& toolTip);
     void addBelowList(QWidget* widget);
     QPushButton* addFootButton(const QString& text, const QString& icon, const QString& name);
-    /// @param page the form, or the area that it scrolls in; the dialog takes it. @param nameField object name of the
-    /// field that a copy is renamed in
+    /// @param page the form, or its scroll area; owned by the dialog. @param nameField object name of the field in
+    /// which a copy is renamed
     void start(QWidget* page, const QString& nameField, const std::string& id);
 
     const std::string& shownId() const noexcept { return id_; }
-    void showEntry(const std::string& id); ///< the first one in use, or the first, where that one is not there any more
-    void refresh();                        ///< the library changed; what is not saved stays in the fields
+    void showEntry(const std::string& id); ///< if it no longer exists, the first one in use, or the first
+    void refresh();                        ///< the library has changed; unsaved values stay in the fields
     void follow();                         ///< the fields were edited
     void fail(const Error& error);
     void warn(const QString& text);
-    bool leaveChanges(); ///< nothing is unsaved, or the user gives it up
+    bool leaveChanges(); ///< true if nothing is unsaved or the user discards it
 
     virtual std::vector<Entry> entries() const = 0;
-    virtual void fill(const std::string& id, bool shipped) = 0; ///< the form shows that one
-    virtual bool edited() const = 0;                            ///< the form holds other values than `shownId` has
-    virtual QString problem() const { return {}; }              ///< why the form's values can't be kept
-    virtual QString about(bool shipped) const = 0;              ///< a sentence above the form
-    virtual std::string copy(const std::string& id) = 0;        ///< @return id of the copy
+    virtual void fill(const std::string& id, bool shipped) = 0; ///< shows that item in the form
+    virtual bool edited() const = 0;               ///< whether the values in the form differ from those of `shownId`
+    virtual QString problem() const { return {}; } ///< why the form's values can't be saved
+    virtual QString about(bool shipped) const = 0; ///< sentence above the form
+    virtual std::string copy(const std::string& id) = 0; ///< @return id of the copy
     virtual void erase(const std::string& id) = 0;
-    virtual Result<void> keep() = 0; ///< what the form holds
+    virtual Result<void> keep() = 0; ///< saves the values of the form
     virtual QString askFile() = 0;   ///< empty: none
-    /// A file of the kind that has been read and is not in the library yet.
+    /// An item that was read from a file and is not in the library yet.
     struct Incoming {
         std::string id;
         std::function<void()> keep;
-        QString notes; ///< what the user should know of it
+        QString notes; ///< notes for the user
     };
     virtual Result<Incoming> read(const std::string& file) = 0;
-    virtual void followFoot() {} ///< states of the kind's own buttons
+    virtual void followFoot() {} ///< updates the derived class's own buttons
 
 private:
     void layOut();
@@ -87,7 +87,7 @@ private:
     QWidget* makeFoot();
     QString named(const char* before, const char* after) const;
     void refreshList();
-    std::vector<Entry> foundEntries() const; ///< those that the user searches for
+    std::vector<Entry> foundEntries() const; ///< those that match the search
     void choose(int row);
     void copyShown();
     void removeShown();
@@ -95,8 +95,8 @@ private:
     void saveChanges();
 
     Texts texts_;
-    std::string id_;       ///< of what is shown
-    bool shipped_ = false; ///< what is shown
+    std::string id_;       ///< of the shown item
+    bool shipped_ = false; ///< whether the shown item is shipped
     QString nameField_;
     QWidget* page_ = nullptr;
     QLineEdit* search_ = nullptr;

@@ -8,7 +8,7 @@ void LiveStrokes::append(std::span<const glm::vec3> tips, bool begins) {
     if (tips.empty()) return;
     if (begins || strokes_.empty()) {
         strokes_.emplace_back();
-        undone_.clear(); // what is milled now can't be followed by what was taken back before
+        undone_.clear(); // new milling makes redo of undone strokes impossible
     }
     strokes_.back().insert(strokes_.back().end(), tips.begin(), tips.end());
     viewport_.appendLivePath(tips, begins);

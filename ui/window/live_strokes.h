@@ -11,14 +11,14 @@
 
 namespace burin {
 
-/// The strokes of the recording under way as they are drawn, so that one that is taken back goes from the picture too.
+/// The drawn strokes of the recording under way, so that undone strokes are also removed from the picture.
 class LiveStrokes {
 public:
     explicit LiveStrokes(Viewport& viewport) : viewport_(viewport) {}
 
-    /// @param tips mm, setup frame, in order. @param begins whether they begin another stroke
+    /// @param tips mm, setup frame, in order. @param begins whether they begin a new stroke
     void append(std::span<const glm::vec3> tips, bool begins);
-    /// The newest stroke goes, or the one that went last comes again. Nothing happens when it is none of these.
+    /// Removes the newest stroke, or restores the one removed last. Does nothing if there is none.
     void takeBack(bool undo);
     void clear();
 

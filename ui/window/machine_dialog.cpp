@@ -25,7 +25,7 @@ QString nameOf(const MachineProfile& machine) {
     return QCoreApplication::translate("Resource", machine.name.c_str());
 }
 
-/// Without what a shipped machine says of itself in brackets.
+/// Without the note in brackets after the name of a shipped machine.
 QString nameOfCopy(const MachineProfile& machine) {
     QString name = nameOf(machine);
     if (isTypicalMachine(machine.id) && name.endsWith(QLatin1Char(')')))
@@ -126,7 +126,7 @@ Result<LibraryDialog::Incoming> MachineDialog::read(const std::string& file) {
     return Incoming{read->id, [this, machine = *read] { target_.keepMachine(machine); }, {}};
 }
 
-/// As a file of it would be read.
+/// Validates the values as when a file is read.
 Result<void> MachineDialog::keep() {
     const MachineProfile wanted = form_->machine();
     const Result<MachineProfile> sound = machineFromJson(toJson(wanted), wanted.id + ".json");

@@ -10,8 +10,8 @@ namespace burin {
 
 class MachineForm;
 
-/// The machines that Burin is shipped with and the user's own: to look at, copy, change, delete and use. Each step is
-/// an entry of the undo stack. `target` outlives it.
+/// The machines shipped with Burin and the user's own: to view, copy, change, delete and use. Each step is an entry of
+/// the undo stack. `target` outlives the dialog.
 class MachineDialog final : public LibraryDialog {
     Q_OBJECT
 public:

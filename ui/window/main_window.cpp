@@ -35,14 +35,14 @@ namespace {
 
 constexpr QSize smallestWindow(1024, 680);
 constexpr QSize firstWindow(1280, 800);
-constexpr std::chrono::milliseconds warmUpAfter(300); // when the welcome page stands, and before anyone has read it
+constexpr std::chrono::milliseconds warmUpAfter(300); // after the welcome page is shown, before anyone has read it
 
-/// What the view shows.
+/// Actions that switch parts of the view.
 constexpr ActionId shownByAction[] = {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool,
                                       ActionId::showPath, ActionId::showGuides,    ActionId::showOtherPaths,
                                       ActionId::excess};
 
-/// The one file that is dragged; empty for anything else.
+/// The dragged file if it is only one; empty otherwise.
 QString draggedFile(const QMimeData& data) {
     const QList<QUrl> urls = data.urls();
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
@@ -55,7 +55,7 @@ MainWindow::MainWindow(QWidget* parent)
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
     setMinimumSize(smallestWindow);
-    dress(settings_.preferences().theme); // before there are widgets: they take font and style from it
+    dress(settings_.preferences().theme); // before widgets are created, which take font and style from it
     layOut();
     presenters_ = std::make_unique<Presenters>(
         workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_, *timeline_, *tree_}, nullptr);
@@ -142,7 +142,7 @@ void MainWindow::followPage() {
     status_->setPageEscape(leadsBack ? tr("Esc: back to the project") : QString(), !working);
 }
 
-/// Whoever imports from the welcome page sees the preview, and is back there where nothing came of it.
+/// An import from the welcome page shows the preview, and returns to that page if it fails.
 void MainWindow::followPreview() {
     const bool shown = workbench_.model.preview() != nullptr;
     if (shown == std::exchange(previewShown_, shown)) return;
@@ -159,7 +159,7 @@ QMainWindow* MainWindow::makeView() {
     auto* docks = new QMainWindow;
     docks->setWindowFlags(Qt::Widget);
     docks->setObjectName(QStringLiteral("viewDocks"));
-    docks->setContextMenuPolicy(Qt::NoContextMenu); // the menu offers what there is
+    docks->setContextMenuPolicy(Qt::NoContextMenu); // the menu bar contains these actions
     auto* view = new QWidget;
     docks->setCentralWidget(view);
     auto* layout = new QVBoxLayout(view);
@@ -175,10 +175,10 @@ void MainWindow::showWelcome() {
     welcome_->setRecentFiles(settings_.recentFiles());
     welcome_->setProject(workbench_.document.isOpen() ? workbench_.document.title() : QString());
     pages_->setCurrentWidget(welcome_);
-    followPage(); // also where it was shown before, and the project is another or none
+    followPage(); // also if it was shown before but the project has changed or was closed
 }
 
-/// And again where a program has some of it open: one that was killed may still be ending.
+/// Repeated if another process has unsaved work open: a killed process may still be ending.
 void MainWindow::lookForLeftWork() {
     const FoundWork found = workbench_.document.leftWork();
     if (found.inUse) lookAgain_.start();
@@ -192,14 +192,14 @@ void MainWindow::lookForLeftWork() {
     welcome_->setLeftWork(rows);
 }
 
-/// From the welcome page to the project, where one is open.
+/// Returns from the welcome page to the project, if one is open.
 void MainWindow::goBack() {
     if (!workbench_.document.isOpen()) return;
     showWorkSteps(true);
     if (leftFrom_ && leftFrom_->isVisible()) leftFrom_->setFocus();
 }
 
-/// Esc leaves what one is in, wherever the keyboard is; in a field, the field.
+/// Esc ends the current mode, wherever the focus is; in a field, it ends editing.
 void MainWindow::escape() {
     if (auto* list = findChild<KeyList*>()) {
         list->close();
@@ -209,7 +209,7 @@ void MainWindow::escape() {
     if (workbench_.time.away()) return workbench_.time.backToPresent();
     InteractiveTool* tool = viewport_->interactiveTool();
     if (tool == nullptr || !tool->key(Qt::Key_Escape, Qt::NoModifier)) {
-        activateWindow(); // a dock may be a window of its own
+        activateWindow(); // a floating dock may be the active window
         viewport_->setFocus();
     }
 }
@@ -220,12 +220,13 @@ void MainWindow::showWorkSteps(bool shown) {
 }
 
 void MainWindow::showStep(JobStep step) {
-    // The left button cuts where one sees that it does. (A device's own button is another matter.)
+    // With the mouse, cutting is possible in the mill step only, where it is visible. (The button of a device is
+    // independent of this.)
     if (step != JobStep::mill && workbench_.mill.stylus() != nullptr) workbench_.mill.leave();
     presenters_->job.setShown(step);
     presenters_->guideScene.setShown(step);
     presenters_->deviation.setShown(step == JobStep::program);
-    // Who lets go of the pointer comes before who takes it.
+    // The steps that release the pointer must come before those that take it.
     if (step != JobStep::part) {
         presenters_->setups.leave();
         presenters_->part.setShown(false);
@@ -270,7 +271,7 @@ void MainWindow::goTo(const LeftAt& left) {
     presenters_->millMode.setSettings(left.mill);
     for (const ActionId id : shownByAction)
         actions_[id]->setChecked(left.shown.value(actions_[id]->objectName(), actions_[id]->isChecked()));
-    // The presenters have to show the part first, which fits it into the picture.
+    // Queued: the presenters must show the part first, which adjusts the view to it.
     QMetaObject::invokeMethod(
         this, [this, camera = left.camera] { viewport_->setCameraView(camera); }, Qt::QueuedConnection);
 }
@@ -309,13 +310,13 @@ void MainWindow::dress(Theme theme) {
     const Result<Palette> palette = loadPalette(theme);
     if (palette)
         applyTheme(*qobject_cast<QApplication*>(QCoreApplication::instance()), *palette);
-    else // Qt's own colours serve as well
+    else // falls back to Qt's own colours
         QMetaObject::invokeMethod(
             this, [this, error = palette.error()] { message_->tell(Notice::Kind::error, Messages::sentence(error)); },
             Qt::QueuedConnection);
 }
 
-/// Only what is another one than before: a theme visits every widget.
+/// Applies only what has changed: a theme updates every widget.
 void MainWindow::apply(const Preferences& preferences, const Preferences& before) {
     if (preferences.theme != before.theme) {
         dress(preferences.theme);
@@ -425,7 +426,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QString file = draggedFile(*event->mimeData());
     if (file.isEmpty()) return;
     event->acceptProposedAction();
-    // The drop ends first: a question would hold up the program that the file comes from.
+    // The drop must end first: a question would block the program that the file comes from.
     QMetaObject::invokeMethod(
         this, [this, file] { openFile(file); }, Qt::QueuedConnection);
 }

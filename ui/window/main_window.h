@@ -26,7 +26,7 @@ class ProjectTree;
 class TimelinePanel;
 class ViewDock;
 
-/// The window: lays out its parts and connects them. What they show, presenters say; what is done, controllers do.
+/// The window: lays out its parts and connects them. Presenters set the contents, controllers do the work.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -35,9 +35,9 @@ public:
 
     Workbench& workbench() noexcept { return workbench_; }
     Viewport& viewport() noexcept { return *viewport_; }
-    /// A project or a part.
+    /// Opens a project or a part.
     void openFile(const QString& file) { flow_.openAny(file); }
-    /// Ends at once without a question: sessions end properly, unsaved work waits to be taken up again.
+    /// Ends at once without a question: sessions end properly, unsaved work is kept for recovery.
     void endQuietly();
 
 protected:
@@ -65,11 +65,11 @@ private:
     void updateTitle();
     void dress(Theme theme);
     void apply(const Preferences& preferences, const Preferences& before);
-    QMainWindow* makeView(); ///< the viewport and the bar below it, with docks around
+    QMainWindow* makeView(); ///< the viewport and the bar below it, surrounded by docks
     void layOutTree();
     void layOutHistory();
     void resetLayout();
-    void takeShortcuts(); ///< those that the user chose
+    void takeShortcuts(); ///< sets those that the user chose
     void showShortcuts();
     void showHelp();
     void followDocks();
@@ -96,27 +96,28 @@ private:
     DocumentFlow flow_;
     QStackedWidget* pages_ = nullptr;
     WelcomePage* welcome_ = nullptr;
-    QSplitter* work_ = nullptr; ///< the view, and the panel beside it
+    QSplitter* work_ = nullptr; ///< the view, and the panel next to it
     QWidget* workPage_ = nullptr;
     Viewport* viewport_ = nullptr;
     ViewBar* viewBar_ = nullptr;
-    QMainWindow* view_ = nullptr; ///< both, with room for docks
+    QMainWindow* view_ = nullptr; ///< both, with space for docks
     ProgramDock* programDock_ = nullptr;
     TimelinePanel* timeline_ = nullptr;
     ViewDock* timelineDock_ = nullptr;
     ProjectTree* tree_ = nullptr;
     ViewDock* treeDock_ = nullptr;
     ViewDock* historyDock_ = nullptr;
-    QByteArray firstDocks_, firstWork_; ///< as the window was laid out, before the user moved anything
-    QPointer<QWidget> leftFrom_;        ///< what had the keyboard before the welcome page came
+    QByteArray firstDocks_, firstWork_; ///< initial layout, before the user changed it
+    QPointer<QWidget> leftFrom_;        ///< widget that had the focus before the welcome page was shown
     JobLine* jobLine_ = nullptr;
     PanelStack* panels_ = nullptr;
     StatusLine* status_ = nullptr;
     MessageStrip* message_ = nullptr;
     Menus* menus_ = nullptr;
     std::unique_ptr<Presenters> presenters_;
-    QTimer lookAgain_;                                ///< for left work
-    bool previewShown_ = false, fromWelcome_ = false; ///< a preview, and where from
+    QTimer lookAgain_; ///< for unsaved work of ended processes
+    /// Whether a preview is shown, and whether it was opened from the welcome page
+    bool previewShown_ = false, fromWelcome_ = false;
     bool ending_ = false, ended_ = false;
 };
 

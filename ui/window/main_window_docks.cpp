@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// What stands next to the view and beside the window: docks, shortcuts, help.
+// Docks next to the view and the window, shortcuts, help.
 #include "ui/dialogs/shortcut_dialog.h"
 #include "ui/help/help_dialog.h"
 #include "ui/panels/project_tree.h"
@@ -28,7 +28,7 @@ void MainWindow::layOutTimeline() {
                                   timeline_->bar(), timeline_->sizeHint().height()},
                                  *actions_[ActionId::showTimeline], *view_);
     timelineDock_->setWidget(timeline_);
-    view_->splitDockWidget(programDock_, timelineDock_, Qt::Vertical); // as wide as the view, each of them
+    view_->splitDockWidget(programDock_, timelineDock_, Qt::Vertical); // each as wide as the view
     connect(timelineDock_, &QDockWidget::visibilityChanged, this,
             [this](bool visible) { workbench_.time.setFollowed(visible); });
 }
@@ -42,7 +42,7 @@ void MainWindow::layOutTree() {
     treeDock_->setWidget(tree_);
 }
 
-/// What was done, each entry a way back to it.
+/// The history of commands; each entry leads back to its state.
 void MainWindow::layOutHistory() {
     auto* history = new QUndoView(&workbench_.undo());
     history->setObjectName(QStringLiteral("history"));
@@ -54,7 +54,7 @@ void MainWindow::layOutHistory() {
                                 *actions_[ActionId::showHistory], *view_);
     history->setMinimumWidth(leastDockWidth);
     historyDock_->setWidget(history);
-    // As for Ctrl+Z: not while a stroke is under way.
+    // As for Ctrl+Z: not during a stroke.
     const auto follow = [this, history] { history->setEnabled(workbench_.canUndoNow()); };
     for (const Controller* controller :
          {static_cast<const Controller*>(&workbench_.session), static_cast<const Controller*>(&workbench_.showMe)})
@@ -84,12 +84,12 @@ void MainWindow::showShortcuts() {
             if (row.action->shortcut() != row.first)
                 own.insert(row.action->objectName(), row.action->shortcut().toString(QKeySequence::PortableText));
         settings_.setShortcuts(own);
-        delete findChild<KeyList*>(); // it shows those from before
+        delete findChild<KeyList*>(); // it shows the previous shortcuts
     });
     dialog.exec();
 }
 
-/// On what one is doing.
+/// Opens the help on the current step or widget.
 void MainWindow::showHelp() {
     const auto topic = [this]() -> QString {
         if (pages_->currentWidget() == welcome_) return QStringLiteral("start");
@@ -124,7 +124,7 @@ void MainWindow::showHelp() {
     help->activateWindow();
 }
 
-/// Docks and panel as they were before the user moved them.
+/// Restores docks and panel as they were before the user moved them.
 void MainWindow::resetLayout() {
     for (const ActionId id : {ActionId::programDock, ActionId::showHistory, ActionId::showTree})
         actions_[id]->setChecked(false);

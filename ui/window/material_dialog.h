@@ -9,13 +9,13 @@ namespace burin {
 
 class MaterialForm;
 
-/// The materials that Burin is shipped with and the user's own: to look at, copy, change, delete, add from a file and
-/// calibrate. Each step is an entry of the undo stack. `library` outlives it.
+/// The materials shipped with Burin and the user's own: to view, copy, change, delete, add from a file and calibrate.
+/// Each step is an entry of the undo stack. `library` outlives the dialog.
 class MaterialDialog final : public LibraryDialog {
     Q_OBJECT
 public:
-    /// @param inUse id of the stock's material: shown first
-    /// @param locked the project keeps its own values, as there are recordings
+    /// @param inUse id of the stock's material, which is shown first
+    /// @param locked the project keeps its own values because it has recordings
     MaterialDialog(MaterialController& library, const std::string& inUse, bool locked, QWidget* parent);
 
 private:

@@ -16,7 +16,7 @@ MeasurePresenter::MeasurePresenter(Workbench& workbench, Viewport& viewport, QOb
     connect(&picker_, &FacePicker::chosen, this,
             [this](std::size_t, const glm::dvec3& place) { workbench_.measure.pick(place); });
     connect(&picker_, &FacePicker::cancelled, this, [this] { ask(false); });
-    // Another tool took the pointer: milling, a question, painting.
+    // Another tool took the pointer: milling, picking, painting.
     connect(&viewport, &Viewport::interactiveToolChanged, this, [this] {
         if (asking_ && viewport_.interactiveTool() != &picker_) ask(false);
     });

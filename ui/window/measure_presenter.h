@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// Asks for places to measure, until Esc ends it.
+/// Picks points to measure until ended by Esc.
 class MeasurePicker final : public FacePicker {
     Q_OBJECT
 public:
@@ -17,7 +17,7 @@ public:
     QString escapeMeaning() override { return tr("Esc: end measuring"); }
 };
 
-/// Has the part measured by clicks in the view, and shows what came of it there and above the view.
+/// Measures the part at points clicked in the view, and shows the result there and above the view.
 class MeasurePresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -26,7 +26,7 @@ public:
     void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
 
 signals:
-    void told(const QString& sentences); ///< what was measured, or what to do
+    void told(const QString& sentences); ///< the result, or what to do next
 
 private:
     void present() override;
@@ -36,7 +36,7 @@ private:
     Viewport& viewport_;
     MeasurePicker picker_;
     QAction* action_ = nullptr;
-    InteractiveTool* before_ = nullptr; ///< that the view had before
+    InteractiveTool* before_ = nullptr; ///< the view's previous tool
     std::shared_ptr<const PartMeasure> told_;
     bool asking_ = false;
 };

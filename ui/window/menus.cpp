@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-using Entries = std::initializer_list<std::optional<ActionId>>; // nothing: a separator
+using Entries = std::initializer_list<std::optional<ActionId>>; // empty: a separator
 
 QMenu* addMenu(QMenuBar& bar, const QString& title, const char* name, const Actions& actions, Entries entries) {
     QMenu* menu = bar.addMenu(title);

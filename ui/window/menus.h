@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// The menu bar: which action stands where.
+/// The menu bar: the order of the actions.
 class Menus final : public QObject {
     Q_OBJECT
 public:

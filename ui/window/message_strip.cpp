@@ -49,7 +49,7 @@ void MessageStrip::layOver(QWidget* area, int freeAtRight) {
 
 void MessageStrip::fit() {
     if (area_ == nullptr) return;
-    layout()->invalidate(); // the text's new height comes by an event, later
+    layout()->invalidate(); // the new height of the text arrives with a later event
     const int width = area_->width() - freeAtRight_;
     setGeometry(0, 0, width, layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height());
 }

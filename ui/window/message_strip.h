@@ -8,15 +8,15 @@
 
 namespace burin {
 
-/// One sentence over the top of what the user looks at, which may be put away. It never stops anybody's work: nothing
-/// moves for it, and it covers no field and no view cube.
+/// One sentence above the top of the work area, which can be dismissed. It never interrupts work: it moves nothing, and
+/// covers no field and no view cube.
 class MessageStrip final : public QWidget {
     Q_OBJECT
 public:
     explicit MessageStrip(QWidget* parent = nullptr);
 
-    /// What it lies over from now on. It outlives this.
-    /// @param freeAtRight  pixels at the area's right side that it never covers
+    /// Sets the widget that it covers; the widget outlives it.
+    /// @param freeAtRight  pixels at the right side of the area that are never covered
     void layOver(QWidget* area, int freeAtRight = 0);
     void tell(Notice::Kind kind, const QString& sentence);
     void dismiss();

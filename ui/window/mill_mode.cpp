@@ -11,7 +11,8 @@
 namespace burin {
 namespace {
 
-/// The longest diagonal of a pixel where it shows a place, on the place's level, mm; 0: it is not to be seen.
+/// The longest diagonal of a pixel at the image of a point, measured in the point's level plane, mm; 0 if it is not
+/// visible.
 double pixelDiagonal(const Viewport& viewport, const glm::dvec3& place) {
     const QPointF at = viewport.project(place);
     const double pixel = 1.0 / viewport.devicePixelRatioF();
@@ -48,7 +49,7 @@ void MillMode::setSettings(const MillToolSettings& settings) {
 }
 
 void MillMode::begin() {
-    if (workbench_.mill.stylus() == nullptr) return; // a device leads the tool, and the mouse the camera
+    if (workbench_.mill.stylus() == nullptr) return; // a device moves the tool, and the mouse the camera
     tool_ = std::make_unique<MillTool>(*workbench_.mill.stylus(), workbench_.workpiece.milling()->tool,
                                        [this] { return workbench_.session.workpiece(); });
     tool_->setGrain([this](const glm::dvec3& place) { return pixelDiagonal(viewport_, place); });
@@ -58,7 +59,7 @@ void MillMode::begin() {
     connect(tool_.get(), &MillTool::stateChanged, this, &MillMode::toolChanged);
     connect(tool_.get(), &MillTool::refused, this, &MillMode::refused);
     connect(tool_.get(), &MillTool::pressAimed, this, &MillMode::showAim);
-    // Not at once: the tool would be deleted while it handles the key.
+    // Queued: otherwise the tool would be deleted while it handles the key.
     connect(tool_.get(), &MillTool::leaveRequested, &workbench_.mill, [this] { workbench_.mill.leave(); });
     viewport_.setInteractiveTool(tool_.get());
     viewport_.setFocus();
@@ -82,7 +83,7 @@ void MillMode::end() {
     emit toolChanged();
 }
 
-/// A stroke that began waits above its start until its recording runs.
+/// A stroke waits above its start until its recording runs.
 void MillMode::record() {
     if (workbench_.mill.startRecording()) tool_->hold();
 }
@@ -90,7 +91,7 @@ void MillMode::record() {
 void MillMode::showPlans() {
     if (!tool_) return;
     PlaceChains plans = tool_->plans();
-    if (plans == plans_) return; // nothing to draw anew
+    if (plans == plans_) return; // nothing to redraw
     plans_ = std::move(plans);
     viewport_.setStrokePlans(plans_);
 }

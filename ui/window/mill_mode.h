@@ -12,11 +12,11 @@
 
 namespace burin {
 
-/// The tool in the user's hand: while mill mode is on, the viewport's pointer leads it.
+/// Milling with the mouse: in mill mode, the viewport's pointer moves the tool.
 class MillMode final : public QObject {
     Q_OBJECT
 public:
-    /// Both outlive it.
+    /// Both arguments outlive it.
     MillMode(Workbench& workbench, Viewport& viewport, QObject* parent);
     ~MillMode() override;
 
@@ -28,7 +28,7 @@ public:
 
 signals:
     void settingsChanged();
-    void toolChanged(); ///< lock, what can be repeated, what Esc does
+    void toolChanged(); ///< lock, possible repetitions, meaning of Esc
     void refused(const QString& sentence);
 
 private:
@@ -42,7 +42,7 @@ private:
     Viewport& viewport_;
     MillToolSettings settings_;
     std::unique_ptr<MillTool> tool_;
-    PlaceChains plans_; ///< that are drawn
+    PlaceChains plans_; ///< as drawn
 };
 
 } // namespace burin

@@ -14,7 +14,7 @@ namespace burin {
 
 namespace {
 
-constexpr int hintStays = 1200; // ms: a flag that comes and goes must not make the panel jump
+constexpr int hintStays = 1200; // ms: short-lived flags must not change the panel's layout
 
 QString feedBoundText(FeedBound bound) {
     switch (bound) {
@@ -232,7 +232,7 @@ void MeterPresenter::tick() {
     presentSoon();
 }
 
-/// Of the tool that mills, at the spindle speed of its tables.
+/// For the tool in use, at the spindle speed of its tables.
 void MeterPresenter::takeForceLimit() {
     const auto milling = workbench_.workpiece.milling();
     if (!milling || !(milling->conditions.spindleSpeed > 0.0)) return;
@@ -243,7 +243,7 @@ void MeterPresenter::takeForceLimit() {
                                                                      : tr("the tool may break");
 }
 
-/// Stays as it was for the last cut, so that one can read it after a stroke.
+/// Keeps the value of the last cut, so that it can be read after a stroke.
 void MeterPresenter::takeProposedFeed() {
     const auto milling = workbench_.workpiece.milling();
     const SmoothedCut& cut = workbench_.session.state().cut;

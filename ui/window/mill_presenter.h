@@ -18,7 +18,7 @@ class MillPresenter final : public Presenter {
 public:
     MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
-    /// Raster, repetitions, and the virtual operator that shows how it is done.
+    /// Raster, repetitions, and the demonstration by the virtual operator.
     void connectActions(const Actions& actions);
 
 signals:
@@ -34,11 +34,11 @@ private:
     MillMode& mode_;
     MillPanel& panel_;
     const Actions* actions_ = nullptr;
-    QString hint_; ///< that stands
+    QString hint_; ///< shown at present
     QElapsedTimer hintSince_;
 };
 
-/// Force, removal, rate: while a session runs.
+/// Force, removal, rate: during a session.
 class MeterPresenter final : public Presenter {
     Q_OBJECT
 public:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int leastWidth = 344, mostWidth = 900; // pixels: a panel's 320 with margins; a program's long lines
 
-/// Each panel scrolls by itself, so that a long one never stretches the others.
+/// Each panel scrolls separately, so that a long one does not stretch the others.
 QWidget* scrolling(QWidget* panel, const char* name) {
     auto* area = new QScrollArea;
     area->setObjectName(QString::fromLatin1(name));
@@ -25,7 +25,7 @@ QWidget* scrolling(QWidget* panel, const char* name) {
     return area;
 }
 
-/// Panels one above the other, as one.
+/// Combines panels, one above the other.
 QWidget* stacked(std::initializer_list<QWidget*> panels) {
     auto* all = new QWidget;
     auto* column = new QVBoxLayout(all);

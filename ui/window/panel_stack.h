@@ -29,20 +29,20 @@ class QStackedWidget;
 
 namespace burin {
 
-/// The right side: the panel of the step that is shown, the meters at its foot while the tool moves.
+/// The right side: the panel of the step shown, with the meters at the bottom while the tool moves.
 class PanelStack final : public QFrame {
     Q_OBJECT
 public:
     explicit PanelStack(QWidget* parent = nullptr);
     void showStep(JobStep step);
-    void showPanel(QWidget* panel); ///< of the step that is shown: scrolls to it
+    void showPanel(QWidget* panel); ///< scrolls to a panel of the step shown
 
     PartPanel* part;
     SetupPanel* setup; ///< below the part
     StockPanel* stock;
     ZeroPanel* zero;                 ///< below the stock
     SurroundingsPanel* surroundings; ///< below program zero
-    EmbeddingFindings* findings;     ///< below the surroundings
+    EmbeddingFindings* findings;     ///< below the fixtures and limits
     MaterialPanel* material;
     LayerPanel* layers;
     ToolPanel* tool;

@@ -21,11 +21,11 @@ namespace burin {
 namespace {
 
 constexpr int passDialogWidth = 460;           // pixels
-constexpr int previewDelay = 120;              // ms: while a figure is typed
-constexpr int areaDrawing = 1;                 // its place in the list "passArea"
-constexpr int paintedArea = 1, areaBefore = 2; // what the list knows its further choices by
+constexpr int previewDelay = 120;              // ms: while a value is typed
+constexpr int areaDrawing = 1;                 // its index in the list "passArea"
+constexpr int paintedArea = 1, areaBefore = 2; // data of the list's further choices
 
-/// mm of what the list "passUnit" offers, in its order.
+/// mm per unit of the entries of the list "passUnit", in order.
 constexpr double fileUnits[] = {0.0, 1.0, 10.0, 25.4};
 
 } // namespace
@@ -67,7 +67,7 @@ void PassDialog::layOut(const Offer& offer) {
     preview_ = new QLabel(this);
     preview_->setObjectName(QStringLiteral("passPreview"));
     preview_->setWordWrap(true);
-    preview_->setMinimumHeight(2 * preview_->fontMetrics().lineSpacing()); // the dialog does not jump with it
+    preview_->setMinimumHeight(2 * preview_->fontMetrics().lineSpacing()); // avoids changes of the dialog's layout
     preview_->setAlignment(Qt::AlignTop);
     column->addWidget(preview_);
     auto* notices = new NoticePlace(this);
@@ -151,7 +151,7 @@ void PassDialog::addDrawings(const Offer& offer) {
 void PassDialog::chooseDrawing(ChoiceBox* box, QString& file) {
     const QString chosen = askDrawingToRead(this, folder_);
     if (!chosen.isEmpty()) {
-        read_.drawing.reset(); // it may have been changed since
+        read_.drawing.reset(); // the file may have changed
         file = chosen;
         folder_ = QFileInfo(chosen).absolutePath();
         box->setItemText(1, QFileInfo(chosen).fileName());
@@ -175,7 +175,7 @@ void PassDialog::showPreview(const QString& text) {
     preview_->setText(text);
 }
 
-/// What is being typed does not count yet.
+/// Text being typed is not used yet.
 void PassDialog::askPreview() {
     if (const Result<WantedPass> wanted = wantedNow(); wanted && missing(*wanted).isEmpty())
         emit previewWanted(*wanted);
@@ -191,7 +191,7 @@ Result<PlanDrawing> PassDialog::drawingOf(const QString& file) {
     return drawing;
 }
 
-/// What the kind of pass can't do without, in words.
+/// Explains what the kind of pass lacks.
 QString PassDialog::missing(const WantedPass& wanted) const {
     const PassRequest& request = wanted.request;
     if (area_->currentIndex() == 0 && request.kind == PassKind::pocket)
@@ -234,7 +234,7 @@ Result<WantedPass> PassDialog::wantedNow() {
     return wanted;
 }
 
-/// Reads the drawings here and now: a drawing that can't be used is told where another can be chosen.
+/// Reads the drawings here: an error is reported where another drawing can be chosen.
 void PassDialog::confirm() {
     form_->commitTyping();
     const auto refuse = [this](const Error& error) { notice_->tell(Notice::Kind::error, Messages::sentence(error)); };
@@ -242,7 +242,8 @@ void PassDialog::confirm() {
     if (!wanted) return refuse(wanted.error());
     if (const QString lacks = missing(*wanted); !lacks.isEmpty()) return notice_->tell(Notice::Kind::error, lacks);
     PassRequest checked = wanted->request;
-    if (!wanted->leads.empty()) checked.lines = {{glm::dvec3(0.0), glm::dvec3(1.0, 0.0, 0.0)}}; // stand for the strokes
+    // The line stands in for the strokes.
+    if (!wanted->leads.empty()) checked.lines = {{glm::dvec3(0.0), glm::dvec3(1.0, 0.0, 0.0)}};
     if (const Result<void> valid = validate(checked); !valid) return refuse(valid.error());
     wanted_ = std::move(*wanted);
     accept();

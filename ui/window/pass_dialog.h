@@ -22,34 +22,34 @@ class ChoiceBox;
 class FieldRow;
 class Notice;
 
-/// Asks what a pass is to do: its kind and figures (PassForm), the drawing of its area and what leads it. Dialog
-/// "passDialog" with "passArea", "passLines", "passUnit", "computePassButton", "cancelPassButton".
+/// Asks for the parameters of a pass: its kind and values (PassForm), the drawing of its area and its guiding lines.
+/// Dialog "passDialog" with "passArea", "passLines", "passUnit", "computePassButton", "cancelPassButton".
 class PassDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// What it begins with, and what it may choose from.
+    /// The initial values, and the choices.
     struct Offer {
         QString toolName;
-        std::vector<TakeInfo> takes; ///< whose strokes may lead
-        WantedPass last;             ///< what was asked for before
+        std::vector<TakeInfo> takes; ///< whose strokes may be used as lines
+        WantedPass last;             ///< the previous request
         PassDefaults defaults;
-        PlanRegion painted;  ///< empty: nothing is
+        PlanRegion painted;  ///< empty: no area is painted
         QString folder;      ///< of drawings
         bool drills = false; ///< the tool is a drill
-        QString holes{};     ///< of the part, by their diameters; empty: it has none
+        QString holes{};     ///< of the part, by diameter; empty: none
         LengthUnit unit = LengthUnit::millimetre;
     };
     PassDialog(const Offer& offer, QWidget* parent);
 
     const WantedPass& wanted() const noexcept { return wanted_; } ///< after it was accepted
 
-    /// What the pass would come to: "passPreview". @param empty there is nothing to say
+    /// Shows the estimate of the pass: "passPreview". @param text empty: none
     void showPreview(const QString& text);
 
 signals:
-    /// What the pass would be as the dialog stands, a moment after it changed.
+    /// Requests a preview of the pass as entered, a moment after a change.
     void previewWanted(const burin::WantedPass& wanted);
-    void previewUnwanted(); ///< it lacks something as the dialog stands
+    void previewUnwanted(); ///< the entered pass is incomplete
 
 private:
     void layOut(const Offer& offer);
@@ -60,7 +60,7 @@ private:
     void previewSoon() { previewTimer_.start(); }
     void askPreview();
     Result<PlanDrawing> drawingOf(const QString& file);
-    /// The kinds' needs aside. Errors: those of readDrawing, regionOf and validate.
+    /// Without the requirements of each kind. Errors: those of readDrawing, regionOf and validate.
     Result<WantedPass> wantedNow();
     void confirm();
 
@@ -79,7 +79,7 @@ private:
         QString file;
         double unit = 0.0;
         std::optional<PlanDrawing> drawing;
-    } read_; ///< last
+    } read_; ///< the file read last
 };
 
 } // namespace burin

@@ -69,7 +69,7 @@ PassForm::PassForm(const PassRequest& last, const PassDefaults& defaults, Length
     addSwitches(last);
     showLast(last);
     connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
-        for (Figure& figure : figures_) figure.edited = false; // what roughing was given is no figure for finishing
+        for (Figure& figure : figures_) figure.edited = false; // values for roughing do not apply to finishing
         update();
         emit kindChanged();
     });
@@ -192,7 +192,7 @@ void PassForm::addSwitch(Switch one, const char* name, const QString& label, con
     switches_.push_back(std::move(one));
 }
 
-/// As it was the last time.
+/// Restores the previous values.
 void PassForm::showLast(const PassRequest& last) {
     for (Figure& figure : figures_) {
         std::optional<double> value = figure.member != nullptr ? last.*figure.member : last.*figure.height;
@@ -254,7 +254,7 @@ void PassForm::writeTo(PassRequest& request) const {
             request.*figure.height = figure.field->value();
     }
     if (request.steepest >= rightAngle) request.steepest = anySlope;
-    if (request.scallop > 0.0) request.stepOver = 0.0; // a step-over of its own would go before it
+    if (request.scallop > 0.0) request.stepOver = 0.0; // an explicit step-over would take precedence
     request.tabs = request.kind == PassKind::profile ? tabs_->value() : 0;
     if (request.tabs == 0) request.tabWidth = request.tabHeight = 0.0;
     for (const Switch& one : switches_)

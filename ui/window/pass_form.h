@@ -19,7 +19,7 @@ namespace burin {
 class ChoiceBox;
 class FieldRow;
 
-/// What figures of a pass are where the user states none, mm.
+/// Defaults of the values of a pass, mm.
 struct PassDefaults {
     double roughStep = 0.0, fineStep = 0.0; ///< step-overs
     double levelDepth = 0.0, stairs = 0.0;
@@ -28,33 +28,34 @@ struct PassDefaults {
     double partTop = 0.0; ///< the part's highest point, the bottom of facing
 };
 
-/// Asks for the kind of a pass and the figures that belong to it: "passKind", a field a figure ("passStepOver", …).
-/// What nobody enters follows the kind.
+/// Asks for the kind of a pass and the values that apply to it: "passKind", one field for each value ("passStepOver",
+/// …). Values that the user does not enter follow the kind.
 class PassForm final : public QWidget {
     Q_OBJECT
 public:
-    /// @param last what it begins with @param drills the tool is a drill, which does nothing else; another tool can't
+    /// @param last initial values @param drills the tool is a drill, which allows drilling only; other tools can't
+    /// drill
     PassForm(const PassRequest& last, const PassDefaults& defaults, LengthUnit unit, bool drills, QWidget* parent);
 
     PassKind kind() const;
-    /// What is typed and not entered yet counts from now on.
+    /// Accepts text that is being typed.
     void commitTyping();
-    /// Kind and figures; what is not the user's is left to the planner where the planner knows it.
+    /// Kind and values; values that the user did not enter are left to the planner if it can determine them.
     void writeTo(PassRequest& request) const;
 
 signals:
     void kindChanged();
-    void changed(); ///< a figure
+    void changed(); ///< of a value
 
 private:
-    /// One figure, and the kinds that it counts for.
+    /// One value, and the kinds that it applies to.
     struct Figure {
         QuantityField* field = nullptr;
         FieldRow* row = nullptr;
         double PassRequest::*member = nullptr;
-        std::optional<double> PassRequest::*height = nullptr; ///< in place of a member
+        std::optional<double> PassRequest::*height = nullptr; ///< instead of `member`
         std::vector<PassKind> kinds;
-        bool edited = false; ///< its value is the user's
+        bool edited = false; ///< the user entered its value
     };
     struct Switch {
         QCheckBox* box = nullptr;
@@ -81,8 +82,8 @@ private:
     std::vector<Switch> switches_;
 };
 
-/// Kinds of passes that the window's lists put together.
+/// Groups of kinds of passes, for the lists in the window.
 bool milledInLevels(PassKind kind) noexcept;
-bool laidOnPart(PassKind kind) noexcept; ///< where an area may be of what the tool touches
+bool laidOnPart(PassKind kind) noexcept; ///< kinds for which an area may bound the points that the tool touches
 
 } // namespace burin

@@ -11,12 +11,12 @@
 
 namespace burin {
 
-/// Colours the path in the view by the quantity that the user chooses on the bar below it or by the action, which goes
-/// from one to the next.
+/// Colours the path in the view by the quantity chosen on the bar below it, or by an action that steps through the
+/// quantities.
 class PathColours final : public QObject {
     Q_OBJECT
 public:
-    /// All outlive it.
+    /// All arguments outlive it.
     PathColours(Workbench& workbench, Viewport& viewport, ViewBar& bar, const Actions& actions, QObject* parent);
 
 private:

@@ -31,7 +31,7 @@ double cuttingLength(const Path& path) {
     return length;
 }
 
-/// How all of an interval of the hand is milled; nothing where that differs.
+/// The milling direction of an interval of a take; empty if it is not the same throughout.
 std::optional<MillingSide> sideOf(const EvaluatedPath& path, const SourceStretch& chosen) {
     std::optional<MillingSide> side;
     for (const MillingStretch& stretch : path.sides)
@@ -45,12 +45,12 @@ std::optional<MillingSide> sideOf(const EvaluatedPath& path, const SourceStretch
     return side;
 }
 
-/// A pass by its kind, with the figure that tells it from another of its kind.
+/// A pass by its kind, with the value that distinguishes it from others of its kind.
 PassRow rowOf(const GeneratedInfo& pass, LengthUnit unit) {
     PassRow row{pass.id, passName(pass), {}};
     const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
     row.computed = request.hasValue();
-    if (!request) return row; // of a program
+    if (!request) return row; // read from a program
     if (request->stepOver > 0.0)
         row.figures = lengthText(request->stepOver, unit);
     else if (request->scallop > 0.0)
@@ -60,7 +60,7 @@ PassRow rowOf(const GeneratedInfo& pass, LengthUnit unit) {
     return row;
 }
 
-/// How many there are of each diameter.
+/// The number of holes of each diameter.
 QString holesText(const std::vector<UprightHole>& holes, LengthUnit unit) {
     QStringList sizes;
     for (const HoleSize& size : sizesOf(holes))
@@ -68,7 +68,7 @@ QString holesText(const std::vector<UprightHole>& holes, LengthUnit unit) {
     return sizes.join(QStringLiteral(", "));
 }
 
-/// What a pass would come to; empty while there is nothing to say.
+/// The estimate of a pass; empty if there is none.
 QString previewText(const PassPreviewer& previewer, LengthUnit unit) {
     if (previewer.problem()) return Messages::sentence(*previewer.problem());
     const PassPreview* preview = previewer.preview();
@@ -81,7 +81,7 @@ QString previewText(const PassPreviewer& previewer, LengthUnit unit) {
     return text;
 }
 
-/// What a pass does to the stock, and leaves.
+/// The effect of a pass on the stock, and what it leaves.
 QString measuredText(const PassFigures& pass, LengthUnit unit) {
     QString text = PathPresenter::tr("%1 in %2, %3 % in air; engagement within %4° for 95 % of the cut, at most %5°.")
                        .arg(wayText(pass.length, unit), durationText(pass.duration),
@@ -104,7 +104,7 @@ QStringList toolNames(const Workbench& workbench, const std::vector<std::string>
 
 QString passName(const GeneratedInfo& pass) {
     const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
-    if (!request) return QString::fromStdString(pass.name); // of a program: its file
+    if (!request) return QString::fromStdString(pass.name); // read from a program: its file
     const TextId title = rowOf(request->kind).title;
     return QCoreApplication::translate(title.context, title.text);
 }
@@ -118,7 +118,7 @@ QString jobName(const Workbench& workbench) {
 
 QString programName(const Workbench& workbench) {
     QString name = jobName(workbench);
-    // Each side has a program of its own: one must not take the place of another on the way to the machine.
+    // Each setup has a program of its own: files must not overwrite each other on the way to the machine.
     if (workbench.setups.setups().size() > 1)
         name += QLatin1Char('-') +
                 workbench.setups.title(workbench.setups.used()).replace(QLatin1Char('/'), QLatin1Char('-'));
@@ -177,7 +177,7 @@ void PathPresenter::askPass() {
     workbench_.passes.compute(*wanted);
 }
 
-/// As it was asked for, and where it was.
+/// Shows the pass's request; the new pass takes its position.
 void PathPresenter::askChange(std::int64_t id) {
     if (!workbench_.passes.possible()) return;
     const std::vector<GeneratedInfo> passes = workbench_.path.passes();
@@ -188,7 +188,7 @@ void PathPresenter::askChange(std::int64_t id) {
     if (const auto wanted = asked(before, workbench_.area.area())) workbench_.passes.compute(*wanted);
 }
 
-/// What the user wants; nothing: no pass.
+/// The user's request; empty: none.
 std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const PlanRegion& painted) {
     const std::filesystem::path project = workbench_.document.file();
     const MillingContext& milling = *workbench_.workpiece.milling();
@@ -210,7 +210,7 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
     connect(&dialog, &PassDialog::previewWanted, &previewer, &PassPreviewer::show);
     connect(&dialog, &PassDialog::previewUnwanted, &previewer, &PassPreviewer::clear);
     connect(&previewer, &PassPreviewer::changed, &dialog, [&] { dialog.showPreview(previewText(previewer, unit())); });
-    // Beside the part, which the preview lies on.
+    // Next to the part, which shows the preview.
     dialog.adjustSize();
     const QRect window = panel_.window()->geometry();
     dialog.move(window.right() - dialog.width() - panelMargin, window.top() + panelMargin);
@@ -329,7 +329,7 @@ void ProgramPresenter::present() {
     state.lint = program.lint();
     if (program.program() && !program.edited()) {
         state.blocks = program.program()->parsed.blocks;
-        state.report = {program.program(), &program.program()->report}; // it lives with the program
+        state.report = {program.program(), &program.program()->report}; // shares ownership of the program
         state.released = program.program()->released();
         state.judgedTolerance = program.program()->gougeTolerance;
     }

@@ -10,14 +10,14 @@
 
 namespace burin {
 
-// The panels of what comes after milling.
+// The panels of the steps after milling.
 
 class PathPresenter final : public Presenter {
     Q_OBJECT
 public:
     PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent);
     void setUnit(LengthUnit unit) override;
-    /// A new path, its evaluation, drawing a part of it, showing it.
+    /// New path, evaluation, drawing a part of it, showing it.
     void connectActions(const Actions& actions);
 
 private:
@@ -36,7 +36,7 @@ class ProgramPresenter final : public Presenter {
 public:
     ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
-    /// Posting, and what the panel asks the window for.
+    /// Posting, and the requests of the panel to the window.
     void connectActions(const Actions& actions);
 
 private:
@@ -45,12 +45,12 @@ private:
     ProgramPanel& panel_;
 };
 
-/// What a pass is, or the file of the program that it is of.
+/// The kind of a pass, or the file name of the program that it was read from.
 QString passName(const GeneratedInfo& pass);
-/// The project's name, or that of the part as long as it has none.
+/// The project's name, or the part's if the project has no name yet.
 QString jobName(const Workbench& workbench);
-/// The name of the file that a project's program gets: the job's, that of the setup where there are several, the suffix
-/// of its dialect.
+/// The file name of a project's program: the job's name, the setup's name if there are several, and the suffix of the
+/// dialect.
 QString programName(const Workbench& workbench);
 
 } // namespace burin

@@ -13,15 +13,15 @@ namespace burin {
 namespace {
 
 constexpr std::string_view areaKey = "outline_mm";
-constexpr double markedChord = 0.02;  // mm that the mark of an arc may leave it by
-constexpr double draggedSteps = 16.0; // of an arc whose drag is shown
+constexpr double markedChord = 0.02;  // mm, chord error of the mark of an arc
+constexpr double draggedSteps = 16.0; // number of steps of an arc while it is dragged
 
 std::vector<glm::dvec3> closed(std::vector<glm::dvec3> outline) {
     if (!outline.empty()) outline.push_back(outline.front());
     return outline;
 }
 
-/// An edit of a path, told from all others as long as nobody changes it.
+/// Identifies an edit of a path as long as it is not changed.
 std::string keyOf(const StoredPath& path, std::size_t edit) {
     return std::to_string(path.id) + ' ' + std::to_string(edit) + ' ' + toJson(path.edits[edit]);
 }
@@ -37,7 +37,7 @@ glm::dvec3 placeOf(const std::vector<PathPoint>& points, const PathPlace& place)
     return placeOn(arc, turnOf(arc), place.share);
 }
 
-/// Points and what lies on the arcs between them.
+/// The points, and points on the arcs between them.
 std::vector<glm::dvec3> drawnLine(const std::vector<PathPoint>& points) {
     std::vector<glm::dvec3> line, places;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -48,7 +48,8 @@ std::vector<glm::dvec3> drawnLine(const std::vector<PathPoint>& points) {
     return line;
 }
 
-/// How a stroke follows the place that is dragged, as MovePoints does it: along the stroke, ever less.
+/// The shape of a stroke while one of its points is dragged, as computed by MovePoints: the displacement decreases
+/// along the stroke.
 class Falloff {
 public:
     Falloff(const std::vector<PathPoint>& points, const PathPlace& place, const glm::dvec3& by)
@@ -89,7 +90,7 @@ private:
 
     const std::vector<PathPoint>& points_;
     PathPlace place_;
-    glm::dvec3 start_; ///< mm, where the place is
+    glm::dvec3 start_; ///< mm, initial position of the point
     glm::dvec3 by_;
 };
 
@@ -160,7 +161,7 @@ void PathScenePresenter::startDrawing(std::optional<double> height) {
     if (!drawing_) field_.reset();
     drawn_.clear();
     hand_.setDrawing(height);
-    if (drawing_) viewport_.setFocus(); // Esc is the drawing's, wherever it was asked for
+    if (drawing_) viewport_.setFocus(); // so that drawing receives Esc, wherever it was started
     emit changed();
 }
 
@@ -178,8 +179,8 @@ void PathScenePresenter::lookAt(const glm::dvec3& place) {
     viewport_.setMoveMark({{place}});
 }
 
-/// An area reaches from the stock's bottom to where travel is free, a mirror stands in the stock's middle, until they
-/// are told otherwise.
+/// Initially an area extends from the stock's bottom to the height of free travel, and a mirror is in the middle of the
+/// stock.
 Edit PathScenePresenter::withinStock(Edit edit) const {
     const auto& milling = workbench_.workpiece.milling();
     for (const EditField& field : fieldsOf(edit.parameters)) {
@@ -192,7 +193,7 @@ Edit PathScenePresenter::withinStock(Edit edit) const {
     return edit;
 }
 
-/// Whether what is being drawn has still the place that it was begun for.
+/// Whether the selection or edit for which drawing was started still exists unchanged.
 bool PathScenePresenter::stillMeant() const {
     if (!field_) return workbench_.path.selection().has_value();
     const StoredPath* path = workbench_.path.stored();
@@ -203,7 +204,7 @@ void PathScenePresenter::present() {
     const bool active = shown_ && workbench_.path.evaluated() && !workbench_.mill.active();
     if (active != active_) {
         active_ = active;
-        // In mill mode the pointer is the mill's own.
+        // In mill mode the pointer belongs to milling.
         if (active || !workbench_.mill.active()) viewport_.setInteractiveTool(active ? &hand_ : nullptr);
         if (!active) viewport_.setMoveMark({});
     }
@@ -229,7 +230,7 @@ void PathScenePresenter::takePath() {
 }
 
 void PathScenePresenter::markSelection() {
-    if (drawing_ && !drawn_.empty()) { // what is under way stays in sight, whatever is evaluated meanwhile
+    if (drawing_ && !drawn_.empty()) { // the drawing under way stays visible, even if the path is evaluated meanwhile
         showDrawing(drawn_);
         return;
     }
@@ -275,8 +276,8 @@ void PathScenePresenter::finishDrawing(const std::vector<glm::dvec3>& places) {
     }
 }
 
-/// The other way round where the drawing's ends lie better so on those of what is chosen: who draws from right to left
-/// what the hand milled from left to right means no way there and back.
+/// Reverses the drawing if its ends then match those of the selection better: drawing from right to left what the hand
+/// milled from left to right should not add moves there and back.
 std::vector<glm::dvec3> PathScenePresenter::asTheHandWent(std::vector<glm::dvec3> places) const {
     const PathPoint *first = nullptr, *last = nullptr;
     const std::vector<std::vector<PathPoint>> chosen = chosenPoints();
@@ -297,7 +298,7 @@ bool PathScenePresenter::drawsArea() const {
     return field_ && field_->key == areaKey;
 }
 
-/// The plane where it goes through the stock, and a little beyond.
+/// The intersection of the plane with the stock, slightly enlarged.
 std::vector<glm::dvec3> PathScenePresenter::outlineOf(const Mirror& mirror) const {
     constexpr double beyond = 5.0; // mm
     const auto& milling = workbench_.workpiece.milling();
@@ -312,7 +313,7 @@ std::vector<glm::dvec3> PathScenePresenter::outlineOf(const Mirror& mirror) cons
     return closed(outline);
 }
 
-/// Where areas and mirrors are, and the guides that were drawn.
+/// Shows areas, mirrors and drawn guides.
 void PathScenePresenter::showOutlines() {
     PlaceChains lines;
     if (active_ && workbench_.path.stored() != nullptr)
@@ -336,7 +337,7 @@ Moment PathScenePresenter::momentOf(const PathPlace& place) const {
     return momentAt(path_->path.points[place.piece], path_->path.points[place.piece + 1], place.share);
 }
 
-/// Where an interval of the path begins, or the middle height of all that cuts.
+/// Height of the start of an interval of the path, or the middle height of all cutting moves.
 std::optional<double> PathScenePresenter::heightOf(const std::optional<SourceStretch>& stretch) const {
     if (!path_) return std::nullopt;
     const auto isUsable = [](const PathPoint& point) { return hasMoment(point) && point.kind != MoveKind::rapid; };

@@ -10,8 +10,8 @@
 
 namespace burin {
 
-/// The pointer on the path: what is chosen is marked in the viewport, places are dragged, strokes drawn. While the
-/// path's step is shown and no tool is in hand.
+/// The pointer on the path: the selection is marked in the viewport, points are dragged, strokes drawn. Active while
+/// the path step is shown and no tool is being moved.
 class PathScenePresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -19,23 +19,23 @@ public:
     void setShown(JobStep step);
 
     DragChoice drag() const noexcept { return drag_; }
-    /// A stroke in the selection's stead.
+    /// Whether a stroke that replaces the selection is being drawn.
     bool drawing() const noexcept { return drawing_ && !field_; }
-    /// Of an edit.
+    /// The field of an edit that is being drawn.
     const std::optional<DrawnField>& drawnField() const noexcept { return field_; }
     void setDrag(DragChoice drag);
     void setDrawing(bool wanted);
     void setFieldDrawing(const DrawnField& field, bool wanted);
-    /// Draws what the last edit that can be drawn is made of; once more: no longer.
+    /// Draws the drawable field of the last edit that has one; called again: stops.
     void toggleLastDrawing();
-    /// Adds an edit to the path; one that needs places has them drawn next.
+    /// Adds an edit to the path; if it needs points, drawing them starts.
     void addEdit(const Edit& edit);
-    /// Marks a place, and brings it to the picture's middle. @param place mm, setup frame
+    /// Marks a point and centres the view on it. @param place mm, setup frame
     void lookAt(const glm::dvec3& place);
 
 signals:
-    void changed();       ///< drag or drawing
-    void escapeChanged(); ///< what Esc does may be another
+    void changed();       ///< mode of dragging or drawing
+    void escapeChanged(); ///< the meaning of Esc may have changed
 
 private:
     void present() override;
@@ -58,11 +58,11 @@ private:
 
     Viewport& viewport_;
     PathHand hand_;
-    std::shared_ptr<const EvaluatedPath> path_; ///< whose places the hand has; null while it is not active
+    std::shared_ptr<const EvaluatedPath> path_; ///< path whose points can be picked; null while inactive
     DragChoice drag_ = DragChoice::level;
     std::vector<glm::dvec3> drawn_;   ///< of the stroke under way
-    std::string drawnFor_;            ///< the edit that `field_` is of, as it was
-    std::optional<DrawnField> field_; ///< that is drawn; nothing: what is drawn is meant for the selection
+    std::string drawnFor_;            ///< state of the edit of `field_` when drawing began
+    std::optional<DrawnField> field_; ///< being drawn; empty: the drawing is for the selection
     bool shown_ = false, active_ = false, drawing_ = false;
 };
 

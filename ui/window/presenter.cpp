@@ -35,7 +35,7 @@ void Presenter::yieldWhileHidden(QWidget& widget) {
     connect(&turn_, &QTimer::timeout, this, &Presenter::presentDue);
 }
 
-/// Nothing old is seen.
+/// Updates before the widget is shown, so that no outdated state is visible.
 bool Presenter::eventFilter(QObject* watched, QEvent* event) {
     if (watched == widget_ && event->type() == QEvent::Show) presentDue();
     return false;

@@ -13,12 +13,12 @@
 
 namespace burin {
 
-/// Turns what controllers hold into what one widget shows. However many changes come at once, the widget is told once;
-/// a hidden one, when it is shown or in a turn of the event loop of its own.
+/// Converts the state of controllers into what one widget shows. Simultaneous changes update the widget only once; a
+/// hidden one, when it is shown or in a later turn of the event loop.
 class Presenter : public QObject {
     Q_OBJECT
 public:
-    /// @param sources whose changes matter; they and the workbench outlive the presenter
+    /// @param sources whose changes are followed; they and the workbench outlive the presenter
     Presenter(Workbench& workbench, const std::vector<Controller*>& sources, QObject* parent);
 
     virtual void setUnit(LengthUnit unit);
@@ -28,7 +28,7 @@ public:
 
 protected:
     virtual void present() = 0;
-    /// What is shown takes long: as long as its widget is hidden, others go first. @param widget outlives the presenter
+    /// Updating takes long: while the widget is hidden, other presenters go first. @param widget outlives the presenter
     void yieldWhileHidden(QWidget& widget);
     LengthUnit unit() const noexcept { return unit_; }
 

@@ -26,7 +26,7 @@
 
 namespace burin {
 
-/// The widgets that presenters fill. All outlive them.
+/// The widgets filled by presenters. They outlive the presenters.
 struct Stage {
     Viewport& viewport;
     JobLine& jobLine;
@@ -42,7 +42,7 @@ class Presenters final : public QObject {
 public:
     Presenters(Workbench& workbench, const Actions& actions, const Stage& stage, QObject* parent);
     void setUnit(LengthUnit unit);
-    /// What actions do that need no more than a presenter and its panel.
+    /// Connects the actions that need only a presenter and its panel.
     void connectActions(const Actions& actions, const Viewport& viewport);
 
     MillMode millMode;

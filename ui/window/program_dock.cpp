@@ -30,7 +30,7 @@ void ProgramDock::follow() {
     ViewDock::follow();
 }
 
-/// The keyboard goes along.
+/// Keeps the keyboard focus in the editor.
 void ProgramDock::moveEditor(bool here) {
     ProgramEditor& editor = panel_.editor();
     QPointer<QWidget> focus = QApplication::focusWidget();

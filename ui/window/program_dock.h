@@ -8,12 +8,12 @@ namespace burin {
 
 class ProgramPanel;
 
-/// Shows the program's text and findings next to the view, as long as its action is on and the step of the program is
-/// open. Closing it puts them back into the panel. All arguments outlive it.
+/// Shows the program's text and findings next to the view while its action is on and the program step is shown. Closing
+/// it moves them back to the panel. All arguments outlive it.
 class ProgramDock final : public ViewDock {
     Q_OBJECT
 public:
-    /// @param move checkable; @param view what the dock belongs to: its sides, or a window of its own
+    /// @param move checkable; @param view the window whose sides the dock uses, or from which it floats
     ProgramDock(ProgramPanel& panel, QAction& move, QMainWindow& view);
 
 private:

@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-constexpr double drawnChord = 0.02; // mm that an arc's picture may leave it by
+constexpr double drawnChord = 0.02; // mm, chord error of the picture of an arc
 
 } // namespace
 
@@ -39,7 +39,7 @@ void ProgramScenePresenter::setShown(JobStep step) {
     if (comes) chooseSelection();
 }
 
-/// What is chosen of the path leads to the line that mills it.
+/// Selects the line that mills the selection of the path.
 void ProgramScenePresenter::chooseSelection() {
     const auto& selection = workbench_.path.selection();
     if (!program_ || !selection) return;
@@ -61,7 +61,7 @@ void ProgramScenePresenter::present() {
     take(active ? workbench_.program.program() : nullptr);
     if (active != active_) {
         active_ = active;
-        // In mill mode the pointer is the mill's own.
+        // In mill mode the pointer belongs to milling.
         if (active || !workbench_.mill.active()) viewport_.setInteractiveTool(active ? &picker_ : nullptr);
         if (!active) showLine();
     }
@@ -72,19 +72,19 @@ void ProgramScenePresenter::take(std::shared_ptr<const CheckedProgram> program) 
     if (program == program_) return;
     if (program && checksum(program->text) != lineOf_) {
         lineOf_ = checksum(program->text);
-        // The panel may get the text a moment later, and goes to its beginning then.
+        // Queued: the panel may receive the text a moment later, and then goes to its start.
         QMetaObject::invokeMethod(this, &ProgramScenePresenter::followText, Qt::QueuedConnection);
     }
     program_ = std::move(program);
     moves_ = program_ ? straightMoves(program_->parsed, drawnChord) : std::vector<NcMotion>();
     std::vector<PathPicker::Move> moves;
     moves.reserve(moves_.size());
-    for (const NcMotion& move : moves_) // where the first ones come from is not known
+    for (const NcMotion& move : moves_) // the start of the first moves is unknown
         moves.emplace_back(tipAt(move.startKnown() ? move.from : move.to), tipAt(move.to));
     picker_.setMoves(std::move(moves));
 }
 
-/// Text, tool and values stand on one line, whatever text is new.
+/// Synchronises text, tool and values with the line after the text has changed.
 void ProgramScenePresenter::followText() {
     line_ = panel_.line();
     if (active_) showLine();
@@ -106,7 +106,7 @@ void ProgramScenePresenter::pick(std::size_t move) {
     followLine(static_cast<int>(moves_[move].line));
 }
 
-/// What shank and holder touch on the line that is looked at; of the whole program where that touches nothing.
+/// Shows what shank and holder touch on the selected line, or in the whole program if nothing is touched on that line.
 void ProgramScenePresenter::showTouched() {
     std::vector<TouchedVoxels> areas;
     if (program_) areas = program_->report.touched;

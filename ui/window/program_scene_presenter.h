@@ -11,19 +11,19 @@
 
 namespace burin {
 
-/// The line of the program that is looked at: its move in the viewport with the tool at its end, the machine's state
-/// under the text; and back, from a click on a move to its line. While the program's step is shown and no tool is in
-/// hand.
+/// The selected line of the program: its move in the viewport with the tool at its end, and the machine's state under
+/// the text; also selects the line of a move that is clicked. Active while the program step is shown and no tool is
+/// being moved.
 class ProgramScenePresenter final : public Presenter {
     Q_OBJECT
 public:
     ProgramScenePresenter(Workbench& workbench, Viewport& viewport, ProgramPanel& panel, ScenePresenter& scene,
                           QObject* parent);
     void setShown(JobStep step);
-    void followLine(int line); ///< goes to a line in the text, too
+    void followLine(int line); ///< also selects the line in the text
 
 signals:
-    void hovered(const QPointF& position); ///< over the viewport, while this is shown
+    void hovered(const QPointF& position); ///< over the viewport, while active
 
 private:
     void present() override;
@@ -37,7 +37,7 @@ private:
     /// mm, setup frame.
     glm::dvec3 tipAt(const AxisValues& values) const { return kinematics_->poseOf(values).tip; }
     QString stateText(const NcMotion& motion) const;
-    std::optional<double> endOf(const NcMotion& motion) const; ///< s from the program's beginning
+    std::optional<double> endOf(const NcMotion& motion) const; ///< s from the start of the program
     QString loadText(std::size_t motion) const;
     QString handText(std::size_t motion) const;
 
@@ -46,11 +46,11 @@ private:
     ScenePresenter& scene_;
     PathPicker picker_;
     std::shared_ptr<const CheckedProgram> program_;
-    std::vector<NcMotion> moves_; ///< its moves as they are drawn and picked: straight ones
+    std::vector<NcMotion> moves_; ///< its moves as drawn and picked: straight ones
     std::unique_ptr<const Kinematics> kinematics_ = std::make_unique<ThreeAxes>(); ///< of the program's setup
     bool shown_ = false, active_ = false;
-    int line_ = 0;             ///< from 1; 0: none is looked at
-    std::uint64_t lineOf_ = 0; ///< checksum of the text that it is a line of
+    int line_ = 0;             ///< from 1; 0: none is selected
+    std::uint64_t lineOf_ = 0; ///< checksum of the text that the line belongs to
 };
 
 } // namespace burin

@@ -28,7 +28,7 @@ struct RestartDialog {
     Q_DECLARE_TR_FUNCTIONS(RestartDialog)
 };
 
-/// The first cut of the rest, null where it has none.
+/// The first cut of the rest; null if there is none.
 const NcMotion* firstCutOf(const ParsedProgram& program) {
     const auto found = std::ranges::find_if(program.motions, [](const NcMotion& one) {
         return one.kind == NcMotionKind::line || one.kind == NcMotionKind::arc;
@@ -56,7 +56,7 @@ QString factsOf(const RestartedProgram& rest, LengthUnit unit) {
     return facts.join(QLatin1Char('\n'));
 }
 
-/// What refuses it, a line each; empty: nothing does.
+/// The findings that refuse it, one per line; empty: none.
 QString findingsOf(const CheckedProgram& program, LengthUnit unit) {
     constexpr qsizetype most = 8;
     QStringList lines;

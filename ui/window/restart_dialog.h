@@ -11,16 +11,16 @@ class QWidget;
 
 namespace burin {
 
-/// What is to become of the rest of an interrupted program.
+/// The user's decision about the rest of an interrupted program.
 struct RestartAnswer {
     bool write = false;
-    QString overrideReason; ///< why, though its check refused it; empty where it passed
+    QString overrideReason; ///< why it is written although its check refused it; empty if it passed
 };
 
-/// Shows what the rest of an interrupted program will do before it is written: the first cut, where the tool comes back
-/// to the path, the tool to measure, and what the check says of it; with the text itself. Dialog "restartDialog" with
-/// "restartFacts", "restartFindings", "restartText", "exportRestartButton" (only for what may be written),
-/// "overrideRestartButton" (only for what was refused; it asks for a reason, as askOverride) and "cancelButton".
+/// Shows what the rest of an interrupted program will do before it is written: the first cut, where the tool returns to
+/// the path, the tool to measure, and the result of the check; together with the text. Dialog "restartDialog" with
+/// "restartFacts", "restartFindings", "restartText", "exportRestartButton" (only if it may be written),
+/// "overrideRestartButton" (only if it was refused; it asks for a reason, as askOverride) and "cancelButton".
 RestartAnswer askRestart(QWidget* parent, const RestartedProgram& rest, LengthUnit unit);
 
 } // namespace burin

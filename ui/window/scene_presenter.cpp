@@ -20,7 +20,7 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
     connect(&workbench.mill, &MillController::strokeTakenBack, this, [this](bool undo) { live_.takeBack(undo); });
     connect(&workbench.path, &PathController::evaluatedAnew, this, [this] {
         const auto& evaluated = workbench_.path.evaluated();
-        live_.clear(); // the edited path takes its place
+        live_.clear(); // replaced by the edited path
         viewport_.setPath(evaluated ? *evaluated : EvaluatedPath{});
     });
     connect(&workbench.path, &PathController::othersChanged, this,
@@ -54,10 +54,10 @@ void ScenePresenter::present() {
     placeTool();
 }
 
-/// A part takes the place of its preview, which is drawn only while the tool is not in hand: that needs the picture.
+/// A part replaces its preview, which is drawn only while the tool is not moved, as milling needs the picture.
 void ScenePresenter::presentPart() {
     const auto& preview = workbench_.model.preview();
-    // Where the workpiece stands, bodies of other roles are in it, around it or not there.
+    // With a workpiece, bodies of other roles are within it, around it or absent.
     const auto& model = workbench_.setup.part();
     const auto wanted = workbench_.workpiece.embedded() ? workbench_.workpiece.milling()->partModel : model;
     if (part_ != wanted) {
@@ -118,7 +118,7 @@ void ScenePresenter::setHiddenBodies(const std::set<std::size_t>& bodies) {
     presentSoon();
 }
 
-/// Where the workpiece stands, the part that is drawn is what nothing may cut of the model.
+/// With a workpiece, only the protected bodies of the model are drawn as the part.
 std::vector<bool> ScenePresenter::hiddenOfPart() const {
     std::vector<bool> hidden;
     if (hidden_.empty() || !model_) return hidden;

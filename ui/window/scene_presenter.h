@@ -11,20 +11,21 @@
 
 namespace burin {
 
-/// The viewport: part, stock, workpiece, tool and path as the controllers have them; tool and cuts of a session as they
-/// come.
+/// The viewport: part, stock, workpiece, tool and path as held by the controllers; tool and cuts of a session as they
+/// arrive.
 class ScenePresenter final : public Presenter {
     Q_OBJECT
 public:
     ScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions, QObject* parent);
     void setUnit(LengthUnit unit) override;
-    /// The bare part in the workpiece's stead.
+    /// Shows the part alone instead of the workpiece.
     void showBarePart(bool bare);
-    void setHiddenBodies(const std::set<std::size_t>& bodies); ///< of the whole model; all others are drawn
-    /// Where a tool stands while no session moves it. @param tip mm, setup frame @param tool null: the one in force
+    void setHiddenBodies(const std::set<std::size_t>& bodies); ///< of the complete model; all others are drawn
+    /// Sets the tool's position while no session moves it. @param tip mm, setup frame @param tool null: the one in
+    /// force
     void showToolAt(const glm::dvec3& tip, const Tool* tool);
     void parkTool(); ///< the one in force, over the stock
-    /// What stood there at a moment of the recordings; nothing: the present again.
+    /// Shows the state at a moment of the recordings; empty: the present again.
     void showMoment(const std::optional<MomentView>& moment);
 
 signals:
@@ -44,16 +45,16 @@ private:
     Viewport& viewport_;
     LiveStrokes live_;
     const Actions& actions_;
-    std::shared_ptr<const Model> part_;           ///< that is drawn
-    std::shared_ptr<const Model> model_;          ///< that it is of
-    std::shared_ptr<const ModelPreview> preview_; ///< that is drawn in its stead
-    std::set<std::size_t> hidden_;                ///< of the model's bodies
+    std::shared_ptr<const Model> part_;           ///< as drawn
+    std::shared_ptr<const Model> model_;          ///< that `part_` belongs to
+    std::shared_ptr<const ModelPreview> preview_; ///< drawn instead of the part
+    std::set<std::size_t> hidden_;                ///< bodies of the model
     bool bare_ = false;
     std::optional<glm::dvec3> toolTip_;
-    std::optional<Tool> shownTool_; ///< in the stead of the one in force
-    std::string tool_;              ///< id of the one that is drawn
-    std::optional<Sample> past_;    ///< a moment's, which is shown in the present's stead
-    std::vector<glm::vec3> stroke_; ///< storage
+    std::optional<Tool> shownTool_; ///< instead of the one in force
+    std::string tool_;              ///< id of the tool drawn
+    std::optional<Sample> past_;    ///< of a moment of the past, shown instead of the present
+    std::vector<glm::vec3> stroke_; ///< buffer
 };
 
 } // namespace burin

@@ -27,7 +27,7 @@ QString shankSentence(const SessionState& state, const MillingContext& milling) 
     return (shank ? MillTexts::tr("The shank touches %1.") : MillTexts::tr("The holder touches %1.")).arg(what);
 }
 
-/// Of the first bound but the part that holds the tool.
+/// The first bound other than the part that holds the tool.
 QString boundSentence(const SessionState& state, const ToolBounds& bounds) {
     if ((state.sample.flags & sampleOnObstacle) == 0) return {};
     for (std::size_t i = 1; i < std::min(state.layers.size(), bounds.layers().size()); ++i) {

@@ -8,14 +8,14 @@
 
 namespace burin {
 
-// What the flags of a tick mean to the user. An empty sentence: there is nothing to be said.
+// The meaning of the flags of a tick in words. Empty if there is nothing to report.
 
-/// What keeps the tool from cutting: "The shank touches Machinable wax."
+/// What prevents the tool from cutting: "The shank touches Machinable wax."
 QString alarmSentence(const SessionState& state, const MillingContext& milling);
-/// What a hand wonders about: a fixture that holds the tool, and, with a device, no readings, an axis that does not
-/// follow, no force, all of it.
-/// @param bounds of the session. @param stylus of the device; null: the mouse. @param forceButton the dead man's, from
-/// 1; 0: there is none
+/// Explains what the user may notice: a fixture that holds the tool, and, with a device, no readings, an axis that does
+/// not follow, no force, the full force of the device.
+/// @param bounds of the session @param stylus of the device; null: the mouse @param forceButton the dead man's button,
+/// from 1; 0: none
 QString hintSentence(const SessionState& state, const ToolBounds& bounds, const StylusDescription* stylus,
                      int forceButton);
 

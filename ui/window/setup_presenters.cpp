@@ -161,7 +161,7 @@ void AllowancePresenter::setUnit(LengthUnit unit) {
 }
 
 void AllowancePresenter::present() {
-    // A recording has one allowance: it is a value of the whole take.
+    // The allowance is constant during a recording: it is a property of the take.
     panel_.setState({workbench_.mill.allowance(), WorkpieceController::maximumAllowance, workbench_.mill.recording()});
 }
 

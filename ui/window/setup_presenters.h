@@ -16,14 +16,14 @@
 
 namespace burin {
 
-// The panels of what comes before milling, each with its controller.
+// The panels of the steps before milling, each with its controller.
 
 class PartPresenter final : public Presenter {
     Q_OBJECT
 public:
     PartPresenter(Workbench& workbench, Viewport& viewport, PartPanel& panel, QObject* parent);
     void setUnit(LengthUnit unit) override;
-    /// While its step is shown a click in the viewport chooses a body.
+    /// While its step is shown, a click in the viewport selects a body.
     void setShown(bool shown);
 
     void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }

@@ -118,7 +118,8 @@ void SetupsPresenter::pick(FaceAim aim) {
 
 void SetupsPresenter::turnTo(const glm::dvec3& place) {
     const FaceAim aim = aim_;
-    QMetaObject::invokeMethod(this, &SetupsPresenter::leave, Qt::QueuedConnection); // the press is still under way
+    // Queued: the mouse press is still being handled.
+    QMetaObject::invokeMethod(this, &SetupsPresenter::leave, Qt::QueuedConnection);
     workbench_.setup.examineFace(place, [this, aim](const PartFace& face) { align(aim, face); });
 }
 

@@ -18,11 +18,11 @@ public:
     void setUnit(LengthUnit unit) override;
     void connectActions(const Actions& actions);
     void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
-    /// Its step is no longer shown: no face is being picked.
+    /// Called when its step is no longer shown: ends picking of a face.
     void leave() { pick(FaceAim::none); }
 
 signals:
-    void pickBegins(); ///< the part has to be shown
+    void pickBegins(); ///< the part must be shown
     void refused(const QString& sentence);
 
 private:
@@ -37,7 +37,7 @@ private:
     Viewport& viewport_;
     SetupPanel& panel_;
     FacePicker picker_;
-    InteractiveTool* before_ = nullptr; ///< that the view had before the question
+    InteractiveTool* before_ = nullptr; ///< the view's tool before picking
     FaceAim aim_ = FaceAim::none;
 };
 

@@ -20,7 +20,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     recording_->setProperty("look", "force");
     escape_ = add("escapeStatus", tr("Effect of the Escape key."));
     stylus_ = add("stylusStatus", tr("Stylus that moves the tool."));
-    rate_ = add("rateStatus", {}, new ElidedLabel({}, this)); // the first that ends in "…" where the window is narrow
+    rate_ = add("rateStatus", {}, new ElidedLabel({}, this)); // the first to be elided in a narrow window
     position_ = add("positionStatus", tr("Position of the tool tip, in the coordinates of the program."));
     size_ = add("sizeStatus", tr("Voxels of the workpiece, the memory reserved for it, and a hash of it: the same "
                                  "recordings and settings give the same hash."));

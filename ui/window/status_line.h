@@ -12,23 +12,22 @@ class QToolButton;
 
 namespace burin {
 
-/// The truth in one row: stylus, rate that is really reached, position, size in memory, saved when, work in the
-/// background.
+/// One row of status: stylus, the rate actually reached, position, size in memory, time of saving, background work.
 class StatusLine final : public QStatusBar {
     Q_OBJECT
 public:
     explicit StatusLine(QWidget* parent = nullptr);
 
-    void setRecording(const QString& text); ///< empty: nothing is recorded
-    void setEscape(const QString& text);    ///< what Esc does; empty: nothing
-    /// On a page where Esc means something else.
+    void setRecording(const QString& text); ///< empty: no recording
+    void setEscape(const QString& text);    ///< effect of Esc; empty: none
+    /// Sets the text for a page on which Esc has another effect.
     void setPageEscape(const QString& text, bool counts);
     void setStylus(const QString& text, bool running);
     void setRate(const QString& text);
     void setPosition(const QString& text);
     void setSize(const QString& text);
     void setSaved(const QString& text);
-    /// @param fraction 0 … 1; an empty title: nothing runs
+    /// @param fraction 0 … 1; an empty title: no task is running
     void setTask(const QString& title, double fraction, bool cancelling);
 
 signals:

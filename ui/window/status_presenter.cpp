@@ -25,7 +25,7 @@ StatusPresenter::StatusPresenter(Workbench& workbench, const MeterPresenter& met
     connect(&line, &StatusLine::cancelRequested, &workbench.tasks(), &TaskRunner::cancelAll);
     connect(&mill, &MillMode::toolChanged, this, &Presenter::presentSoon);
     connect(&viewport, &Viewport::interactiveToolChanged, this, &Presenter::presentSoon);
-    minute_.setInterval(std::chrono::seconds(20)); // "saved 3 minutes ago"
+    minute_.setInterval(std::chrono::seconds(20)); // for "saved 3 minutes ago"
     connect(&minute_, &QTimer::timeout, this, &Presenter::presentSoon);
     minute_.start();
 }
@@ -62,7 +62,7 @@ void StatusPresenter::present() {
     presentSession();
 }
 
-/// " · battery 42 %", as far as the device tells.
+/// " · battery 42 %", if reported by the device.
 QString StatusPresenter::healthText() const {
     if (!workbench_.hand.hasDevice()) return {};
     const DeviceHealth& health = workbench_.hand.health();

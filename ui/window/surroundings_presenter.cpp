@@ -73,7 +73,7 @@ void SurroundingsPresenter::present() {
         state.obstacles.push_back({placed.obstacle, placed.on, news});
         marks.push_back({placed.obstacle, placed.on, news == BoundNews::holds});
     }
-    if (workbench_.workpiece.embedded()) { // bodies of the model that hold the stock
+    if (workbench_.workpiece.embedded()) { // bodies of the model with the role of fixtures
         const std::shared_ptr<const MillingContext> milling = workbench_.workpiece.milling();
         for (const Obstacle& fixture : milling->bodyFixtures)
             marks.push_back({std::shared_ptr<const Obstacle>(milling, &fixture), true, false});

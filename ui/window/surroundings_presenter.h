@@ -10,14 +10,14 @@
 
 namespace burin {
 
-/// Fixtures, keep-out volumes, travel and axis: on the set-up page, as switches beside milling, and in the viewport.
+/// Fixtures, keep-out volumes, travel and axis: on the set-up page, as switches during milling, and in the viewport.
 class SurroundingsPresenter final : public Presenter {
     Q_OBJECT
 public:
     SurroundingsPresenter(Workbench& workbench, SurroundingsPanel& panel, BoundsPanel& switches, Viewport& viewport,
                           QObject* parent);
     void setUnit(LengthUnit unit) override;
-    /// The axis as the view looks.
+    /// Sets the tool axis to the view direction.
     void connectActions(const Actions& actions);
 
 signals:

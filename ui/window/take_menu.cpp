@@ -20,12 +20,12 @@ const SampleRange* rangeAt(const std::vector<SampleRange>& ranges, std::uint64_t
     return found == ranges.end() ? nullptr : &*found;
 }
 
-/// The words of the menu.
+/// Translation context of the menu.
 struct TakeMenu {
     Q_DECLARE_TR_FUNCTIONS(TakeMenu)
 };
 
-/// What becomes of stretches of a take.
+/// Adds the actions that switch intervals of a take.
 void addSwitches(QMenu& menu, TimeController& time, const TakeTrack& track, std::uint64_t sample) {
     const std::int64_t take = track.info.id;
     const auto switching = [&time, take](const SampleRange& stretch, bool on) {
@@ -61,7 +61,7 @@ void showTakeMenu(Workbench& workbench, std::int64_t take, std::uint64_t sample,
     const auto info = std::ranges::find(takes, take, &TakeInfo::id);
     if (info == takes.end()) return;
     QMenu* menu = makeContextMenu("takeMenu", takeName(info->name), parent);
-    // Where the timeline is hidden, nobody has read the take; in the program's step it has other tracks.
+    // With a hidden timeline the take has not been read; in the program step the timeline has other tracks.
     const bool read = workbench.time.recorded() && !workbench.time.showsProgram();
     const TakeTrack* track = read ? workbench.time.recorded()->trackOf(take) : nullptr;
     if (track != nullptr) addSwitches(*menu, workbench.time, *track, sample);

@@ -64,7 +64,7 @@ void TimePresenter::followProgram() {
     workbench_.time.showProgram(program ? workbench_.program.program() : nullptr);
 }
 
-/// Of a program what its check found.
+/// For a program, the findings of its check.
 std::vector<TimeMarker> TimePresenter::markers() const {
     const TimeController& time = workbench_.time;
     if (!time.showsProgram()) return time.markers();

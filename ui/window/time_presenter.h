@@ -10,19 +10,19 @@
 
 namespace burin {
 
-/// The timeline, and in the view what stood there at its moment: workpiece, tool, hand and force.
+/// The timeline, and the state at its moment in the view: workpiece, tool, hand and force.
 class TimePresenter final : public Presenter {
     Q_OBJECT
 public:
     TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePresenter& scene, QObject* parent);
     void setUnit(LengthUnit unit) override;
     void connectActions(const Actions& actions);
-    /// In the program's step its time is shown.
+    /// In the program step the program's timeline is shown.
     void setShown(JobStep step);
 
 signals:
     void lineReached(int line); ///< of the program, from 1
-    void breakpointAsked();     ///< where the cursor stands in the text
+    void breakpointAsked();     ///< for the line with the text cursor
 
 private:
     void present() override;
@@ -33,7 +33,7 @@ private:
     TimelinePanel& panel_;
     ScenePresenter& scene_;
     bool program_ = false;
-    int line_ = 0; ///< that was told last
+    int line_ = 0; ///< reported last
 };
 
 } // namespace burin

@@ -124,7 +124,7 @@ QString ToolDialog::askFile() {
     return askToolToAdd(this, QDir::homePath());
 }
 
-/// One is kept under its own id, or refused where there is one; several get ids that are free.
+/// A single tool keeps its own id, or is refused if that exists; several tools get free ids.
 Result<LibraryDialog::Incoming> ToolDialog::read(const std::string& file) {
     const Tool* like = tool(shownId());
     const Result<ReadTools> read = toolsFromFile(file, like == nullptr ? Tool{} : *like, 1.0);
@@ -164,7 +164,7 @@ void ToolDialog::exportTools() {
     warn(notes.join(QLatin1Char(' ')));
 }
 
-/// As a file of it would be read.
+/// Validates the values as when a file is read.
 Result<void> ToolDialog::keep() {
     const Tool wanted = form_->tool();
     const Result<Tool> sound = toolFromJson(toJson(wanted), wanted.id + ".json");

@@ -11,8 +11,8 @@ namespace burin {
 class ToolDrawing;
 class ToolForm;
 
-/// The tools that Burin is shipped with and the user's own: to look at, with a drawing to scale, copy, change, delete,
-/// add from a file, export and take into the spindle. Each step is an entry of the undo stack. `tools` outlives it.
+/// The tools shipped with Burin and the user's own: to view, with a drawing to scale, copy, change, delete, add from a
+/// file, export and load into the spindle. Each step is an entry of the undo stack. `tools` outlives the dialog.
 class ToolDialog final : public LibraryDialog {
     Q_OBJECT
 public:

@@ -109,7 +109,7 @@ void ToolShapeDialog::update() {
     const auto isStl = [](const FileChoice& choice) {
         return choice.file.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive);
     };
-    unit_->setEnabled(isStl(flutes_) || isStl(shank_)); // the others state theirs
+    unit_->setEnabled(isStl(flutes_) || isStl(shank_)); // other formats state their unit
     enableUnless(make_,
                  flutes_.file.isEmpty()              ? tr("Choose a model of the flutes first.")
                  : name_->text().trimmed().isEmpty() ? tr("Give the tool a name first.")

@@ -16,17 +16,17 @@ namespace burin {
 
 class LengthField;
 
-/// Asks for the models of a tool's flutes and shank and for what the new tool is called.
+/// Asks for the models of a tool's flutes and shank and for the name of the new tool.
 class ToolShapeDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// @param like whose other values the new tool takes over
-    /// @param folder where models are looked for first
+    /// @param like from which the new tool takes its other values
+    /// @param folder initial folder for choosing models
     ToolShapeDialog(const Tool& like, const QString& folder, LengthUnit unit, QWidget* parent);
 
-    /// What the user wants, but for the id. Meaningful once the dialog was accepted.
+    /// The request without the id. Valid after the dialog was accepted.
     ToolShapeRequest request() const;
-    const QString& folder() const noexcept { return folder_; } ///< of the model that was chosen last
+    const QString& folder() const noexcept { return folder_; } ///< of the model chosen last
 
 private:
     /// A button that asks for a file and shows its name.

@@ -11,14 +11,14 @@
 
 namespace burin {
 
-/// Fills the project's tree, and does what is asked for there: opens, switches, renames, deletes, hides.
+/// Fills the project tree and carries out its commands: open, switch, rename, delete, hide.
 class TreePresenter final : public Presenter {
     Q_OBJECT
 public:
     TreePresenter(Workbench& workbench, ProjectTree& tree, ScenePresenter& scene, QObject* parent);
 
 signals:
-    void stepWanted(JobStep step); ///< where what was opened is worked on
+    void stepWanted(JobStep step); ///< the step for the item that was opened
 
 private:
     void present() override;
@@ -40,7 +40,7 @@ private:
 
     ProjectTree& tree_;
     ScenePresenter& scene_;
-    std::shared_ptr<const Model> model_; ///< whose bodies are hidden
+    std::shared_ptr<const Model> model_; ///< whose bodies `hidden_` refers to
     std::set<std::size_t> hidden_;       ///< of the model's bodies
 };
 

@@ -14,11 +14,11 @@ namespace burin {
 namespace {
 
 constexpr std::array watched{SIGINT, SIGTERM, SIGHUP};
-std::array<int, 2> pipeEnds{-1, -1}; // a signal handler can reach nothing else
+std::array<int, 2> pipeEnds{-1, -1}; // global: the signal handler has no other access
 
 extern "C" void noteSignal(int) {
     const char byte = 1;
-    if (::write(pipeEnds[1], &byte, 1) < 0) return; // the pipe is full: it is known already
+    if (::write(pipeEnds[1], &byte, 1) < 0) return; // the pipe is full: a signal is pending already
 }
 
 void setHandler(void (*handler)(int)) {

@@ -6,7 +6,8 @@
 
 namespace burin {
 
-/// Turns SIGINT, SIGTERM and SIGHUP into a Qt signal, so that the window ends as if it had been closed. One object.
+/// Converts SIGINT, SIGTERM and SIGHUP into a Qt signal, so that the window ends as if it had been closed. Only one
+/// object may exist.
 class UnixSignals final : public QObject {
     Q_OBJECT
 public:

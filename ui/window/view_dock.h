@@ -9,26 +9,26 @@ class QMainWindow;
 
 namespace burin {
 
-/// A dock next to the view, that is there as long as its action is on and its place is seen. Its
-/// title bar has the theme's icons; a drag of it moves the dock. All arguments outlive it.
+/// A dock next to the view that is shown while its action is on and its page is visible. Its title bar has the theme's
+/// icons; dragging it moves the dock. All arguments outlive it.
 class ViewDock : public QDockWidget {
     Q_OBJECT
 public:
     struct Look {
         QString title, name;         ///< name: object name of the dock; its buttons are float<name>, close<name>
-        QString closeTip;            ///< what closing it does
-        QWidget* titleBar = nullptr; ///< shown in the title's stead; null: the title; taken over
-        int size = 0;                ///< pixels, at first: its height, or its width at a side
-        Qt::DockWidgetArea area = Qt::BottomDockWidgetArea; ///< at first
+        QString closeTip;            ///< effect of closing it
+        QWidget* titleBar = nullptr; ///< shown instead of the title; null: the title; owned by the dock
+        int size = 0;                ///< pixels, initially: its height, or its width at a side
+        Qt::DockWidgetArea area = Qt::BottomDockWidgetArea; ///< initially
     };
-    /// @param shown checkable; @param view what the dock belongs to: its sides, or a window of its own
+    /// @param shown checkable; @param view the window whose sides the dock uses, or from which it floats
     ViewDock(const Look& look, QAction& shown, QMainWindow& view);
-    /// @param used whether its place is seen
+    /// @param used whether its page is visible
     void setUsed(bool used);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
-    /// The action, or the place, is another.
+    /// Called when the action or the visibility of the page has changed.
     virtual void follow();
     bool wanted() const;
     bool used() const noexcept { return used_; }

@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-constexpr int firstTransparency = 60; // %: as long as the user has not chosen another
+constexpr int firstTransparency = 60; // %: until the user chooses another
 
 } // namespace
 
@@ -56,13 +56,13 @@ void ViewOptions::setTransparency(int percent) {
 
 void ViewOptions::openSection(bool open) {
     if (open)
-        chooseAxis(1); // the front comes off: what a view from the corner looks into
+        chooseAxis(1); // removes the front, which faces a view from the corner
     else
         section_.reset();
     showSection();
 }
 
-/// Through the middle; the half that is nearer to the eye comes off.
+/// Puts the section through the middle; the half nearer to the eye is removed.
 void ViewOptions::chooseAxis(int axis) {
     const Box content = viewport_.contentBox();
     const glm::dvec3 along = viewport_.sight(QRectF(viewport_.rect()).center()).rayDirection;

@@ -13,12 +13,12 @@
 
 namespace burin {
 
-/// How the view shows things, as the user chooses it by actions, on the bar below the view, or by the section's handle.
-/// Projection and transparency are remembered from one start to the next.
+/// The display options of the view, chosen by actions, on the bar below the view, or by the handle of the section
+/// plane. Projection and transparency are remembered between sessions of the program.
 class ViewOptions final : public QObject {
     Q_OBJECT
 public:
-    /// All outlive it.
+    /// All arguments outlive it.
     ViewOptions(Viewport& viewport, ViewBar& bar, const Actions& actions, UserSettings& settings, QObject* parent);
 
 private:
@@ -32,7 +32,7 @@ private:
     ViewBar& bar_;
     const Actions& actions_;
     UserSettings& settings_;
-    int transparency_ = 0, usualTransparency_ = 0; ///< %: as it is, and as the action makes it
+    int transparency_ = 0, usualTransparency_ = 0; ///< %: at present, and as set by the action
     std::optional<SectionPlane> section_;
 };
 

@@ -68,7 +68,7 @@ void ZeroPresenter::pick(bool wanted) {
     presentSoon();
 }
 
-/// The press that answers is still under way: the picker stays until it is over.
+/// Queued: the mouse press that sets the point is still being handled by the picker.
 void ZeroPresenter::end() {
     QMetaObject::invokeMethod(
         this, [this] { pick(false); }, Qt::QueuedConnection);
@@ -103,7 +103,7 @@ void ZeroPresenter::touch() {
         if (glm::distance(face.place, touched.place) > workbench_.setup.setup().voxel)
             return emit refused(tr("The tool does not touch the part. Hold it against a face of the part."));
         glm::dvec3 place = workbench_.setup.setup().workOffset;
-        place[axis] = face.place[axis]; // exactly, whatever the voxels made of the boundary
+        place[axis] = face.place[axis]; // the exact coordinate, without the error of the voxels
         placeAt(place);
     });
 }

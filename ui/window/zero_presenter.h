@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// Program zero: its panel, its mark in the view, and where it is placed by a click or by the tool.
+/// Program zero: its panel, its mark in the view, and setting it by a click or with the tool.
 class ZeroPresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -19,11 +19,11 @@ public:
     void setUnit(LengthUnit unit) override;
     void connectActions(const Actions& actions);
     void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
-    /// The mark is drawn but while something is milled; another step than the stock's ends the question.
+    /// The mark is drawn except during milling; picking ends when another step than the stock's is shown.
     void setShown(JobStep step);
 
 signals:
-    void pickBegins(); ///< its panel has to be shown
+    void pickBegins(); ///< its panel must be shown
     void refused(const QString& sentence);
 
 private:
@@ -37,7 +37,7 @@ private:
     Viewport& viewport_;
     ZeroPanel& panel_;
     ZeroPicker picker_;
-    InteractiveTool* before_ = nullptr; ///< that the view had before the question
+    InteractiveTool* before_ = nullptr; ///< the view's tool before picking
     bool picking_ = false;
     JobStep step_ = JobStep::part;
 };

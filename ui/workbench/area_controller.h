@@ -17,7 +17,7 @@ public:
     void add(const PlanRegion& region);
     void erase(const PlanRegion& region);
     void clear();
-    void load(PlanRegion area); ///< another project or setup; no entry
+    void load(PlanRegion area); ///< Called for another project or setup; makes no entry of the undo stack
 
 private:
     void become(PlanRegion area, const QString& what);

@@ -17,8 +17,8 @@ struct Desk {
     QUndoStack& undo;
 };
 
-/// One subject of the work: holds its state, changes it, stores it in the project, tells when it changed. Controllers
-/// word no errors, they pass them on. User interface's thread.
+/// Controls one subject of the work: holds its state, changes it, stores it in the project and reports changes.
+/// Controllers do not word errors, they pass them on. User interface's thread.
 class Controller : public QObject {
     Q_OBJECT
 public:
@@ -29,7 +29,7 @@ signals:
     void failed(const burin::Error& error);
 
 protected:
-    /// Changes the project in the background, if one is open; what goes wrong is told.
+    /// Changes the project in the background if one is open; errors are reported by `failed`.
     template <class Work>
     void store(Work work) {
         desk_.project.postToPlace(

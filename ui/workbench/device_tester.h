@@ -20,24 +20,24 @@ public:
 
     DeviceTester(const Desk& desk, const StylusController& styluses, const SessionRunner& session, QObject* parent);
 
-    /// Asks the drivers, in the background; `changed` when they have answered.
+    /// Queries the drivers in the background; `changed` is emitted when they have answered.
     void askDrivers();
     const std::vector<DriverState>& drivers() const noexcept { return drivers_; }
 
-    /// Nobody mills, and no test runs.
+    /// Whether a test can start: no session and no test is running.
     bool possible() const { return !busy_ && !session_.running(); }
     bool testing() const noexcept { return busy_; }
-    /// Connects a device and reads it until `stop`, `longestTest` at most. Nothing happens where it is not possible.
-    /// @param force N that it pushes up with while its first button is held; more than trialForceLimit is a fault; 0:
-    /// none
+    /// Connects a device and reads it until `stop`, `longestTest` at most. Does nothing unless `possible`.
+    /// @param force N, upward force while the device's first button is held; more than trialForceLimit is a fault; 0:
+    /// no force
     void test(const StylusController::Choice& device, double force);
     void stop();
-    void forget(); ///< what was found out, and what a test that still runs finds out
+    void forget(); ///< Discards all results, including those of a test that is still running
 
-    /// Of the device that was tested last; nothing: none was, or it could not be connected.
+    /// Of the device that was tested last; empty if none was tested or it could not be connected.
     const std::optional<StylusDescription>& description() const noexcept { return description_; }
     const std::optional<TrialFigures>& figures() const noexcept { return figures_; }
-    const std::optional<Error>& fault() const noexcept { return fault_; } ///< why it could not be tested
+    const std::optional<Error>& fault() const noexcept { return fault_; } ///< why the device could not be tested
 
 private:
     void hear(const StylusDescription& description);
@@ -50,7 +50,7 @@ private:
     std::optional<TrialFigures> figures_;
     std::optional<Error> fault_;
     bool busy_ = false;
-    bool heard_ = false; ///< what the test that runs says
+    bool heard_ = false; ///< whether results of the running test are accepted
 };
 
 } // namespace burin

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a project may lack is no error here.
+/// Data that a project may lack are no error here.
 template <class T>
 Result<std::optional<T>> unlessMissing(Result<T> value) {
     if (value) return std::optional<T>(std::move(*value));
@@ -30,7 +30,7 @@ fs::path nextUnnamedFile() {
     return DocumentController::unnamedFolder() / name.toStdString();
 }
 
-/// What stands around the stock, and leads the hand.
+/// Reads fixtures, limits and guides.
 Result<void> readMilling(const Project& project, ProjectContents& contents) {
     Result<std::vector<Obstacle>> obstacles = project.obstacles();
     if (!obstacles) return std::move(obstacles).error();
@@ -102,7 +102,7 @@ Result<ProjectContents> contentsOf(const Project& project) {
     return contents;
 }
 
-/// The name that a file of an earlier format got.
+/// Returns the name given to a file of an earlier format, if any.
 Result<fs::path> saveWith(Project& project, const std::string& left) {
     if (!left.empty())
         if (Result<void> noted = project.setLeftAt(left); !noted) return std::move(noted).error();
@@ -145,7 +145,7 @@ fs::path DocumentController::unnamedFolder() {
     const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
     const fs::path folder = fs::path(data.toStdString()) / "unsaved";
     std::error_code failed;
-    fs::create_directories(folder, failed); // where this fails, creating the project says so
+    fs::create_directories(folder, failed); // if this fails, creating the project reports it
     const fs::path plain = fs::weakly_canonical(folder, failed);
     return failed ? folder : plain;
 }
@@ -191,7 +191,7 @@ void DocumentController::useSetup(SetupId id, Then then) {
             const SetupId before = project.usedSetup();
             if (Result<void> used = project.useSetup(id); !used) return std::move(used).error();
             Result<ProjectContents> contents = contentsOf(project);
-            if (!contents) static_cast<void>(project.useSetup(before)); // it is what the window shows
+            if (!contents) static_cast<void>(project.useSetup(before)); // restores what the window shows
             return contents;
         },
         [this, then = std::move(then)](const Result<ProjectContents>& contents) {
@@ -293,7 +293,7 @@ void DocumentController::close(bool abandon, Then then) {
     desk_.project.postToPlace(
         [abandon, left = leftAt_()](std::optional<Project>& place) -> Result<void> {
             if (place && abandon) place->abandonChanges();
-            // Whoever takes unsaved work up again finds it where it was left. A file is not written for that alone.
+            // Stores the user's position with unsaved work, for recovery. A file is not written for that alone.
             if (place && !abandon && !place->readOnly() && !left.empty()) static_cast<void>(place->setLeftAt(left));
             place.reset();
             return {};

@@ -18,27 +18,27 @@ namespace burin {
 struct ProjectContents {
     std::shared_ptr<const Model> model; ///< null: none yet
     std::optional<Setup> setup;
-    std::vector<Property> materials; ///< of the setup, as they were when it was made
+    std::vector<Property> materials; ///< of the setup, as they were when it was created
     std::vector<Obstacle> obstacles;
     AxisMode axis;
     TravelPlacement travel;
     ProgramTarget target;
     KeptGuides guides;
     std::vector<Tool> tools;
-    std::vector<SetupName> setups; ///< of the job; all else is of the one in use
+    std::vector<SetupName> setups; ///< all setups of the job; the other members belong to the one in use
     SetupId usedSetup = firstSetup;
-    bool stockOutOfDate = false; ///< another setup left its stock, and has changed since
+    bool stockOutOfDate = false; ///< the stock comes from another setup, which has changed since
     std::vector<TakeInfo> takes;
     std::vector<GeneratedInfo> generated; ///< by planners
     std::vector<StoredPath> paths;
     std::vector<StoredProgram> programs;
     std::optional<ReopenedProgram> keptProgram; ///< the one that was checked last
-    std::string programDraft;                   ///< text that was edited and not checked since; empty: none
-    std::string leftAt;                         ///< JSON, of whoever gave it to `keepLeftAt`; empty: none
+    std::string programDraft;                   ///< text edited but not checked since; empty: none
+    std::string leftAt;                         ///< JSON from the function given to `keepLeftAt`; empty: none
 };
 
-/// The project as a document: new, open, save, close. A new one works on a file in a folder of the user's own until it
-/// gets a name, so that nothing is ever only in memory.
+/// The project as a document: new, open, save, close. A new project is kept in a file in the user's data folder until
+/// it is given a name, so that no data exist in memory only.
 class DocumentController final : public Controller {
     Q_OBJECT
 public:
@@ -46,46 +46,50 @@ public:
 
     bool isOpen() const noexcept { return !file_.empty(); }
     const std::filesystem::path& file() const noexcept { return file_; }
-    bool isUnnamed() const; ///< it was never saved under a name
+    bool isUnnamed() const; ///< whether it was never saved under a name
     QString title() const;
     bool unsaved() const noexcept { return unsaved_; }
     bool readOnly() const noexcept { return readOnly_; }
     bool recovered() const noexcept { return recovered_; }
     const std::filesystem::path& keptAside() const noexcept { return keptAside_; }
-    const QDateTime& savedAt() const noexcept { return savedAt_; } ///< in this session; invalid: not yet
+    const QDateTime& savedAt() const noexcept { return savedAt_; } ///< in this session; invalid if not saved yet
 
-    /// What comes next is called with whether it went well; errors are told by `failed`.
+    /// Called when the operation is complete; the argument tells whether it succeeded. Errors are reported by `failed`.
     using Then = std::function<void(bool)>;
-    /// The project that was open before is closed, once the other one stands.
-    /// @param abandon its unsaved changes are discarded; otherwise they wait to be recovered
+    /// The project that was open before is closed once the new one is ready.
+    /// @param abandon whether to discard its unsaved changes; otherwise they are kept for recovery
     void createNew(bool abandon, Then then = {});
     void openFile(const std::filesystem::path& file, bool abandon, Then then = {});
-    bool holds(const std::filesystem::path& file) const; ///< it is the open one
+    bool holds(const std::filesystem::path& file) const; ///< whether `file` is the open project
 
-    /// A project that was read as a whole and is locked, but not the open one yet. Dropped, it is as it was before.
+    /// A project that was read completely and locked, but is not the open one yet. Dropping it leaves that project as
+    /// it was.
     struct Prepared;
     using WhenPrepared = std::function<void(Result<std::shared_ptr<Prepared>>)>;
-    /// Reads another project and leaves the open one as it is: who asks about unsaved work then asks in earnest.
+    /// Reads another project and leaves the open one as it is, so that the user is asked about unsaved work only if the
+    /// other project can be opened.
     void prepare(const std::filesystem::path& file, WhenPrepared then);
-    /// Makes it the open one, as `openFile`.
+    /// Makes a prepared project the open one, as `openFile` does.
     void open(const std::shared_ptr<Prepared>& prepared, bool abandon, Then then = {});
     void save(Then then = {});
     void saveAs(const std::filesystem::path& file, Then then = {});
     void close(bool abandon, Then then = {});
-    /// Uses the open project in another setup, or reads the present one again.
+    /// Switches the open project to another setup, or reads the present one again.
     void useSetup(SetupId id, Then then = {});
 
-    /// Asked for what is kept with each save: where the user is. An empty text is not kept.
+    /// Sets the function that returns the user's position in the work, which is stored with each save. Empty text is
+    /// not stored.
     void keepLeftAt(std::function<std::string()> now) { leftAt_ = std::move(now); }
 
-    /// Unsaved work of programs that are gone, the newest first.
+    /// Unsaved work of processes that have ended, newest first.
     FoundWork leftWork() const;
     static void forget(const LeftWork& work);
-    /// Folder of projects without a name. Made when it is not there.
+    /// Folder of projects without a name. Created if it does not exist.
     static std::filesystem::path unnamedFolder();
 
 signals:
-    /// A save put a file of the present format in the place of an earlier one, which has this name now.
+    /// Saving replaced a file of an earlier format by one of the present format; the earlier file was renamed to
+    /// `file`.
     void keptEarlier(const std::filesystem::path& file);
     void opened(const burin::ProjectContents& contents);
     void setupUsed(const burin::ProjectContents& contents); ///< of the same project

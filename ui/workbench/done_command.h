@@ -9,8 +9,8 @@
 
 namespace burin {
 
-/// What was done before it became an entry of the undo stack, such as a stroke that was milled: undo takes it back,
-/// redo puts it back.
+/// An action that was done before it became an entry of the undo stack, such as a milled stroke: undo reverts it, redo
+/// restores it.
 class DoneCommand final : public QUndoCommand {
 public:
     /// @param takeBack called with true for undo, false for redo
@@ -18,7 +18,7 @@ public:
         : QUndoCommand(title), takeBack_(std::move(takeBack)) {}
 
     void redo() override {
-        if (std::exchange(done_, true)) takeBack_(false); // the first time it is done already
+        if (std::exchange(done_, true)) takeBack_(false); // the first call: already done
     }
     void undo() override { takeBack_(true); }
 

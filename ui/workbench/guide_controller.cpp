@@ -13,7 +13,7 @@
 namespace burin {
 namespace {
 
-constexpr double edgeChord = 0.01; // mm between an edge and the polyline that leads along it
+constexpr double edgeChord = 0.01; // mm, chord error between an edge and the polyline of its guide
 
 } // namespace
 
@@ -59,7 +59,7 @@ void GuideController::addNearestEdge() {
         });
 }
 
-/// Nearest to the tool, or to the middle of the stock's top while there is none.
+/// The edge nearest to the tool, or to the middle of the stock's top if there is no tool.
 void GuideController::addEdge() {
     if (full() || edges_.empty() || !workpiece_.milling()) return;
     const Box& stock = workpiece_.milling()->setup.stock;
@@ -106,7 +106,8 @@ void GuideController::change(std::size_t place, const Guide& guide) {
     if (place >= guides_.size() || guides_[place] == guide) return;
     std::vector<Guide> guides = guides_;
     guides[place] = guide;
-    set(tr("guide"), std::move(guides), guideValue + static_cast<int>(place)); // turning one field up is one entry
+    // Raising one field step by step is one entry.
+    set(tr("guide"), std::move(guides), guideValue + static_cast<int>(place));
 }
 
 void GuideController::remove(std::size_t place) {

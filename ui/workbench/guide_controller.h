@@ -8,35 +8,36 @@
 
 namespace burin {
 
-/// The guides of the hand. What changes in mill mode reaches the loop at its next tick. Guides are entries of the undo
-/// stack and kept by the project.
+/// The guides of the hand. Changes made in mill mode reach the loop at its next tick. Guides are entries of the undo
+/// stack and stored in the project.
 class GuideController final : public Controller {
     Q_OBJECT
 public:
     GuideController(const Desk& desk, WorkpieceController& workpiece, MillController& mill, SessionRunner& session,
                     QObject* parent);
 
-    /// What a project holds.
+    /// Loads the guides of a project.
     void load(const KeptGuides& guides);
-    const std::vector<Guide>& guides() const noexcept { return guides_; } ///< the earlier one stays
-    bool on() const noexcept { return on_; }                              ///< all of them, or none
+    /// Where not all can hold, the earlier one is kept
+    const std::vector<Guide>& guides() const noexcept { return guides_; }
+    bool on() const noexcept { return on_; } ///< whether guides are enabled, all of them
     bool full() const noexcept { return guides_.size() == GuideSettings::capacity; }
-    /// A guide of a kind that fits the stock, or along the edge of the part that is nearest to the tool (found in the
-    /// background). Nothing happens when there are as many as can be, or the part has no edges.
+    /// Adds a guide of the given kind that fits the stock, or one along the edge of the part nearest to the tool (found
+    /// in the background). Does nothing if `full` or if the part has no edges.
     void add(GuideKind kind);
-    /// The part's edges are known or can be: it was no mesh.
+    /// Whether the part's edges are known or can be found: it was not imported as a mesh.
     bool hasEdges() const;
     void change(std::size_t place, const Guide& guide);
     void remove(std::size_t place);
     void setOn(bool on);
-    /// The next level, or the end of a pass. @param levels +1: along the normal
+    /// Moves to the next level, or ends a pass. @param levels +1: along the normal
     void stepLevel(int levels);
 
-    /// Which of a device's buttons ask for the next level below, or end a pass, by bit.
+    /// Sets the device buttons, one bit each, that request the next level below or end a pass.
     void setStepButtons(std::uint32_t buttons);
 
 signals:
-    void levelStepped(); ///< the loop was told of another level, or of the end of a pass
+    void levelStepped(); ///< the loop was given another level, or the end of a pass
 
 private:
     void addNearestEdge();
@@ -50,11 +51,11 @@ private:
     SessionRunner& session_;
     std::vector<Guide> guides_;
     using Curves = std::vector<std::shared_ptr<const GuideCurve>>;
-    std::shared_ptr<const Model> followed_; ///< whose edges are known
-    Curves edges_;                          ///< of that
-    Curves used_;                           ///< all that a loop or the undo stack may still know of
+    std::shared_ptr<const Model> followed_; ///< the model whose edges are known
+    Curves edges_;                          ///< of `followed_`
+    Curves used_;                           ///< all that a loop or the undo stack may still refer to
     std::uint32_t stepButtons_ = 0;         ///< of the device in hand
-    std::uint32_t keptStepButtons_ = 0;     ///< as the project has it
+    std::uint32_t keptStepButtons_ = 0;     ///< as stored in the project
     bool on_ = true;
 };
 

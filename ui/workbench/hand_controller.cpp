@@ -12,7 +12,7 @@ namespace burin {
 
 namespace {
 
-constexpr const char* rateMode = "rate"; // of drivers whose devices do it by themselves
+constexpr const char* rateMode = "rate"; // mode of drivers whose devices do rate control themselves
 constexpr double smallestScale = 0.05, largestScale = 50.0;
 
 std::string nameOf(const StylusController& styluses) {
@@ -78,7 +78,7 @@ void HandController::change(const QString& title, const HandSettings& settings, 
                                        [this, device](const HandSettings& wanted) { set(device, wanted); }));
 }
 
-/// An entry of the undo stack may be of a device that is away: it finds its settings when it is back.
+/// An entry of the undo stack may belong to a disconnected device, which gets its settings when it is connected again.
 void HandController::set(std::size_t device, const HandSettings& settings) {
     kept_[device].settings = settings;
     prepare();
@@ -86,7 +86,7 @@ void HandController::set(std::size_t device, const HandSettings& settings) {
     emit changed();
 }
 
-/// What a session has to know when it begins, and the guides.
+/// Sets what a session needs when it begins, and the guides.
 void HandController::prepare() {
     const HandSettings& wanted = settings();
     const bool mouse = styluses_.mouse();

@@ -10,50 +10,52 @@ namespace burin {
 
 /// How the user wants a device's movements and buttons to work.
 struct HandSettings {
-    std::optional<double> scale;        ///< mm of setup per mm of device; none: as fits the stock
-    std::optional<glm::dquat> rotation; ///< device to setup; none: as it lies before the user
+    std::optional<double> scale;        ///< mm of setup per mm of device; empty: chosen to fit the stock
+    std::optional<glm::dquat> rotation; ///< device to setup; empty: the device's orientation in front of the user
     WorkspaceControl control = WorkspaceControl::position;
-    // Numbers of buttons, from 1; 0: none does it.
-    int clutchButton = 0; ///< the tool stays while it is held
-    int levelButton = 0;  ///< the next level below, or the end of a pass
-    int forceButton = 0;  ///< dead man's: forces only while it is held
+    // Button numbers from 1; 0: no button.
+    int clutchButton = 0; ///< the tool stays in place while it is held
+    int levelButton = 0;  ///< goes to the next level below, or ends a pass
+    int forceButton = 0;  ///< dead man's switch: forces only while it is held
 
     friend bool operator==(const HandSettings&, const HandSettings&) = default;
 };
 
-/// The device in the user's hand: how its movements become the tool's, what its buttons do, how it is doing. Settings
-/// are entries of the undo stack; each device keeps its own as long as the window stands.
+/// The device in the user's hand: how its movements are mapped to the tool, what its buttons do, and its condition.
+/// Settings are entries of the undo stack; each device keeps its own as long as the window exists.
 class HandController final : public Controller {
     Q_OBJECT
 public:
-    /// A low battery is told once, and again after it was fine. (Hot motors are the session's to tell.)
+    /// Share of the battery below which a warning is given once, and above which the next warning is possible. (Hot
+    /// motors are reported by the session.)
     static constexpr double lowBattery = 0.15, fineBattery = 0.20;
 
     HandController(const Desk& desk, WorkpieceController& workpiece, MillController& mill, SessionRunner& session,
                    StylusController& styluses, GuideController& guides, QObject* parent);
 
-    /// A device is in the hand. The mouse points at the workpiece itself: there is nothing to scale.
+    /// Whether a device is in use. The mouse points at the workpiece itself and needs no scaling.
     bool hasDevice() const noexcept { return mill_.device().has_value(); }
     int buttons() const noexcept { return hasDevice() ? mill_.device()->buttons : 0; }
-    /// The stylus may lead the tool by its speed: it has no motors, which would push it out of its place, and does not
-    /// do so by itself.
+    /// Whether the stylus may control the tool's velocity (rate control): it has no motors, which would push it away
+    /// from its position, and does not do rate control by itself.
     bool canRate() const;
     const HandSettings& settings() const; ///< of the chosen stylus
     bool clutched() const noexcept { return clutched_; }
     const DeviceHealth& health() const noexcept { return session_.health(); }
 
-    // Nothing happens without a device in the hand. The first two are of the moment; the others can be undone.
+    // These do nothing without a device. The first two are temporary; the others can be undone.
     void setClutched(bool clutched);
     void recentre();
     void setScale(double scale); ///< mm of setup per mm of device
     void scaleBy(double factor);
-    /// What goes to the right of the picture follows a hand that goes to the right; up stays up. @param right of the
-    /// picture, setup frame, not upright
+    /// Aligns the device with the view: moving the hand to the right moves the tool to the right of the picture; up
+    /// stays up.
+    /// @param right direction to the right of the picture, setup frame, not vertical
     void alignWith(const glm::dvec3& right);
     void setControl(WorkspaceControl control);
     void setClutchButton(int button);
     void setLevelButton(int button);
-    void setForceButton(int button); ///< takes the tool up anew: a take ends
+    void setForceButton(int button); ///< restarts mill mode, which ends a take
 
 signals:
     void batteryLow(double share); ///< 0 … 1

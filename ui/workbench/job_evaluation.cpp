@@ -16,7 +16,7 @@ bool alike(const StoredPath& one, const StoredPath& other) {
                               [](const Edit& a, const Edit& b) { return toJson(a) == toJson(b); });
 }
 
-/// A path that the project holds just so is left alone: a project that was only opened has no changes.
+/// Stores a path unless the project holds an equal one, so that a project that was only opened has no changes.
 Result<void> keep(Project& project, const StoredPath& path) {
     const Result<std::vector<StoredPath>> kept = project.paths();
     if (!kept) return kept.error();
@@ -25,7 +25,7 @@ Result<void> keep(Project& project, const StoredPath& path) {
     return project.setPath(path);
 }
 
-/// A path with what was recorded since, and what it takes to evaluate it.
+/// Returns a path with newer recordings added, and what is needed to evaluate it.
 Result<PathMatter> gather(Project& project, StoredPath path) {
     const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
     if (!sources) return sources.error();
@@ -44,7 +44,7 @@ JobEvaluation::JobEvaluation(const Desk& desk, WorkpieceController& workpiece, Q
     });
 }
 
-/// What runs is abandoned by who changes the workpiece.
+/// The running task is abandoned by the code that changes the workpiece.
 void JobEvaluation::readersStop() {
     if (running_) interrupted_ = true;
     running_.reset();
@@ -62,7 +62,7 @@ void JobEvaluation::setJob(const std::vector<StoredPath>& inOrder, std::int64_t 
             before.erase(known);
         }
         entry.path = path;
-        if (path.id != inForce) entry.recorded.reset(); // takes are large; those of one path suffice
+        if (path.id != inForce) entry.recorded.reset(); // takes are large; only those of one path are kept
         entries.push_back(std::move(entry));
     }
     entries_ = std::move(entries);
@@ -99,7 +99,7 @@ void JobEvaluation::forget() {
 
 void JobEvaluation::start() {
     wanted_ = true;
-    for (Entry& entry : entries_) entry.failedOn = {}; // it is tried again
+    for (Entry& entry : entries_) entry.failedOn = {}; // tried again
     goOn();
 }
 
@@ -145,7 +145,7 @@ bool JobEvaluation::busy(std::int64_t path) const {
     return wanted_ && working && find(path) != nullptr && !isSettledUpTo(path);
 }
 
-/// It, and what it comes after.
+/// Whether this path and all before it are settled.
 bool JobEvaluation::isSettledUpTo(std::int64_t path) const {
     const std::size_t last = placeOf(path);
     for (std::size_t i = 0; i <= last && i < entries_.size(); ++i)
@@ -161,7 +161,7 @@ bool JobEvaluation::isSettled(const Entry& entry, const Basis& basis) const {
     return isCurrent(entry, basis) || (entry.problem && entry.failedOn == basis);
 }
 
-/// As it stands.
+/// Whether the path can't be evaluated in its present state.
 bool JobEvaluation::isImpossible(const Entry& entry) {
     return entry.problem && entry.failedOn.revision == entry.revision && entry.failedOn.key == entry.key;
 }
@@ -190,7 +190,7 @@ JobEvaluation::Basis JobEvaluation::basisOf(const Entry& entry) const {
     return basis;
 }
 
-/// Null: all are as they should be.
+/// Null if all entries are settled.
 JobEvaluation::Entry* JobEvaluation::next() {
     for (Entry& entry : entries_)
         if (!isSettled(entry, basisOf(entry))) return &entry;
@@ -199,7 +199,7 @@ JobEvaluation::Entry* JobEvaluation::next() {
 
 void JobEvaluation::goOn() {
     if (!wanted_ || reading_ || !workpiece_.milling()) return;
-    if (workpiece_.changing()) { // evaluated when it has changed
+    if (workpiece_.changing()) { // evaluated after the change
         interrupted_ = next() != nullptr;
         return;
     }
@@ -266,7 +266,7 @@ void JobEvaluation::takeEvaluated(const Running& asked, const Tool& tool, Result
     } else {
         entry->problem = outcome.error();
         entry->failedOn = asked.basis;
-        if (outcome.error().code == ErrorCode::cancelled) wanted_ = false; // whoever stopped it starts it again
+        if (outcome.error().code == ErrorCode::cancelled) wanted_ = false; // evaluated again when the user starts it
     }
     if (entry->path.id != inForce_) entry->recorded.reset();
     const bool anew = entry->problem == std::nullopt;

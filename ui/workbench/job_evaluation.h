@@ -12,47 +12,49 @@
 
 namespace burin {
 
-/// What is recorded with a tool: of each take its id, samples, whether it is complete, and the number of the newest
-/// stroke that stands. Equal where just the same is recorded, also after strokes were milled and taken back.
+/// Identifies what is recorded with a tool: of each take its id, number of samples, whether it is complete, and the
+/// number of the newest stroke in effect. Equal if exactly the same is recorded, also after strokes were milled and
+/// undone.
 using RecordedKey = std::vector<std::tuple<std::int64_t, std::uint64_t, bool, std::uint64_t>>;
 
-/// Evaluates the paths of a job in the background, one after the other, each on the stock as those before it leave it:
-/// first what the one in force comes after and itself, then the others. A path is evaluated again where it, or one
-/// before it, has changed; what stood before stays meanwhile.
+/// Evaluates the paths of a job in the background, one after the other, each on the stock that the paths before it
+/// leave: first the path in force with those before it, then the others. A path is evaluated again if it, or one before
+/// it, has changed; the previous result stays available meanwhile.
 class JobEvaluation final : public QObject {
     Q_OBJECT
 public:
     JobEvaluation(const Desk& desk, WorkpieceController& workpiece, QObject* parent);
 
-    /// What is to be evaluated. Paths that it knows by their ids keep what is known of them, also those that were not
-    /// among the last ones.
-    /// @param inOrder in which they are milled. @param inForce id; 0: none
+    /// Sets the paths to evaluate. Paths with a known id keep their results, also those that were not among the last
+    /// ones.
+    /// @param inOrder order of milling @param inForce id; 0: none
     void setJob(const std::vector<StoredPath>& inOrder, std::int64_t inForce);
-    /// Edits of a path are others, or what all paths were evaluated on is.
+    /// The edits of a path have changed, or (touchAll) what all paths were evaluated on.
     void touch(std::int64_t path);
     void touchAll();
-    /// What is recorded with its tool. Where it is other than before, what was read of it is of no use any more; where
-    /// it is again what the path was evaluated with, the path is current again.
+    /// Sets what is recorded with the path's tool. If it has changed, recordings that were read before are discarded;
+    /// if it is again what the path was evaluated with, the path is current again.
     void setRecorded(std::int64_t path, const RecordedKey& key);
-    void forget();                            ///< another project: nothing stands of what was evaluated or read
-    void start();                             ///< evaluates what is out of date
-    void hold() noexcept { wanted_ = false; } ///< what comes out of date from now on waits for `start`
+    void forget();                            ///< for another project: discards everything evaluated or read
+    void start();                             ///< evaluates all paths that are out of date
+    void hold() noexcept { wanted_ = false; } ///< paths that become out of date from now on wait for `start`
 
-    /// Of the newest evaluation that went well; null: none yet.
+    /// Result of the newest successful evaluation; null: none yet.
     std::shared_ptr<const EvaluatedPath> evaluated(std::int64_t path) const;
-    std::vector<std::shared_ptr<const EvaluatedPath>> allBut(std::int64_t path) const; ///< that there are, in order
-    std::optional<Error> problem(std::int64_t path) const;                             ///< of the newest evaluation
-    /// What should be milled before a path and can't be evaluated: the stock is taken as if it were not there.
+    /// All results that exist, in order
+    std::vector<std::shared_ptr<const EvaluatedPath>> allBut(std::int64_t path) const;
+    std::optional<Error> problem(std::int64_t path) const; ///< error of the newest evaluation
+    /// Paths milled before a path that can't be evaluated: the stock is computed without them.
     std::vector<std::int64_t> missingBefore(std::int64_t path) const;
-    /// What is evaluated is as the path, and all before it, are now.
+    /// Whether the result matches the present state of the path and all paths before it.
     bool isCurrent(std::int64_t path) const;
-    /// It, or what it comes after, is being evaluated.
+    /// Whether the path, or one before it, is being evaluated.
     bool busy(std::int64_t path) const;
 
 signals:
     void evaluatedAnew(qint64 path);
     void changed();
-    /// What was recorded since with its tool was added to a path.
+    /// Newer recordings with the path's tool were added to a path.
     void recordingsAdded(const burin::StoredPath& path);
 
 private:
@@ -61,7 +63,7 @@ private:
         std::vector<SourceStrokes> strokes;
         Tool tool;
     };
-    /// What an evaluation stands on.
+    /// What an evaluation depends on.
     struct Basis {
         quint64 revision = 0; ///< of the path
         RecordedKey key;
@@ -72,9 +74,9 @@ private:
         StoredPath path;
         quint64 revision = 1;
         RecordedKey key;
-        std::shared_ptr<const Recorded> recorded; ///< null: to be read
+        std::shared_ptr<const Recorded> recorded; ///< null: not read yet
         std::shared_ptr<const EvaluatedPath> evaluated;
-        Tool tool; ///< that `evaluated` was made with
+        Tool tool; ///< with which `evaluated` was made
         Basis evaluatedOn, failedOn;
         std::optional<Error> problem;
     };
@@ -82,7 +84,7 @@ private:
         std::int64_t path = 0;
         Basis basis;
     };
-    std::size_t placeOf(std::int64_t path) const; ///< the number of entries: none
+    std::size_t placeOf(std::int64_t path) const; ///< number of entries if there is none
     const Entry* find(std::int64_t path) const;
     Entry* find(std::int64_t path);
     static bool isImpossible(const Entry& entry);
@@ -101,13 +103,13 @@ private:
 
     Desk desk_;
     WorkpieceController& workpiece_;
-    std::vector<Entry> entries_; ///< in the order in which they are milled
-    std::vector<Entry> resting_; ///< of paths that are not milled now, and may be again
+    std::vector<Entry> entries_; ///< in the order of milling
+    std::vector<Entry> resting_; ///< paths that are not milled now, but may be again
     std::int64_t inForce_ = 0;
     std::optional<Running> running_;
-    quint64 loads_ = 0; ///< of projects
+    quint64 loads_ = 0; ///< number of projects loaded
     bool wanted_ = false, reading_ = false;
-    bool interrupted_ = false; ///< an evaluation was abandoned, as the workpiece changes
+    bool interrupted_ = false; ///< an evaluation was abandoned because the workpiece changes
 };
 
 } // namespace burin

@@ -16,7 +16,7 @@ void MaterialController::readLibrary() {
     for (const std::string& id : materialIds()) {
         if (Result<Property> material = loadMaterial(id))
             materials_.push_back(std::move(*material));
-        else // at the beginning nobody listens yet
+        else // queued: nothing is connected during construction
             QMetaObject::invokeMethod(
                 this, [this, fault = material.error()] { emit failed(fault); }, Qt::QueuedConnection);
     }

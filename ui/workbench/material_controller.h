@@ -11,8 +11,8 @@
 
 namespace burin {
 
-/// The library of materials: those that Burin is shipped with and the user's own, which stand before them. It is the
-/// user's, not the project's: who undoes a change of one has the file as it was.
+/// The library of materials: those shipped with Burin, preceded by the user's own. It belongs to the user, not to the
+/// project: undoing a change of a material restores its file.
 class MaterialController final : public Controller {
     Q_OBJECT
 public:
@@ -21,10 +21,11 @@ public:
     const std::vector<Property>& materials() const noexcept { return materials_; } ///< by id
 
     // Entries of the undo stack.
-    /// @return its id: that of the original with "-copy" and, where needed, a number
+    /// @return id of the copy: that of the original with "-copy" and, if needed, a number
     std::string copyMaterial(const Property& material, const QString& name);
-    void keepMaterial(const Property& material); ///< new or changed; one of a shipped id stands before that
-    void deleteMaterial(const std::string& id);  ///< one of the user's own
+    /// New or changed; one with the id of a shipped material takes precedence over it
+    void keepMaterial(const Property& material);
+    void deleteMaterial(const std::string& id); ///< one of the user's own
 
 private:
     void push(const QString& text, const OwnFile<Property>& wanted);

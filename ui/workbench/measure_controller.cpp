@@ -6,7 +6,7 @@ namespace burin {
 
 MeasureController::MeasureController(const Desk& desk, const SetupController& setup, QObject* parent)
     : Controller(desk, parent), setup_(setup) {
-    // It may lie elsewhere now, or be another one.
+    // The part may have moved or been replaced.
     connect(&setup_, &SetupController::changed, this, [this] {
         if (!places_.empty() && setup_.part() != part_) clear();
     });

@@ -29,7 +29,7 @@ MillController::MillController(const Desk& desk, WorkpieceController& workpiece,
     connect(&session_, &SessionRunner::ended, this, &MillController::noteLeft);
     connect(&session_, &SessionRunner::recordingStarted, this, [this] { refreshTakes(); });
     connect(&session_, &SessionRunner::endedByItself, this, [this] {
-        if (active()) leave(); // a fault, which ending tells
+        if (active()) leave(); // a fault, which is reported when the session ends
     });
 }
 
@@ -68,7 +68,7 @@ void MillController::enterWithMouse() {
 
 void MillController::enterWithDevice() {
     styluses_.connectDevice([this](std::unique_ptr<AnyStylus> stylus) {
-        if (!stylus || session_.running() || !workpiece_.ready()) { // what was asked for may be over
+        if (!stylus || session_.running() || !workpiece_.ready()) { // the reason for the request may be gone
             begun(false, nullptr);
             return;
         }
@@ -100,13 +100,13 @@ void MillController::begun(bool well, SimulatedStylus* mouse) {
         mouse_ = mouse;
         emit entered();
     }
-    // Nothing but the end of milling would end a stroke of a device without buttons: all that it does is recorded.
+    // A stroke of a device without buttons ends only when milling ends: all its movements are recorded.
     const bool always = device_ && device_->buttons == 0;
     if ((std::exchange(recordOnceEntered_, false) || always) && well) startRecording();
     emit changed();
 }
 
-/// A stroke of a device begins with its button, as the mouse's does.
+/// A stroke of a device begins when its button is pressed, like that of the mouse.
 void MillController::followButton() {
     const bool wasDown = std::exchange(buttonDown_, (session_.state().sample.buttons & 1U) != 0);
     if (active() && mouse_ == nullptr && buttonDown_ && !wasDown) startRecording();
@@ -139,7 +139,7 @@ bool MillController::startRecording() {
     if (startingRecording_) return true;
     if (recording() || recordingSince_) return false;
     startingRecording_ = true;
-    // In English, as the virtual operator's: panels show it in the language of whoever opens the project.
+    // In English, as for the virtual operator; panels show it in the language of the reader.
     const QString name = QStringLiteral("take %1").arg(takes_.empty() ? 1 : takes_.back().id + 1);
     session_.startRecording(name, [this](bool well) {
         startingRecording_ = false;
@@ -185,7 +185,8 @@ void MillController::takeBack(const StrokePlace& stroke, bool undo) {
     const auto is = [&](const Stroke& other) {
         return other.take == stroke.take && SampleRange{other.first, other.count} == stroke.samples;
     };
-    // What the history has let go, or what was milled before the workpiece was made again, is cut again without it.
+    // A stroke that the history has dropped, or that was milled before the workpiece was recomputed, is removed by
+    // recomputing without it.
     if (!can || !is(undo ? history.newest() : history.nextRedo())) return takeBackInProject(stroke, undo);
     const auto done = [this, undo, take = stroke.take](bool changedIt) {
         if (changedIt) tookBack(take, undo);
@@ -268,7 +269,8 @@ void MillController::applySwitchedOff(const SwitchedOff& off, const Then& then) 
                                emit failed(outcome.error());
                                return;
                            }
-                           workpiece_.remake(); // at once: nobody is to take what stands for what the project says now
+                           // At once, so that nothing uses the present workpiece as the project's new state.
+                           workpiece_.remake();
                            refreshTakes(then);
                        });
 }
@@ -330,7 +332,7 @@ std::map<std::int64_t, std::uint64_t> MillController::newestStrokes() const {
     return newest;
 }
 
-/// A take whose strokes were all taken back is none, unless redo brings one of them back.
+/// A take whose strokes were all undone is left out, unless redo restores one of them.
 void MillController::sortOut() {
     standing_.clear();
     std::ranges::copy_if(takes_, std::back_inserter(standing_), [this](const TakeInfo& take) {
@@ -341,7 +343,7 @@ void MillController::sortOut() {
 
 void MillController::setStrokes(std::map<std::int64_t, std::size_t> strokes) {
     strokes_ = std::move(strokes);
-    for (const TakeInfo& take : takes_) // what never had a stroke is kept, so that it can be removed
+    for (const TakeInfo& take : takes_) // a take that never had a stroke is kept, so that it can be removed
         if (take.undoneCount == 0 && strokesOf(take.id) == 0) strokes_.erase(take.id);
     const std::size_t before = standing_.size();
     sortOut();
@@ -355,7 +357,7 @@ void MillController::removeTake(std::int64_t id) {
     });
 }
 
-/// @param then where that went well
+/// @param then called on success
 void MillController::changeTake(std::int64_t id, bool remove, const Then& then) {
     desk_.project.post(
         [id, remove](Project& project) { return remove ? project.removeTake(id) : project.restoreTake(id); },

@@ -13,7 +13,7 @@ namespace burin {
 void ModelController::read(const std::filesystem::path& file, double fileUnit, Then then) {
     preview_.reset();
     const QString name = QString::fromStdString(file.filename().string());
-    // The tasks outlive this; who waits for the end of one would wait for what it tells this.
+    // Posted to the task runner, which outlives this controller; the controller may be gone when a preview comes.
     const auto show = [tasks = &desk_.tasks, self = QPointer(this), read = ++reads_,
                        title = tr("%1: preview; the fine mesh is being made").arg(name)](ModelPreview preview) {
         const auto shared = std::make_shared<const ModelPreview>(std::move(preview));

@@ -12,15 +12,16 @@
 
 namespace burin {
 
-/// A file of the user's in a library of tools, machines or materials, or that there is none: what an entry of the undo
-/// stack goes between. Such files are a few kilobytes, and are written before anything shows them.
+/// State of one of the user's files in a library of tools, machines or materials: its item, or empty if the file does
+/// not exist. An entry of the undo stack switches between two such states. The files are a few kilobytes and are
+/// written before the change is shown.
 template <class Item>
 struct OwnFile {
     std::string id;
     std::optional<Item> item;
 };
 
-/// @param save takes an item and whether one of its id is replaced @param remove takes an id
+/// @param save takes an item and whether to replace one of the same id @param remove takes an id
 template <class Item, class Save, class Remove>
 Result<void> write(const OwnFile<Item>& own, Save save, Remove remove) {
     if (!own.item) return remove(own.id);
@@ -28,14 +29,14 @@ Result<void> write(const OwnFile<Item>& own, Save save, Remove remove) {
     return file ? Result<void>() : Result<void>(file.error());
 }
 
-/// The item of an id, which a library of `items` has or has not.
+/// The item with the given id, if `items` contains one.
 template <class Item>
 std::optional<Item> itemOf(const std::vector<Item>& items, const std::string& id) {
     const auto found = std::ranges::find(items, id, &Item::id);
     return found == items.end() ? std::nullopt : std::optional(*found);
 }
 
-/// `wanted`, with a number where one of `items` has it already.
+/// Returns `wanted`, with a number appended if one of `items` has that id already.
 template <class Item>
 std::string freeId(const std::vector<Item>& items, const std::string& wanted) {
     return freeResourceId(

@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// What it takes to compute a pass, without the project.
+/// What is needed to compute a pass without the project.
 struct PassController::Matter {
     PassRequest request;
     std::vector<PathMatter> before;
@@ -40,7 +40,7 @@ void PassController::compute(const WantedPass& wanted) {
     goOn();
 }
 
-/// Begins what is wanted and not under way: now, or as soon as the workpiece stands again.
+/// Starts the requested pass if it is not under way: now, or as soon as the workpiece is ready again.
 void PassController::goOn() {
     emit changed();
     if (!wanted_ || asked_ || desk_.tasks.running(TaskKind::pass)) return;

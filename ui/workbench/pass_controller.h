@@ -12,14 +12,14 @@
 
 namespace burin {
 
-/// A pass as the user wants it.
+/// A pass as requested by the user.
 struct WantedPass {
     PassRequest request;
-    std::vector<std::int64_t> leads;     ///< takes whose strokes are added to the request's lines
-    std::optional<std::int64_t> instead; ///< the pass of the path in force whose place it takes
+    std::vector<std::int64_t> leads;     ///< takes whose strokes are added as lines of the request
+    std::optional<std::int64_t> instead; ///< the pass of the path in force that it replaces
 };
 
-/// Computes passes of the tool in force in the background and makes each the last source of its path.
+/// Computes passes of the tool in force in the background and adds each as the last source of the tool's path.
 class PassController final : public Controller {
     Q_OBJECT
 public:
@@ -27,18 +27,19 @@ public:
                    QObject* parent);
 
     bool busy() const { return wanted_.has_value() || desk_.tasks.running(TaskKind::pass); }
-    /// The workpiece stands with the tool in force, and no pass is being computed.
+    /// Whether the workpiece is ready for the tool in force, and no pass is being computed.
     bool possible() const;
-    /// An entry of the undo stack once it is there; `failed` says why there is none. Nothing happens where it is not
-    /// possible. Can be cancelled as a task. Where the workpiece changes meanwhile it begins again behind that.
+    /// Computes a pass; it becomes an entry of the undo stack when complete, errors are reported by `failed`. Does
+    /// nothing unless `possible`. Can be cancelled as a task. If the workpiece changes meanwhile, it is started again
+    /// after the change.
     void compute(const WantedPass& wanted);
-    /// Makes what a program, G-code or cutter locations, mills the last sources of its tools' paths: with the tool in
-    /// force where it calls one number, else with the project's by their numbers. An entry of the undo stack; `failed`
-    /// says why there is none. Can be cancelled as a task. Nothing happens where it is not possible.
+    /// Adds the moves of a program (G-code or cutter locations) as the last sources of the paths of its tools: the tool
+    /// in force if it calls one number, else the project's tools by their numbers. An entry of the undo stack; errors
+    /// are reported by `failed`. Can be cancelled as a task. Does nothing unless `possible`.
     /// @param file for messages and names @param dialect by id
     void addProgram(std::string text, const std::string& file, const std::string& dialect);
     void forget(); ///< another project
-    /// The pass computed last, for the tool in force; null: none, or it is another tool's.
+    /// The pass computed last, for the tool in force; null if there is none or it belongs to another tool.
     const ComputedPass* newest() const;
 
 signals:
@@ -46,7 +47,7 @@ signals:
 
 private:
     struct Matter;
-    bool ready() const; ///< nothing but a pass under way could hinder one
+    bool ready() const; ///< `possible`, except that a pass may be under way
     void goOn();
     void readProgram(std::string text, const std::string& file, const std::string& dialect,
                      const std::vector<Tool>& tools);
@@ -56,10 +57,10 @@ private:
     WorkpieceController& workpiece_;
     PathController& path_;
     const ToolController& tools_;
-    std::optional<WantedPass> wanted_; ///< until it is there, cancelled or impossible
-    std::string tool_;                 ///< that it is for, by id
+    std::optional<WantedPass> wanted_; ///< until it is computed, cancelled or impossible
+    std::string tool_;                 ///< id of the tool that it is for
     std::shared_ptr<const ComputedPass> newest_;
-    bool asked_ = false; ///< the project is
+    bool asked_ = false; ///< the project is being read
     quint64 loads_ = 0;
 };
 

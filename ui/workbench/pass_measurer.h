@@ -10,19 +10,20 @@
 
 namespace burin {
 
-/// Measures what the passes of the path in force do to the stock and leave on the part, on request, in the background.
+/// Computes on request how the passes of the path in force change the stock and what they leave on the part, in the
+/// background.
 class PassMeasurer final : public Controller {
     Q_OBJECT
 public:
     PassMeasurer(const Desk& desk, const WorkpieceController& workpiece, const PathController& path, QObject* parent);
 
-    /// The path in force has passes, and is evaluated as it is.
+    /// Whether the path in force has passes and its evaluation is up to date.
     bool possible() const;
-    /// Nothing happens where it is not possible. Can be cancelled as a task.
+    /// Does nothing unless `possible`. Can be cancelled as a task.
     void measure();
     void forget(); ///< another project
     bool busy() const noexcept { return busy_; }
-    /// Of the path in force, as it was evaluated last; empty: not measured.
+    /// Of the path in force as last evaluated; empty if not measured.
     std::vector<PassFigures> figures() const;
 
 private:
@@ -31,7 +32,7 @@ private:
 
     const WorkpieceController& workpiece_;
     const PathController& path_;
-    std::shared_ptr<const EvaluatedPath> measured_; ///< what the figures are of
+    std::shared_ptr<const EvaluatedPath> measured_; ///< to which `figures_` belong
     std::vector<PassFigures> figures_;
     bool busy_ = false;
     quint64 questions_ = 0;

@@ -9,7 +9,7 @@ namespace burin {
 
 namespace {
 
-constexpr double usualAllowance = 1.0; // mm: a basis that is fine up to it serves most passes
+constexpr double usualAllowance = 1.0; // mm: a basis that is fine up to this allowance suits most passes
 
 } // namespace
 
@@ -40,7 +40,7 @@ void PassPreviewer::end() {
     clear();
 }
 
-/// The next thing that is missing.
+/// Starts the next missing step.
 void PassPreviewer::goOn() {
     if (!wanted_ || asked_ || !workpiece_.milling() || workpiece_.milling()->tool.id != tools_.current().id) return;
     const auto unknown =

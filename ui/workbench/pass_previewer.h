@@ -11,20 +11,20 @@
 
 namespace burin {
 
-/// Shows in outline what a pass of the tool in force would be, while the user still asks for it. What all previews of
-/// one question share, the stock and the tool's field, is made once.
+/// Shows an outline of a pass of the tool in force while the user edits its request. Stock and tool field, which all
+/// previews of one request share, are made once.
 class PassPreviewer final : public Controller {
     Q_OBJECT
 public:
     PassPreviewer(const Desk& desk, const WorkpieceController& workpiece, const PathController& path,
                   const ToolController& tools, QObject* parent);
 
-    /// Replaces what was wanted before; `changed` tells when there is a preview, or a problem.
+    /// Replaces the previous request; `changed` is emitted when there is a preview or a problem.
     void show(const WantedPass& wanted);
-    void clear(); ///< what is wanted can't be shown; another may be wanted next
-    void end();   ///< nothing is wanted any more, and nothing shown
+    void clear(); ///< the request can't be shown; another may follow
+    void end();   ///< no preview is needed any more; removes what is shown
 
-    /// Of the pass wanted last; null: none yet, or it can't be made.
+    /// Of the pass requested last; null if not ready or not possible.
     const PassPreview* preview() const noexcept { return preview_.get(); }
     const std::optional<Error>& problem() const noexcept { return problem_; }
     bool busy() const noexcept { return wanted_.has_value(); }
@@ -39,12 +39,12 @@ private:
     const WorkpieceController& workpiece_;
     const PathController& path_;
     const ToolController& tools_;
-    std::optional<WantedPass> wanted_; ///< until there is a preview of it
+    std::optional<WantedPass> wanted_; ///< until its preview is ready
     std::shared_ptr<const PassBasis> basis_;
     std::map<std::int64_t, std::vector<PassLine>> lines_; ///< of takes
     std::shared_ptr<const PassPreview> preview_;
     std::optional<Error> problem_;
-    bool asked_ = false; ///< the project, or for the basis
+    bool asked_ = false; ///< the project is being read, or the basis made
     quint64 questions_ = 0;
 };
 

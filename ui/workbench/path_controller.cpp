@@ -19,14 +19,14 @@ std::vector<Edit> withEdit(const std::vector<Edit>& edits, std::size_t place, co
     return more;
 }
 
-/// As late as the order of edits allows it; at the end where no place is right, so that evaluation says what is wrong.
+/// The last index that the order of edits allows; the end if none does, so that evaluation reports the error.
 std::size_t placeFor(const std::vector<Edit>& edits, const Edit& edit) {
     for (std::size_t place = edits.size() + 1; place-- > 0;)
         if (checkOrder(withEdit(edits, place, edit))) return place;
     return edits.size();
 }
 
-/// An edit whose interval and moments are those that were chosen.
+/// An edit with its interval and moments set to the selection.
 Edit meantFor(Edit edit, const SourceStretch& chosen) {
     for (const EditField& field : fieldsOf(edit.parameters)) {
         if (std::holds_alternative<SourceStretch>(field.value)) setField(edit.parameters, field.key, chosen);
@@ -36,7 +36,7 @@ Edit meantFor(Edit edit, const SourceStretch& chosen) {
     return edit;
 }
 
-/// A path of all recordings of each tool, kept by the project.
+/// Makes a path of all recordings of each tool and stores it in the project.
 Result<std::vector<StoredPath>> makeStandard(Project& project, const std::vector<std::string>& tools) {
     std::vector<StoredPath> made;
     for (const std::string& tool : tools) {
@@ -84,7 +84,7 @@ void PathController::load(const std::vector<StoredPath>& paths, const std::vecto
     emit changed();
 }
 
-/// Tells the evaluation which paths there are, and in which order they are milled.
+/// Passes the paths and their order of milling to the evaluation.
 void PathController::updateJob() {
     const std::vector<StoredPath> paths = jobPaths();
     evaluation_.setJob(paths, inForce());
@@ -177,7 +177,7 @@ bool PathController::isMilledWith(const std::string& tool) const {
     return std::ranges::find(tools, tool) != tools.end();
 }
 
-/// Passes whose path was taken back wait for it to come again, and mean nothing meanwhile.
+/// Passes whose path was undone are kept for redo and are not in use meanwhile.
 std::vector<GeneratedInfo> PathController::generatedInUse() const {
     std::vector<GeneratedInfo> used = generated_;
     std::erase_if(used, [&](const GeneratedInfo& pass) {
@@ -194,7 +194,7 @@ void PathController::takesChanged(const std::vector<TakeInfo>& all, const std::v
     standing_ = standing;
     newestStrokes_ = newestStrokes;
     updateJob();
-    // What is recorded is evaluated when the user wants it; who just did gets it with what came last.
+    // New recordings are evaluated on request; an evaluation under way includes the newest ones.
     if (!evaluation_.busy(inForce())) evaluation_.hold();
     followRecordings();
     emit changed();
@@ -204,7 +204,7 @@ void PathController::recordingBegins() {
     evaluation_.hold();
 }
 
-/// @param tool by id; empty: of all tools
+/// @param tool id; empty: all tools
 RecordedKey PathController::recordedKey(const std::string& tool) const {
     RecordedKey key;
     for (const TakeInfo& take : standing_) {
@@ -216,7 +216,7 @@ RecordedKey PathController::recordedKey(const std::string& tool) const {
     return key;
 }
 
-/// What was posted before strokes were milled and taken back is up to date again.
+/// A program posted before strokes were milled and then undone is up to date again.
 void PathController::followRecordings() {
     const auto [known, isNew] = versions_.try_emplace(recordedKey({}), newestVersion_ + 1);
     if (isNew) ++newestVersion_;
@@ -410,7 +410,7 @@ void PathController::evaluate() {
     evaluation_.start();
 }
 
-/// The project has it already, whatever became of the request for it.
+/// The project has stored them already, even if the request was replaced meanwhile.
 void PathController::keepNew(const std::vector<StoredPath>& paths) {
     notMade_.reset();
     paths_.insert(paths_.end(), paths.begin(), paths.end());
@@ -418,7 +418,7 @@ void PathController::keepNew(const std::vector<StoredPath>& paths) {
                                            [this, paths](bool present) { setPresent(paths, present); }));
 }
 
-/// @param paths as they were made: what was edited since is undone before they go
+/// @param paths as they were made: later edits are undone before the paths are removed
 void PathController::setPresent(const std::vector<StoredPath>& paths, bool present) {
     for (const StoredPath& path : paths) {
         const auto known = std::ranges::find(paths_, path.id, &StoredPath::id);
@@ -439,11 +439,11 @@ void PathController::setPresent(const std::vector<StoredPath>& paths, bool prese
     evaluate();
 }
 
-/// Recordings were added to a path in the project. (It may have been taken back meanwhile.)
+/// Recordings were added to a path in the project. (The path may have been undone meanwhile.)
 void PathController::keepTakes(const StoredPath& path) {
     const auto known = std::ranges::find(paths_, path.id, &StoredPath::id);
     if (known == paths_.end()) return;
-    for (const PathSource source : path.sources) // its edits and passes may have been changed meanwhile
+    for (const PathSource source : path.sources) // its edits and passes may have changed meanwhile
         if (source.isTake() && std::ranges::find(known->sources, source) == known->sources.end())
             known->sources.push_back(source);
     updateJob();

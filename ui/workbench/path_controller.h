@@ -15,107 +15,108 @@
 namespace burin {
 
 /// The job's paths, one for each tool: all recordings made with it, with their edits. They are evaluated in the
-/// background; a change while a path is evaluated replaces that evaluation. What is edited is the path of the tool in
+/// background; a change while a path is being evaluated restarts its evaluation. Edits apply to the path of the tool in
 /// force.
 class PathController final : public Controller {
     Q_OBJECT
 public:
     PathController(const Desk& desk, WorkpieceController& workpiece, const ToolController& tools, QObject* parent);
 
-    /// Of the tool in force; null: it has none, or nothing is milled with it.
+    /// Path of the tool in force; null if it has none or nothing is milled with it.
     const StoredPath* stored() const;
-    /// What the job mills with, a path for each tool, in the order of milling.
+    /// The paths of the job, one for each tool, in the order of milling.
     std::vector<StoredPath> jobPaths() const;
-    /// The tool of one of them, by id; empty: it is none.
+    /// Id of the tool of a path; empty if it is not one of the job's paths.
     std::string toolOf(std::int64_t path) const;
-    /// Tools that have recordings and no path, by id.
+    /// Ids of the tools that have recordings but no path.
     std::vector<std::string> toolsWithoutPath() const;
-    std::vector<std::string> toolsThatMilled() const; ///< by when they first did
-    /// Any path is made of computed passes: part and stock have to stay as they are.
+    std::vector<std::string> toolsThatMilled() const; ///< ordered by first use
+    /// Whether any path contains computed passes: part and stock must not change then.
     bool hasPasses() const { return !generatedInUse().empty(); }
-    /// The tool in force has recordings.
+    /// Whether the tool in force has recordings.
     bool hasTakes() const;
-    /// Of the newest evaluation that went well; null: none yet.
+    /// Result of the newest successful evaluation; null: none yet.
     std::shared_ptr<const EvaluatedPath> evaluated() const { return evaluation_.evaluated(inForce()); }
     std::optional<Error> problem() const; ///< of the newest evaluation
     bool outdated() const { return !evaluation_.isCurrent(inForce()); }
     bool busy() const { return making_ || evaluation_.busy(inForce()); }
-    /// A path that the project holds is evaluated as soon as the workpiece stands.
+    /// Whether a path of the project is evaluated as soon as the workpiece is ready.
     bool waiting() const { return stored() != nullptr && !evaluated() && workpiece_.embedding(); }
-    /// Of any of the job's paths, as it is now and behind those that it comes after; null: still to be done.
+    /// Current evaluation of any of the job's paths on top of those before it; null if still to be done.
     std::shared_ptr<const EvaluatedPath> current(std::int64_t path) const;
-    /// Tools whose paths come before that of the tool in force and can't be evaluated, by id: it counts them as not
+    /// Ids of tools whose paths come before that of the tool in force and can't be evaluated; they are treated as not
     /// milled.
     std::vector<std::string> toolsMissingBefore() const;
     /// The newest evaluations of the other tools' paths, in the order in which they are milled.
     std::vector<std::shared_ptr<const EvaluatedPath>> others() const;
-    /// Counts changes of edits, takes and what stands around, of any path: what was posted before is out of date.
+    /// Counts changes of edits, takes, fixtures and limits, of any path: programs posted before are out of date.
     quint64 version() const noexcept { return version_; }
 
-    /// With the edits of the main job, of the tool in force and of all others that have recordings and no path; where
-    /// the tool in force has one, its edits are these again. An entry of the undo stack.
+    /// Creates paths for the tool in force and all others that have recordings and no path, with the edits of the main
+    /// job; if the tool in force has a path, resets its edits to these. An entry of the undo stack.
     void makeNew();
-    /// Keeps a computed pass as the last source of its tool's path, or of a new one. An entry of the undo stack.
-    /// @param tool that it is for; the project gets it @param instead the pass of that path whose place it takes
+    /// Adds a computed pass as the last source of its tool's path, or of a new path. An entry of the undo stack.
+    /// @param tool of the pass; it is added to the project @param instead the pass of that path that it replaces
     void addPass(const GeneratedMoves& moves, const Tool& tool, std::optional<std::int64_t> instead = std::nullopt);
-    /// Keeps what a program mills as the last sources of its tools' paths, or of new ones. An entry of the undo stack.
+    /// Adds the passes of a program as the last sources of the paths of their tools, or of new paths. An entry of the
+    /// undo stack.
     void addProgram(const std::vector<ProgramPass>& passes);
-    /// Those of the path in force, in its order.
+    /// Passes of the path in force, in its order.
     std::vector<GeneratedInfo> passes() const;
     void removePass(
-        std::int64_t id); ///< of the path in force; the path goes with its last source. An entry of the undo stack
-    /// Mills a pass of the path in force before the source that is milled before it now. An entry of the undo stack.
+        std::int64_t id); ///< of the path in force; a path without sources is removed. An entry of the undo stack.
+    /// Moves a pass of the path in force before the source that precedes it. An entry of the undo stack.
     void movePassUp(std::int64_t id);
-    void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates it
-    /// Entries of the undo stack; each evaluates the path. A new edit comes as late as the order of edits allows.
-    /// @return its place
+    void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates the path
+    /// Entries of the undo stack; each evaluates the path. A new edit is inserted as late as the order of edits allows.
+    /// @return its index
     std::size_t addEdit(const Edit& edit);
     void removeEdit(std::size_t index);
     void moveEdit(std::size_t from, std::size_t to);
-    /// What the user chose of the path: edits that are added are meant for it. Nothing: for all of it.
+    /// The part of the path that the user selected, to which new edits apply. Empty: they apply to the whole path.
     const std::optional<SourceStretch>& selection() const noexcept { return selection_; }
-    void select(const Moment& moment);   ///< this one moment
-    void selectTo(const Moment& moment); ///< everything from what was chosen to there; of one take
+    void select(const Moment& moment);   ///< selects a single moment
+    void selectTo(const Moment& moment); ///< extends the selection to `moment`, of the same take
     void clearSelection();
-    /// Moves a place of the path. Once more at the same place: the edit that is there moves it by so much more.
-    /// @param by mm; @param along the part's surface, or freely
+    /// Moves a point of the path. Moving the same point again adds to the existing edit.
+    /// @param by mm @param along the part's surface, or freely
     void movePlace(const Moment& moment, const glm::dvec3& by, MovePoints::Along along);
-    /// Puts a stroke that was drawn in the selection's stead. @param places mm, setup frame, at least two
+    /// Replaces the selection by a drawn stroke. @param places mm, setup frame, at least two
     void replaceSelection(const std::vector<glm::dvec3>& places);
     void evaluate();
-    /// What was evaluated may be no longer what was recorded, or be it again.
-    /// @param all of the project; @param standing those whose strokes were not all taken back; @param newestStrokes as
-    /// MillController::newestStrokes has them
+    /// Called when recordings have changed: results may no longer match the recordings, or match them again.
+    /// @param all takes of the project @param standing those whose strokes were not all undone
+    /// @param newestStrokes as returned by MillController::newestStrokes
     void takesChanged(const std::vector<TakeInfo>& all, const std::vector<TakeInfo>& standing,
                       const std::map<std::int64_t, std::uint64_t>& newestStrokes);
-    void recordingBegins();              ///< while the hand mills nothing is evaluated
-    void workpieceRemade();              ///< links may go other ways, feeds be others
+    void recordingBegins();              ///< nothing is evaluated during milling by hand
+    void workpieceRemade();              ///< links and feeds may change
     void useTool(const std::string& id); ///< the tool in force
 
     void load(const std::vector<StoredPath>& paths, const std::vector<TakeInfo>& takes,
               const std::vector<GeneratedInfo>& generated);
 
 signals:
-    void evaluatedAnew(); ///< that of the tool in force
+    void evaluatedAnew(); ///< for the path of the tool in force
     void othersChanged();
     void versionChanged();
 
 private:
-    std::int64_t inForce() const; ///< id of its path; 0: none
+    std::int64_t inForce() const; ///< id of the path of the tool in force; 0: none
     void updateJob();
     void push(const QString& text, std::vector<Edit> edits);
     void apply(std::int64_t path, const std::vector<Edit>& edits);
     void countVersion();
     bool isMilledWith(const std::string& tool) const;
     std::vector<GeneratedInfo> generatedInUse() const;
-    /// Moves that become a source of their tool's path.
+    /// Moves that are added as a source of their tool's path.
     struct NewSource {
         GeneratedMoves moves;
         Tool tool;
-        std::function<StoredPath(StoredPath path, std::int64_t source)> into; ///< on the project's thread
+        std::function<StoredPath(StoredPath path, std::int64_t source)> into; ///< called on the project's thread
     };
     struct ChangedPath {
-        StoredPath before, after; ///< without an id before: it is new
+        StoredPath before, after; ///< `before` without an id: the path is new
     };
     struct AddedSources;
     void addSources(const QString& text, std::vector<NewSource> added);
@@ -130,17 +131,17 @@ private:
     WorkpieceController& workpiece_;
     const ToolController& tools_;
     JobEvaluation evaluation_;
-    std::optional<Error> notMade_;    ///< why there is no path of the tool in force
+    std::optional<Error> notMade_;    ///< why no path could be made for the tool in force
     std::vector<StoredPath> paths_;   ///< all of the project
     std::vector<SourceInfo> sources_; ///< all of the project
     std::vector<GeneratedInfo> generated_;
-    std::vector<TakeInfo> standing_; ///< of these, the ones that strokes stand of: a tool without them has no path
+    std::vector<TakeInfo> standing_; ///< those with strokes in effect: a tool without them has no path
     std::string tool_;               ///< in force, by id
     std::optional<SourceStretch> selection_;
     std::map<std::int64_t, std::uint64_t> newestStrokes_;
     quint64 version_ = 0, newestVersion_ = 0;
-    std::map<RecordedKey, quint64> versions_; ///< since edits and what stands around were changed last
-    quint64 loads_ = 0;                       ///< of projects
+    std::map<RecordedKey, quint64> versions_; ///< since edits, fixtures or limits were last changed
+    quint64 loads_ = 0;                       ///< number of projects loaded
     bool making_ = false;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// How passes and programs become sources of paths.
+// Adding passes and programs as sources of paths.
 #include "core/job/computed_pass.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/value_command.h"
@@ -19,7 +19,7 @@ bool sameEdits(const std::vector<Edit>& some, const std::vector<Edit>& others) {
 
 } // namespace
 
-/// What the project has of them already.
+/// What the project has stored already.
 struct PathController::AddedSources {
     std::vector<GeneratedInfo> sources;
     std::map<std::string, ChangedPath> paths; ///< by tool
@@ -82,7 +82,7 @@ void PathController::addSources(const QString& text, std::vector<NewSource> adde
         });
 }
 
-/// The project has them already.
+/// The project has stored them already.
 void PathController::keepSources(const QString& text, const AddedSources& added) {
     for (const GeneratedInfo& source : added.sources) {
         generated_.push_back(source);

@@ -8,10 +8,10 @@
 
 namespace burin {
 
-/// What it takes to work a quantity out, without the project.
+/// What is needed to compute a quantity without the project.
 struct PathValuer::Matter {
     std::vector<MilledPath> before;
-    std::vector<SourceStrokes> sources; ///< for the deviation alone
+    std::vector<SourceStrokes> sources; ///< for the deviation only
 };
 
 PathValuer::PathValuer(const Desk& desk, const WorkpieceController& workpiece, const PathController& path,
@@ -75,7 +75,7 @@ void PathValuer::run(Matter matter) {
                 of_ = std::exchange(asked_, nullptr);
                 values_ = *made;
             } else {
-                forget(); // who cancels it wants the plain colours again
+                forget(); // after cancelling, the path has its plain colours again
                 if (made.error().code != ErrorCode::cancelled) emit failed(made.error());
             }
             emit changed();

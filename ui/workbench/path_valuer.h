@@ -11,16 +11,16 @@
 
 namespace burin {
 
-/// Works out a quantity along the path in force, in the background, and anew whenever that path is another.
+/// Computes a quantity along the path in force in the background, and again whenever that path changes.
 class PathValuer final : public Controller {
     Q_OBJECT
 public:
     PathValuer(const Desk& desk, const WorkpieceController& workpiece, const PathController& path, QObject* parent);
 
-    /// Nothing: none is wanted.
+    /// Empty: no quantity.
     void choose(std::optional<PathQuantity> quantity);
     std::optional<PathQuantity> chosen() const noexcept { return chosen_; }
-    /// Of the path as it was evaluated last; null: none is wanted, or they are being worked out.
+    /// Of the path as last evaluated; null if none is chosen or computing is under way.
     std::shared_ptr<const PathValues> values() const;
     void forget(); ///< another project
 
@@ -32,7 +32,8 @@ private:
     const WorkpieceController& workpiece_;
     const PathController& path_;
     std::optional<PathQuantity> chosen_;
-    std::shared_ptr<const EvaluatedPath> of_, asked_; ///< what the values are of; what they are being made of
+    /// Path that `values_` belong to; path they are being computed for
+    std::shared_ptr<const EvaluatedPath> of_, asked_;
     std::shared_ptr<const PathValues> values_;
     quint64 questions_ = 0;
 };

@@ -17,7 +17,7 @@ namespace burin {
 
 namespace {
 
-/// What a program is made of, out of the project.
+/// The input of a program, read from the project.
 struct ReadJob {
     std::vector<PathMatter> matters;
     std::uint64_t judged = 0; ///< `judgedBasis`
@@ -44,7 +44,7 @@ ProgramController::ProgramController(const Desk& desk, WorkpieceController& work
     connect(&target_, &Controller::changed, this, &Controller::changed);
 }
 
-/// What the user wrote is kept until it is part of a released program: also what the check refused.
+/// The user's text is stored until it is part of a released program, also if the check refused it.
 void ProgramController::storeDraft() {
     const bool refusedByCheck = program_ && !program_->released() && byHand_;
     const bool isDraft = edited_ || refusedByCheck;
@@ -53,7 +53,7 @@ void ProgramController::storeDraft() {
     });
 }
 
-/// The newest check's, as it goes with what the user wrote since.
+/// Stores the newest checked program, together with the user's draft.
 void ProgramController::storeProgram() {
     KeptProgram kept;
     if (reopened_) {
@@ -109,7 +109,8 @@ void ProgramController::takeKept(const ReopenedProgram& kept) {
     reopened_ = std::make_shared<Reopened>(Reopened{kept.kept, kept.upToDate});
 }
 
-/// A program of an earlier session is told by the checksum of all that it was judged by, as nobody counted since then.
+/// A program of an earlier session is compared by the checksum of everything that it was judged by, as there are no
+/// version counters from then.
 bool ProgramController::outdated() const {
     if (!program_) return true;
     if (!reopened_) return basis_ != basis();
@@ -146,8 +147,7 @@ ProgramController::Basis ProgramController::basis() const {
     return {path_.version(), target_.dialect(), target_.target().units, gougeTolerance_, excessTolerance_, leftOut_};
 }
 
-/// The workpiece is about to change: what is made for it as it was is abandoned, and asked for again when it has
-/// changed.
+/// The workpiece is about to change: work on the present one is abandoned, and requested again after the change.
 void ProgramController::stop() {
     if (!busy()) return;
     reading_ = false;
@@ -157,7 +157,7 @@ void ProgramController::stop() {
     emit changed();
 }
 
-/// Paths are evaluated again first.
+/// Waits until the paths have been evaluated again.
 void ProgramController::goOn() {
     if (!interrupted_ || workpiece_.changing() || path_.busy()) return;
     std::exchange(interrupted_, nullptr)();
@@ -244,7 +244,7 @@ void ProgramController::read(const std::vector<StoredPath>& paths, std::function
 }
 
 void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted, const Asked& asked) {
-    if (asked.basis.paths == path_.version()) // as the view shows them
+    if (asked.basis.paths == path_.version()) // the evaluations that the view shows
         for (PathMatter& matter : matters) matter.evaluated = path_.current(matter.path.id);
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
@@ -262,7 +262,7 @@ void ProgramController::editText(const QString& text) {
     storedText_ = text;
     edited_ = byHand_ = true;
     ++textVersion_;
-    desk_.tasks.cancel(TaskKind::program); // it would be of another text
+    desk_.tasks.cancel(TaskKind::program); // it would be for another text
     interrupted_ = nullptr;
     draftDue_.start();
     problem_.reset();
@@ -271,7 +271,7 @@ void ProgramController::editText(const QString& text) {
 }
 
 void ProgramController::openText(const QString& text) {
-    desk_.tasks.cancel(TaskKind::program); // it would be of another text
+    desk_.tasks.cancel(TaskKind::program); // it would be for another text
     Shown next = shown();
     next.text = text;
     next.edited = next.byHand = true;
@@ -294,7 +294,7 @@ void ProgramController::checkText(const QString& name) {
     });
 }
 
-/// The text may call every tool of the job, and is to follow its paths.
+/// The text may call every tool of the job, and must follow the job's paths.
 void ProgramController::check(Matters matters, ProgramRequest wanted, const Asked& asked) {
     for (PathMatter& matter : matters) {
         wanted.tools.push_back(matter.tool);
@@ -309,7 +309,7 @@ void ProgramController::check(Matters matters, ProgramRequest wanted, const Aske
                 Result<EvaluatedPaths> paths = evaluateInOrder(*milling, matters, progress);
                 if (paths)
                     request.promised = std::make_shared<const std::vector<Path>>(std::move(paths->program.paths));
-                else if (paths.error().code != ErrorCode::pathEmpty) // nothing is promised then
+                else if (paths.error().code != ErrorCode::pathEmpty) // then there is no promised path
                     return std::move(paths).error();
             }
             return checkProgram(*milling, text, request.name, request, progress);
@@ -319,7 +319,7 @@ void ProgramController::check(Matters matters, ProgramRequest wanted, const Aske
 
 void ProgramController::take(const Asked& asked, Result<CheckedProgram> outcome) {
     emit textWanted();
-    if (asked.text != textVersion_) { // what was typed since is newer
+    if (asked.text != textVersion_) { // newer text was typed meanwhile
         emit changed();
         return;
     }
@@ -331,7 +331,7 @@ void ProgramController::take(const Asked& asked, Result<CheckedProgram> outcome)
     const auto program = std::make_shared<const CheckedProgram>(std::move(*outcome));
     keep(asked.posted, *program);
     const Shown next{program, QString::fromStdString(program->text), false, asked.basis, asked.byHand, asked.judged};
-    edited_ ? change(next) : show(next); // what the user wrote is worth an undo
+    edited_ ? change(next) : show(next); // replacing text of the user can be undone
 }
 
 void ProgramController::keep(const StoredProgram& posted, const CheckedProgram& program) {
@@ -445,11 +445,11 @@ void ProgramController::exportRestart(const std::filesystem::path& file, const R
 
 void ProgramController::exportTo(const std::filesystem::path& file) {
     if (!exportable()) return;
-    // A program is some hundred kilobytes; still the disk is the project thread's.
+    // A program has some hundred kilobytes; disk access is left to the project's thread nevertheless.
     desk_.project.ask(
         [file, program = program_,
          kept = reopened_ ? std::optional(reopened_->kept) : std::nullopt](Project& project) -> Result<bool> {
-            if (kept) { // nothing that was changed a moment ago leaves the house
+            if (kept) { // a program must not be exported after a change made a moment ago
                 const Result<bool> same = isJudgedSo(project, *kept);
                 if (!same || !*same) return same;
             }

@@ -18,69 +18,72 @@
 
 namespace burin {
 
-/// The program: posted, read back and checked in the background. Only what passed its check leaves the house, or what
-/// the user gave a reason for.
+/// The program: posted, read back and checked in the background. Only a program that passed its check, or for which the
+/// user stated a reason, can be exported.
 class ProgramController final : public Controller {
     Q_OBJECT
 public:
     ProgramController(const Desk& desk, WorkpieceController& workpiece, PathController& path,
                       const TargetController& target, QObject* parent);
 
-    /// The newest one; null: none yet.
+    /// The newest program; null: none yet.
     const std::shared_ptr<const CheckedProgram>& program() const noexcept { return program_; }
-    /// Text of a program that the project held when it was opened, until a new one is posted.
+    /// Text of the program that the project held when it was opened, until a new one is posted.
     const QString& storedText() const noexcept { return storedText_; }
-    /// The text was changed by hand since it was checked.
+    /// Whether the text was edited by hand since it was checked.
     bool edited() const noexcept { return edited_; }
-    /// What the control may not take of the text as it is.
+    /// Parts of the present text that the control may not accept.
     const std::vector<LintMark>& lint() const noexcept { return lint_; }
     double gougeTolerance() const noexcept { return gougeTolerance_; } ///< mm
-    /// mm, as VerifyRequest::excessTolerance; 0: what is left is not judged.
+    /// mm, as VerifyRequest::excessTolerance; 0: excess is not judged.
     double excessTolerance() const noexcept { return excessTolerance_; }
     const std::optional<Error>& problem() const noexcept { return problem_; }
-    /// There is none, or something that it was made of is not as it was.
+    /// Whether there is no program, or something that it was made from has changed.
     bool outdated() const;
-    /// One is made or checked, or will be as soon as the workpiece has changed.
+    /// Whether a program is being made or checked, or will be as soon as the workpiece has changed.
     bool busy() const { return reading_ || interrupted_ || desk_.tasks.running(TaskKind::program); }
-    /// A path of the job belongs into the program; all do until the user leaves one out.
+    /// Whether a path of the job is part of the program; all are until the user excludes one.
     bool includes(std::int64_t path) const { return !leftOut_.contains(path); }
     bool refused() const noexcept { return program_ && !program_->released() && !outdated() && !edited_; }
     bool exportable() const noexcept { return program_ && program_->released() && !outdated() && !edited_; }
 
-    /// There is a path that belongs into it, and that of the tool in force is up to date.
+    /// Whether at least one path is included, and the path of the tool in force is up to date.
     bool postable() const;
-    void post(const QString& name); ///< all paths of the job that belong into it. @param name of the program
+    void post(const QString& name); ///< Posts all included paths of the job. @param name of the program
     void include(std::int64_t path, bool wanted);
-    /// What headers call the setup (setupTitle, core/job/setup_title.h).
+    /// Sets the name of the setup in headers (setupTitle, core/job/setup_title.h).
     void setSetupName(std::string name) { setupName_ = std::move(name); }
-    /// Gives a refused program, posted or written by hand, the reason why it is exported; an entry of the undo stack.
+    /// States the reason why a refused program, posted or written by hand, is exported; an entry of the undo stack.
     void overrideCheck(const QString& name, const QString& reason);
-    /// The text as the user wrote it; no program to be exported until it is checked. The editor has an undo of its own;
-    /// whatever takes the text's place then is an entry of the undo stack.
+    /// Sets the text as edited by the user; it can't be exported until it is checked. The editor has an undo of its
+    /// own; any later replacement of the text is an entry of the undo stack.
     void editText(const QString& text);
-    /// Another text in its place, such as a program of somebody else; an entry of the undo stack. It is unchecked.
+    /// Replaces the text, for example by that of a foreign program; an entry of the undo stack. The new text is
+    /// unchecked.
     void openText(const QString& text);
-    /// What is typed while it is checked stays, unchecked; what the check gave is dropped then. So it is with `post`.
+    /// Text typed during the check is kept, unchecked; the result of the check is then discarded. The same applies to
+    /// `post`.
     void checkText(const QString& name); ///< @param name of the program
     void setGougeTolerance(double millimetres);
     void setExcessTolerance(double millimetres);
     void exportTo(const std::filesystem::path& file);
-    /// There is a program whose rest can be made: one that was checked and that nobody changed since.
+    /// Whether the program can be restarted from a line: it was checked and not edited since.
     bool restartable() const {
         return program_ && !edited_ && workpiece_.milling() && !workpiece_.changing() && !busy();
     }
-    /// Makes the rest of the program from a line of its text on, and checks it on the stock that is left then; ends
-    /// with `restarted` or `failed`. The program itself stays as it is. @param name of the rest
+    /// Makes the remaining program from a line of its text on, and checks it on the stock that is left at that line;
+    /// ends with `restarted` or `failed`. The program itself is not changed. @param name of the remaining program
     void restart(std::uint32_t line, const QString& name);
-    /// Writes the rest of a program. @param reason why, though its check refused it: it and what was found stand in its
-    /// header then; without one nothing that was refused is written.
+    /// Writes the remaining program. @param reason why it is exported although its check refused it: the reason and the
+    /// findings are written to its header. A refused program without a reason is not written.
     void exportRestart(const std::filesystem::path& file, const RestartedProgram& rest, const QString& reason = {});
 
-    /// @return whether there was something to keep
-    bool keepDraft(); ///< of what the user wrote and nobody checked: now, not in a moment
+    /// @return whether there was something to store
+    bool keepDraft(); ///< stores text that was edited and not checked, at once instead of after a delay
 
     /// @param draft text that was edited and not checked; empty: none
-    /// @param kept the one that was checked last: it is believed as long as all that it was judged by is as it was
+    /// @param kept the program that was checked last: its verdict holds as long as everything that it was judged by is
+    /// unchanged
     void load(const std::vector<StoredProgram>& programs, const std::string& draft,
               const std::optional<ReopenedProgram>& kept = {});
 
@@ -88,10 +91,10 @@ signals:
     void exported(const QString& file);
     void restarted(const std::shared_ptr<const burin::RestartedProgram>& rest);
     void restartExported(std::uint32_t line, const QString& file);
-    void textWanted(); ///< who has text that was not told yet tells it now
+    void textWanted(); ///< receivers with text not passed on yet must pass it on now
 
 private:
-    /// What a program is made of, besides its text: with anything else it would be another one.
+    /// What a program is made from, besides its text: if any of it changes, the program is out of date.
     struct Basis {
         quint64 paths = 0; ///< version of paths and workpiece
         std::string dialect;
@@ -101,17 +104,17 @@ private:
         bool operator==(const Basis&) const = default;
     };
     Basis basis() const;
-    /// Of a program that the project kept from an earlier session.
+    /// State of a program that the project kept from an earlier session.
     struct Reopened {
         KeptProgram kept;
-        bool upToDate = false; ///< all that it was judged by is as it was
+        bool upToDate = false; ///< whether everything that it was judged by is unchanged
     };
-    /// What a program that is made in the background was asked for.
+    /// The circumstances in which a program was requested.
     struct Asked {
         StoredProgram posted;
         Basis basis;
-        std::uint64_t judged = 0; ///< `judgedBasis` of the project then
-        quint64 text = 0;         ///< version of the text then
+        std::uint64_t judged = 0; ///< `judgedBasis` of the project at that time
+        quint64 text = 0;         ///< version of the text at that time
         bool byHand = false;      ///< as below
     };
     void take(const Asked& asked, Result<CheckedProgram> outcome);
@@ -121,15 +124,15 @@ private:
         QString text;
         bool edited = false;
         Basis basis;
-        bool byHand = false;                  ///< the user wrote in the text: it can't be posted anew
+        bool byHand = false;                  ///< the user edited the text: it can't be posted again
         std::uint64_t judged = 0;             ///< as above
-        std::shared_ptr<Reopened> reopened{}; ///< null: it is of this session
+        std::shared_ptr<Reopened> reopened{}; ///< null: made in this session
     };
     std::vector<StoredPath> postedPaths() const;
     using Matters = std::vector<PathMatter>;
     ProgramRequest request(const QString& name) const;
     StoredProgram stored(const ProgramRequest& request) const;
-    /// @param then gets the matters, and `judgedBasis`
+    /// @param then gets the matters and `judgedBasis`
     void read(const std::vector<StoredPath>& paths, std::function<void(Matters, std::uint64_t)> then);
     void postPaths(Matters matters, const ProgramRequest& wanted, const Asked& asked);
     void check(Matters matters, ProgramRequest wanted, const Asked& asked);
@@ -153,15 +156,15 @@ private:
     std::vector<LintMark> lint_;
     bool edited_ = false, byHand_ = false, reading_ = false;
     Basis basis_;                        ///< of the program in force
-    std::uint64_t judged_ = 0;           ///< `judgedBasis` of that one
-    std::shared_ptr<Reopened> reopened_; ///< null: it is of this session
+    std::uint64_t judged_ = 0;           ///< `judgedBasis` of the program in force
+    std::shared_ptr<Reopened> reopened_; ///< null: made in this session
     QTimer judgeSoon_;
-    std::function<void()> asked_;       ///< what the user asked for last: asks for it once more
-    std::function<void()> interrupted_; ///< the same where a change of the workpiece came in between; null: none did
-    quint64 generation_ = 0;            ///< of what is read for a program
+    std::function<void()> asked_;       ///< repeats the user's last request
+    std::function<void()> interrupted_; ///< the same, set if a change of the workpiece interrupted it; null: none did
+    quint64 generation_ = 0;            ///< of reading the project for a program
     quint64 textVersion_ = 0;
     std::set<std::int64_t> leftOut_;
-    QTimer draftDue_; ///< the project follows the typing a moment later
+    QTimer draftDue_; ///< the project is updated a moment after typing
     std::string setupName_;
     double gougeTolerance_ = 0.02, excessTolerance_ = 0.1;
     std::optional<Error> problem_;

@@ -20,7 +20,7 @@ ProjectThread::~ProjectThread() {
     finish();
     thread_.quit();
     thread_.wait();
-    delete worker_; // its thread has ended
+    delete worker_; // safe: its thread has ended
 }
 
 void ProjectThread::enqueueJob(Job job) {
@@ -47,7 +47,7 @@ void ProjectThread::finish() {
         QMetaObject::invokeMethod(
             this, [through] { *through = true; }, Qt::QueuedConnection);
     });
-    // Lent projects and outcomes come as events to this object.
+    // Lending and results are posted as events to this object.
     while (!*through) {
         QCoreApplication::sendPostedEvents(this, QEvent::MetaCall);
         QThread::msleep(1);

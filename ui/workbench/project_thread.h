@@ -15,18 +15,18 @@
 
 namespace burin {
 
-/// The open project on a thread of its own: the user interface never waits for the disk. Work is done in the order in
-/// which it was posted. The one exception is `lend`: for a session's start and stop, whose contract is some
-/// milliseconds, the project comes to the user interface's thread while its own stands still, so that it always belongs
-/// to one thread. All functions: user interface's thread.
+/// Holds the open project on a thread of its own, so that the user interface never waits for the disk. Work is done in
+/// the order in which it was posted. The one exception is `lend`: a session must start and stop within some
+/// milliseconds, so the project is lent to the user interface's thread while its own thread is blocked; it thus always
+/// belongs to one thread. All functions: user interface's thread.
 class ProjectThread : public QObject {
     Q_OBJECT
 public:
     explicit ProjectThread(QObject* parent = nullptr);
-    ~ProjectThread() override; ///< does what was posted, then closes the project
+    ~ProjectThread() override; ///< completes the posted work, then closes the project
 
-    /// Runs `work`, a function of the place where the project is (empty: none is open) that gives a Result<T>, on the
-    /// project's thread; `done` gets what it gave on the user interface's.
+    /// Runs `work` on the project's thread; its argument is the optional that holds the project (empty if none is open)
+    /// and it returns a Result<T>. `done` gets that result on the user interface's thread.
     template <class Work, class Done>
     void postToPlace(Work work, Done done) {
         using Outcome = std::invoke_result_t<Work&, std::optional<Project>&>;
@@ -36,7 +36,7 @@ public:
                 this, [outcome, done = std::move(done)]() mutable { done(std::move(*outcome)); }, Qt::QueuedConnection);
         });
     }
-    /// The same for work on a project. Where none is open, the error is internalFault.
+    /// The same for work on a project. If none is open, the error is internalFault.
     template <class Work, class Done>
     void ask(Work work, Done done) {
         using Outcome = std::invoke_result_t<Work&, Project&>;
@@ -47,7 +47,7 @@ public:
             },
             std::move(done));
     }
-    /// `ask` for work that may change the project: `worked` follows.
+    /// `ask` for work that may change the project: `worked` is emitted afterwards.
     template <class Work, class Done>
     void post(Work work, Done done) {
         using Outcome = std::invoke_result_t<Work&, Project&>;
@@ -56,11 +56,11 @@ public:
             emit worked();
         });
     }
-    /// Calls `use` on the user interface's thread as soon as what was posted before is done, while the project's thread
-    /// stands still. Null: no project is open.
+    /// Calls `use` on the user interface's thread once the work posted before is done, while the project's thread is
+    /// blocked. Null if no project is open.
     void lend(std::function<void(Project*)> use);
 
-    /// Waits until everything that was posted is done and its outcomes were delivered. For the program's end alone.
+    /// Waits until all posted work is done and its results are delivered. Only for the end of the program.
     void finish();
 
 signals:
@@ -70,14 +70,14 @@ private:
     using Job = std::function<void(std::optional<Project>&)>;
     template <class Work>
     void enqueue(Work work) {
-        auto shared = std::make_shared<Work>(std::move(work)); // std::function wants a copy
+        auto shared = std::make_shared<Work>(std::move(work)); // std::function requires a copyable object
         enqueueJob([shared](std::optional<Project>& place) { (*shared)(place); });
     }
     void enqueueJob(Job job);
 
     QThread thread_;
     QObject* worker_ = nullptr;    ///< lives in thread_
-    std::optional<Project> place_; ///< thread_'s alone, but while it is lent
+    std::optional<Project> place_; ///< accessed by thread_ alone, except while it is lent
 };
 
 } // namespace burin

@@ -17,10 +17,10 @@ SessionRunner::SessionRunner(const Desk& desk, QObject* parent) : Controller(des
 SessionRunner::~SessionRunner() = default;
 
 void SessionRunner::begin(const Place& place, AnyStylus stylus, const SessionRequest& request, Then then) {
-    // std::function wants a copy
+    // std::function requires a copyable object
     auto held = std::make_shared<AnyStylus>(std::move(stylus));
     desk_.project.lend([this, place, held, request, then = std::move(then)](Project* project) {
-        if (session_ || !project) { // somebody was faster
+        if (session_ || !project) { // another session was started first
             then(false);
             return;
         }
@@ -53,7 +53,8 @@ void SessionRunner::end(Then then) {
             health_ = {};
             const Result<LoopStatistics> outcome = session_->end();
             session_.reset();
-            const std::unique_ptr<AnyStylus> stylus = std::move(stylus_); // whoever leads it lets go of it below
+            // Kept until the users of the stylus have released it below.
+            const std::unique_ptr<AnyStylus> stylus = std::move(stylus_);
             const Place place = std::exchange(place_, {});
             state_.recording = false;
             view_ = {};

@@ -12,8 +12,9 @@
 
 namespace burin {
 
-/// One milling session at a time: begins and ends it, and looks at it at the rate of the screen. What needs the project
-/// is done in the order in which it was asked for. Faults after which a session goes on are told by `failed`.
+/// Runs one milling session at a time: starts and ends it, and polls it at the rate of the screen. Operations that need
+/// the project are done in the order in which they were requested. Faults that do not end the session are reported by
+/// `failed`.
 class SessionRunner final : public Controller {
     Q_OBJECT
 public:
@@ -21,7 +22,7 @@ public:
     ~SessionRunner() override; ///< ends the session; its recording is kept
 
     using Then = std::function<void(bool)>;
-    /// What is milled with, for as long as the session lasts.
+    /// What a session mills, its bounds and its history of strokes, for the duration of the session.
     struct Place {
         std::shared_ptr<MillingContext> milling;
         std::shared_ptr<const ToolBounds> bounds;
@@ -41,17 +42,18 @@ public:
 
     bool running() const noexcept { return session_ != nullptr; }
     const SessionState& state() const noexcept { return state_; }
-    const DeviceHealth& health() const noexcept { return health_; }              ///< as it was read last; empty outside
-    const VolumeSnapshot& workpiece() const noexcept { return view_.workpiece; } ///< the newest one; empty outside
+    const DeviceHealth& health() const noexcept { return health_; } ///< as last read; empty without a session
+    /// The newest one; empty without a session
+    const VolumeSnapshot& workpiece() const noexcept { return view_.workpiece; }
 
 signals:
     void ticked(); ///< `state` is new
     void viewed(const burin::WorkpieceView& view);
     void traced(const std::vector<burin::TracePoint>& points);
-    void healthRead(); ///< some times a second while a session runs
+    void healthRead(); ///< several times a second during a session
     void recordingStarted();
-    void endedByItself(); ///< the stylus finished, or a fault; `end` is still to be called
-    void ended();         ///< the workpiece is its owner's again
+    void endedByItself(); ///< the stylus ended it, or a fault did; `end` must still be called
+    void ended();         ///< the workpiece may be accessed by its owner again
 
 private:
     void look();
@@ -66,7 +68,7 @@ private:
     WorkpieceView view_;
     DeviceHealth health_;
     QTimer frame_, healthTimer_;
-    bool ended_ = false; ///< `endedByItself` was told
+    bool ended_ = false; ///< whether `endedByItself` was emitted
 };
 
 } // namespace burin

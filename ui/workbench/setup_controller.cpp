@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* defaultMaterial = "machinable-wax";
 
-/// What an edit of the stock's shape is called, and with what it merges.
+/// The title of a change of the stock's shape, and the kind with which it is merged.
 struct ShapeChange {
     QString title;
     int kind = -1;
@@ -42,7 +42,7 @@ bool sameForm(const Setup& one, const Setup& other) {
            (one.stock.low == other.stock.low && one.stock.high == other.stock.high);
 }
 
-/// Roles of a setup that names none are those of one that names parts alone.
+/// A setup without roles has the same roles as one in which all bodies are parts.
 bool sameRoles(const Setup& one, const Setup& other) {
     for (std::size_t i = 0; i < std::max(one.roles.size(), other.roles.size()); ++i)
         if (roleOf(one, i) != roleOf(other, i)) return false;
@@ -53,13 +53,15 @@ bool sameMaterials(const Setup& one, const Setup& other) {
     return one.stockMaterial == other.stockMaterial && one.bodyMaterials == other.bodyMaterials;
 }
 
-/// Machinable bodies and layers of one material are one entry of the property list: another material may split it.
+/// Machinable bodies and layers of one material share an entry of the property list; changing the material may split
+/// it.
 bool sharesMaterials(const Setup& setup) {
     return setup.form == StockForm::file || !setup.regions.empty() ||
            std::ranges::find(setup.roles, BodyRole::insert) != setup.roles.end();
 }
 
-/// What another setup left is no stock of another form, and would not come back from it with its true faces.
+/// Removes the stock left by another setup: it does not apply to other forms of stock, and would not be restored with
+/// its true faces.
 Setup withoutLeft(Setup setup) {
     setup.leftBy.reset();
     setup.volume = nullptr;
@@ -98,7 +100,7 @@ SetupController::SetupController(const Desk& desk, QObject* parent) : Controller
     readMaterials({});
 }
 
-/// @param own that the project keeps
+/// @param own materials stored in the project
 void SetupController::readMaterials(const std::vector<Property>& own) {
     materials_ = own;
     for (const std::string& id : materialIds())
@@ -217,7 +219,7 @@ void SetupController::readStock(const std::filesystem::path& file, const std::fi
 }
 
 void SetupController::takeStock(const StockFile& stock, const QString& name) {
-    if (locked_ || !model_) return; // taken or closed meanwhile
+    if (locked_ || !model_) return; // a take was recorded or the project closed meanwhile
     Setup setup = setup_;
     setup.form = StockForm::file;
     setup.volume = stock.volume;
@@ -280,7 +282,7 @@ void SetupController::chooseZero(const ProgramZero& zero) {
     Setup asked = setup_;
     asked.zero = zero;
     if (const Result<Setup> placed = placeZero(*model_, std::move(asked)); !placed) {
-        emit changed(); // the panel shows what is in force
+        emit changed(); // resets the panel to the value in force
         emit failed(placed.error());
         return;
     }

@@ -13,7 +13,8 @@ SetupsController::SetupsController(const Desk& desk, const Neighbours& neighbour
     : Controller(desk, parent), neighbours_(neighbours) {
     connect(&neighbours_.document, &DocumentController::opened, this, &SetupsController::forget);
     connect(&neighbours_.document, &DocumentController::closed, this, &SetupsController::forget);
-    // What is read of the workpiece is read again once it has changed, as by the bounds that come behind it.
+    // An interrupted task that reads the workpiece is restarted after the change, for example after the bounds are
+    // made.
     connect(&neighbours_.workpiece, &WorkpieceController::readersStop, this, [this] {
         if (!again_) return;
         interrupted_ = true;
@@ -42,7 +43,7 @@ void SetupsController::load(const ProjectContents& contents) {
     emit changed();
 }
 
-/// What was under way belongs to the project that was open.
+/// Work under way belongs to the project that was open.
 void SetupsController::forget() {
     desk_.tasks.abandon(TaskKind::furtherSetup);
     again_ = nullptr;
@@ -84,8 +85,8 @@ void SetupsController::add(const QString& name, const Placement& turn, bool left
     });
 }
 
-/// The workpiece stands, and is read here; what is made of it is a matter of seconds.
-/// @param to where the part is to lie @param make a setup, of the one that leaves the stock and of that
+/// Reads the workpiece, which must be ready, here; the rest takes seconds.
+/// @param to placement of the part @param make makes a setup from the one that leaves the stock, and that stock
 void SetupsController::startTask(const Placement& to, std::int64_t digest, const MakeSetup& make,
                                  const std::function<void(const Result<Setup>&)>& done) {
     interrupted_ = false;
@@ -111,7 +112,7 @@ void SetupsController::startTask(const Placement& to, std::int64_t digest, const
         },
         [this, done](const Result<Setup>& setup) {
             const bool stopped = !setup && setup.error().code == ErrorCode::cancelled;
-            if (stopped && interrupted_) { // the readers go on now, or went on already
+            if (stopped && interrupted_) { // readers may continue now, or have continued already
                 if (!neighbours_.workpiece.changing() && again_) std::exchange(again_, nullptr)();
                 return;
             }
@@ -174,13 +175,13 @@ void SetupsController::remove() {
     const auto own = std::ranges::find(setups_, used_, &SetupName::id);
     const SetupId other = own == setups_.begin() ? setups_[1].id : std::prev(own)->id;
     rest_([this, other, gone = used_] {
-        // It goes first: where it can't, nothing has changed, and it is still what is shown.
+        // It is removed first: if that fails, nothing has changed and it is still shown.
         desk_.project.post(
             [other, gone](Project& project) -> Result<void> {
                 if (Result<void> used = project.useSetup(other); !used) return used;
                 Result<void> removed = project.removeSetup(gone);
                 if (removed) return removed;
-                static_cast<void>(project.useSetup(gone)); // it is there
+                static_cast<void>(project.useSetup(gone)); // can't fail: it exists
                 return removed;
             },
             [this, other](const Result<void>& removed) {
@@ -192,7 +193,7 @@ void SetupsController::remove() {
     });
 }
 
-/// The workpiece that the other setup leaves is made as it is whenever that setup is used: the way leads through it.
+/// The workpiece that the other setup leaves is made whenever that setup is used, so this switches there and back.
 void SetupsController::takeStockAnew() {
     const Setup& setup = neighbours_.setup.setup();
     if (!setup.leftBy || neighbours_.setup.locked() || adding()) return;
@@ -235,7 +236,7 @@ void SetupsController::tellRetaken(const Result<Setup>& setup) {
                        });
 }
 
-/// Back to the setup that it was for, whatever came of it.
+/// Returns to the setup whose stock was taken, with or without success.
 void SetupsController::endRetaking() {
     if (!retaken_) return;
     const SetupId id = std::exchange(retaken_, std::nullopt)->id;

@@ -16,7 +16,7 @@
 
 namespace burin {
 
-/// The setups of a job: which there are and which one is worked in. All that the other controllers show is of that one.
+/// The setups of a job: the list of them, and the one in use, to which everything in the other controllers belongs.
 class SetupsController final : public Controller {
     Q_OBJECT
 public:
@@ -33,23 +33,24 @@ public:
     const std::vector<SetupName>& setups() const noexcept { return setups_; }
     SetupId used() const noexcept { return used_; }
     bool stockOutOfDate() const noexcept { return stockOutOfDate_; } ///< of the one in use
-    /// One is being added, or a stock taken anew.
+    /// Whether a setup is being added, or a stock is being taken again.
     bool adding() const { return adding_ || retaken_ || desk_.tasks.running(TaskKind::furtherSetup); }
     QString title(SetupId id) const; ///< its name; "Setup 2" where it has none
-    /// Asked before another setup is used: ends recordings and what is being typed.
+    /// Sets the function called before another setup is used; it ends recordings and collects text that is being typed.
     void setRest(std::function<void(std::function<void()>)> rest) { rest_ = std::move(rest); }
 
-    /// What a project holds.
+    /// Loads the setups of a project.
     void load(const ProjectContents& contents);
     void use(SetupId id);
-    /// A further one behind the one in use, which is then used itself. Its stock is what this one leaves as it stands:
-    /// behind the program where one was checked and still holds, else behind the recordings; or a new one.
-    /// @param name empty: none @param turn of the part, from how it lies now
+    /// Adds a setup after the one in use and switches to it. Its stock is the workpiece that the present setup leaves:
+    /// after its program if one was checked and is still valid, else after its recordings; or a new stock.
+    /// @param name empty: none @param turn of the part, relative to its present placement
     void add(const QString& name, const Placement& turn, bool leftStock);
     void rename(const QString& name); ///< the one in use
-    /// The one in use, for the one before it. Refused (failed) while it holds what somebody made.
+    /// Removes the one in use and switches to the one before it, or to the next one if it is the first. Refused
+    /// (failed) while it holds user work.
     void remove();
-    /// Takes the stock of the one in use anew from the setup that leaves it.
+    /// Takes the stock of the setup in use again from the setup that leaves it.
     void takeStockAnew();
 
 signals:
@@ -69,15 +70,15 @@ private:
     Neighbours neighbours_;
     std::vector<SetupName> setups_{{firstSetup, {}}};
     SetupId used_ = firstSetup;
-    /// Whose stock is being taken anew, and as it was.
+    /// The setup whose stock is being taken again, and its previous state.
     struct Retaken {
         SetupId id = firstSetup;
         Setup setup;
-        bool begun = false; ///< the workpiece that it comes from is being made, or there
+        bool begun = false; ///< whether the workpiece that it comes from is being made, or is ready
     };
     std::optional<Retaken> retaken_;
-    std::function<void()> again_; ///< starts the task that reads the workpiece once more; null: none is under way
-    bool interrupted_ = false;    ///< the workpiece changed while it was read
+    std::function<void()> again_; ///< restarts the task that reads the workpiece; null if none is under way
+    bool interrupted_ = false;    ///< the workpiece changed while it was being read
     quint64 generation_ = 0;      ///< counts projects
     bool stockOutOfDate_ = false, adding_ = false;
     std::function<void(std::function<void()>)> rest_ = [](const std::function<void()>& then) { then(); };

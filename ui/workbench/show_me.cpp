@@ -8,7 +8,7 @@ namespace burin {
 
 namespace {
 
-/// The paper's model wax takes deep, wide cuts; what is left of the steps the fine finishing passes take.
+/// The paper's model wax allows deep, wide cuts; the fine finishing passes remove the remaining steps.
 OperatorRequest requestFor(const Tool& tool) {
     OperatorRequest request;
     const double diameter = tool.cutter.diameter;

@@ -8,8 +8,8 @@
 
 namespace burin {
 
-/// Shows how it is done: a virtual operator roughs and finishes the part before one's eyes, eight times as fast as a
-/// hand, through the same session as the user's own strokes. What it records stays, even when it is stopped.
+/// Demonstration: a virtual operator roughs and finishes the part, eight times as fast as a hand, through the same
+/// session as the user's own strokes. Its recordings are kept, even when it is stopped.
 class ShowMe final : public Controller {
     Q_OBJECT
 public:
@@ -18,7 +18,7 @@ public:
     static constexpr int timeLapse = 8;
 
     bool showing() const noexcept { return stage_ != Stage::none; }
-    void start(); ///< the workpiece is ready and no session runs
+    void start(); ///< requires a ready workpiece and no running session
     void stop();
 
 signals:
@@ -35,7 +35,7 @@ private:
     Stage stage_ = Stage::none;
     bool stopped_ = false;
     OperatorPlan plan_;
-    std::size_t next_ = 0; ///< stage of the plan that is milled next
+    std::size_t next_ = 0; ///< index of the next stage of the plan to mill
 };
 
 } // namespace burin

@@ -13,7 +13,7 @@ namespace burin {
 
 namespace {
 
-/// A device that can be used in several ways is as many choices.
+/// A device with several modes gives one choice for each.
 std::vector<StylusController::Choice> choicesOf(const FoundDevice& device) {
     const QString name = QString::fromStdString(device.name);
     if (device.modes.empty()) return {{device.id, {}, name}};
@@ -78,7 +78,7 @@ void StylusController::choosePreferred() {
 void StylusController::choose(std::size_t index) {
     if (index >= choices_.size() || index == chosen_) return;
     const Choice wanted = choices_[index];
-    // Nobody waits any more for one that is away.
+    // Disconnected devices are removed once another one is chosen.
     std::erase_if(choices_, [&](const Choice& choice) { return !choice.there && choice.id != wanted.id; });
     select(wanted);
     preferredId_.clear();
@@ -86,7 +86,7 @@ void StylusController::choose(std::size_t index) {
     emit choiceMade();
 }
 
-/// Where it is among the choices now; the mouse if it is gone.
+/// Selects the same choice at its present index; the mouse if it is gone.
 void StylusController::select(const Choice& wanted) {
     const auto same = std::ranges::find_if(
         choices_, [&](const Choice& choice) { return choice.id == wanted.id && choice.mode == wanted.mode; });
@@ -95,7 +95,7 @@ void StylusController::select(const Choice& wanted) {
 
 void StylusController::connectDevice(std::function<void(std::unique_ptr<AnyStylus>)> then) {
     const Choice wanted = choices_[chosen_];
-    using Made = Result<std::shared_ptr<AnyStylus>>; // a task's outcome is copied about
+    using Made = Result<std::shared_ptr<AnyStylus>>; // the result of a task must be copyable
     desk_.tasks.start(
         TaskKind::device, tr("Connecting %1").arg(wanted.name),
         [registry = registry_, wanted](Progress&) -> Made {

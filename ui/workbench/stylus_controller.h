@@ -12,12 +12,12 @@
 
 namespace burin {
 
-/// Which stylus the user mills with: mouse and keyboard, or a device that is plugged in. Devices come and go; one that
-/// was chosen stays chosen while it is away.
+/// The stylus that the user mills with: mouse and keyboard, or a connected device. A chosen device stays chosen while
+/// it is disconnected.
 class StylusController final : public Controller {
     Q_OBJECT
 public:
-    /// One way to mill; the first is always the mouse, with no id.
+    /// A stylus to choose; the first is always the mouse, with an empty id.
     struct Choice {
         std::string id, mode; ///< of DeviceRegistry
         QString name;
@@ -27,8 +27,7 @@ public:
     StylusController(const Desk& desk, QObject* parent);
     ~StylusController() override;
 
-    /// Looks for devices from now on, on a thread of its own. @param registry whose drivers to use, made if there is
-    /// none
+    /// Starts looking for devices, on a thread of its own. @param registry whose drivers to use; created if null
     void start(std::shared_ptr<DeviceRegistry> registry = {});
     /// Null before `start`.
     const std::shared_ptr<DeviceRegistry>& registry() const noexcept { return registry_; }
@@ -37,12 +36,12 @@ public:
     bool mouse() const noexcept { return chosen_ == 0; }
     const Choice& choice() const noexcept { return choices_[chosen_]; }
     const QString& chosenName() const noexcept { return choices_[chosen_].name; }
-    void choose(std::size_t index); ///< none of `choices`: nothing happens
-    /// Chooses a device as soon as it is there, unless the user chose one meanwhile.
+    void choose(std::size_t index); ///< does nothing if out of the range of `choices`
+    /// Chooses a device as soon as it is connected, unless the user chose one meanwhile.
     void prefer(std::string id, std::string mode);
 
-    /// Connects the chosen device, in the background. @param then null if that failed, which is told; not called any
-    /// more once another is asked for. A stylus must not outlive this.
+    /// Connects the chosen device in the background. @param then gets null if that failed, which is reported by
+    /// `failed`; not called if another connection is requested meanwhile. A stylus must not outlive this object.
     void connectDevice(std::function<void(std::unique_ptr<AnyStylus>)> then);
 
 signals:

@@ -11,8 +11,7 @@
 
 namespace burin {
 
-/// An obstacle as the window has it: what it is never changes, so that copies are cheap; `obstacle->on` is not looked
-/// at.
+/// An obstacle in the user interface: its shape is immutable, so that copies are cheap; `obstacle->on` is ignored.
 struct PlacedObstacle {
     std::shared_ptr<const Obstacle> obstacle; ///< never null
     bool on = true;
@@ -20,16 +19,16 @@ struct PlacedObstacle {
     friend bool operator==(const PlacedObstacle&, const PlacedObstacle&) = default;
 };
 
-/// What bounds the tool besides the part, and how its axis is held.
+/// Bounds of the tool besides the part, and the control of its axis.
 struct WantedBounds {
     std::vector<PlacedObstacle> obstacles;
     AxisMode axis;
     TravelPlacement travel;
 };
 
-/// Whether both are bounded alike once layers are switched.
+/// Whether both give the same bounds, apart from layers being on or off.
 bool boundAlike(const WantedBounds& one, const WantedBounds& other);
-/// As core has them.
+/// In the form used by core.
 std::vector<Obstacle> obstaclesOf(const std::vector<PlacedObstacle>& placed);
 std::vector<PlacedObstacle> placed(std::vector<Obstacle> obstacles);
 

@@ -107,7 +107,7 @@ void SurroundingsController::importFile(const std::filesystem::path& file, doubl
 void SurroundingsController::change(std::size_t place, const Obstacle& obstacle) {
     if (locked() || place >= wanted_.obstacles.size() || *wanted_.obstacles[place].obstacle == obstacle) return;
     if (const Result<void> good = checkObstacle(obstacle); !good) {
-        emit changed(); // the panel shows what is in force
+        emit changed(); // resets the panel to the value in force
         emit failed(good.error());
         return;
     }
@@ -147,7 +147,7 @@ void SurroundingsController::setAxis(const AxisMode& axis) {
     const double length = glm::length(axis.direction);
     if (locked() || !(length > 0.0)) return;
     AxisMode wanted{axis.free, axis.direction / length};
-    if (wanted.direction.z > 1.0 - sameAxis) wanted.direction = {0.0, 0.0, 1.0}; // a view from above means just that
+    if (wanted.direction.z > 1.0 - sameAxis) wanted.direction = {0.0, 0.0, 1.0}; // a view from above means exactly +Z
     if (wanted.free == wanted_.axis.free && wanted.direction == wanted_.axis.direction) return;
     desk_.undo.push(
         new ValueCommand<AxisMode>(tr("tool axis"), axisValue, wanted_.axis, wanted, [this](const AxisMode& value) {
@@ -170,7 +170,7 @@ void SurroundingsController::setTravelOn(bool on) {
         }));
 }
 
-/// The part's layer comes first; nothing while the bounds in force are others.
+/// The part's layer comes first; empty while the bounds in force are others.
 std::optional<std::size_t> SurroundingsController::layerOf(std::size_t place) const {
     const std::vector<PlacedObstacle>& bound = workpiece_.bound().obstacles;
     if (!mill_.active() || place >= bound.size() || place >= wanted_.obstacles.size() ||

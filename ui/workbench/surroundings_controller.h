@@ -9,9 +9,9 @@
 
 namespace burin {
 
-/// Fixtures, keep-out volumes, the machine's travel, and how the tool's axis is held. Each change is an entry of the
-/// undo stack and stored in the project. What is switched while milling reaches the loop at its next tick; anything
-/// else makes the bounds anew in the background.
+/// Fixtures, keep-out volumes, the machine's travel, and the control of the tool axis. Each change is an entry of the
+/// undo stack and stored in the project. Switching one on or off while milling reaches the loop at its next tick; any
+/// other change recomputes the bounds in the background.
 class SurroundingsController final : public Controller {
     Q_OBJECT
 public:
@@ -23,24 +23,25 @@ public:
     bool travelOn() const noexcept { return wanted_.travel.on; }
     const WantedBounds& wanted() const noexcept { return wanted_; }
     bool importing() const { return desk_.tasks.running(TaskKind::fixture); }
-    /// Shapes and axis stay as they are: a recording runs.
+    /// Whether shapes and axis are locked because a recording is running.
     bool locked() const noexcept { return mill_.recording(); }
-    /// What became of an obstacle; nothing: no loop runs, or its bounds are not made yet.
+    /// State of an obstacle's layer in the loop; empty if no loop is running or its bounds are not made yet.
     std::optional<LayerNews> news(std::size_t place) const;
-    std::optional<LayerNews> travelNews() const; ///< likewise, of the machine's travel
+    std::optional<LayerNews> travelNews() const; ///< the same for the machine's travel
 
-    /// What a project holds.
+    /// Loads the fixtures and limits of a project.
     void load(std::vector<Obstacle> obstacles, const AxisMode& axis, const TravelPlacement& travel);
 
-    // Nothing happens while it is locked.
-    void addBox(ObstacleKind kind);      ///< beside the stock
+    // These do nothing while it is locked.
+    void addBox(ObstacleKind kind);      ///< next to the stock
     void addCylinder(ObstacleKind kind); ///< likewise
-    /// Bodies of a model as fixtures, as they lie in its frame. @param fileUnit mm per unit of a file that states none
+    /// Adds the bodies of a model as fixtures, in the coordinates of its file. @param fileUnit mm per unit of a file
+    /// that states none
     void importFile(const std::filesystem::path& file, double fileUnit);
     void change(std::size_t place, const Obstacle& obstacle);
     void remove(std::size_t place);
-    void setAxis(const AxisMode& axis); ///< @param axis its direction is made unit
-    // At any time.
+    void setAxis(const AxisMode& axis); ///< @param axis its direction is normalised
+    // These are possible at any time.
     void setOn(std::size_t place, bool on);
     void setTravelOn(bool on);
 

@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// @param faults files that can't be read are added to them
+/// @param faults receives the errors of files that can't be read
 std::vector<MachineProfile> library(std::vector<Error>& faults) {
     std::vector<MachineProfile> machines;
     for (const std::string& id : machineIds()) {
@@ -33,7 +33,7 @@ void TargetController::readLibraries() {
     DialectList list = burin::dialects();
     dialects_ = std::move(list.known);
     machines_ = library(list.faults);
-    for (const Error& fault : list.faults) // at the beginning nobody listens yet
+    for (const Error& fault : list.faults) // queued: nothing is connected during construction
         QMetaObject::invokeMethod(
             this, [this, fault] { emit failed(fault); }, Qt::QueuedConnection);
 }
@@ -74,7 +74,7 @@ void TargetController::applyMachine(const OwnFile<MachineProfile>& own) {
     if (const Result<void> done = write(own, saveMachine, removeMachine); !done) emit failed(done.error());
     readLibraries();
     emit changed();
-    emit desk_.project.worked(); // a verdict that was kept was given for the machine as it was
+    emit desk_.project.worked(); // a stored verdict applied to the previous state of the machine
 }
 
 void TargetController::chooseMachine(const std::string& id) {

@@ -47,7 +47,8 @@ void TaskRunner::launch(std::unique_ptr<Task> task) {
     Task* started = task.get();
     tasks_.push_back(std::move(task));
     started->thread = std::thread([this, started] {
-        if (started->kind != TaskKind::device) workInBackground(); // its reader must not wait for its turn
+        // The thread that reads a device must not have low priority.
+        if (started->kind != TaskKind::device) workInBackground();
         started->delivery = started->run(started->progress);
         QMetaObject::invokeMethod(
             this, [this, id = started->id] { ended(id); }, Qt::QueuedConnection);
@@ -100,7 +101,7 @@ void TaskRunner::cancelAll() {
     cancelThose([](const Task&) { return true; });
 }
 
-/// Those that wait too: whoever started them is told, when it is their turn.
+/// Including waiting tasks, whose callers are notified when it is their turn.
 template <class Which>
 void TaskRunner::cancelThose(Which which) {
     for (const auto* list : {&tasks_, &waiting_})
@@ -124,7 +125,7 @@ std::vector<TaskRow> TaskRunner::rows() const {
     std::vector<TaskRow> rows;
     for (const auto& task : tasks_)
         rows.push_back({task->kind, task->title, task->progress.fraction(), task->progress.cancelled()});
-    // What nobody waits for stands behind what somebody started.
+    // Tasks that nobody waits for are listed last.
     std::ranges::stable_partition(rows, [](const TaskRow& row) { return row.kind != TaskKind::growth; });
     return rows;
 }

@@ -17,7 +17,7 @@
 
 namespace burin {
 
-/// Long work of the window; of each kind one runs at a time.
+/// Long tasks of the window; of each kind one runs at a time.
 enum class TaskKind {
     importing,
     embedding,
@@ -59,16 +59,16 @@ struct TaskRow {
     bool cancelling = false;
 };
 
-/// Long work on worker threads, with progress and cancel, behind what the window draws and the hand does. A task that
-/// is started while another of its kind runs replaces it: the old one is cancelled, its outcome dropped. User
-/// interface's thread.
+/// Runs long work on worker threads, with progress and cancellation, at a lower priority than drawing and the haptic
+/// loop. Starting a task while another of its kind is running replaces it: the old one is cancelled and its result
+/// discarded. User interface's thread.
 class TaskRunner : public QObject {
     Q_OBJECT
 public:
     explicit TaskRunner(QObject* parent = nullptr);
-    ~TaskRunner() override; ///< cancels everything and waits for it; no outcome is delivered any more
+    ~TaskRunner() override; ///< cancels everything and waits for it; no more results are delivered
 
-    /// @param work Result<T>(Progress&), on a worker. @param done gets what it gave on this object's thread.
+    /// @param work Result<T>(Progress&), on a worker. @param done gets its result on this object's thread.
     template <class Work, class Done>
     void start(TaskKind kind, const QString& title, Work work, Done done) {
         using Outcome = std::invoke_result_t<Work&, Progress&>;
@@ -85,22 +85,23 @@ public:
             return [parts, outcome] { parts->done(std::move(*outcome)); };
         });
     }
-    /// Gives the task of a kind that runs another title: another phase of it has begun.
+    /// Gives the running task of a kind another title, for another phase of it.
     void rename(TaskKind kind, const QString& title);
-    /// Asks the task of a kind to stop; its outcome then is ErrorCode::cancelled, unless it was through before. Also
-    /// that of one which waits for another to end.
+    /// Requests the task of a kind to stop; its result is then ErrorCode::cancelled, unless it was complete before.
+    /// Applies also to one that waits for another to end.
     void cancel(TaskKind kind);
     void cancelAll();
-    /// Cancels the task of a kind; its outcome is dropped.
+    /// Cancels the task of a kind and discards its result.
     void abandon(TaskKind kind);
-    /// Calls `then` once no task runs or waits: what tasks read may be changed there. At once where none does.
+    /// Calls `then` once no task is running or waiting, when data that tasks read may be changed. At once if there are
+    /// none.
     void whenIdle(std::function<void()> then);
-    bool running(TaskKind kind) const; ///< or waiting; one that was abandoned counts no more, though it still ends
+    bool running(TaskKind kind) const; ///< or waiting; an abandoned task does not count, although it has yet to end
     bool idle() const { return tasks_.empty() && waiting_.empty(); }
     std::vector<TaskRow> rows() const;
 
 signals:
-    /// A task began, got on or ended; about 20 times a second while one runs.
+    /// A task started, advanced or ended; about 20 times a second while one is running.
     void changed();
 
 private:

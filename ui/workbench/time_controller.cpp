@@ -14,11 +14,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::chrono::milliseconds frame = 33ms; // of the play
+constexpr std::chrono::milliseconds frame = 33ms; // of play
 constexpr std::chrono::milliseconds longWay = 400ms;
-constexpr std::chrono::milliseconds settling = 100ms; // what changes recordings often changes them twice
+constexpr std::chrono::milliseconds settling = 100ms; // changes of recordings often come in pairs
 
-/// The first motion of a line, from 1, or of those behind it; nothing: there is none.
+/// The first motion of a line, from 1, or of the lines after it; empty: none.
 std::optional<std::size_t> motionOf(const ParsedProgram& program, int line) {
     const auto motion =
         std::ranges::lower_bound(program.motions, static_cast<std::uint32_t>(line), {}, &NcMotion::line);
@@ -38,12 +38,12 @@ std::vector<std::string_view> programLines(std::string_view text) {
 
 } // namespace
 
-/// Made when somebody goes somewhere first: what it takes to go to any moment.
+/// What is needed to go to any moment; made on first use.
 struct TimeController::Source {
     std::shared_ptr<MillingContext> milling; ///< of the stock
     std::vector<SharedCuts> cuts;
     std::vector<KeptWorkpiece> kept;
-    RecordedState state; ///< that they are of
+    RecordedState state; ///< of the recordings that `cuts` and `kept` belong to
     std::optional<WorkpieceInTime> workpieces;
 
     Result<VolumeSnapshot> at(const TakeMoment& moment, Progress& progress) {
@@ -96,7 +96,7 @@ bool TimeController::possible() const {
            !session_.running();
 }
 
-/// What was read says no longer what is recorded.
+/// The recordings that were read are out of date.
 void TimeController::stale() {
     stale_ = true;
     backToPresent();
@@ -125,7 +125,7 @@ void TimeController::forget() {
     if (followed_) readSoon_.start();
 }
 
-/// A recording that is being made is read when it is over.
+/// A recording under way is read when it ends.
 void TimeController::read() {
     if (!followed_ || !stale_ || reading_ || session_.running() || !workpiece_.embedded() || workpiece_.embedding())
         return;
@@ -165,7 +165,7 @@ void TimeController::goTo(double seconds) {
     seconds_ = std::clamp(seconds, 0.0, recorded()->seconds());
     wanted_ = recorded()->momentAt(seconds_);
     away_ = true;
-    // A long way to elsewhere is given up; what was cut on it is remembered.
+    // A long computation of a different moment is cancelled; its cuts so far are kept.
     if (arriving() && onItsWay_.hasExpired(longWay.count())) desk_.tasks.cancel(TaskKind::time);
     arrive();
     emit changed();
@@ -213,7 +213,7 @@ std::optional<Tool> TimeController::toolOf(std::int64_t take) const {
     return std::nullopt;
 }
 
-/// Where hand and tool were: a chunk of the recording, some milliseconds at most.
+/// Reads the poses of hand and tool: a chunk of the recording, some milliseconds at most.
 void TimeController::readSample(const TakeMoment& moment) {
     if (program_) {
         shown_->sample.emplace();
@@ -235,7 +235,7 @@ void TimeController::keepWorthKeeping() {
     for (KeptWorkpiece& kept : source_->workpieces->takeWorthKeeping()) keepInProject(std::move(kept), source_->state);
 }
 
-/// What can't be kept is cut again.
+/// If it can't be stored, it is cut again.
 void TimeController::keepInProject(KeptWorkpiece kept, const RecordedState& state) {
     desk_.project.ask(
         [kept = std::move(kept), state](Project& project) -> Result<void> {
@@ -261,7 +261,7 @@ void TimeController::switchStretch(std::int64_t take, const SampleRange& stretch
     });
 }
 
-/// What stands there is kept first, so that making the workpiece anew cuts nothing.
+/// Stores the workpiece of that moment first, so that it need not be cut again.
 void TimeController::punchIn() {
     if (program_ || !shown_ || arriving() || !workpiece_.ready()) return;
     pause();
@@ -277,7 +277,7 @@ void TimeController::punchIn() {
                 tr("punch in"), [moment](const Project& project) { return offAfter(project, moment); },
                 [this] {
                     recordWhenReady_ = true;
-                    recordFromHere(); // where nothing came after it the workpiece is ready
+                    recordFromHere(); // if nothing came after it, the workpiece is ready
                 });
         });
 }
@@ -353,7 +353,7 @@ void TimeController::tick() {
     goTo(next);
 }
 
-/// The first finding or breakpoint behind `from`, no later than `to`.
+/// The first finding or breakpoint after `from`, no later than `to`.
 std::optional<double> TimeController::stopWithin(double from, double to) const {
     if (!programTime_) return std::nullopt;
     std::optional<double> first;
@@ -374,7 +374,7 @@ void TimeController::toggleBreakpoint(int line) {
     emit breakpointsChanged();
 }
 
-/// @param before text of the program that they were set in
+/// @param before text of the program in which they were set
 void TimeController::keepBreakpoints(const std::string& before) {
     const std::vector<std::string_view> then = programLines(before);
     const std::vector<std::string_view> now = programLines(program_ ? std::string_view(program_->text) : before);
@@ -420,7 +420,7 @@ void TimeController::spread() {
             programSource_->milling = milling;
             programSource_->cuts = made->time.cuts;
             programTime_ = std::make_shared<const ProgramTime>(std::move(*made));
-            spread_ = {programTime_, &programTime_->time}; // it goes with the program's time
+            spread_ = {programTime_, &programTime_->time}; // shares ownership of the program's time
             seconds_ = spread_->seconds();
             emit recordedChanged();
             emit changed();

@@ -15,87 +15,86 @@
 
 namespace burin {
 
-/// What stood there at a moment of the recordings.
+/// The state at a moment of the recordings.
 struct MomentView {
     TakeMoment moment;
     VolumeSnapshot workpiece;
-    std::optional<Sample> sample; ///< the last one before it; nothing: it is not read yet
+    std::optional<Sample> sample; ///< the last one before it; empty if not read yet
     Tool tool;                    ///< of its take
 };
 
-/// Goes through the recordings of the setup in use, or through a program: to any moment, forwards and backwards, or
-/// along with a clock. The
-/// workpiece that is milled stays as it is; what stood there is made beside it, in the background. While one moment is
-/// on its way the newest wish waits, and those in between are left out. Ends where a session begins, and where the
-/// workpiece becomes another.
+/// Shows the state at any moment of the recordings of the setup in use, or of a program: by position, forwards and
+/// backwards, or in play. The workpiece being milled is not changed; that of the past is computed separately, in the
+/// background. While one moment is being computed only the newest request waits; those in between are skipped. Ends
+/// when a session begins or the workpiece changes.
 class TimeController final : public Controller {
     Q_OBJECT
 public:
     TimeController(const Desk& desk, WorkpieceController& workpiece, SessionRunner& session, MillController& mill,
                    QObject* parent);
 
-    /// Reads recordings as long as somebody looks at them.
+    /// Whether recordings are read: only while they are shown.
     void setFollowed(bool followed);
-    /// The program to go through in the recordings' stead; null: the recordings again.
+    /// Sets the program to show instead of the recordings; null: the recordings again.
     void showProgram(std::shared_ptr<const CheckedProgram> program);
     bool showsProgram() const noexcept { return program_ != nullptr; }
     const std::shared_ptr<const CheckedProgram>& program() const noexcept { return program_; } ///< null: none is shown
-    /// Goes where a line of the program begins, from 1, if the past is shown.
+    /// Goes to the start of a line of the program, from 1, if the past is shown.
     void followLine(int line);
-    /// The line of the program that is milled at the moment that is wanted, from 1; 0: there is none.
+    /// The line of the program that is milled at the requested moment, from 1; 0: none.
     int line() const;
-    /// What is gone through, in order; null: not read yet, or none.
+    /// The recordings or program motions shown, in order; null: not read yet, or none.
     const std::shared_ptr<const RecordedTime>& recorded() const noexcept { return program_ ? spread_ : recorded_; }
     bool reading() const { return program_ ? desk_.tasks.running(TaskKind::programTime) : reading_; }
-    /// It can be gone through: there are recordings, and nobody mills.
+    /// Whether there are recordings and no session is running.
     bool possible() const;
 
-    bool away() const noexcept { return away_; }         ///< in the past, wanted or there
-    double seconds() const noexcept { return seconds_; } ///< s from the first take's start: what is wanted
-    const std::optional<MomentView>& shown() const noexcept { return shown_; } ///< nothing: the present
+    bool away() const noexcept { return away_; }         ///< whether a moment of the past is requested or shown
+    double seconds() const noexcept { return seconds_; } ///< the requested moment, s from the start of the first take
+    const std::optional<MomentView>& shown() const noexcept { return shown_; } ///< empty: the present
     bool arriving() const { return desk_.tasks.running(TaskKind::time); }
     void goTo(double seconds);
     void goTo(const TakeMoment& moment);
-    /// Shows the workpiece that is milled again.
+    /// Shows the workpiece being milled again.
     void backToPresent();
 
-    /// An entry of the undo stack. What is switched off counts no more, until it is switched on again: that mills it on
-    /// top of what is there.
+    /// An entry of the undo stack. A part that is switched off has no effect until it is switched on again, which mills
+    /// it on top of the present workpiece.
     void switchStretch(std::int64_t take, const SampleRange& stretch, bool on);
-    /// Mills on from the moment that is shown: what came after it is switched off, and a recording begins as soon as
-    /// the workpiece is as it was then.
+    /// Continues milling from the moment that is shown: everything after it is switched off, and a recording starts as
+    /// soon as the workpiece is in the state of that moment.
     void punchIn();
 
     /// Of the recordings, in order.
     const std::vector<TimeMarker>& markers() const noexcept { return markers_; }
-    /// The program that is gone through, as it lies in time; null: none, or not read yet. A play stops at its findings
-    /// and at breakpoints.
+    /// The program that is shown, with its times; null: none, or not read yet. Play stops at its findings and at
+    /// breakpoints.
     const std::shared_ptr<const ProgramTime>& programTime() const noexcept { return programTime_; }
-    /// Lines of the program that is gone through, from 1, before which a play stops. Those whose text stays the same
-    /// outlast another program.
+    /// Lines of the program that is shown, from 1, before which play stops. Those whose text is unchanged are kept for
+    /// the next program.
     const std::set<int>& breakpoints() const noexcept { return breakpoints_; }
     void toggleBreakpoint(int line);
-    /// Marks the moment that is wanted; one that is marked already gets the name. An entry of the undo stack.
+    /// Marks the requested moment; if it is marked already, renames the marker. An entry of the undo stack.
     void addMarker(const QString& name);
-    /// @param marker its place in `markers` @param name empty: it goes. An entry of the undo stack.
+    /// @param marker index in `markers` @param name empty: removes it. An entry of the undo stack.
     void changeMarker(std::size_t marker, const QString& name);
 
     bool playing() const noexcept { return play_.isActive(); }
     double speed() const noexcept { return speed_; }
-    /// From the moment that is wanted, or from the start where that is the end.
+    /// From the requested moment, or from the start if that is the end.
     void play();
     void pause();
     void setSpeed(double speed) { speed_ = speed; }
-    /// What was read belongs to another project or setup.
+    /// Discards what was read: the project or setup is another one.
     void forget();
 
 signals:
-    void momentChanged();   ///< `shown` is another one
-    void recordedChanged(); ///< `recorded` is another one
+    void momentChanged();   ///< `shown` has changed
+    void recordedChanged(); ///< `recorded` has changed
     void breakpointsChanged();
 
 private:
-    /// What recordings did, on whichever thread goes to a moment; one at a time.
+    /// Effects of the recordings; used on the thread that computes a moment, one at a time.
     struct Source;
     void stale();
     void read();
@@ -122,12 +121,12 @@ private:
     std::shared_ptr<Source> source_;
     std::shared_ptr<const CheckedProgram> program_; ///< null: the recordings are shown
     std::shared_ptr<const ProgramTime> programTime_;
-    std::shared_ptr<const RecordedTime> spread_; ///< of it
+    std::shared_ptr<const RecordedTime> spread_; ///< of the program
     std::shared_ptr<Source> programSource_;
     bool followed_ = false, stale_ = true, reading_ = false, away_ = false, recordWhenReady_ = false;
-    quint64 generation_ = 0; ///< counts `forget`, and what was read
+    quint64 generation_ = 0; ///< counts `forget` and reads
     double seconds_ = 0.0;
-    std::optional<TakeMoment> wanted_; ///< that is not on its way yet
+    std::optional<TakeMoment> wanted_; ///< requested, computing not begun yet
     std::optional<MomentView> shown_;
     std::vector<TimeMarker> markers_;
     std::set<int> breakpoints_;

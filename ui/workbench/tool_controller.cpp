@@ -77,7 +77,7 @@ void ToolController::apply(const std::string& id) {
 }
 
 std::string ToolController::freeId(const QString& name) const {
-    QString plain; // without its accents
+    QString plain; // without accents
     for (const QChar letter : name.normalized(QString::NormalizationForm_D))
         if (!letter.isMark()) plain += letter;
     const std::string id = resourceIdFrom(plain.toStdString());
@@ -146,7 +146,7 @@ void ToolController::push(const QString& text, const OwnFile<Tool>& wanted, cons
         new ValueCommand<OwnTool>(text, -1, before, {wanted, inSpindle}, [this](const OwnTool& own) { keep(own); }));
 }
 
-/// What takes were milled with stays in the project as it was then.
+/// Tools that takes were milled with stay unchanged in the project.
 void ToolController::keep(const OwnTool& own) {
     if (const Result<void> done = write(own.file, saveTool, removeTool); !done) {
         emit failed(done.error());
@@ -171,7 +171,7 @@ void ToolController::keep(const OwnTool& own) {
 void ToolController::load(const std::vector<Tool>& own, const std::string& last) {
     library_ = toolLibrary();
     tools_ = library_;
-    for (const Tool& tool : own) { // as they were when they were used, whatever the library says now
+    for (const Tool& tool : own) { // as they were when used, whatever the library contains now
         const auto same = std::ranges::find(tools_, tool.id, &Tool::id);
         if (same == tools_.end())
             tools_.push_back(tool);

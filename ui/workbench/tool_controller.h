@@ -24,34 +24,35 @@ public:
     const std::vector<Tool>& tools() const noexcept { return tools_; }
     const Tool& current() const;
     bool locked() const noexcept { return locked_; }
-    void setLocked(bool locked); ///< a recording runs
-    /// What the tables say for this tool in a material on a machine; nothing where the material lacks what it takes.
+    void setLocked(bool locked); ///< while a recording is running
+    /// The tables' values for this tool in a material on a machine; empty if the material lacks required values.
     std::optional<CuttingConditions> conditionsIn(const Property& material, const MachineProfile& machine) const;
 
-    void show(const std::string& id);   ///< as a project was left; no entry of the undo stack, nothing is stored
+    void show(const std::string& id);   ///< as the project was last left; no entry of the undo stack, nothing is stored
     void choose(const std::string& id); ///< an entry of the undo stack
-    /// What a project holds. @param last the tool of its newest recording; empty: none
+    /// Loads the tools of a project. @param last the tool of its newest recording; empty: none
     void load(const std::vector<Tool>& own, const std::string& last);
 
-    /// The tools that Burin is shipped with and the user's own, which are the user's, not the project's.
+    /// The tools shipped with Burin and the user's own, which belong to the user, not to the project.
     const std::vector<Tool>& library() const noexcept { return library_; }
-    static std::vector<Holder> holders(); ///< that there are; those whose files are damaged are not among them
+    static std::vector<Holder> holders(); ///< all available; damaged files are left out
     // Entries of the undo stack.
-    /// @return its id: that of the original with "-copy" and, where needed, a number
+    /// @return id of the copy: that of the original with "-copy" and, if needed, a number
     std::string copyTool(const Tool& tool, const QString& name);
     void keepTool(const Tool& tool); ///< one of the user's own, new or changed
-    /// New ones, as one entry of the undo stack; an id that there is gets a number behind it. @return the first one's
+    /// Adds new tools as one entry of the undo stack; an existing id gets a number appended. @return the id of the
+    /// first
     std::string keepTools(std::vector<Tool> tools);
     void deleteTool(const std::string& id); ///< one of the user's own
-    /// Takes were milled with them: the project keeps them as they were. @param ids may have one several times
+    /// Takes were milled with these tools: the project keeps them unchanged. @param ids may contain duplicates
     void setMilledWith(std::vector<std::string> ids) { milledWith_ = std::move(ids); }
     bool milledWith(const std::string& id) const;
 
     bool shaping() const { return desk_.tasks.running(TaskKind::tool); }
-    /// Makes a tool of models beside the window's work, adds it to the user's own and takes it into the spindle: an
-    /// entry of the undo stack.
+    /// Makes a tool from models in the background, adds it to the user's own and loads it into the spindle: an entry of
+    /// the undo stack.
     void shape(const ToolShapeRequest& request);
-    /// An id of a file that no tool has yet. @param name what the user calls it
+    /// An id of a file that no tool has yet. @param name given by the user
     std::string freeId(const QString& name) const;
 
 signals:
@@ -61,14 +62,14 @@ signals:
 private:
     struct OwnTool {
         OwnFile<Tool> file;
-        std::string inSpindle; ///< then, by id
+        std::string inSpindle; ///< id of the tool in the spindle at that time
     };
     void apply(const std::string& id);
     void push(const QString& text, const OwnFile<Tool>& wanted, const std::string& inSpindle);
     void keep(const OwnTool& own);
 
     std::vector<Tool> library_;
-    std::vector<Tool> tools_; ///< the library and, before its tools, the project's own
+    std::vector<Tool> tools_; ///< the library, in which the project's tools take precedence
     std::vector<std::string> milledWith_;
     std::size_t current_ = 0;
     bool locked_ = false;

@@ -10,8 +10,8 @@
 
 namespace burin {
 
-/// Setting one value, as an entry of the undo stack. Entries of the same kind that follow each other at once become
-/// one, so that turning a field up by ten steps is one undo, and what is entered later another.
+/// Sets one value, as an entry of the undo stack. Consecutive entries of the same kind are merged if they follow each
+/// other quickly, so that raising a field by ten steps is one undo, and a later input another.
 template <class T>
 class ValueCommand final : public QUndoCommand {
 public:
@@ -27,7 +27,7 @@ public:
     void redo() override { apply_(after_); }
     void undo() override { apply_(before_); }
     bool mergeWith(const QUndoCommand* next) override {
-        const auto* later = static_cast<const ValueCommand*>(next); // one id, one type
+        const auto* later = static_cast<const ValueCommand*>(next); // same id, same type
         if (later->made_ - made_ > mergedWithin) return false;
         after_ = later->after_;
         made_ = later->made_;
@@ -50,10 +50,10 @@ enum ValueKind : int {
     voxelValue,
     marginValue,
     stockShapeValue,
-    guideValue, ///< and, with its place, of each guide
+    guideValue, ///< plus the index of each guide
     axisValue = 500,
-    obstacleValue = 1000, ///< and, with its place, of each obstacle
-    handValue = 2000      ///< and, with its number, of each device
+    obstacleValue = 1000, ///< plus the index of each obstacle
+    handValue = 2000      ///< plus the number of each device
 };
 
 } // namespace burin

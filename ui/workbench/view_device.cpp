@@ -13,12 +13,12 @@ namespace burin {
 namespace {
 
 constexpr int pictureInterval = 16;           // ms
-constexpr const char* springing = "position"; // the mode of every driver of a cap or stick
-// What a full deflection comes to in that mode.
+constexpr const char* springing = "position"; // the mode of all drivers of spring-centred devices
+// Full deflection in that mode.
 constexpr double fullPush = 40.0;   // mm
 constexpr double fullTurn = 0.5;    // rad
 constexpr double atRest = 0.01;     // share
-constexpr double longestStep = 0.1; // s: a picture that came late does not jump
+constexpr double longestStep = 0.1; // s: after a late frame the view does not jump
 
 } // namespace
 
@@ -31,7 +31,7 @@ ViewDevice::ViewDevice(const Desk& desk, StylusController& styluses, SessionRunn
 }
 
 ViewDevice::~ViewDevice() {
-    close(); // nobody is told: who listens may be gone by half
+    close(); // without signals: receivers may be partly destroyed
 }
 
 void ViewDevice::choose(const std::string& id) {
@@ -59,13 +59,13 @@ void ViewDevice::follow() {
     const bool there = std::ranges::any_of(styluses_.choices(), [this](const StylusController::Choice& choice) {
         return choice.id == id_ && choice.mode == springing && choice.there;
     });
-    if (!there) refused_ = false; // it may be another one that comes back
+    if (!there) refused_ = false; // a different device may be connected next
     if (there && stylus_ == nullptr && !refused_) connectDevice();
 }
 
 void ViewDevice::connectDevice() {
     if (std::exchange(connecting_, true)) return;
-    using Made = Result<std::shared_ptr<AnyStylus>>; // a task's outcome is copied about
+    using Made = Result<std::shared_ptr<AnyStylus>>; // the result of a task must be copyable
     desk_.tasks.start(
         TaskKind::viewDevice, tr("Connecting the device that moves the view"),
         [registry = styluses_.registry(), id = id_](Progress&) -> Made {
@@ -76,14 +76,14 @@ void ViewDevice::connectDevice() {
         },
         [this, id = id_](Made made) {
             connecting_ = false;
-            if (id != id_) return follow(); // another one is wanted by now
+            if (id != id_) return follow(); // another one was chosen meanwhile
             if (!made) {
                 refused_ = true;
                 emit failed(made.error());
                 return;
             }
             auto* const stylus = std::get_if<std::unique_ptr<Stylus>>(made->get());
-            refused_ = stylus == nullptr; // one that paces itself has motors, and does not spring back
+            refused_ = stylus == nullptr; // a stylus that paces itself has motors and is not spring-centred
             if (refused_) return;
             if (const Result<void> opened = (*stylus)->open(); !opened) {
                 refused_ = true;
@@ -96,7 +96,7 @@ void ViewDevice::connectDevice() {
             readAt_ = 0.0;
             timer_.start();
             emit changed();
-            follow(); // it may have been taken for the tool meanwhile
+            follow(); // it may have been chosen as the stylus meanwhile
         });
 }
 
@@ -119,7 +119,7 @@ void ViewDevice::read() {
     const double now = 1e-9 * static_cast<double>(clock_.nsecsElapsed());
     const double seconds = std::min(longestStep, now - std::exchange(readAt_, now));
     const StylusState state = stylus_->read(now);
-    (void)stylus_->takeFault(); // it comes back by itself, and the list of devices tells that it is away
+    (void)stylus_->takeFault(); // it reconnects by itself, and the list of devices shows that it is away
     const std::uint32_t pressed = state.buttons & ~std::exchange(buttons_, state.buttons);
     if (!state.valid) return;
     if ((pressed & 1U) != 0) emit fitWanted();

@@ -15,8 +15,8 @@
 
 namespace burin {
 
-/// Moves the view with a device that springs back to its middle, in the other hand than the stylus. It is found again
-/// after it was unplugged. While the same device moves the tool, the view stays.
+/// Moves the view with a spring-centred device in the other hand than the stylus. It is found again after it was
+/// disconnected. While the same device moves the tool, the view does not move.
 class ViewDevice final : public Controller {
     Q_OBJECT
 public:
@@ -26,13 +26,13 @@ public:
     /// @param id of a device, as StylusController::Choice has it; empty: none
     void choose(const std::string& id);
     const std::string& chosen() const noexcept { return id_; }
-    /// Whether a device can move the view: it has a mode in which it springs back.
+    /// Whether a device can move the view: it has a spring-centred mode.
     bool suits(const std::string& id) const;
-    bool connected() const; ///< it is read
+    bool connected() const; ///< whether it is being read
 
 signals:
-    /// At the picture's rate, while the device is not at rest. @param push, turn share of full deflection, device
-    /// frame; the turn right-handed. @param seconds since the last one
+    /// Emitted at the frame rate while the device is deflected. @param push, turn share of full deflection, device
+    /// frame; the turn is right-handed. @param seconds since the last one
     void pushed(const glm::dvec3& push, const glm::dvec3& turn, double seconds);
     void fitWanted(); ///< its first button was pressed
 
@@ -47,8 +47,9 @@ private:
     SessionRunner& session_;
     std::string id_;
     bool connecting_ = false;
-    bool refused_ = false; ///< it could not be opened, which was told: not again before it was away or chosen anew
-    std::shared_ptr<DeviceRegistry> registry_; ///< its plugin's code is needed as long as the stylus
+    /// Opening failed and was reported: not tried again until it was disconnected or chosen again
+    bool refused_ = false;
+    std::shared_ptr<DeviceRegistry> registry_; ///< keeps the code of the plugin as long as the stylus
     std::unique_ptr<Stylus> stylus_;           ///< open
     QTimer timer_;
     QElapsedTimer clock_;

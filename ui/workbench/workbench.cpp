@@ -6,8 +6,8 @@ namespace burin {
 
 namespace {
 
-/// Paths of more are evaluated when the user asks for it: edits hold some 300 bytes a sample, and opening a project
-/// takes 1.5 GB at most.
+/// Larger paths are evaluated only on request: edits take some 300 bytes a sample, and opening a project must take 1.5
+/// GB at most.
 constexpr std::uint64_t mostSamplesUnasked = 5'000'000;
 
 std::uint64_t samplesOf(const std::vector<TakeInfo>& takes) {
@@ -52,7 +52,7 @@ Workbench::Workbench(QObject* parent)
 }
 
 Workbench::~Workbench() {
-    for (Controller* controller : controllers()) controller->blockSignals(true); // nobody is there any more
+    for (Controller* controller : controllers()) controller->blockSignals(true); // the receivers no longer exist
     tasks_.cancelAll();
     session.end();
     project_.finish();
@@ -94,10 +94,10 @@ void Workbench::wire() {
     });
     connect(&session, &SessionRunner::recordingStarted, this, [this] {
         path.recordingBegins();
-        if (!setup.locked()) undo_.clear(); // what is locked now can't be undone any more
+        if (!setup.locked()) undo_.clear(); // changes of what is now locked can't be undone
         setup.setLocked(true);
     });
-    connect(&path, &Controller::changed, this, &Workbench::lockSetup); // a pass that came or went
+    connect(&path, &Controller::changed, this, &Workbench::lockSetup); // passes may have been added or removed
     connect(&program, &ProgramController::textWanted, this, &Workbench::textWanted);
     connect(&workpiece, &Controller::failed, this, [this] { showWhenReady_ = false; });
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
@@ -108,7 +108,7 @@ void Workbench::wire() {
     });
     connect(&workpiece, &WorkpieceController::changed, this, &Workbench::continueShow);
     connect(&workpiece, &WorkpieceController::replayed, &mill, &MillController::setStrokes);
-    connect(&workpiece, &WorkpieceController::replayed, this, [this] { // a project that was opened shows its paths
+    connect(&workpiece, &WorkpieceController::replayed, this, [this] { // a project shows its paths when opened
         if (samplesOf(mill.takes()) <= mostSamplesUnasked) path.evaluate();
     });
     connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });

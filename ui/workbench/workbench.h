@@ -33,7 +33,7 @@
 
 namespace burin {
 
-/// The controllers of one window and the wires between them; nothing else.
+/// The controllers of one window and the connections between them; nothing else.
 class Workbench final : public QObject {
     Q_OBJECT
     ProjectThread project_; // before what uses them
@@ -44,7 +44,7 @@ class Workbench final : public QObject {
 
 public:
     explicit Workbench(QObject* parent = nullptr);
-    ~Workbench() override; ///< ends session and tasks; what was not saved waits to be taken up again
+    ~Workbench() override; ///< ends session and tasks; unsaved work is kept for recovery
 
     DocumentController document;
     ModelController model;
@@ -79,34 +79,34 @@ public:
     TaskRunner& tasks() noexcept { return tasks_; }
     QUndoStack& undo() noexcept { return undo_; }
 
-    /// Reads `file`, and makes it the part as `adoptPart` does. What is open stays as it is where that fails.
+    /// Reads `file` and makes it the part as `adoptPart` does. On failure the open project is unchanged.
     /// @param fileUnit mm per unit of a file that states none
     void importPart(const std::filesystem::path& file, bool abandon, double fileUnit = 1.0);
-    /// Makes a model the part: in the open project as long as that has no recordings and one setup, in a new one
-    /// otherwise.
-    /// @param abandon what the project then had unsaved is not wanted
+    /// Makes a model the part: of the open project as long as it has no recordings and one setup, else of a new
+    /// project.
+    /// @param abandon whether to discard the unsaved changes of the open project
     void adoptPart(const std::shared_ptr<const Model>& part, bool abandon);
     /// Reads the part again and keeps setups, recordings and paths (core/job/part_update.h); ends recording and
-    /// session. Tells `partUpdated`, or `failed`, and nothing has changed then.
+    /// session. Emits `partUpdated`, or `failed` with nothing changed.
     void updatePart(const std::filesystem::path& file);
     bool importNeedsNewProject() const {
         return !document.isOpen() || !mill.takes().empty() || setups.setups().size() > 1;
     }
-    /// Embeds where there is no workpiece yet and the setup allows one.
+    /// Embeds if there is no workpiece yet and the setup allows it.
     void ensureWorkpiece();
-    /// Shows how it is done as soon as part, workpiece and boundary are there; embeds where that is missing.
+    /// Starts the demonstration as soon as part, workpiece and boundary are ready; embeds if needed.
     void showHowItIsDone();
-    /// The newest entry of the undo stack; nothing happens while a stroke is under way or the virtual operator mills.
+    /// Undoes the newest entry of the undo stack; does nothing during a stroke or while the virtual operator mills.
     void undoLast();
     void redoLast();
     bool canUndoNow() const;
-    /// Takes over what is still being typed. @return whether the project got something of it
+    /// Collects text that is still being typed. @return whether the project received any
     bool collectText();
     /// Ends recording and session, then calls `then`.
     void comeToRest(std::function<void()> then);
 
 signals:
-    void textWanted(); ///< who has text that was not told yet tells it now
+    void textWanted(); ///< receivers with text not passed on yet must pass it on now
     void failed(const burin::Error& error);
     void partUpdated(const burin::PartUpdate& update);
 

@@ -16,13 +16,13 @@ namespace burin {
 
 namespace {
 
-/// A workpiece with what its recordings cut, and how many strokes stand in each of them.
+/// A workpiece after the cuts of its recordings, and the number of strokes in effect of each.
 struct ReplayedMilling {
     std::shared_ptr<MillingContext> milling;
     std::map<std::int64_t, std::size_t> strokes;
 };
 
-/// A material as its file would be; empty where it is not among them.
+/// A material as the text of its file; empty if it is not among them.
 std::string textOf(const std::vector<Property>& materials, const std::string& id) {
     const auto found = std::ranges::find(materials, id, &Property::id);
     return found == materials.end() ? std::string() : toJson(*found);
@@ -43,13 +43,14 @@ void WorkpieceController::setWanted(std::shared_ptr<const Model> model, const Se
     emit changed();
 }
 
-/// The workpiece is the wanted one but for its program zero.
+/// Whether only the program zero of the workpiece differs from the settings.
 bool WorkpieceController::otherZero() const {
     return embedded() && milling_->model == model_ &&
            (milling_->setup.zero != setup_.zero || milling_->setup.workOffset != setup_.workOffset);
 }
 
-/// The workpiece stays; where the machine's travel lies follows, and what a control makes of the figures of a path.
+/// The workpiece is kept; the position of the machine's travel is updated, and how a control interprets the coordinates
+/// of a path.
 void WorkpieceController::changeZero() {
     emit surroundingsChanged();
     desk_.tasks.abandon(TaskKind::field);
@@ -61,7 +62,7 @@ void WorkpieceController::changeZero() {
     });
 }
 
-/// The workpiece is the wanted one but for its materials, or for their values.
+/// Whether only the materials of the workpiece, or their values, differ from the settings.
 bool WorkpieceController::otherMaterials() const {
     if (!milling_ || milling_->model != model_ || !shapedAlike(milling_->setup, setup_)) return false;
     if (!embedded()) return true;
@@ -70,7 +71,7 @@ bool WorkpieceController::otherMaterials() const {
     });
 }
 
-/// The workpiece stays, and so do the bounds, which know no material.
+/// The workpiece is kept, and so are the bounds, which don't depend on materials.
 void WorkpieceController::changeMaterials() {
     letGo([this] {
         if (!otherMaterials()) return; // changed again meanwhile
@@ -78,7 +79,7 @@ void WorkpieceController::changeMaterials() {
             emit failed(done.error());
             return;
         }
-        strokes_.clear(); // of the volume that was
+        strokes_.clear(); // they belong to the previous volume
         emit workpieceChanged();
         emit toolChanged();
     });
@@ -92,7 +93,7 @@ void WorkpieceController::setWanted(const WantedBounds& bounds) {
         if (before.obstacles != bounds.obstacles) switchObstacles();
         return;
     }
-    // How high travel is free, and so where a tip may go, is the workpiece's to say.
+    // The height above which travel is free, and thus the allowed tip positions, depend on the workpiece.
     desk_.tasks.abandon(TaskKind::field);
     letGo([this] {
         if (!milling_) return;
@@ -127,7 +128,7 @@ void WorkpieceController::setWanted(const MachineProfile& machine) {
 
 std::shared_ptr<const ClearanceField> WorkpieceController::field() const {
     if (!bounds_ || bounds_->field() == nullptr) return nullptr;
-    return {bounds_, bounds_->field()}; // it goes with the bounds
+    return {bounds_, bounds_->field()}; // shares ownership of the bounds
 }
 
 bool WorkpieceController::embedded() const {
@@ -172,7 +173,7 @@ void WorkpieceController::embed() {
     if (model_ && !embedding()) readWork(&WorkpieceController::embedWith);
 }
 
-/// One that was begun before knows the recordings as they were.
+/// A run started before used the previous state of the recordings.
 void WorkpieceController::remake() {
     if (!embedded()) return;
     ++generation_;
@@ -221,7 +222,7 @@ void WorkpieceController::remakeWith(const RecordedWork& work) {
             letGo([this, milling, made = *outcome, generation = generation_] {
                 if (generation != generation_ || milling != milling_) return;
                 milling_->embedded.workpiece = std::move(*made.workpiece);
-                strokes_.clear(); // of the volume that was
+                strokes_.clear(); // they belong to the previous volume
                 emit workpieceChanged();
                 emit replayed(made.strokes);
                 emit changed();
@@ -251,7 +252,7 @@ void WorkpieceController::embedWith(const RecordedWork& work) {
                 return;
             }
             letGo([this, made = *outcome, generation = generation_] {
-                if (generation != generation_) return; // it was cleared while the hand let go
+                if (generation != generation_) return; // it was cleared while milling released it
                 adopt(made.milling);
                 emit replayed(made.strokes);
             });
@@ -278,8 +279,9 @@ void WorkpieceController::buildBounds() {
         [milling = milling_, tool = tool_,
          wanted = wanted_](Progress& progress) -> Result<std::shared_ptr<const ToolBounds>> {
             TravelPlacement travel = wanted.travel;
-            travel.on = true; // it is a layer that sessions switch
-            const std::shared_ptr<const MeshDistance> part(milling, &milling->part); // it keeps the workpiece
+            travel.on = true; // sessions switch it as a layer
+            // Shares ownership of the workpiece.
+            const std::shared_ptr<const MeshDistance> part(milling, &milling->part);
             Result<ToolBounds> bounds =
                 ToolBounds::grow(*milling, part, tool, wanted.axis, surroundingsOf(*milling, travel, wanted.axis),
                                  maximumAllowance, {}, progress);
@@ -316,7 +318,7 @@ void WorkpieceController::adoptBounds(const Tool& tool, const WantedBounds& want
     emit changed();
 }
 
-/// The tool can mill meanwhile: it is held where the boundary is not there yet.
+/// The tool can mill meanwhile: it is held where the boundary is not made yet.
 void WorkpieceController::watchGrowth() {
     if (!bounds_ || bounds_->complete()) return;
     desk_.tasks.start(
@@ -328,7 +330,7 @@ void WorkpieceController::watchGrowth() {
         });
 }
 
-/// What reads the workpiece in the background would read it while it changes.
+/// Stops background tasks, which must not read the workpiece while it changes.
 void WorkpieceController::stopReaders(std::function<void()> then) {
     ++changes_;
     emit readersStop();
@@ -344,7 +346,7 @@ void WorkpieceController::goOn() {
     --changes_;
     if (!changing()) watchGrowth();
     emit readersGoOn();
-    emit changed(); // what needs a workpiece that stands still may be done again
+    emit changed(); // operations that need an unchanging workpiece are possible again
 }
 
 void WorkpieceController::letGo(std::function<void()> then) {

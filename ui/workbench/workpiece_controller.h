@@ -15,59 +15,59 @@
 
 namespace burin {
 
-/// The workpiece that is milled: embeds the part in its stock, cuts again what recordings cut, and keeps the bounds of
-/// the tool in force. Both are made in the background; what stood before stays in force meanwhile.
+/// The workpiece being milled: embeds the part in its stock, replays the cuts of recordings, and keeps the bounds of
+/// the tool in force. Both are computed in the background; the previous ones stay in force meanwhile.
 class WorkpieceController final : public Controller {
     Q_OBJECT
 public:
     using Controller::Controller;
 
-    /// Largest allowance that fields are made for, mm.
+    /// Largest allowance for which fields are made, mm.
     static constexpr double maximumAllowance = 2.0;
 
-    /// What embedding will take. A workpiece that no longer fits stays until the next `embed`.
-    /// @param materials looked through by id before the library
+    /// Sets the input of embedding. A workpiece that no longer matches is kept until the next `embed`.
+    /// @param materials searched by id before the library
     void setWanted(std::shared_ptr<const Model> model, const Setup& setup, const std::vector<Property>& materials,
                    const Tool& tool);
-    /// The machine that it is milled for: its feeds and speeds, and where its travel lies.
+    /// Sets the machine that it is milled for: its feeds and speeds, and the position of its travel.
     void setWanted(const MachineProfile& machine);
-    /// What bounds the tool besides the part.
+    /// Sets the bounds of the tool besides the part.
     void setWanted(const WantedBounds& bounds);
     bool hasModel() const noexcept { return model_ != nullptr; }
     const Box& wantedStock() const noexcept { return setup_.stock; } ///< mm, setup frame
-    bool embedded() const;                                           ///< the workpiece matches the settings
+    bool embedded() const;                                           ///< whether the workpiece matches the settings
     bool embedding() const { return reading_ || desk_.tasks.running(TaskKind::embedding); }
     bool fieldBusy() const { return desk_.tasks.running(TaskKind::field); }
-    bool ready() const; ///< it can be milled: workpiece and bounds are there
-    /// There are none and none are being made: that failed, or was cancelled.
+    bool ready() const; ///< whether it can be milled: workpiece and bounds exist
+    /// Whether there are no bounds and none are being made, because that failed or was cancelled.
     bool lacksBounds() const { return embedded() && !bounds_ && !fieldBusy() && !changing(); }
 
-    /// It is about to change: nothing may begin to read it.
+    /// Whether it is about to change: no new reader may start.
     bool changing() const noexcept { return changes_ > 0; }
 
-    /// Makes the workpiece anew: embeds, then replays the project's recordings.
+    /// Recomputes the workpiece: embeds, then replays the project's recordings.
     void embed();
-    /// Makes what was embedded anew from the recordings, which count otherwise than they did: from what is kept of
-    /// them.
+    /// Recomputes the embedded workpiece after what counts of the recordings has changed, starting from stored states.
     void remake();
     void clear();
 
     bool exporting() const { return desk_.tasks.running(TaskKind::exporting); }
-    /// Writes it as it stands by the suffix (core/exchange/volume_output.h), in the background.
+    /// Writes the present workpiece in the format of the suffix (core/exchange/volume_output.h), in the background.
     void exportTo(const std::filesystem::path& file);
 
-    /// Shared with what reads it in the background. While a session runs the workpiece is the session's.
+    /// Shared with background readers. During a session the workpiece belongs to the session.
     const std::shared_ptr<MillingContext>& milling() const noexcept { return milling_; }
     const std::shared_ptr<const ToolBounds>& bounds() const noexcept { return bounds_; }
-    /// What `bounds` were made of.
+    /// The input from which `bounds` was made.
     const WantedBounds& bound() const noexcept { return bound_; }
-    /// The part's clearance over tips, of `bounds`; null: there are none, or the axis is free.
+    /// The part's clearance over tip positions, from `bounds`; null if there are none or the axis is free.
     std::shared_ptr<const ClearanceField> field() const;
-    /// All of the field is there; where it still grows it says too little away from the tool.
+    /// Whether the field is complete; while it grows, its values away from the tool are too small.
     bool fieldComplete() const { return bounds_ && bounds_->complete(); }
     StrokeHistory& strokes() noexcept { return strokes_; }
 
-    /// Asked before workpiece, tool or field change: whoever mills lets go of them and then calls what it is given.
+    /// Sets a function called before workpiece, tool or field change: it must make milling release them and then call
+    /// its argument.
     void setGuard(std::function<void(std::function<void()>)> guard) { guard_ = std::move(guard); }
 
 signals:
@@ -75,10 +75,10 @@ signals:
     void exported(const QString& file);
     void toolChanged();         ///< the tool in force
     void surroundingsChanged(); ///< the requested obstacles or position of the travel
-    void machineChanged();      ///< the requested one
-    void readersStop();         ///< the workpiece is about to change: work in the background that reads it is abandoned
-    void readersGoOn();         ///< it has changed: what was abandoned can be done again
-    /// The workpiece was made anew with these recordings: how many strokes stand in each.
+    void machineChanged();      ///< the requested machine
+    void readersStop();         ///< the workpiece is about to change: background work that reads it is abandoned
+    void readersGoOn();         ///< it has changed: abandoned work can be started again
+    /// The workpiece was recomputed with these recordings; the map holds the number of strokes in effect of each.
     void replayed(const std::map<std::int64_t, std::size_t>& strokes);
 
 private:
@@ -86,7 +86,7 @@ private:
     bool otherMaterials() const;
     void changeZero();
     bool otherZero() const;
-    /// @param fromKept false: what was kept could not be read
+    /// @param fromKept false: the stored states could not be read
     void readWork(void (WorkpieceController::*then)(const RecordedWork&), bool fromKept = true);
     void embedWith(const RecordedWork& work);
     void remakeWith(const RecordedWork& work);
@@ -95,9 +95,9 @@ private:
     void adoptBounds(const Tool& tool, const WantedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);
     void watchGrowth();
     void switchObstacles();
-    void stopReaders(std::function<void()> then); ///< `then` ends with `goOn`
+    void stopReaders(std::function<void()> then); ///< `then` must end with `goOn`
     void goOn();
-    void letGo(std::function<void()> then); ///< of the workpiece, whoever mills it too
+    void letGo(std::function<void()> then); ///< makes milling release the workpiece
 
     std::shared_ptr<const Model> model_;
     Setup setup_;
@@ -109,9 +109,9 @@ private:
     WantedBounds wanted_, bound_;
     StrokeHistory strokes_;
     std::function<void(std::function<void()>)> guard_;
-    int changes_ = 0;        ///< that are about to come
+    int changes_ = 0;        ///< number of changes about to come
     bool reading_ = false;   ///< the takes are being read
-    quint64 generation_ = 0; ///< counts clear: what was begun before belongs to another project or setup
+    quint64 generation_ = 0; ///< counts `clear`: work started before belongs to another project or setup
 };
 
 } // namespace burin

@@ -35,7 +35,7 @@ void WorkpieceKeeper::forget() {
     rest_.stop();
 }
 
-/// What stands is becoming another.
+/// The workpiece is changing.
 void WorkpieceKeeper::wait() {
     ++generation_;
     desk_.tasks.abandon(TaskKind::keeping);
@@ -43,7 +43,7 @@ void WorkpieceKeeper::wait() {
     if (std::exchange(hash_, std::nullopt)) emit changed();
 }
 
-/// While a session runs the workpiece is not ours to read; its end starts the rest again.
+/// During a session the workpiece must not be read; the end of the session starts the timer again.
 void WorkpieceKeeper::keep() {
     if (session_.running() || !workpiece_.embedded() || workpiece_.embedding()) return;
     const std::vector<TakeInfo>& takes = mill_.allTakes();
@@ -62,8 +62,8 @@ void WorkpieceKeeper::keep() {
         },
         [this, generation = generation_, strokes = std::move(strokes),
          snapshot = workpiece_.milling()->embedded.workpiece.snapshot()](const Result<Wanted>& wanted) {
-            // What changed the project before it was asked is known here by now: it has counted, or makes the workpiece
-            // anew.
+            // Earlier changes of the project have been signalled here by now: they changed the generation, or make the
+            // workpiece be recomputed.
             if (wanted && generation == generation_ && !workpiece_.embedding() && !session_.running())
                 look(*wanted, strokes, snapshot);
         });
@@ -93,7 +93,7 @@ void WorkpieceKeeper::look(const Wanted& wanted, std::map<std::int64_t, std::siz
         });
 }
 
-/// The project knows by the state whether anything was changed meanwhile.
+/// The project compares the state to detect changes made meanwhile.
 void WorkpieceKeeper::store(const RecordedState& state, KeptWorkpiece kept) {
     desk_.project.ask([state, kept = std::move(kept)](Project& project) { return project.keepWorkpiece(kept, state); },
                       [](const Result<void>&) {});

@@ -11,25 +11,26 @@
 
 namespace burin {
 
-/// Keeps the workpiece in the project as its recordings left it, when the hand has come to rest: opening the project
-/// then cuts nothing again. Its hash is found at the same time. In the background; what can't be kept is no fault.
+/// Stores the workpiece in the project as its recordings left it when the hand has been at rest, so that opening the
+/// project need not cut again. Its hash is computed at the same time. In the background; failing to store it is no
+/// error.
 class WorkpieceKeeper final : public Controller {
     Q_OBJECT
 public:
     WorkpieceKeeper(const Desk& desk, WorkpieceController& workpiece, SessionRunner& session, MillController& mill,
                     QObject* parent);
-    /// The project or the setup is another one.
+    /// The project or setup has changed.
     void forget();
-    /// Of the workpiece that stands (core/volume/operations/fingerprint.h); nothing: it is not known yet.
+    /// Hash of the present workpiece (core/volume/operations/fingerprint.h); empty if not known yet.
     const std::optional<std::uint64_t>& hash() const noexcept { return hash_; }
 
 private:
     void wait();
     void keep();
-    /// What the project says of the workpiece that stands.
+    /// The project's information about the present workpiece.
     struct Wanted {
         RecordedState state;
-        bool keeps = false; ///< it is not kept yet, and may be
+        bool keeps = false; ///< not stored yet, and may be stored
     };
     void look(const Wanted& wanted, std::map<std::int64_t, std::size_t> strokes, VolumeSnapshot workpiece);
     void store(const RecordedState& state, KeptWorkpiece kept);
@@ -38,7 +39,7 @@ private:
     SessionRunner& session_;
     MillController& mill_;
     QTimer rest_;
-    quint64 generation_ = 0; ///< counts what makes the workpiece another
+    quint64 generation_ = 0; ///< counts changes of the workpiece
     std::optional<std::uint64_t> hash_;
 };
 

@@ -18,8 +18,8 @@ bool isNumber(std::string_view text) {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// A text BREP ends with the number of its root shape and that of its location: "+1 0"; DRAW writes a flag on a line of
-/// its own behind it. OpenCASCADE waits for ever for what is missing.
+/// A text BREP ends with the numbers of its root shape and of its location: "+1 0"; DRAW writes a flag on a separate
+/// line after it. OpenCASCADE waits forever for missing data.
 bool hasBrepEnd(std::string_view content) {
     std::string_view last = file_text::takeLastLine(content);
     if (isNumber(last)) last = file_text::takeLastLine(content);

@@ -42,7 +42,7 @@ Error damaged(std::string place) {
     return {ErrorCode::fileDamaged, {}, std::move(place), {}};
 }
 
-/// OpenCASCADE's settings are process-wide; every one that matters is stated, whatever its default.
+/// OpenCASCADE's settings are process-wide; every relevant one is set explicitly, whatever its default.
 void stateSettings() {
     STEPCAFControl_Controller::Init();
     IGESControl_Controller::Init();
@@ -51,14 +51,14 @@ void stateSettings() {
     Interface_Static::SetIVal("read.step.product.mode", 1);      // structure from the products
     Interface_Static::SetIVal("read.step.assembly.level", 1);    // all levels
     Interface_Static::SetIVal("read.step.shape.repr", 1);        // all representations
-    Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1); // solids of one part have names of their own
+    Interface_Static::SetIVal("read.stepcaf.subshapes.name", 1); // solids of one part have their own names
     Interface_Static::SetIVal("read.iges.bspline.continuity", 1);
     Interface_Static::SetIVal("read.surfacecurve.mode", 0);
 }
 
 Handle(TDocStd_Document) newDocument() {
     Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
-    XCAFDoc_ShapeTool::SetAutoNaming(Standard_False); // "COMPOUND" is no name that a user gave
+    XCAFDoc_ShapeTool::SetAutoNaming(Standard_False); // an automatic name such as "COMPOUND" was not given by a user
     XCAFDoc_DocumentTool::Set(document->Main(), Standard_False);
     return document;
 }
@@ -70,7 +70,7 @@ Handle(StepRepr_GlobalUnitAssignedContext) unitsOf(const Handle(Standard_Transie
     return without.IsNull() ? Handle(StepRepr_GlobalUnitAssignedContext)() : without->GlobalUnitAssignedContext();
 }
 
-/// Every length unit that a representation of the file is written in, mm.
+/// Returns all length units of the file's representations, mm.
 std::set<double> stepUnits(const Handle(StepData_StepModel) & model) {
     std::set<double> units;
     for (int i = 1; i <= model->NbEntities(); ++i) {

@@ -13,9 +13,9 @@
 
 namespace burin {
 
-/// A shape of a file with what the file says about it; placed in the model's frame, mm.
+/// A shape of a file with its attributes in the file; placed in the model's frame, mm.
 struct NamedShape {
-    TopoDS_Shape shape;                                ///< one solid, or all that is no solid of one part
+    TopoDS_Shape shape;                                ///< one solid, or everything of one part that is not a solid
     std::string name;                                  ///< may be empty
     std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB
 };
@@ -27,16 +27,17 @@ struct CadFile {
     double unitScale = 1.0; ///< mm per unit
     std::vector<NamedShape> shapes;
     std::vector<ImportNote> notes;
-    std::string missingFiles; ///< names of files that hold parts of this one and are not beside it; empty: none
+    std::string missingFiles; ///< names of files that hold parts of this one but are not in its folder; empty: none
 };
 
-/// @param content of the file. Parts that it leaves to other files are read where these lie in its folder. Errors, with
-/// an empty subject: fileDamaged, modelHasNoSolid (detail: files of an assembly that can't be read).
+/// @param content of the file. Parts that are stored in other files are read if these lie in the same folder. Errors,
+/// with an empty subject: fileDamaged, modelHasNoSolid (detail: files of an assembly that can't be read).
 Result<CadFile> readStepFile(const std::string& file, std::string_view content, const ReportFraction& report);
 Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& report);
 Result<CadFile> readBrepFile(const std::string& content, bool binary);
 
-/// Short name of a unit of so many millimetres ("mm", "inch", …); `otherwise` for an unusual one.
+/// Returns the short name of a unit of the given length in millimetres ("mm", "inch", …); `otherwise` for an unusual
+/// one.
 std::string unitName(double millimetres, const std::string& otherwise);
 
 } // namespace burin

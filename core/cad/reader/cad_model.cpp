@@ -47,7 +47,7 @@ Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, bool 
     Body body;
     body.name = bodyName(solid, model.bodies.size() + 1);
     body.colour = solid.colour;
-    body.box = exactBox(solid.solid); // before meshing, so that no triangle has a say
+    body.box = exactBox(solid.solid); // before meshing, so that triangles have no influence
     body.volume = exactVolume(solid.solid);
     body.area = exactArea(solid.solid);
     body.faceCount = countFaces(solid.solid);
@@ -61,7 +61,7 @@ Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, bool 
     body.mesh = std::move(mesh.mesh);
     body.openEdges = mesh.openEdges;
     noteMesh(model, body, mesh);
-    // The file's own gaps between its faces: no mesh can be nearer to both sides.
+    // The gaps between the faces in the file itself: no mesh can be nearer to both sides.
     if (const double gap = BRep_Tool::MaxTolerance(solid.solid, TopAbs_EDGE); gap > chord)
         model.notes.push_back({ImportNote::Kind::warning,
                                fill(import_notes::facesApart, {"\"" + body.name + "\"", formatFixed(gap, 4)})});
@@ -72,7 +72,7 @@ Result<Model> makeModel(CadFile file, const ReadRequest& request, const ReaderRe
     const double chord = request.meshChord;
     Result<std::vector<NamedSolid>> solids = makeSolids(file);
     if (!solids) return std::move(solids).error();
-    // A file at which the mesher crashed isn't given to it more often than it has to be.
+    // A file that crashed the mesher is not meshed more often than necessary.
     if (request.preview && !request.careful)
         if (const std::optional<ModelPreview> preview = previewOf(*solids, chord)) report.preview(*preview);
     Model model;
@@ -102,7 +102,7 @@ Result<Model> makeModel(CadFile file, const ReadRequest& request, const ReaderRe
 
 Result<Model> modelOf(Result<CadFile> file, ModelSource& source) {
     if (!file) return std::move(file).error();
-    source.content = std::string(); // its memory is needed
+    source.content = std::string(); // frees its memory, which is needed
     return makeModel(std::move(*file), source.request, source.report);
 }
 

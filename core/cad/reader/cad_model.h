@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// Heals, meshes and measures the solids of a B-rep file, and shows a preview where one is asked for. Empties the
+/// Heals, meshes and measures the solids of a B-rep file, and sends a preview if the request asks for one. Clears the
 /// source's content first. Errors, with an empty subject: that of `file`; meshIncomplete, modelHasNoSolid.
 Result<Model> modelOf(Result<CadFile> file, ModelSource& source);
 

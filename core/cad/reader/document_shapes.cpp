@@ -23,7 +23,7 @@ namespace {
 
 using Colour = std::optional<std::array<std::uint8_t, 3>>;
 
-/// What a label hands down to the labels below it.
+/// The data that a label passes on to the labels below it.
 struct Inherited {
     TopLoc_Location place;
     std::string name;
@@ -49,14 +49,14 @@ std::string nameOf(const TDF_Label& label) {
     return text;
 }
 
-/// With the placement in the geometry: whoever meshes or measures meets one frame only.
+/// Applies the placement to the geometry, so that meshing and measuring use only one frame.
 TopoDS_Shape placed(const TopoDS_Shape& shape) {
     if (shape.Location().IsIdentity()) return shape;
     const gp_Trsf move = shape.Location().Transformation();
     return BRepBuilderAPI_Transform(shape.Located(TopLoc_Location()), move, Standard_True).Shape();
 }
 
-/// Faces and edges outside of every solid, in one compound; null when there are none.
+/// Returns the faces and edges outside of every solid in one compound; null if there are none.
 TopoDS_Shape outsideSolids(const TopoDS_Shape& shape) {
     TopoDS_Compound compound;
     BRep_Builder builder;
@@ -92,7 +92,7 @@ private:
         return std::nullopt;
     }
 
-    /// The colour that most faces of a solid have.
+    /// Returns the most frequent colour of a solid's faces.
     Colour colourOfFaces(const TDF_Label& part, const TopoDS_Shape& solid) const {
         std::map<std::array<std::uint8_t, 3>, int> counts;
         for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
@@ -115,7 +115,7 @@ private:
             Inherited below = from;
             below.place = from.place * XCAFDoc_ShapeTool::GetLocation(component);
             below.name = nameOf(part).empty() ? nameOf(component) : nameOf(part);
-            // The outermost placement that is coloured wins over what lies below it, as STEP's overriding styles do.
+            // The colour of the outermost coloured placement overrides those below it, like STEP's overriding styles.
             if (const Colour colour = colourOf(component); colour && !from.colour) below.colour = colour;
             visit(part, below);
         }

@@ -8,10 +8,11 @@
 
 namespace burin {
 
-/// The shapes of an OpenCASCADE document: assemblies resolved, placements applied, with names and colours.
+/// Returns the shapes of an OpenCASCADE document with names and colours: assemblies resolved, placements applied.
 std::vector<NamedShape> documentShapes(const Handle(TDocStd_Document) & document);
 
-/// One entry for each solid of a shape and one for what belongs to none; the placement is worked into the geometry.
+/// Returns one entry for each solid of a shape and one for everything that belongs to no solid; the placement is
+/// applied to the geometry.
 std::vector<NamedShape> explodedShapes(const TopoDS_Shape& shape, const std::string& name,
                                        const std::optional<std::array<std::uint8_t, 3>>& colour);
 

@@ -21,13 +21,13 @@ constexpr double largestTurn = 0.1; // rad between neighbouring points' tangents
 constexpr int fewestPoints = 2;
 constexpr double nothing = 1e-9; // mm
 
-/// A face that closes upon itself has its seam on both sides.
+/// A closed face has its seam on both sides.
 bool isSeam(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {
     return faces.Extent() < 2 || (faces.Extent() == 2 && faces.First().IsSame(faces.Last()) &&
                                   BRep_Tool::IsClosed(edge, TopoDS::Face(faces.First())));
 }
 
-/// Unit tangent; where the curve stands still there (a pole of its parameters) nothing.
+/// Returns the unit tangent; empty if the derivative vanishes there (a pole of its parameters).
 std::optional<glm::dvec3> tangentAt(const BRepAdaptor_Curve& curve, double parameter) {
     gp_Pnt place;
     gp_Vec speed;

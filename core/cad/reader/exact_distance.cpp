@@ -34,10 +34,10 @@ double distanceTo(const Box& box, const glm::dvec3& point) {
     return glm::length(glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0.0)));
 }
 
-/// Side of a surface that a point lies on; nothing when the surface does not tell.
+/// The side of a surface on which a point lies; empty if the surface does not determine it.
 using Side = std::optional<double>;
 
-/// Nearest place found so far.
+/// The nearest point found so far.
 struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
     Side side; ///< -1 inside, +1 outside
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    /// At a face's border the neighbour has a say: only inside of it the normal is trusted.
+    /// At a face's border the neighbour also matters: the normal is trusted only inside the face.
     Side side(const glm::dvec3& point, double u, double v, TopAbs_State state) const {
         gp_Pnt foot;
         gp_Vec normal;
@@ -95,7 +95,7 @@ public:
     EdgePart& operator=(const EdgePart&) = delete;
 
     void search(const glm::dvec3& point, Nearest& nearest) {
-        // A seam is both an edge and inside its face: the face keeps its say about the side.
+        // A seam is both an edge and inside its face: then the side found by the face is kept.
         constexpr double same = 1e-7;
         extrema_.Perform(toPoint(point));
         if (!extrema_.IsDone()) return;
@@ -161,7 +161,7 @@ private:
         }
     }
     void addBox(const TopoDS_Shape& part) {
-        // The optimal box is found by numbers: this much it may be too small.
+        // The optimal box is computed numerically and may be too small by this margin.
         constexpr double margin = 1e-3;
         boxes_.push_back(exactBox(part).grown(margin));
     }

@@ -12,9 +12,9 @@
 
 namespace burin {
 
-/// Exact signed distance from points to the surface of solids. Prepares each face and edge once; a query looks only at
-/// those whose boxes are nearer than the best found. Same answers as OpenCASCADE's BRepExtrema_DistShapeShape, which
-/// prepares everything anew for each point.
+/// Exact signed distance from points to the surface of solids. Each face and edge is prepared once; a query evaluates
+/// only those whose boxes are nearer than the nearest point found so far. Gives the same results as OpenCASCADE's
+/// BRepExtrema_DistShapeShape, which repeats all preparation for each point.
 class ExactDistance {
 public:
     explicit ExactDistance(const TopoDS_Shape& solids);
@@ -22,7 +22,7 @@ public:
     ExactDistance(const ExactDistance&) = delete;
     ExactDistance& operator=(const ExactDistance&) = delete;
 
-    /// mm; negative inside.
+    /// Returns the distance in mm; negative inside.
     double signedDistance(const glm::dvec3& point);
 
 private:

@@ -53,7 +53,7 @@ private:
     }
 
     fs::path folder_;
-    std::vector<std::string> above_; // names from the first file to the one at hand
+    std::vector<std::string> above_; // names from the first file to the current one
     std::set<std::string> seen_;
     ExternalFiles found_;
 };

@@ -10,18 +10,18 @@
 
 namespace burin {
 
-/// The other files that a STEP file leaves its parts to, by their names in it, as valid UTF-8.
+/// The external files that a STEP file refers to for its parts, by their names in it, as valid UTF-8.
 struct ExternalFiles {
-    std::set<std::string> missing; ///< not beside the file
-    std::set<std::string> outside; ///< with a folder in their names: nothing out of the file's own folder is read
-    bool circular = false;         ///< a file refers to itself, perhaps through others
+    std::set<std::string> missing; ///< not in the folder of the file
+    std::set<std::string> outside; ///< names that contain a folder: nothing outside the file's own folder is read
+    bool circular = false;         ///< a file refers to itself, directly or through others
 };
 
-/// Looks through a file that was read but not yet transferred, and through what it refers to in turn.
-/// OpenCASCADE's transfer reads whatever a file names, wherever it is, and follows a circle without end.
+/// Checks a file that was read but not yet transferred, and all files that it refers to, recursively. OpenCASCADE's
+/// transfer reads whatever files are named, wherever they are, and follows a circular reference endlessly.
 ExternalFiles externalFilesOf(const STEPControl_Reader& reader, const std::filesystem::path& file);
 
-/// "a.stp, b.stp"
+/// Returns the names separated by commas: "a.stp, b.stp"
 std::string joined(const std::set<std::string>& names);
 
 } // namespace burin

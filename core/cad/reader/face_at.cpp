@@ -20,7 +20,7 @@ Result<PartFace> faceAt(const TopoDS_Shape& shape, const glm::dvec3& place) {
     found.place = toVector(nearest.foot.XYZ());
     found.direction = normalAt(nearest);
     found.corner = toVector(cornerAt(nearest, toPoint(place)).XYZ());
-    constexpr double flat = 1e-4; // mm: many files have planes as splines
+    constexpr double flat = 1e-4; // mm: many files store planes as splines
     const BRepAdaptor_Surface surface(nearest.face);
     if (surface.GetType() == GeomAbs_Cylinder || surface.GetType() == GeomAbs_Cone) {
         found.kind = PartFace::Kind::round;

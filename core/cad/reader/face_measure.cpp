@@ -28,8 +28,8 @@ namespace {
 
 using Kind = MeasuredFace::Kind;
 
-constexpr double flat = 1e-4;       // mm: many files have planes as splines
-constexpr double behindFace = 1e-6; // mm, in which a ray does not look for the other side
+constexpr double flat = 1e-4;       // mm: many files store planes as splines
+constexpr double behindFace = 1e-6; // mm, the part of a ray that is ignored when looking for the opposite side
 
 void describe(MeasuredFace& face, Kind kind, const gp_Ax1& axis, double radius) {
     face.kind = kind;
@@ -61,7 +61,7 @@ void describeShape(MeasuredFace& face, const NearestFace& nearest) {
     }
 }
 
-/// Straight in from the foot to the next surface.
+/// Returns the distance from the foot straight in to the next surface.
 std::optional<double> thicknessAt(const TopoDS_Shape& shape, const MeasuredFace& face) {
     if (face.normal == glm::dvec3(0.0)) return std::nullopt;
     IntCurvesFace_ShapeIntersector intersector;
@@ -103,7 +103,7 @@ Result<PartMeasure> faceMeasure(const TopoDS_Shape& shape, std::span<const glm::
     if (nearest.size() < 2) return measure;
     measure.to = measured(shape, nearest[1], toPoint(places[1]));
     measure.pair = pairOf(measure.from, *measure.to);
-    if (nearest[0].face.IsSame(nearest[1].face)) return measure; // it is 0, and says nothing
+    if (nearest[0].face.IsSame(nearest[1].face)) return measure; // it is 0, which carries no information
     const BRepExtrema_DistShapeShape between(nearest[0].face, nearest[1].face);
     if (!between.IsDone() || between.NbSolution() == 0)
         return Error{ErrorCode::fileDamaged, {}, {}, "no face that can be measured"};

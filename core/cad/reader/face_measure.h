@@ -11,7 +11,7 @@ class TopoDS_Shape;
 
 namespace burin {
 
-/// Measures the faces that are nearest to one or two places, mm, of the shape's frame. Errors: fileDamaged.
+/// Measures the faces that are nearest to one or two points, mm, in the shape's frame. Errors: fileDamaged.
 Result<PartMeasure> faceMeasure(const TopoDS_Shape& shape, std::span<const glm::dvec3> places);
 
 } // namespace burin

@@ -17,18 +17,18 @@ namespace {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr int mostPasses = 8;
 constexpr std::size_t mostTriangles = 4'000'000; // of one face
-/// Only middles and centres are looked at; between them the mesh may be off by a little more.
+/// Only midpoints and centres are checked; between them the deviation may be slightly larger.
 constexpr double strictness = 0.8;
 
 std::uint64_t edgeKey(std::uint64_t a, std::uint64_t b) {
     return a < b ? (a << 32) | b : (b << 32) | a;
 }
 
-/// The surface's point next to a place in space.
+/// The point of the surface nearest to a point in space.
 struct Foot {
     glm::dvec3 point{0.0};
     glm::dvec2 parameters{0.0};
-    double distance = 0.0; // from the place, mm
+    double distance = 0.0; // from the given point, mm
 };
 
 class Refinement {
@@ -36,7 +36,7 @@ public:
     Refinement(const BRepAdaptor_Surface& surface, double limit, FaceMesh& face, std::vector<glm::dvec3>& points)
         : surface_(surface), limit_(limit), face_(face), points_(points) {}
 
-    /// Splits once where it is needed; false when it is needed nowhere.
+    /// Splits triangles once where needed; returns false if no split is needed.
     bool pass() {
         countEdges();
         middles_.clear();
@@ -60,7 +60,7 @@ private:
             for (std::size_t i = 0; i < 3; ++i) ++uses_[edgeKey(triangle[i], triangle[(i + 1) % 3])];
     }
 
-    /// Newton's way to the foot of the perpendicular, from parameters nearby.
+    /// Newton iteration to the foot of the perpendicular, from nearby parameters.
     Foot footOf(const glm::dvec3& from, glm::dvec2 parameters) const {
         Foot best;
         best.distance = std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ private:
             if (!(distance < best.distance)) break;
             best = {point, parameters, distance};
             const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v), determinant = uu * vv - uv * uv;
-            if (!(determinant > 1e-12 * uu * vv)) break; // at a pole the parameters say nothing
+            if (!(determinant > 1e-12 * uu * vv)) break; // at a pole the parameters are undefined
             const double alongU = glm::dot(u, from - point), alongV = glm::dot(v, from - point);
             parameters += glm::dvec2(vv * alongU - uv * alongV, uu * alongV - uv * alongU) / determinant;
         }
@@ -104,7 +104,7 @@ private:
         return middle == middles_.end() ? none : middle->second;
     }
 
-    /// A triangle that bulges between good edges has its longest inner edge split.
+    /// Marks the longest inner edge of a triangle for splitting, if it bulges between good edges.
     void markCentre(const std::array<std::uint32_t, 3>& t) {
         std::uint64_t longest = 0;
         double length = 0.0;
@@ -129,7 +129,7 @@ private:
         std::size_t count = 0, first = 0;
         for (std::size_t i = 0; i < 3; ++i)
             if (m[i] != none) ++count;
-        // Turned so that one split lies on edge 0, and two on edges 0 and 1.
+        // Rotated so that a single split lies on edge 0, and two splits on edges 0 and 1.
         while (count > 0 && count < 3 && !(m[first] != none && (count == 1 || m[(first + 1) % 3] != none))) ++first;
         const std::uint32_t a = t[first], b = t[(first + 1) % 3], c = t[(first + 2) % 3];
         const std::uint32_t ab = m[first], bc = m[(first + 1) % 3], ca = m[(first + 2) % 3];

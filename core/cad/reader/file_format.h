@@ -10,25 +10,26 @@
 
 namespace burin {
 
-/// A file that is read, with what was asked for. Borrows all of it.
+/// A file being read, with its request. Holds references only.
 struct ModelSource {
     const ReadRequest& request;
     const ReaderReports& report;
-    std::string& content; ///< of the whole file; a reader may empty it once it needs it no more
+    std::string& content; ///< of the whole file; a reader may clear it once it is no longer needed
 };
 
-/// A row of ImportFormats as this program uses it.
+/// A row of ImportFormats as used by the import program.
 struct ReaderFormat {
     std::string_view name;
     FormatMatch (*match)(std::string_view content);
     Result<Model> (*read)(ModelSource& source);
 };
 
-/// What a file's content is, whatever its name. Errors, with an empty subject: fileEmpty; fileFormatUnknown;
-/// fileDamaged, where the format is plain but the file is not complete.
+/// Returns the format of a file's content, regardless of its name. Errors, with an empty subject: fileEmpty;
+/// fileFormatUnknown; fileDamaged, if the format is recognised but the file is not complete.
 Result<ReaderFormat> detectFormat(std::string_view content);
 
-/// "STEP AP203", "STEP AP214", "STEP AP242", or "STEP" for another application protocol: from the file's header.
+/// Returns "STEP AP203", "STEP AP214", "STEP AP242", or "STEP" for another application protocol, from the file's
+/// header.
 std::string stepProtocol(std::string_view content);
 
 } // namespace burin

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <string_view>
 
-/// How the text of a model file begins and ends.
+/// Helpers for the beginning and the end of the text of a model file.
 namespace burin::file_text {
 
 constexpr std::string_view endIsMissing = "the end of the file is missing";
@@ -26,7 +26,8 @@ inline std::string_view withoutLeadingSpace(std::string_view text) {
     return text;
 }
 
-/// Without blanks and comments as ISO 10303-21 has them: these may stand wherever blanks may.
+/// Returns the text without leading blanks and comments as defined in ISO 10303-21: comments may stand wherever blanks
+/// may.
 inline std::string_view withoutLead(std::string_view text) {
     text = withoutLeadingSpace(text);
     while (text.starts_with("/*")) {
@@ -37,8 +38,8 @@ inline std::string_view withoutLead(std::string_view text) {
     return text;
 }
 
-/// Taken off the content, with what programs leave behind the end: blank lines, the Ctrl-Z of CP/M, the zeros of a
-/// record that was filled up.
+/// Removes and returns the last line of the content. Also removes what programs leave after the end: blank lines, the
+/// Ctrl-Z of CP/M, the zeros of a padded record.
 inline std::string_view takeLastLine(std::string_view& content) {
     const auto isPadding = [](char c) { return isSpace(c) || c == '\x1A' || c == '\0'; };
     while (!content.empty() && isPadding(content.back())) content.remove_suffix(1);

@@ -16,7 +16,7 @@ std::string_view firstLine(std::string_view text) {
     return text.substr(0, text.find_first_of("\r\n"));
 }
 
-/// IGES 5.3, section 2.2.1: records of 80 columns, a section letter in column 73, a sequence number behind it.
+/// IGES 5.3, section 2.2.1: records of 80 columns, a section letter in column 73, followed by a sequence number.
 bool isIgesStart(std::string_view line) {
     if (line.size() < igesRecord || line[72] != 'S') return false;
     const std::string_view number = line.substr(73, 7);
@@ -24,7 +24,7 @@ bool isIgesStart(std::string_view line) {
            number.back() == '1';
 }
 
-/// Some programs write a line or two of their own before the first record.
+/// Some programs write a few lines of their own before the first record.
 bool isIges(std::string_view content) {
     constexpr int mostComments = 5;
     for (int i = 0; i <= mostComments && !content.empty(); ++i) {

@@ -27,10 +27,10 @@ constexpr double integralTolerance = 1e-6; // relative
 
 struct BoundedFace {
     TopoDS_Face face;
-    Bnd_Box quick; // encloses the face, with room to spare; void where that isn't certain
+    Bnd_Box quick; // encloses the face with some margin; void if that isn't certain
 };
 
-/// OpenCASCADE encloses what it knows by formula or by poles for certain, and anything else by samples.
+/// OpenCASCADE's box certainly encloses surfaces defined by formulas or poles; others are only sampled.
 bool isEnclosed(GeomAbs_SurfaceType type) {
     switch (type) {
     case GeomAbs_Plane:
@@ -46,8 +46,8 @@ bool isEnclosed(GeomAbs_SurfaceType type) {
     }
 }
 
-/// Encloses a curve turned all the way round, as most IGES files write a cylinder: a cylinder about the axis that holds
-/// the curve's own box. Void for a curve that OpenCASCADE only samples.
+/// Returns a box of a curve rotated by a full turn, as most IGES files store a cylinder: that of a cylinder about the
+/// axis that contains the curve's own box. Void for a curve that OpenCASCADE only samples.
 Bnd_Box boxOfRevolution(const TopoDS_Face& face, const BRepAdaptor_Surface& surface) {
     const Handle(Adaptor3d_Curve) curve = surface.BasisCurve();
     if (curve->GetType() == GeomAbs_OtherCurve || curve->GetType() == GeomAbs_OffsetCurve) return {};
@@ -72,7 +72,7 @@ Bnd_Box boxOfRevolution(const TopoDS_Face& face, const BRepAdaptor_Surface& surf
     return box;
 }
 
-/// The largest first.
+/// Returns the faces with their boxes, the largest first.
 std::vector<BoundedFace> boundedFaces(const TopoDS_Shape& shape) {
     std::vector<BoundedFace> faces;
     for (TopExp_Explorer parts(shape, TopAbs_FACE); parts.More(); parts.Next()) {

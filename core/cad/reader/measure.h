@@ -8,15 +8,15 @@
 
 namespace burin {
 
-/// Volume of a solid, mm³, by adaptive integration to 1e-6 relative: OpenCASCADE's default may be 3 % off.
+/// Returns the volume of a solid, mm³, by adaptive integration to 1e-6 relative: OpenCASCADE's default may be 3 % off.
 double exactVolume(const TopoDS_Shape& solid);
 
-/// Area of a shape's faces, mm², to 1e-6 relative.
+/// Returns the area of a shape's faces, mm², to 1e-6 relative.
 double exactArea(const TopoDS_Shape& shape);
 
 std::size_t countFaces(const TopoDS_Shape& shape);
 
-/// Tight box of the geometry itself, mm: no tolerances, no control points, no triangulation.
+/// Returns the tight box of the geometry itself, mm, without tolerances, control points or triangulation.
 Box exactBox(const TopoDS_Shape& shape);
 
 } // namespace burin

@@ -16,7 +16,7 @@
 #include <optional>
 #include <utility>
 
-// Formats of triangles that assimp reads: OBJ, PLY, OFF state no unit, 3MF and AMF do.
+// Triangle formats that assimp reads: OBJ, PLY and OFF state no unit, 3MF and AMF do.
 namespace burin {
 
 namespace {
@@ -28,7 +28,7 @@ Result<void> parse(std::string_view text, pugi::xml_document& xml) {
     return Error{ErrorCode::fileDamaged, {}, "byte " + std::to_string(parsed.offset), parsed.description()};
 }
 
-/// assimp calls an object of a 3MF by its number alone: "Object_7".
+/// assimp names an object of a 3MF file only by its number: "Object_7".
 void nameObjects(const pugi::xml_node& model, std::vector<MeshSolid>& solids) {
     for (const pugi::xml_node& object : model.child("resources").children("object")) {
         const std::string name = object.attribute("name").value();
@@ -42,13 +42,13 @@ struct Unit {
     std::string_view name, shown;
     double millimetres;
 };
-/// Of the 3MF core specification 1.3, 3.4, and of ISO/ASTM 52915 (AMF), 5.1.
+/// From the 3MF core specification 1.3, 3.4, and ISO/ASTM 52915 (AMF), 5.1.
 constexpr std::array units{Unit{"micron", "micron", 1e-3}, Unit{"micrometer", "micron", 1e-3},
                            Unit{"millimeter", "mm", 1.0},  Unit{"centimeter", "cm", 10.0},
                            Unit{"inch", "inch", 25.4},     Unit{"foot", "foot", 304.8},
                            Unit{"feet", "foot", 304.8},    Unit{"meter", "m", 1000.0}};
 
-/// A unit that the file states, or the one that the format means where it states none.
+/// Sets the unit that the file states, or the default of the format if it states none.
 Result<void> takeUnit(Model& model, const std::string& name) {
     for (const Unit& unit : units) {
         if (unit.name != (name.empty() ? "millimeter" : name)) continue;
@@ -139,7 +139,7 @@ FormatMatch matchFormat(OffFormat, std::string_view content) {
     return {};
 }
 
-/// A file that ends in the middle of its faces would be read as far as it goes.
+/// A file that ends in the middle of its faces would otherwise be read up to that point.
 std::string missingOfOff(std::string_view content) {
     TextLines lines(content);
     const auto nextLine = [&]() -> std::string_view {
@@ -164,7 +164,7 @@ Result<Model> readFormat(OffFormat, ModelSource& source) {
     return unitless(source, "OFF", "off");
 }
 
-/// Lines of an OBJ begin with words that no other text of a model has; one place and one face there are at least.
+/// Lines of an OBJ file begin with words that no other text of a model has; it has at least one vertex and one face.
 FormatMatch matchFormat(ObjFormat, std::string_view content) {
     if (content.substr(0, headSize).find('\0') != std::string_view::npos) return {};
     constexpr std::array<std::string_view, 18> known{"v",      "vn",  "vt",   "vp",   "f",      "l",

@@ -15,10 +15,10 @@ using import_notes::fill;
 
 namespace {
 
-/// With more of its edges open than this part, a mesh is a heap of triangles and no surface of a solid.
+/// If more than this share of its edges are open, a mesh is a loose set of triangles and not the surface of a solid.
 constexpr double mostOpen = 1.0 / 3.0;
-/// Of the area to the power of 1.5: a plate with less volume has none but for rounding. A foil of 1 m and 1 µm has 400
-/// times as much.
+/// Relative to the area to the power of 1.5: a smaller volume of a plate is only rounding error. A foil of 1 m and 1 µm
+/// has 400 times as much.
 constexpr double flat = 1e-9;
 
 std::string title(const Body& body) {

@@ -22,12 +22,12 @@ struct MeshSolid {
 
 void addNote(Model& model, ImportNote::Kind kind, std::string text);
 
-/// Makes the bodies of a model whose format and unit stand already: measured in mm, pieces told apart, triangles turned
-/// where they disagree, all of it noted. Errors, with an empty subject: modelHasNoSolid (no triangles, or so many open
-/// edges that they enclose nothing).
+/// Makes the bodies of a model whose format and unit are already set: measures them in mm, separates unconnected pieces
+/// and turns triangles with inconsistent orientation, with a note for each. Errors, with an empty subject:
+/// modelHasNoSolid (no triangles, or so many open edges that they enclose nothing).
 Result<Model> withBodies(Model model, std::vector<MeshSolid> solids);
 
-/// Takes a unit that the file does not state, with a note that says so. @param millimetres per unit
+/// Sets the unit of a file that states none, and adds a note about it. @param millimetres per unit
 void takeUnit(Model& model, double millimetres);
 
 } // namespace burin

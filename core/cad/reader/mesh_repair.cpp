@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// The triangles at one undirected edge: two of them, and how many there are.
+/// Two of the triangles at one undirected edge, and the number of all.
 struct EdgeUse {
     std::uint32_t first = none, second = none, count = 0;
 };
@@ -37,7 +37,7 @@ EdgeUses collectEdges(const TriangleMesh& mesh) {
     return uses;
 }
 
-/// Neighbour of a triangle over each of its edges; none where the edge is not of exactly two triangles.
+/// Neighbour of a triangle across each of its edges; none if the edge is not shared by exactly two triangles.
 std::vector<std::array<std::uint32_t, 3>> neighbours(const TriangleMesh& mesh, const EdgeUses& uses) {
     std::vector<std::array<std::uint32_t, 3>> result(mesh.triangles.size(), {none, none, none});
     for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
@@ -50,8 +50,8 @@ std::vector<std::array<std::uint32_t, 3>> neighbours(const TriangleMesh& mesh, c
     return result;
 }
 
-/// Calls `visit(from, corner, to)` for every step from a triangle over its edge to one that was not reached before,
-/// and `start(triangle)` for the first of each piece.
+/// Calls `visit(from, corner, to)` for every step from a triangle across an edge to one that was not reached before,
+/// and `start(triangle)` for the first triangle of each piece.
 template <class Start, class Visit>
 void walkPieces(const std::vector<std::array<std::uint32_t, 3>>& across, Start start, Visit visit) {
     std::vector<bool> reached(across.size(), false);
@@ -124,7 +124,7 @@ std::size_t orientConsistently(TriangleMesh& mesh) {
             turned[to] = turned[from] != same;
             pieces.back().push_back(to);
         });
-    // The larger part of a piece was right, most likely: turn the smaller one.
+    // The larger part of a piece is most likely correct, so the smaller one is turned.
     for (const std::vector<std::uint32_t>& piece : pieces) {
         const auto count = std::count_if(piece.begin(), piece.end(), [&](std::uint32_t t) { return turned[t]; });
         if (2 * static_cast<std::size_t>(count) > piece.size())

@@ -14,9 +14,9 @@ namespace burin {
 namespace {
 
 constexpr double farthest = 1e6;                     // mm
-constexpr double smallest = 1.0, largest = 10'000.0; // mm, of parts that are milled
+constexpr double smallest = 1.0, largest = 10'000.0; // mm, of usual milled parts
 
-/// Four digits.
+/// Formats a length with four digits.
 std::string numberText(double length) {
     std::array<char, 32> text{};
     const std::to_chars_result end =
@@ -40,7 +40,7 @@ Result<void> judgeSize(Model& model) {
     if (whole.empty()) return {};
     const double reach = largestOf(glm::max(glm::abs(whole.low), glm::abs(whole.high)));
     if (!(reach <= farthest)) {
-        // So little beyond that four digits don't tell.
+        // The excess is too small to show with four digits.
         const bool alike = numberText(reach) == numberText(farthest);
         const auto text = [&](double length) { return alike ? formatFixed(length, 3) + " mm" : lengthText(length); };
         return Error{ErrorCode::modelTooLarge, {}, text(reach), text(farthest)};

@@ -7,9 +7,9 @@
 
 namespace burin {
 
-/// Whether a part is as large as parts are. Adds a warning where it is smaller than 1 mm or larger than 10 m in all:
-/// its unit is doubtful then. Error, with an empty subject: modelTooLarge (farther than 1 km from its origin, where
-/// figures lose their meaning).
+/// Checks whether a part has a plausible size. Adds a warning if it is smaller than 1 mm or larger than 10 m overall,
+/// as its unit is doubtful then. Error, with an empty subject: modelTooLarge (farther than 1 km from its origin, where
+/// numbers lose their precision).
 Result<void> judgeSize(Model& model);
 
 } // namespace burin

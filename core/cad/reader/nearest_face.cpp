@@ -23,11 +23,11 @@ namespace burin {
 
 namespace {
 
-/// Keeps what is nearest to a place.
+/// Keeps the corner that is nearest to a point.
 class NearestCorner {
 public:
     explicit NearestCorner(const gp_Pnt& place) : place_(place) {}
-    /// @param distance from the place to what stands for the corner
+    /// @param distance from the point to the feature that represents the corner
     void offer(const gp_Pnt& corner, double distance) {
         if (distance >= distance_) return;
         distance_ = distance;
@@ -42,7 +42,8 @@ private:
     double distance_ = std::numeric_limits<double>::infinity();
 };
 
-/// The centre of a circle, by its rim: nobody points at the middle of a bore, where there is no face.
+/// Offers the centre of a circle with the distance to its rim: users can't point at the middle of a bore, where there
+/// is no face.
 void offerCentre(const TopoDS_Edge& edge, const BRepAdaptor_Curve& curve, const gp_Pnt& place, NearestCorner& nearest) {
     const BRepExtrema_DistShapeShape rim(BRepBuilderAPI_MakeVertex(place), edge);
     if (rim.IsDone() && rim.NbSolution() > 0) nearest.offer(curve.Circle().Location(), rim.Value());
@@ -81,14 +82,14 @@ gp_Pnt cornerAt(const NearestFace& face, const gp_Pnt& place) {
     NearestCorner nearest(place);
     for (TopExp_Explorer each(face.face, TopAbs_EDGE); each.More(); each.Next()) {
         const TopoDS_Edge edge = TopoDS::Edge(each.Current());
-        // Nor does where a face that closes upon itself has its seam.
+        // Degenerate edges and seams of closed faces are not corners either.
         if (BRep_Tool::Degenerated(edge) || BRep_Tool::IsClosed(edge, face.face)) continue;
         const BRepAdaptor_Curve curve(edge);
         const bool circular = curve.GetType() == GeomAbs_Circle;
         if (circular) offerCentre(edge, curve, place, nearest);
         const double first = curve.FirstParameter(), last = curve.LastParameter();
         const bool whole = curve.Value(first).Distance(curve.Value(last)) < Precision::Confusion();
-        if (circular && whole) continue; // where its seam lies says nothing to anybody
+        if (circular && whole) continue; // the position of its seam is arbitrary
         nearest.offer(curve.Value(first));
         nearest.offer(curve.Value(last));
         const double half = 0.5 * GCPnts_AbscissaPoint::Length(curve);

@@ -12,7 +12,7 @@
 
 namespace burin {
 
-/// The face of a shape that is nearest to a place; a null face: none can be measured.
+/// The face of a shape that is nearest to a point; the face is null if none can be measured.
 struct NearestFace {
     TopoDS_Face face;
     gp_Pnt foot; ///< mm, on the face
@@ -20,11 +20,11 @@ struct NearestFace {
 };
 NearestFace nearestFace(const TopoDS_Shape& shape, const gp_Pnt& place);
 
-/// Unit, outward, at the foot of the place; zero where the surface has none there.
+/// Returns the outward unit normal at the foot point; zero if the surface has none there.
 glm::dvec3 normalAt(const NearestFace& nearest);
 
-/// What is nearest to a place: a vertex of the face, the middle of one of its edges, or the centre of a circular one,
-/// which counts by its rim.
+/// Returns the nearest of the face's vertices, midpoints of its edges and centres of its circular edges. For a circle
+/// the distance to its rim counts.
 gp_Pnt cornerAt(const NearestFace& face, const gp_Pnt& place);
 
 } // namespace burin

@@ -21,7 +21,7 @@ namespace {
 
 struct Property {
     std::size_t size = 0;      ///< bytes of one value
-    std::size_t countSize = 0; ///< bytes of a list's length; 0: no list
+    std::size_t countSize = 0; ///< bytes of a list's length; 0: not a list
 };
 
 struct Element {
@@ -35,7 +35,7 @@ enum class Order { text, little, big };
 struct Head {
     Order order = Order::text;
     std::vector<Element> elements;
-    std::string_view body; ///< behind it
+    std::string_view body; ///< the content after the header
 };
 
 std::size_t sizeOf(std::string_view type) {
@@ -51,7 +51,7 @@ std::size_t sizeOf(std::string_view type) {
     return found == types.end() ? 0 : found->size;
 }
 
-/// Nothing: it is none.
+/// Empty if it is not a property.
 std::optional<Property> propertyOf(std::string_view rest) {
     const auto [type, behind] = firstWord(rest);
     if (type != "list") return sizeOf(type) > 0 ? std::optional(Property{sizeOf(type), 0}) : std::nullopt;
@@ -100,7 +100,7 @@ std::uint64_t lengthAt(std::string_view body, std::size_t at, std::size_t size, 
     return length;
 }
 
-/// Steps over one row of an element. False: the content ends in it.
+/// Skips one row of an element. Returns false if the content ends within it.
 bool step(const Element& element, const Head& head, std::size_t& at) {
     for (const Property& property : element.properties) {
         std::uint64_t values = 1;

@@ -7,8 +7,8 @@
 
 namespace burin {
 
-/// What a PLY file lacks of what its head states ("12 of 2000 faces"): a head that ends, lines or bytes of all
-/// elements. Empty: it is complete. (assimp reads beyond the end of a binary one that is cut off.)
+/// Returns what a PLY file lacks of what its header states ("12 of 2000 faces"): the end of the header, or lines or
+/// bytes of elements. Empty if the file is complete. (assimp reads beyond the end of a truncated binary file.)
 std::string missingOfPly(std::string_view content);
 
 } // namespace burin

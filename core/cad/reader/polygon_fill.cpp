@@ -12,7 +12,7 @@ namespace {
 
 using Loop = std::vector<PolygonCorner>;
 
-/// Twice the area of a triangle; positive when it turns counter-clockwise.
+/// Returns twice the area of a triangle; positive if it is counter-clockwise.
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -39,13 +39,13 @@ bool isFree(const Loop& loop, const glm::dvec2& from, const glm::dvec2& to) {
     return true;
 }
 
-/// Joins a hole to the loop by a cut that runs there and back, between the nearest corners that see each other.
+/// Joins a hole to the loop by a cut and its reverse, between the nearest corners that are visible from each other.
 void joinHole(Loop& loop, const Loop& hole) {
     struct Bridge {
         double length = 0.0;
         std::size_t outer = 0, inner = 0;
     };
-    // The hole's rightmost corner always sees something of the loop; when rounding denies it, the nearest one serves.
+    // The hole's rightmost corner always sees a corner of the loop; if rounding prevents it, the nearest one is used.
     std::vector<Bridge> bridges;
     const auto rightmost = std::max_element(
         hole.begin(), hole.end(), [](const PolygonCorner& a, const PolygonCorner& b) { return a.place.x < b.place.x; });
@@ -64,8 +64,8 @@ void joinHole(Loop& loop, const Loop& hole) {
     loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(bridge.outer) + 1, insert.begin(), insert.end());
 }
 
-/// @param tolerance mm by which other corners may reach into the ear, or the ear be turned over: where loops cross a
-/// little, exactly so much has to be forgiven.
+/// @param tolerance mm by which other corners may reach into the ear, or the ear may be inverted: where loops cross
+/// slightly, this amount must be tolerated.
 bool isEar(const Loop& loop, std::size_t i, double tolerance) {
     const std::size_t n = loop.size();
     const PolygonCorner &a = loop[(i + n - 1) % n], &b = loop[i], &c = loop[(i + 1) % n];
@@ -77,7 +77,7 @@ bool isEar(const Loop& loop, std::size_t i, double tolerance) {
     });
 }
 
-/// How well-shaped the triangle at a corner is: area over the square of its longest side.
+/// Returns the quality of the triangle at a corner: area over the square of its longest side.
 double shape(const Loop& loop, std::size_t i) {
     const std::size_t n = loop.size();
     const glm::dvec2 &a = loop[(i + n - 1) % n].place, &b = loop[i].place, &c = loop[(i + 1) % n].place;
@@ -100,8 +100,8 @@ std::optional<std::size_t> findEar(const Loop& loop, double tolerance) {
     return best;
 }
 
-/// The ear to clip next. Where loops touch or cross there may be none without forgiving something; where nothing helps,
-/// the flattest corner.
+/// Returns the ear to clip next. Where loops touch or cross there may be none without a tolerance; if no tolerance
+/// suffices, returns the flattest corner.
 std::size_t nextEar(const Loop& loop) {
     for (const double tolerance : {0.0, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1}) // mm
         if (const std::optional<std::size_t> ear = findEar(loop, tolerance)) return *ear;
@@ -115,7 +115,7 @@ std::size_t nextEar(const Loop& loop) {
     return flattest;
 }
 
-/// The corners between two edges of the loop that cross each other, as first and count; the shorter way round.
+/// The corners between two edges of the loop that cross each other, as first and count, in the shorter direction.
 struct Lobe {
     std::size_t first = 0, count = 0;
 };
@@ -133,9 +133,9 @@ std::optional<Lobe> findLobe(const Loop& loop) {
     return std::nullopt;
 }
 
-/// Clips the lobes where a loop crosses itself close by, before any other ear: where two edges of a face run into each
-/// other in a sharp tip, their rounding to chords makes them cross by a ten-thousandth of a millimetre, and the ears of
-/// such a loop would overlap across the whole face.
+/// Clips the lobes where a loop crosses itself locally, before any other ear: where two edges of a face meet in a sharp
+/// tip, their approximation by chords makes them cross by a ten-thousandth of a millimetre, and the ears of such a loop
+/// would overlap across the whole face.
 template <class Clip>
 void untangle(Loop& loop, Clip clip) {
     for (std::optional<Lobe> lobe = findLobe(loop); lobe && loop.size() > 3; lobe = findLobe(loop))
@@ -148,7 +148,7 @@ void untangle(Loop& loop, Clip clip) {
 std::vector<std::array<std::uint32_t, 3>> fillPolygon(std::vector<Loop> loops) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     if (loops.empty()) return triangles;
-    // At the end of a bridge a corner may lie between twice the same vertex: nothing is left to cover there.
+    // At the end of a bridge a corner may lie between two copies of the same vertex: its triangle is empty.
     const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         if (a != b && b != c && c != a) triangles.push_back({a, b, c});
     };

@@ -24,8 +24,8 @@ namespace burin {
 namespace {
 
 constexpr double relativeChord = 0.002; // of the model's diagonal: half a pixel to a pixel of a window
-constexpr double angle = 0.4;           // rad between neighbours: less than what is drawn as a crease
-constexpr double leastGain = 4.0;       // how much coarser than the mesh it has to be
+constexpr double angle = 0.4;           // rad between neighbours: less than the angle that is drawn as a crease
+constexpr double leastGain = 4.0;       // smallest factor by which it must be coarser than the mesh
 
 double processorSeconds() {
     timespec used{};
@@ -33,7 +33,7 @@ double processorSeconds() {
     return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
-/// Stops the mesher between two faces when the time is over.
+/// Stops the mesher between two faces when the time is up.
 class TimeLimit final : public Message_ProgressIndicator {
 public:
     Standard_Boolean UserBreak() override { return over(); }
@@ -50,7 +50,7 @@ bool hasCurvedFace(const TopoDS_Shape& solid) {
     return false;
 }
 
-/// Of all solids, mm; 0 where they have no extent.
+/// Returns the diagonal of all solids, mm; 0 if they have no extent.
 double diagonalOf(std::span<const NamedSolid> solids) {
     Bnd_Box box;
     for (const NamedSolid& solid : solids) BRepBndLib::Add(solid.solid, box, Standard_False);
@@ -67,7 +67,7 @@ PreviewMesh meshCoarsely(const TopoDS_Solid& solid, double chord, const Handle(T
     parameters.MinSize = 0.5 * chord;
     parameters.ControlSurfaceDeflection = Standard_False;
     parameters.InternalVerticesMode = Standard_True; // a face bulges between its edges
-    BRepTools::Clean(solid);                         // of what a file brought along
+    BRepTools::Clean(solid);                         // the triangulation stored in the file
     const BRepMesh_IncrementalMesh mesher(solid, parameters, limit->Start());
     const TriangleMesh mesh = ShapeMesh(solid, chord).mesh();
     BRepTools::Clean(solid);

@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// Meshes solids coarsely, for a picture while the mesh with a chord of `chord` mm is made. The solids are as before
-/// afterwards. Nothing where that mesh is quickly made by itself (solids of plane faces alone, or so small that a
-/// coarse mesh would hardly be coarser), where OpenCASCADE fails, and where it took more than `previewSeconds` of
-/// processor time. Measured: 0.1 to 5 % of an import. Thread: the one that meshes.
+/// Meshes solids coarsely, for display while the mesh with a chord of `chord` mm is being made. The solids are restored
+/// afterwards. Empty if that mesh is fast to make (solids with only plane faces, or so small that a coarse mesh would
+/// hardly be coarser), if OpenCASCADE fails, or if it took more than `previewSeconds` of processor time. Measured: 0.1
+/// to 5 % of an import. Call on the meshing thread.
 std::optional<ModelPreview> previewOf(std::span<const NamedSolid> solids, double chord);
 
 inline constexpr double previewSeconds = 2.0;

@@ -39,8 +39,8 @@ Result<Model> readAnyModel(const ReadRequest& request, const ReaderReports& repo
     return format->read(source);
 }
 
-/// Whether this process came near its limit of memory. OpenCASCADE's mesher swallows a refused allocation and leaves
-/// faces empty: the fault is then not the model's.
+/// Whether this process came near its memory limit. OpenCASCADE's mesher ignores a refused allocation and leaves faces
+/// empty: this is then not a fault of the model.
 bool memoryWasShort() {
     rlimit limit{};
     if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return false;
@@ -52,7 +52,7 @@ bool memoryWasShort() {
     return false;
 }
 
-/// Runs work of OpenCASCADE and turns what it throws into an Error.
+/// Runs a function that uses OpenCASCADE and converts exceptions to an Error.
 template <class T, class Work>
 Result<T> guarded(Work work) {
     try {
@@ -74,7 +74,7 @@ Result<T> guarded(Work work) {
     }
 }
 
-/// Of a compound, the children of those numbers.
+/// Returns the children of a compound that have the given numbers.
 TopoDS_Shape chosenOf(const TopoDS_Shape& whole, const std::vector<std::uint32_t>& solids) {
     TopoDS_Compound chosen;
     BRep_Builder builder;

@@ -9,18 +9,19 @@
 
 namespace burin {
 
-// The half of importing that may hang, abort or eat memory: it runs in the import program alone.
+// The part of importing that may hang, abort or use up memory: it runs only in the import program.
 
-/// Where the reader says how far it is, and what there is to see already.
+/// Callbacks for the reader's progress and its preview.
 struct ReaderReports {
     std::function<void(double)> fraction;                     ///< 0 … 1
-    std::function<void(const ModelPreview& preview)> preview; ///< once at most, if the request asks for it
+    std::function<void(const ModelPreview& preview)> preview; ///< called at most once, if the request asks for it
 };
 
 /// Reads, heals, meshes and measures a model file. Errors, with an empty subject: as importModel.
 Result<Model> readModel(const ReadRequest& request, const ReaderReports& report);
 
-/// Exact signed distances of the points, in order. Errors, with an empty subject: fileDamaged, importOutOfMemory.
+/// Returns the exact signed distances of the points, in order. Errors, with an empty subject: fileDamaged,
+/// importOutOfMemory.
 Result<std::vector<double>> measureDistances(const DistanceRequest& request, const std::function<void(double)>& report);
 
 /// Errors, with an empty subject: fileDamaged, importOutOfMemory.

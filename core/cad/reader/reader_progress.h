@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// Where the reader says how far it is, 0 … 1.
+/// Called by the reader with its progress, 0 … 1.
 using ReportFraction = std::function<void(double)>;
 
-/// Turns OpenCASCADE's progress of one step into a part, low … high, of the whole.
+/// Maps OpenCASCADE's progress of one step to the interval low … high of the total progress.
 class ReaderProgress final : public Message_ProgressIndicator {
 public:
     ReaderProgress(ReportFraction report, double low, double high)

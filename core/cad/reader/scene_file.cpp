@@ -28,7 +28,7 @@ std::optional<std::array<std::uint8_t, 3>> colourOf(const aiScene& scene, const 
     if (mesh.mMaterialIndex >= scene.mNumMaterials) return std::nullopt;
     const aiMaterial& material = *scene.mMaterials[mesh.mMaterialIndex];
     aiString name;
-    // assimp gives what has none a grey of its own.
+    // assimp gives meshes without material a grey of its own.
     if (material.Get(AI_MATKEY_NAME, name) == aiReturn_SUCCESS && std::string_view(name.C_Str()) == "DefaultMaterial")
         return std::nullopt;
     if (material.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != aiReturn_SUCCESS) return std::nullopt;
@@ -44,7 +44,7 @@ void append(TriangleMesh& to, const aiMesh& mesh, const glm::dmat4& placement) {
         const aiVector3D& v = mesh.mVertices[i];
         to.vertices.emplace_back(placement * glm::dvec4(v.x, v.y, v.z, 1.0));
     }
-    // A placement that mirrors turns triangles inside out.
+    // A mirrored placement turns triangles inside out.
     const bool turned = glm::determinant(glm::dmat3(placement)) < 0.0;
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
@@ -56,7 +56,7 @@ void append(TriangleMesh& to, const aiMesh& mesh, const glm::dmat4& placement) {
     }
 }
 
-/// Names that assimp makes up, or that are those of its file in memory.
+/// Returns the name, without those that assimp invents or takes from its in-memory file.
 std::string nameOf(const aiNode& node, const aiMesh& mesh) {
     for (const aiString* name : {&node.mName, &mesh.mName}) {
         const std::string_view text = name->C_Str();
@@ -71,7 +71,7 @@ class Gatherer {
 public:
     explicit Gatherer(const aiScene& scene) : scene_(scene) {}
 
-    /// Hostile files may nest without end; assimp's tree is as deep as the file says.
+    /// Iterative, because malicious files may be nested arbitrarily deep; assimp's tree has the depth of the file.
     void gather(const aiNode& root) {
         struct Open {
             const aiNode* node;
@@ -92,7 +92,7 @@ public:
     std::vector<MeshSolid> solids;
 
 private:
-    /// A node's meshes are its materials: one body.
+    /// The meshes of a node differ in material only, so they make one body.
     void take(const aiNode& node, const glm::dmat4& placement) {
         MeshSolid solid;
         for (unsigned i = 0; i < node.mNumMeshes; ++i) {

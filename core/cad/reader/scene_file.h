@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// What assimp reads of a file in its memory: a solid for each node that has triangles, as often as it stands in the
-/// scene, with the placements of its parents. Coordinates have the 24 bits of a float. Files that it refers to are not
-/// opened. Errors, with an empty subject: fileDamaged (detail: in assimp's words).
-/// @param format suffix that assimp knows the format by
+/// Reads the content of a file with assimp: returns a solid for each node that has triangles, once for each occurrence
+/// in the scene, with the placements of its parents. Coordinates have the 24 bits of a float. Files that it refers to
+/// are not opened. Errors, with an empty subject: fileDamaged (detail: assimp's message).
+/// @param format suffix by which assimp knows the format
 Result<std::vector<MeshSolid>> readScene(std::string_view content, const char* format);
 
 } // namespace burin

@@ -193,7 +193,7 @@ bool ShapeMesh::isFolded(const FaceMesh& mesh) {
 
 bool ShapeMesh::isTorn(const Face& face) const {
     if (face.mesh.triangles.empty() || isFolded(face.mesh)) return true;
-    // A seam is met twice, and its two sides cancel out as its triangles do.
+    // A seam is visited twice, and its two sides cancel out as its triangles do.
     std::map<std::uint64_t, int> expected;
     for (TopExp_Explorer edges(face.shape, TopAbs_EDGE); edges.More(); edges.Next()) {
         const std::vector<std::uint32_t>& points = edgePoints_[index(edges_.FindIndex(edges.Current()))];
@@ -242,7 +242,7 @@ void ShapeMesh::splitChord(FaceMesh& mesh, std::uint32_t from, std::uint32_t to,
 }
 
 void ShapeMesh::partSharedChords() {
-    // Points inside of a face have no other face to share a chord with.
+    // Points inside a face cannot share a chord with another face.
     std::vector<bool> onEdge(points_.size(), false);
     for (const std::vector<std::uint32_t>& along : edgePoints_)
         for (const std::uint32_t point : along) onEdge[point] = true;
@@ -255,7 +255,7 @@ void ShapeMesh::partSharedChords() {
         if (faces.size() <= 2) continue;
         const auto from = static_cast<std::uint32_t>(edge >> 32), to = static_cast<std::uint32_t>(edge);
         std::sort(faces.begin(), faces.end());
-        // Inside of a face its chord is used twice; a use on the face's border is single and stays.
+        // Inside a face its chord is used twice; a use on the face's border is single and stays.
         for (std::size_t i = 0; i + 1 < faces.size(); ++i)
             if (faces[i] == faces[i + 1] && std::count(faces.begin(), faces.end(), faces[i]) == 2)
                 splitChord(faces_[faces[i]].mesh, from, to, addPoint(0.5 * (points_[from] + points_[to])));
@@ -337,7 +337,7 @@ bool ShapeMesh::fillPlaneFace(std::size_t number) {
 }
 
 TriangleMesh ShapeMesh::mesh() const {
-    // Points that only dropped triangles used are left out.
+    // Points used only by dropped triangles are left out.
     TriangleMesh mesh;
     std::vector<std::uint32_t> numbers(points_.size(), none);
     const auto numberOf = [&](std::uint32_t point) {
@@ -352,7 +352,7 @@ TriangleMesh ShapeMesh::mesh() const {
         for (const auto& triangle : face.mesh.triangles) {
             const std::uint32_t a = face.mesh.nodes[triangle[0]], b = face.mesh.nodes[triangle[1]],
                                 c = face.mesh.nodes[triangle[2]];
-            // A pole's nodes are one point: the triangles between them vanish.
+            // A pole's nodes are the same point: the triangles between them vanish.
             if (a != b && b != c && c != a) mesh.triangles.push_back({numberOf(a), numberOf(b), numberOf(c)});
         }
     return mesh;

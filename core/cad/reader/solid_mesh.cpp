@@ -22,7 +22,7 @@ namespace burin {
 
 namespace {
 
-/// Whether an edge of a face is drawn together to a point, as where three rounded edges of a block meet.
+/// Whether an edge of a face is degenerated to a point, as where three rounded edges of a block meet.
 bool hasPole(const TopoDS_Shape& solid) {
     for (TopExp_Explorer edges(solid, TopAbs_EDGE); edges.More(); edges.Next())
         if (BRep_Tool::Degenerated(TopoDS::Edge(edges.Current()))) return true;
@@ -37,24 +37,24 @@ void runMesher(const TopoDS_Shape& solid, double chord, double angle, IMeshTools
     parameters.Deflection = chord;
     parameters.Angle = angle;
     parameters.Relative = Standard_False;
-    parameters.InParallel = Standard_False; // one process, one thread: its time limit is what it says
+    parameters.InParallel = Standard_False; // one process with one thread, for which the time limit is exact
     parameters.MinSize = 0.1 * chord;
-    // OpenCASCADE's own bringing of faces within the chord doesn't end at the pole of a rounded corner, and isn't
-    // relied on: ShapeMesh::refine does it for every face. Elsewhere it takes fewer triangles.
+    // OpenCASCADE's own refinement of faces to the chord doesn't terminate at the pole of a rounded corner, and isn't
+    // relied on: ShapeMesh::refine does it for every face. Elsewhere it needs fewer triangles.
     parameters.ControlSurfaceDeflection = !hasPole(solid);
     parameters.InternalVerticesMode = Standard_True;
     const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.0, 1.0);
     BRepMesh_IncrementalMesh mesher(solid, parameters, progress->Start());
 }
 
-/// The same surface, its closed faces in two halves each.
+/// Returns the same surface with its closed faces divided in two halves each.
 TopoDS_Shape withoutSeams(const TopoDS_Solid& solid) {
     ShapeUpgrade_ShapeDivideClosed division(healed(solid));
     division.Perform();
     return division.Result();
 }
 
-/// Null when there are no faces.
+/// Null if there are no faces.
 TopoDS_Compound compoundOf(const ShapeMesh& shape, const std::vector<std::size_t>& faces) {
     TopoDS_Compound compound;
     if (faces.empty()) return compound;
@@ -74,7 +74,7 @@ SolidMesh collect(const TopoDS_Shape& solid, double chord) {
             ++result.facesWithoutTriangles;
     const std::vector<std::size_t> open = shape.facesAtOpenEdges();
     if (result.facesWithoutTriangles == 0)
-        // A face that is there but torn: from its boundary it closes.
+        // A face that has triangles but is incomplete: filling it from its boundary closes it.
         for (const std::size_t face : open)
             if (shape.fillPlaneFace(face)) ++result.facesFilled;
     result.torn = compoundOf(shape, shape.tornFaces());
@@ -100,10 +100,11 @@ bool isBetter(const SolidMesh& a, const SolidMesh& b) {
 struct Attempt {
     double part, angle; // of the chord; rad
     IMeshTools_MeshAlgoType algorithm = IMeshTools_MeshAlgoType_Watson;
-    bool divides = false; // closed faces along their seams: noise there keeps the mesher from them
+    bool divides = false; // divides closed faces along their seams, if noise there makes the mesher fail
 };
 
-/// Whether an attempt meshes more of the torn faces. They are tried by themselves: a large solid takes many seconds.
+/// Whether an attempt meshes more of the incomplete faces. They are tried separately, as a large solid takes many
+/// seconds.
 bool promises(const Attempt& attempt, const TopoDS_Compound& torn, double chord) {
     const TopoDS_Shape copy = BRepBuilderAPI_Copy(torn, Standard_False).Shape();
     const ReportFraction silent = [](double) {};
@@ -115,9 +116,9 @@ bool promises(const Attempt& attempt, const TopoDS_Compound& torn, double chord)
 
 SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFraction& report, bool careful) {
     constexpr auto delabella = IMeshTools_MeshAlgoType_Delabella;
-    constexpr std::size_t usual = 5; // the others are for faces that get no mesh at all
+    constexpr std::size_t usual = 5; // the others are for faces that otherwise get no mesh at all
     // The first is the fastest: its algorithm takes a third of the time, and with less than the chord along edges
-    // hardly a triangle within a face needs splitting.
+    // hardly any triangle within a face needs splitting.
     constexpr std::array<Attempt, 7> attempts{{{0.8, 0.5, delabella},
                                                {1.0, 0.5},
                                                {0.7, 0.35},

@@ -24,7 +24,7 @@ using import_notes::fill;
 
 namespace {
 
-constexpr double sewingTolerance = 1e-3; // mm; design figure for IGES, whose faces arrive loose
+constexpr double sewingTolerance = 1e-3; // mm; design value for IGES, whose faces are not connected
 
 int count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
     TopTools_IndexedMapOfShape parts;
@@ -48,7 +48,7 @@ void note(CadFile& file, ImportNote::Kind kind, std::string text) {
     file.notes.push_back({kind, std::move(text)});
 }
 
-/// The closed shells among loose faces, as solids.
+/// Returns the closed shells among loose faces, as solids.
 std::vector<TopoDS_Solid> sewn(std::span<const NamedShape> loose, int& openEdges) {
     BRepBuilderAPI_Sewing sewing(sewingTolerance);
     for (const NamedShape& entry : loose) sewing.Add(entry.shape);
@@ -64,7 +64,7 @@ std::vector<TopoDS_Solid> sewn(std::span<const NamedShape> loose, int& openEdges
     return solids;
 }
 
-/// Repairs one solid where it needs it, and turns it so that its material is inside.
+/// Repairs one solid if needed, and orients it so that its material is inside.
 void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& solids) {
     const std::string title = quoted(from.name, solids.size() + 1);
     TopoDS_Shape shape = from.shape;
@@ -96,8 +96,8 @@ int countFaces(std::span<const NamedShape> entries) {
     return faces;
 }
 
-/// The solids that entries of loose faces make together; false when they make none. A name or colour of several entries
-/// says nothing about their solid unless it is one and the same.
+/// Adds the solids that several entries of loose faces form together; returns false if there are none. Names or colours
+/// of the entries are used for the solid only if all are the same.
 bool addSewn(CadFile& file, std::span<const NamedShape> loose, std::vector<NamedSolid>& solids, int& openEdges) {
     const std::vector<TopoDS_Solid> closed = sewn(loose, openEdges);
     NamedShape entry = loose.front();
@@ -118,7 +118,7 @@ bool addSewn(CadFile& file, std::span<const NamedShape> loose, std::vector<Named
     return !closed.empty();
 }
 
-/// What a file without a solid holds instead.
+/// Describes the content of a file without a solid.
 std::string contents(const CadFile& file, int openEdges) {
     int faces = 0, edges = 0;
     for (const NamedShape& entry : file.shapes) {
@@ -143,7 +143,7 @@ TopoDS_Shape healed(const TopoDS_Shape& shape) {
 
 Result<std::vector<NamedSolid>> makeSolids(CadFile& file) {
     std::vector<NamedSolid> solids;
-    std::vector<NamedShape> loose; // that make no solid by themselves
+    std::vector<NamedShape> loose; // entries that form no solid by themselves
     int looseEdges = 0, openEdges = 0;
     for (const NamedShape& entry : file.shapes) {
         if (count(entry.shape, TopAbs_SOLID) > 0)
@@ -153,7 +153,7 @@ Result<std::vector<NamedSolid>> makeSolids(CadFile& file) {
         else if (!addSewn(file, {&entry, 1}, solids, openEdges))
             loose.push_back(entry);
     }
-    // Many IGES files give each face an entry of its own.
+    // Many IGES files have a separate entry for each face.
     if (loose.size() > 1) {
         openEdges = 0;
         if (addSewn(file, loose, solids, openEdges)) loose.clear();

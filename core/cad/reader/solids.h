@@ -15,11 +15,11 @@ struct NamedSolid {
     std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB
 };
 
-/// As the solid's body is called: as in the file, where that says nothing by its number (from 1).
+/// Returns the name of the solid's body: that in the file, or one with its number (from 1) if the file has none.
 std::string bodyName(const NamedSolid& solid, std::size_t number);
 
-/// The solids of a file: as they are where they are valid, healed where not, sewn from loose faces where there is no
-/// solid. What was done is added to `file.notes`. Error, with an empty subject: modelHasNoSolid (detail:
+/// Returns the solids of a file: unchanged if they are valid, healed if not, sewn from loose faces if there is no
+/// solid. Changes are added to `file.notes`. Error, with an empty subject: modelHasNoSolid (detail:
 /// `file.missingFiles`).
 Result<std::vector<NamedSolid>> makeSolids(CadFile& file);
 

@@ -35,7 +35,7 @@ std::array<float, 12> triangleNumbers(std::string_view content, std::size_t tria
     return numbers;
 }
 
-/// Real files hold coordinates of a workshop's size and a normal that is a unit vector or zero; random bytes do not.
+/// Real files hold coordinates of a plausible size and a normal that is a unit vector or zero; random bytes do not.
 bool looksLikeTriangle(const std::array<float, 12>& numbers) {
     constexpr float farthest = 1e7F;
     const bool near = std::all_of(numbers.begin(), numbers.end(), [](float n) { return std::abs(n) < farthest; });
@@ -43,7 +43,7 @@ bool looksLikeTriangle(const std::array<float, 12>& numbers) {
     return near && (length < 1e-6F || std::abs(length - 1.0F) < 0.01F);
 }
 
-/// How many triangles the content has room for.
+/// The number of triangles that fit into the content.
 std::size_t heldCount(std::string_view content) {
     return (content.size() - startOfTriangles) / triangleSize;
 }
@@ -63,7 +63,7 @@ bool equalsIgnoringCase(std::string_view text, std::string_view lower) {
            });
 }
 
-/// Words of a text with their line.
+/// Words of a text with their line numbers.
 class Words {
 public:
     explicit Words(std::string_view text) noexcept : rest_(text) {}
@@ -76,7 +76,7 @@ public:
         rest_.remove_prefix(length);
         return word;
     }
-    /// What stands behind the last word on its line, without the space around it.
+    /// Returns the text after the last word on its line, without the space around it.
     std::string_view restOfLine() noexcept {
         const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
         std::string_view text = rest_.substr(0, end);
@@ -115,9 +115,9 @@ void addTriangle(TriangleMesh& mesh, const std::array<glm::dvec3, 3>& corners) {
     mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
-/// Behind the word "facet".
+/// Reads on after the word "facet".
 bool readFacet(Words& words, TriangleMesh& mesh) {
-    // The normal follows from the corners; some programs write "nan" for that of a thin triangle.
+    // The normal is computed from the corners; some programs write "nan" for that of a thin triangle.
     if (!words.expect("normal")) return false;
     for (int axis = 0; axis < 3; ++axis) words.next();
     if (!words.expect("outer") || !words.expect("loop")) return false;
@@ -133,7 +133,8 @@ bool readFacet(Words& words, TriangleMesh& mesh) {
     return true;
 }
 
-/// Behind the word "solid" and the name. @param ended  whether "endsolid" stood there, which many writers leave out
+/// Reads on after the word "solid" and the name. @param ended set to whether "endsolid" was found, which many writers
+/// omit
 Result<TriangleMesh> readFacets(Words& words, bool& ended) {
     TriangleMesh mesh;
     std::string_view word = words.next();

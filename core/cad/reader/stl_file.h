@@ -17,17 +17,17 @@ struct StlSolid {
     TriangleMesh mesh; ///< in the file's own unit
 };
 
-/// The content is exactly as long as its count of triangles says.
+/// Whether the content is exactly as long as its count of triangles says.
 bool hasLengthOfBinaryStl(std::string_view content);
-/// The content begins as a text file of facets.
+/// Whether the content begins as a text file of facets.
 bool isTextStl(std::string_view content);
-/// The content begins as a binary file and holds more than its count of triangles says.
+/// Whether the content begins as a binary file and holds more than its count of triangles says.
 bool isLongerBinaryStl(std::string_view content);
-/// Where a binary STL file was cut off ("triangle 17 of 684"); empty when the content does not look like one.
+/// Returns where a binary STL file was cut off ("triangle 17 of 684"); empty if the content does not look like one.
 std::string whereBinaryStlEnds(std::string_view content);
 
 /// Errors of both: fileDamaged (place: the line or triangle), with an empty subject.
-/// @param ended false: "endsolid" is missing, behind whole facets
+/// @param ended set to false if "endsolid" is missing after complete facets
 Result<std::vector<StlSolid>> readTextStl(std::string_view content, bool& ended);
 Result<std::vector<StlSolid>> readBinaryStl(std::string_view content);
 

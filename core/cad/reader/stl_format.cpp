@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-/// Many binary files begin with "solid" too: their length tells.
+/// Many binary files begin with "solid" too; they are recognised by their length.
 bool isText(std::string_view content) {
     return !hasLengthOfBinaryStl(content) && isTextStl(content);
 }

@@ -9,9 +9,9 @@
 
 namespace burin {
 
-/// The model of an STL file: one body for each `solid` of a text file, one for a binary file; pieces told apart,
-/// triangles turned where they disagree. @param unit mm per unit of the file. Errors, with an empty subject:
-/// fileDamaged, modelHasNoSolid (triangles that hardly hang together enclose nothing).
+/// Returns the model of an STL file: one body for each `solid` of a text file, one for a binary file; unconnected
+/// pieces are separated, triangles with inconsistent orientation turned. @param unit mm per unit of the file. Errors,
+/// with an empty subject: fileDamaged, modelHasNoSolid (triangles with so many open edges that they enclose nothing).
 Result<Model> readStlModel(std::string_view content, bool binary, double unit);
 
 } // namespace burin

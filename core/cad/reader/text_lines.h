@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// Lines of a text without their ends, whatever system wrote them.
+/// Lines of a text without their line endings, of any system.
 class TextLines {
 public:
     explicit TextLines(std::string_view text) noexcept : rest_(text) {}
@@ -25,7 +25,7 @@ public:
             rest_.remove_prefix(1);
         return line;
     }
-    /// Behind the line that was given last.
+    /// The text after the line that was returned last.
     std::string_view rest() const noexcept { return rest_; }
 
 private:
@@ -39,7 +39,7 @@ inline std::string_view trimmed(std::string_view text) noexcept {
     return text.substr(first, text.find_last_not_of(spaces) - first + 1);
 }
 
-/// The first word of a line, and what stands behind it.
+/// Returns the first word of a line, and the text after it.
 inline std::pair<std::string_view, std::string_view> firstWord(std::string_view line) noexcept {
     line = trimmed(line);
     const std::size_t end = std::min(line.find_first_of(" \t"), line.size());

@@ -15,7 +15,8 @@ ToolPose AllowanceFollower::advance(const Proxy& proxy, const ToolPose& tool, do
     const double step = speed * period, inForce = layers_->allowance();
     layers_->setAllowance(inForce + std::clamp(wanted_ - inForce, -step, step));
     if (proxy.feasible(tool)) return tool;
-    // Along an edge the gradient is not unit length: a little more way than clearance is wanted.
+    // Along an edge the gradient does not have unit length, so the tool may have to move somewhat farther than the
+    // missing clearance.
     const ToolPose out = proxy.retreat(tool, 4.0 * step);
     limitTo(out);
     return out;

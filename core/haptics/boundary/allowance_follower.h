@@ -7,8 +7,8 @@
 
 namespace burin {
 
-/// Changes the part's allowance without a kick: the boundary grows or shrinks at a bounded speed and takes the proxy
-/// along. Where part or other layers leave no room for a larger allowance, the boundary stops growing.
+/// Changes the part's allowance without a jump of the force: the boundary grows or shrinks at a bounded speed and moves
+/// the proxy along. If the part or other layers leave no room for a larger allowance, the boundary stops growing.
 class AllowanceFollower {
 public:
     static constexpr double speed = 5.0; ///< mm/s
@@ -18,16 +18,17 @@ public:
         settle();
     }
 
-    /// @param allowance mm; what is negative or not a number changes nothing.
+    /// Requests an allowance. @param allowance mm; negative values and NaN change nothing.
     void want(double allowance) noexcept {
         if (allowance >= 0.0) wanted_ = allowance;
     }
-    /// At once: there is no proxy yet that it could push.
+    /// Applies the requested allowance at once, before there is a proxy that it could push.
     void settle() noexcept { layers_->setAllowance(wanted_); }
-    /// The tool was held where it keeps no more than this: the allowance is no greater.
+    /// Reduces the allowance to the clearance of the tool's pose, if that is smaller.
     void limitTo(const ToolPose& tool) noexcept;
 
-    /// One tick. @return where the boundary leaves the proxy; feasible afterwards unless another layer is not.
+    /// One tick. @return the pose of the proxy at the changed boundary; feasible unless another layer makes it
+    /// infeasible.
     ToolPose advance(const Proxy& proxy, const ToolPose& tool, double period) noexcept;
 
 private:

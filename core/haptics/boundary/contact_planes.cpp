@@ -10,16 +10,16 @@ namespace burin {
 namespace {
 
 constexpr double sameFaceCosine = 0.98;
-/// mm; below what a path can tell apart, far above rounding at the size of a workpiece.
+/// mm; below what a path can resolve, far above rounding errors at the size of a workpiece.
 constexpr double rounding = 1e-9;
-/// Share of its length that a normal must have of its own, beyond what the others span.
+/// Share of a normal's length that must be independent of the span of the other normals.
 constexpr double leastOwnShare = 1e-6;
 
 template <class Value>
 using Each = std::array<Value, ContactPlanes::capacity>;
 
-/// How hard each of some planes pushes when together they hold a goal back: the normals times the forces take the goal
-/// to the nearest allowed place.
+/// The contact forces of planes that together hold a goal back: the sum of the normals times the forces takes the goal
+/// to the nearest allowed position.
 class PlaneForces {
 public:
     PlaneForces(const ContactPlanes& planes, const PoseVector& goal) noexcept : count_(planes.size()) {
@@ -35,7 +35,7 @@ public:
             const int plane = mostViolated();
             if (plane < 0) break;
             active_[activeCount_++] = plane;
-            if (!settle()) { // it says nothing that the others don't
+            if (!settle()) { // it is linearly dependent on the others
                 --activeCount_;
                 useless_[at(plane)] = true;
             }
@@ -61,7 +61,7 @@ private:
         return most;
     }
 
-    /// Forces that meet the active planes exactly; those that would pull leave, one by one.
+    /// Computes forces that fulfil the active planes exactly; planes that would pull are removed, one by one.
     bool settle() noexcept {
         for (bool first = true; activeCount_ > 0; first = false) {
             if (!factor()) {
@@ -86,15 +86,16 @@ private:
                 force += share * (wanted[i] - force);
             }
             if (blocking == activeCount_) return true;
-            force_[at(active_[blocking])] = 0.0; // whatever rounding left of it
+            force_[at(active_[blocking])] = 0.0; // sets the rounding error to zero
             dropIdle();
         }
         return true;
     }
 
-    /// The last active plane is spanned by the others: six of them hold a pose already. It pushes in their place until
-    /// one of those does not push any more, and leaves. (D. Goldfarb and A. Idnani, A numerically stable dual method
-    /// for solving strictly convex quadratic programs, 1983: the step in the dual space.) False: nothing would leave.
+    /// The last active plane is linearly dependent on the others: six of them hold a pose already. It takes over their
+    /// forces until the force of one of them becomes zero, and that one is removed. (D. Goldfarb and A. Idnani, A
+    /// numerically stable dual method for solving strictly convex quadratic programs, 1983: the step in the dual
+    /// space.) Returns false if none would be removed.
     bool exchange() noexcept {
         const std::size_t others = activeCount_ - 1;
         const int last = active_[others];
@@ -118,7 +119,7 @@ private:
         return true;
     }
 
-    /// Active planes that do not push leave.
+    /// Removes active planes with no force.
     void dropIdle() noexcept {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < activeCount_; ++i) {
@@ -131,8 +132,8 @@ private:
         activeCount_ = kept;
     }
 
-    /// Cholesky's method, of the active planes' products. False: they depend on each other; all rows before the one
-    /// that does are there.
+    /// Cholesky decomposition of the active planes' products. Returns false if the planes are linearly dependent; all
+    /// rows before the dependent one are valid then.
     bool factor() noexcept {
         for (std::size_t i = 0; i < activeCount_; ++i) {
             const Each<double>& products = products_[at(active_[i])];
@@ -150,7 +151,7 @@ private:
         return true;
     }
 
-    /// For the first so many active planes. @param values right side, then the answer
+    /// Solves for the first `count` active planes. @param values right-hand side, then the solution
     void solve(std::size_t count, Each<double>& values) const noexcept {
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t k = 0; k < i; ++k) values[i] -= root_[i][k] * values[k];
@@ -208,7 +209,7 @@ PoseVector ContactPlanes::nearestTo(const PoseVector& goal) const noexcept {
 }
 
 void ContactPlanes::moveOrigin(const PoseVector& offset, double clearance) noexcept {
-    constexpr double bend = 1e-4; // mm, as fine as the proxy rests at the surface
+    constexpr double bend = 1e-4; // mm, equal to the precision with which the proxy rests at the surface
     int kept = 0;
     for (int i = 0; i < size_; ++i) {
         ContactPlane plane = (*this)[i];

@@ -16,7 +16,7 @@ glm::dvec3 unitAlong(int axis, double sign) noexcept {
     return unit;
 }
 
-/// mm from a point to the face of a box that lies that way.
+/// Distance in mm from a point to the face of a box in the given direction.
 double toFace(const Box& box, int axis, double sign, const glm::dvec3& point) noexcept {
     return sign > 0.0 ? box.high[axis] - point[axis] : point[axis] - box.low[axis];
 }
@@ -26,7 +26,7 @@ glm::dvec3 farthestPoint(const RevolvedPiece& piece, const ToolPose& pose, const
     const glm::dvec3 across = direction - axial * pose.axis;
     const double radial = glm::length(across);
     const ProfilePoint ring = farthestIn(piece, radial, axial);
-    // Less than that is rounding, and may lie along the axis.
+    // A smaller value is a rounding error, and its direction may be along the axis.
     const glm::dvec3 outwards = radial > 1e-9 ? across / radial : glm::dvec3(0.0);
     return pose.tip + ring.height * pose.axis + ring.radius * outwards;
 }
@@ -39,7 +39,7 @@ EnvelopeBoundary::EnvelopeBoundary(const Envelope& envelope, std::vector<Revolve
     , voxel_(voxel)
     , reach_(envelope.tools.empty() ? 0.0 : reachOf(tool_)) {}
 
-/// A box has no features to miss: what is inside at both ends of a way is inside between them.
+/// A box has no features that could be missed: if both ends of a motion are inside, so is the motion.
 double EnvelopeBoundary::overlap() const noexcept {
     return std::numeric_limits<double>::infinity();
 }

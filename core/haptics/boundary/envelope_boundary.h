@@ -10,11 +10,11 @@
 
 namespace burin {
 
-/// A machine's envelope as a boundary: the clearance is the least distance of the tip, or of the tool's farthest point,
-/// from a face of its box. Exact.
+/// A machine's envelope as a boundary: the clearance is the smallest distance of the tip, or of the tool's farthest
+/// point, from a face of the corresponding box. Exact.
 class EnvelopeBoundary final : public PoseBoundary {
 public:
-    /// @param tool pieces(cutter) @param voxel mm, of the workpiece
+    /// @param tool pieces(cutter) @param voxel edge of the workpiece's voxels, mm
     EnvelopeBoundary(const Envelope& envelope, std::vector<RevolvedPiece> tool, double voxel);
 
     PoseSample at(const ToolPose& pose, double enough) noexcept override;

@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// A field over tips as a boundary: the tool has the axis that the field was made for.
+/// A clearance field over tip positions as a boundary: the tool has the axis that the field was made for.
 class FixedAxisBoundary final : public PoseBoundary {
 public:
-    /// @param field outlives the object. @param distance mm that the boundary stands off from what the field bounds
+    /// @param field outlives the object. @param distance mm between the boundary and the surface where the field is 0
     explicit FixedAxisBoundary(const ClearanceField& field, double distance = 0.0) noexcept
         : field_(&field), distance_(distance) {}
     /// @param field never null

@@ -25,7 +25,8 @@ PoseSample GrowingBoundary::at(const ToolPose& pose, double) noexcept {
     const glm::dvec3 tip = turns_ ? turn_ * pose.tip : pose.tip, kept = layout_.kept(tip);
     const BrickField* const tile = inForce_[layout_.tileOf(kept)];
     const FieldSample sample = tile != nullptr ? tile->sampleInside(kept) : field_->outline(kept);
-    const glm::dvec3 gradient = turns_ ? sample.gradient * turn_ : sample.gradient; // the transposed turn takes it back
+    // rotated back by the transposed matrix
+    const glm::dvec3 gradient = turns_ ? sample.gradient * turn_ : sample.gradient;
     return {sample.clearance, gradient, glm::dvec3(0.0), sample.fine && kept == tip};
 }
 
@@ -36,19 +37,19 @@ std::optional<TileChange> GrowingBoundary::nextChange(const ToolPose& tool) noex
     while (feed_->next(news_)) {
         if (news_.bricks != nullptr) return TileChange{news_.tile, true};
         if (layout_.distance(news_.tile, tip) > layout_.edge) return TileChange{news_.tile, false};
-        feed_->answer(news_.tile, false); // the tool has come near meanwhile
+        feed_->answer(news_.tile, false); // the tool has come near in the meantime
     }
     return std::nullopt;
 }
 
 void GrowingBoundary::apply(const TileChange& change) noexcept {
-    if (change.tile >= inForce_.size()) return; // of another boundary
+    if (change.tile >= inForce_.size()) return; // belongs to another boundary
     if (!feed_) {
         const bool made = change.there && change.tile < made_.size();
         inForce_[change.tile] = made ? made_[change.tile].get() : nullptr;
         return;
     }
-    if (news_.tile != change.tile || (news_.bricks != nullptr) != change.there) return; // of another session
+    if (news_.tile != change.tile || (news_.bricks != nullptr) != change.there) return; // belongs to another session
     inForce_[change.tile] = news_.bricks;
     if (news_.bricks == nullptr) feed_->answer(change.tile, true);
 }

@@ -11,16 +11,18 @@
 namespace burin {
 
 /// A GrowingField as a boundary of one session: the tool has the axis that the field was made for. Where the field is
-/// not fine yet its outline holds the tool, farther from the part than the part would. What has come is in force once
-/// the loop was told so, between two ticks (HapticStep::takeTiles): so a recorded session can be played again.
+/// not fine yet, its outline holds the tool, farther from the part than the part itself would. New tiles come into
+/// force only when the loop is told so, between two ticks (HapticStep::takeTiles), so that a recorded session can be
+/// replayed.
 class GrowingBoundary final : public PoseBoundary {
 public:
-    using Tiles = std::vector<std::shared_ptr<const BrickField>>; ///< by their number; null: not there
+    using Tiles = std::vector<std::shared_ptr<const BrickField>>; ///< indexed by tile number; null: not available
 
-    /// A live session's: what is there comes first, the nearest first; all of it at once from a field that is whole.
-    /// @param turn from the setup frame to the field's
+    /// For a live session: tiles that are available come into force first, the nearest first; all of them at once if
+    /// the field is complete.
+    /// @param turn rotation from the setup frame to the field's frame
     GrowingBoundary(std::shared_ptr<GrowingField> field, const glm::dmat3& turn);
-    /// A replayed session's: tiles come into force as they are told, out of these.
+    /// For a replayed session: tiles come into force when the recorded changes say so, taken from `made`.
     GrowingBoundary(std::shared_ptr<GrowingField> field, const glm::dmat3& turn, Tiles made);
 
     PoseSample at(const ToolPose& pose, double enough) noexcept override;
@@ -38,8 +40,8 @@ private:
     const bool turns_;
     const Tiles made_;
     std::shared_ptr<TileFeed> feed_;
-    std::vector<const BrickField*> inForce_; ///< by tile; null: the outline
-    TileNews news_;                          ///< the newest that was told
+    std::vector<const BrickField*> inForce_; ///< by tile number; null: the outline is in force
+    TileNews news_;                          ///< the newest tile reported by the feed
 };
 
 } // namespace burin

@@ -11,9 +11,10 @@
 namespace burin {
 namespace {
 
-constexpr double ridgeShare = 0.01; // of a voxel: so far from a contact a ridge of the tool may pass
+constexpr double ridgeShare = 0.01; // of a voxel: distance from a contact up to which a ridge of the tool may pass
 
-/// A ball of half of this fits into each piece: moved by less, every piece overlaps where it was.
+/// A ball with half of this diameter fits into each piece: after a smaller motion every piece overlaps its previous
+/// position.
 double overlapOf(std::span<const RevolvedPiece> tool) noexcept {
     double least = std::numeric_limits<double>::infinity();
     for (const RevolvedPiece& piece : tool)
@@ -34,7 +35,7 @@ MeshBoundary::MeshBoundary(std::shared_ptr<const MeshDistance> solid, std::vecto
     , asker_(*solid_, tool_) {}
 
 PoseSample MeshBoundary::at(const ToolPose& pose, double enough) noexcept {
-    // A tick begins where the one before it ended.
+    // A tick begins at the pose where the previous one ended.
     const bool again = pose.tip == lastPose_.tip && pose.axis == lastPose_.axis;
     if (again && (last_.fine || enough <= lastEnough_)) return last_;
     lastPose_ = pose;

@@ -11,11 +11,12 @@
 
 namespace burin {
 
-/// A solid as a boundary for a tool whose axis turns: its clearance from a closed, outward mesh, exact for the mesh.
+/// A solid as a boundary for a tool with a free axis: the clearance of the tool from a closed, outward-oriented mesh,
+/// exact for the mesh.
 class MeshBoundary final : public PoseBoundary {
 public:
-    /// @param solid never null @param tool pieces(cutter) @param voxel mm, of the workpiece
-    /// @param margin mm that the tool keeps from it
+    /// @param solid never null @param tool pieces(cutter) @param voxel edge of the workpiece's voxels, mm
+    /// @param margin distance that the tool keeps from it, mm
     MeshBoundary(std::shared_ptr<const MeshDistance> solid, std::vector<RevolvedPiece> tool, double voxel,
                  double margin = 0.0);
 

@@ -7,7 +7,7 @@
 
 namespace burin {
 
-/// The part's boundary for a tool whose axis stays where it is now, as a field over tips: what guides ask. The loop's
+/// The part's boundary for a tool that keeps its current axis, as a field over tip positions; guides use it. Haptic
 /// thread.
 class PartAtAxis final : public ClearanceField {
 public:
@@ -23,7 +23,7 @@ public:
     double spacing() const noexcept override { return part_->spacing(); }
 
 private:
-    static constexpr double enough = 20.0; ///< mm; no guide catches a hand from farther away
+    static constexpr double enough = 20.0; ///< mm; no guide captures a hand from farther away
     PoseBoundary* part_;
     glm::dvec3 axis_{0.0, 0.0, 1.0};
 };

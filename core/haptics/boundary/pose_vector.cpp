@@ -12,13 +12,13 @@ glm::dvec3 turnBetween(const glm::dvec3& from, const glm::dvec3& to) noexcept {
     const glm::dvec3 normal = glm::cross(from, to);
     const double sine = glm::length(normal), cosine = glm::dot(from, to);
     if (sine > 1e-12) return normal * (std::atan2(sine, cosine) / sine);
-    if (cosine > 0.0) return normal; // a sine that small is its angle
+    if (cosine > 0.0) return normal; // the sine of a small angle equals the angle
     return anyAcross(from) * pi;
 }
 
 glm::dvec3 turnBetween(const glm::dquat& from, const glm::dquat& to) noexcept {
     glm::dquat turn = to * glm::conjugate(from);
-    if (turn.w < 0.0) turn = -turn; // the shorter way round
+    if (turn.w < 0.0) turn = -turn; // the shorter rotation
     const glm::dvec3 normal(turn.x, turn.y, turn.z);
     const double sine = glm::length(normal);
     return sine > 1e-12 ? normal * (2.0 * std::atan2(sine, turn.w) / sine) : 2.0 * normal;

@@ -13,24 +13,25 @@
 namespace burin {
 namespace {
 
-constexpr double smallestStep = 1e-5;        // mm; a shorter one is rest
+constexpr double smallestStep = 1e-5;        // mm; shorter steps count as rest
 constexpr double smallestTurn = 1e-8;        // rad
 constexpr double smallestImprovement = 1e-9; // mm
-constexpr double usableGradient = 0.2;       // below it (a medial axis) the direction is noise
-constexpr int mostLooks = 20;                // at the boundary in one tick, before the whole way is looked at
+constexpr double usableGradient = 0.2;       // below it (at a medial axis) the direction is noise
+constexpr int mostLooks = 20;                // queries of the boundary in one tick, before the whole motion is checked
 constexpr int chordSamples = 128;
 constexpr int mostBacktracks = 3;
-/// Units of PoseBoundary::work in a tick: some 0.4 ms where looks are dear (a long tool beside a fine mesh), half of it
-/// for finding a way. The tool then has come nearer, and goes on in the next tick.
+/// Units of PoseBoundary::work in a tick: some 0.4 ms where queries are expensive (a long tool near a fine mesh), half
+/// of it for finding the motion. When it is used up, the tool has come nearer to the goal, and continues in the next
+/// tick.
 constexpr std::uint64_t workOfTick = 4000, workOfWay = workOfTick / 2;
-constexpr int fewestSamples = 2; // of a way, whatever they cost: a tool gets somewhere in every tick
-/// What a turn counts in strides: between two looks the farthest point moves by half a spacing at most.
+constexpr int fewestSamples = 2; // of a motion, whatever they cost, so that a tool makes progress in every tick
+/// Weight of a rotation in strides: between two queries the farthest point moves by half a spacing at most.
 constexpr double turnShare = 0.5;
-constexpr double sightInSpacings = 8.0;   // so far ahead clearances are asked for
-constexpr double stiffTurnLength = 1.0e4; // mm: a tip yields by all but a ten-thousandth of what stops a turn
+constexpr double sightInSpacings = 8.0;   // range of the clearances that are queried
+constexpr double stiffTurnLength = 1.0e4; // mm: the tip yields by all but one ten-thousandth of what stops a rotation
 constexpr double rounding = 1e-9;         // mm by which a pose may have become infeasible since it was accepted
 
-/// One tick's way of the proxy, from vertex to vertex.
+/// The proxy's motion in one tick, from vertex to vertex.
 class Way {
 public:
     Way(PoseBoundary& boundary, const ToolPose& from, const PoseSample& sample, double chordTolerance,
@@ -48,9 +49,10 @@ public:
         vertices_[0] = from;
     }
 
-    /// As far towards a goal as the boundary lets the tool.
-    /// @param turnLength mm, of the metric; 0: the axis stands @param room mm from here that the tip may be led away
-    /// @return true when it settled, false when iterations or travel ended it
+    /// Moves towards a goal as far as the boundary allows.
+    /// @param turnLength mm, of the metric; 0: the axis is fixed @param room mm from the current position that the tip
+    /// may be moved away
+    /// @return true if it settled, false if it was ended by the limits on iterations, travel or work
     bool towards(const ToolPose& goal, double turnLength, double room, int iterations) noexcept;
     ProxyStep end() noexcept;
     const ToolPose& pose() const noexcept { return pose_; }
@@ -76,12 +78,12 @@ private:
     bool shorten(const PoseVector& offset) noexcept;
     bool acceptable(const ToolPose& pose, const PoseSample& sample) noexcept;
     bool accept(const ToolPose& pose, const PoseSample& sample) noexcept;
-    /// What looking along a way has shown.
+    /// The result of checking a motion.
     struct Looked {
         enum class End : std::uint8_t { clear, blocked, workIsUp } end = End::clear;
-        bool any = false;  ///< some of the way is clear, as far as
+        bool any = false;  ///< the motion is clear at least up to
         ToolPose pose;     ///< this feasible one
-        PoseSample sample; ///< there
+        PoseSample sample; ///< sample at that pose
     };
     Looked lookAlong(const ToolPose& a, const ToolPose& b) noexcept;
     void keepWholeWayClear() noexcept;
@@ -113,12 +115,12 @@ ToolPose Way::moved(const PoseVector& offset) const noexcept {
     return {pose_.tip + offset.move, turned(pose_.axis, offset.turn / turnLength_)};
 }
 
-/// What the clearance gains with a change of pose.
+/// The gradient of the clearance with respect to the pose.
 PoseVector Way::normal(const PoseSample& sample) const noexcept {
     return {sample.gradient, turnLength_ > 0.0 ? sample.turning / turnLength_ : glm::dvec3(0.0)};
 }
 
-/// mm. @param turnWeight 1: no point of the tool moves by more
+/// Length of a motion, mm. @param turnWeight 1: no point of the tool moves farther
 double Way::motion(const PoseVector& offset, double turnWeight) const noexcept {
     const double turn = turnLength_ > 0.0 ? turnWeight * reach_ * glm::length(offset.turn) / turnLength_ : 0.0;
     return glm::length(offset.move) + turn;
@@ -144,7 +146,7 @@ bool Way::towards(const ToolPose& goal, double turnLength, double room, int iter
     turnLength_ = turnLength;
     start_ = pose_.tip;
     room_ = room;
-    // Two contacts of a tool no farther apart than the linearisation holds are one.
+    // Two contacts are treated as one if they are no farther apart on the tool than the linearisation is valid.
     planes_ = ContactPlanes(turnLength > 0.0 ? spacing_ / turnLength : 0.0);
     settled_ = false;
     const int last = std::min(iterations_ + iterations, Proxy::maximumIterations);
@@ -169,16 +171,16 @@ ProxyStep Way::end() noexcept {
     return step;
 }
 
-/// False: nothing brings the tool nearer to the goal.
+/// Returns false if nothing brings the tool nearer to the goal.
 bool Way::advanceOnce() noexcept {
     if (length(rest()) < smallestStep) return false;
-    // A coarse sample bounds the step but its direction is too rough to slide along.
+    // A coarse sample limits the step, but its direction is too rough to slide along.
     const bool readable = sample_.fine && glm::length(sample_.gradient) > usableGradient;
     if (gap(sample_) > spacing_ || !readable) return advanceFree();
     return advanceAlongSurface();
 }
 
-/// No surface within the clearance: straight towards the goal.
+/// No surface within the clearance: moves straight towards the goal.
 bool Way::advanceFree() noexcept {
     planes_.clear();
     const PoseVector offset = shortened(rest(), std::max(gap(sample_), 0.5 * spacing_), 1.0);
@@ -188,7 +190,7 @@ bool Way::advanceFree() noexcept {
     return correctOntoSurface(pose, sample) || shorten(offset);
 }
 
-/// Sequential linearisation: solve for the planes known, look where that leads, take in the plane found there.
+/// Sequential linearisation: solves for the known planes, queries the result, and adds the plane found there.
 bool Way::advanceAlongSurface() noexcept {
     planes_.add({normal(sample_), gap(sample_) - Proxy::restingGap});
     PoseVector offset;
@@ -198,7 +200,7 @@ bool Way::advanceAlongSurface() noexcept {
         const ToolPose pose = moved(offset);
         const PoseSample sample = look(pose);
         if (acceptable(pose, sample)) return accept(pose, sample);
-        if (gap(sample) >= 0.0) break; // the way there cuts an edge
+        if (gap(sample) >= 0.0) break; // the motion to it cuts an edge
         if (correctOntoSurface(pose, sample)) return true;
         if (glm::length(sample.gradient) < usableGradient) break;
         const PoseVector there = normal(sample);
@@ -207,7 +209,7 @@ bool Way::advanceAlongSurface() noexcept {
     return shorten(offset);
 }
 
-/// Newton's method from an infeasible pose out to the surface.
+/// Moves an infeasible pose out to the surface by Newton's method.
 bool Way::correctOntoSurface(ToolPose pose, PoseSample sample) noexcept {
     for (int step = 0; step < 3 && !spent(workOfWay); ++step) {
         if (glm::length(sample.gradient) < usableGradient) return false;
@@ -250,8 +252,8 @@ bool Way::accept(const ToolPose& pose, const PoseSample& sample) noexcept {
     return true;
 }
 
-/// Samples the way, in strides no longer than the clearance or a quarter of a cell: no wall thicker than that is jumped
-/// over. Half of the tolerance is left for what lies between two samples.
+/// Samples the motion in strides no longer than the clearance or a quarter of a cell, so that thicker walls are not
+/// missed. Half of the tolerance is reserved for the motion between two samples.
 Way::Looked Way::lookAlong(const ToolPose& a, const ToolPose& b) noexcept {
     Looked looked;
     const double turn = a.axis == b.axis ? 0.0 : reach_ * glm::length(b.axis - a.axis);
@@ -279,8 +281,9 @@ Way::Looked Way::lookAlong(const ToolPose& a, const ToolPose& b) noexcept {
     return looked;
 }
 
-/// Goes back to a vertex that can be reached from the first on the way that is cut; the last such, as far as a few
-/// looks tell. Where the tick's work is up before one is found, as far along that way as was looked.
+/// Goes back to a vertex that can be reached from the first one by the straight motion that is cut: the last such
+/// vertex that a few queries find. If the tick's work is used up before one is found, it goes as far along that motion
+/// as was checked.
 void Way::keepWholeWayClear() noexcept {
     const auto vertex = [&](int index) -> const ToolPose& { return vertices_[static_cast<std::size_t>(index)]; };
     const bool lookedAt = vertexCount_ == 1 || (vertexCount_ == 2 && overlap_ <= 0.0);

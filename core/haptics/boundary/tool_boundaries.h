@@ -11,11 +11,11 @@
 
 namespace burin {
 
-/// Further layers around a tool: layer 1 + i is obstacle i, as a mesh; the machine's envelope, where it sets a limit,
-/// is the last. Allocates. @param voxel mm, of the workpiece
+/// Adds further layers: layer 1 + i is obstacle i, as a mesh; the last is the machine's envelope, if it sets a limit.
+/// Allocates. @param voxel edge of the workpiece's voxels, mm
 void addLayers(BoundaryLayers& layers, std::span<const ObstacleSolid> obstacles, const Envelope& envelope,
                const Tool& tool, double voxel);
-/// The same, with trees of their own.
+/// The same, with search trees made for these layers.
 void addLayers(BoundaryLayers& layers, std::span<const Obstacle> obstacles, const Envelope& envelope, const Tool& tool,
                double voxel);
 

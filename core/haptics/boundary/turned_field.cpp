@@ -8,7 +8,7 @@
 
 namespace burin {
 
-/// Corners that were one stay one, to the last bit.
+/// Equal vertices remain equal to the last bit.
 TriangleMesh turnedPart(const MeshDistance& part, const glm::dmat3& turn) {
     const std::span<const Triangle> triangles = part.triangles();
     TriangleMesh mesh;
@@ -37,7 +37,7 @@ Result<TurnedField> TurnedField::build(const MeshDistance& part, const glm::dvec
 
 FieldSample TurnedField::at(const glm::dvec3& tip) const noexcept {
     FieldSample sample = field_.at(turn_ * tip);
-    sample.gradient = sample.gradient * turn_; // the transposed turn takes it back
+    sample.gradient = sample.gradient * turn_; // rotated back by the transposed matrix
     return sample;
 }
 

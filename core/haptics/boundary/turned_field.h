@@ -7,11 +7,12 @@
 
 namespace burin {
 
-/// A part as it is seen along a tool's axis. @param turn from the setup frame to the one whose z is along the axis
+/// A part in a frame whose z is along a tool's axis. @param turn rotation from the setup frame to that frame
 /// (frameAlong)
 TriangleMesh turnedPart(const MeshDistance& part, const glm::dmat3& turn);
 
-/// The clearance of a tool whose axis stands in any direction (3+2): a ToolField of the part as seen along it.
+/// The clearance of a tool with a fixed axis in any direction (3+2): a ToolField of the part in a frame whose z is
+/// along the axis.
 class TurnedField final : public ClearanceField {
 public:
     /// @param axis of unit length, setup frame, towards the holder
@@ -28,7 +29,7 @@ public:
 private:
     TurnedField(const glm::dmat3& turn, ToolField field) noexcept : turn_(turn), field_(std::move(field)) {}
 
-    glm::dmat3 turn_; ///< from the setup frame to one whose z is along the axis
+    glm::dmat3 turn_; ///< rotation from the setup frame to the frame whose z is along the axis
     ToolField field_;
 };
 

@@ -9,9 +9,9 @@
 namespace burin {
 namespace {
 
-constexpr double ratedPeriod = 0.001; // s, that a stylus states its stiffness for
+constexpr double ratedPeriod = 0.001; // s, for which a stylus states its stiffness
 constexpr double dampingShare = 0.3;
-constexpr double restingShare = 0.6; // of what the spring takes
+constexpr double restingShare = 0.6; // of the damping that the spring takes
 constexpr double lightHandle = 0.1;  // kg
 constexpr double lagMargin = 0.6;    // of handle mass over lag; from 1 on the damper oscillates
 

@@ -12,11 +12,12 @@ namespace burin {
 
 namespace {
 
-constexpr double turning = 0.3;    // mm of way over which a direction is forgotten: several steps of an encoder
-constexpr double slowest = 1.0;    // mm/s; slower is rest
-constexpr double plainSpeed = 5.0; // mm/s; from here on it moves
+constexpr double turning = 0.3;    // mm of motion after which a direction is forgotten: several encoder steps
+constexpr double slowest = 1.0;    // mm/s; lower speeds count as rest
+constexpr double plainSpeed = 5.0; // mm/s; from this speed on it counts as moving
 constexpr double settling = 0.02;  // s
-// s: where a fast hand passes a voxel in a few ticks, the volume is no longer a flux and comes in rows of scanlines.
+// s: if a fast hand passes a voxel in a few ticks, the removed volume is not continuous any more but arrives in rows of
+// scanlines.
 constexpr double areaSmoothing = 0.015;
 
 double newtonPerMillimetre(const CuttingForceRendering::Settings& settings) noexcept {
@@ -63,7 +64,7 @@ void CuttingForceRendering::followDirections(const CuttingForce& cut, const Tick
     const double settled = 1.0 - std::exp(-tick.period / settling);
     startsMoving_ += settled * (moving - startsMoving_);
     moves_ += settled * (startsMoving_ - moves_);
-    // Below any device's resolution; without it the decay would end in denormal numbers, which are slow.
+    // Below any device's resolution; without this limit the decay would end in denormal numbers, which are slow.
     constexpr double nothing = 1e-12;
     if (startsMoving_ < nothing) startsMoving_ = 0.0;
     if (moves_ < nothing) moves_ = 0.0;

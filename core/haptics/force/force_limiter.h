@@ -6,8 +6,9 @@
 
 namespace burin {
 
-/// Keeps a force finite, below a maximum and changing slowly; its direction is kept. A fixed small slew limit would act
-/// as delay on stiff devices, so it goes with the coupling's stiffness at a hand's 0.5 m/s.
+/// Keeps a force finite, below a maximum and limited in its rate of change; its direction is kept. A fixed small slew
+/// limit would act as a delay on stiff devices, so the limit is that of the coupling's stiffness with a hand moving at
+/// 0.5 m/s.
 class ForceLimiter {
 public:
     /// @param maximum N. @param stiffness N/m of the coupling. @param period s
@@ -16,13 +17,14 @@ public:
     /// N in, N out. A force that is not finite becomes zero.
     glm::dvec3 limit(const glm::dvec3& wanted) noexcept;
     void reset() noexcept { applied_ = glm::dvec3(0.0); }
-    /// @param maximum N; a change that is less than a fall in a tick is no kick
+    /// @param maximum N; a change smaller than the fall step of a tick causes no perceptible jump
     void setMaximum(double maximum) noexcept { maximum_ = maximum; }
-    /// The last force was cut down to the maximum.
+    /// Whether the last force was cut down to the maximum.
     bool saturated() const noexcept { return saturated_; }
     double maximum() const noexcept { return maximum_; }
     double riseStep() const noexcept { return riseStep_; } ///< N per tick while the force grows
-    double fallStep() const noexcept { return fallStep_; } ///< N per tick while it shrinks: letting go is never unsafe
+    /// N per tick while the force shrinks: releasing a force is never unsafe
+    double fallStep() const noexcept { return fallStep_; }
 
 private:
     double maximum_, riseStep_, fallStep_;
@@ -30,7 +32,7 @@ private:
     bool saturated_ = false;
 };
 
-/// Weight of all forces: fades in from nothing after a start or a fault.
+/// Weight of all forces: fades in from zero after a start or a fault.
 class ForceRamp {
 public:
     explicit ForceRamp(double seconds) noexcept : seconds_(seconds) {}

@@ -24,15 +24,15 @@ PassivityController::Settings controllerSettings(const HapticSettings& settings,
     return {damping, std::min(damping, loss), slowest, std::lround(stylus.delay.value / settings.tickPeriod)};
 }
 
-constexpr double liftStep = 0.05; // N a tick: a third of the slowest slew, beside what is felt
+constexpr double liftStep = 0.05; // N per tick: a third of the slowest slew, in addition to the felt forces
 
-/// N: what the motors have to lift.
+/// Weight that the motors have to lift, N.
 double weightOf(const StylusDescription& stylus) noexcept {
     constexpr double standardGravity = 9.80665; // m/s²
     return stylus.carriesHandle || stylus.actuated.translations < 3 ? 0.0 : stylus.handleMass.value * standardGravity;
 }
 
-/// N, device frame: what carries the handle. No more than half of what may be sent: the rest is for what is felt.
+/// Force that carries the handle, N, device frame. No more than half of the maximum: the rest is for the felt forces.
 glm::dvec3 liftOf(double weight, double maximum) noexcept {
     constexpr double most = 0.5;
     return {0.0, 0.0, std::min(weight, most * maximum)};
@@ -72,7 +72,7 @@ void ForceOutput::render(const ToolMotion& motion, const CuttingForce& cutting, 
     lifted_ += clampLength(lift_ - lifted_, liftStep);
     wrench_.force = rendered_ + lifted_ * ramp_.weight();
     wrench_.torque = turning * ramp_.weight();
-    // A lift does no work but what the handle's own weight takes back: it is not the loop's energy.
+    // A lift does no work except against the handle's own weight: it does not count as energy of the loop.
     passivity_.sent(rendered_);
     turnCoupling_.sent(wrench_.torque);
     sample.force = hand.mapping.directionToSetup(rendered_);
@@ -127,7 +127,7 @@ glm::dvec3 ForceOutput::wanted(const ToolMotion& motion, const CuttingForce& cut
 }
 
 bool ForceOutput::quiet() const noexcept {
-    constexpr double felt = 0.02; // N: what a desktop device can render and a hand notice
+    constexpr double felt = 0.02; // N: the smallest force that a desktop device can render and a hand notices
     return glm::length(rendered_) < felt;
 }
 

@@ -19,30 +19,32 @@
 
 namespace burin {
 
-/// From where hand and tool are to what the device renders: coupling, cutting force, energy, limits, fading in.
-/// Tick code.
+/// From the positions of hand and tool to the wrench of the device: coupling, cutting force, energy, limits, fading in.
+/// Called in the haptic tick.
 class ForceOutput {
 public:
     explicit ForceOutput(const HapticSettings& settings) noexcept;
 
-    /// One tick's force, into the sample and `wrench`.
+    /// Computes one tick's force and stores it in the sample and in `wrench`.
     void render(const ToolMotion& motion, const CuttingForce& cutting, const Hand& hand, const GuidedHand& guided,
                 double period, Sample& sample) noexcept;
-    /// What the motors say of themselves, before a tick's force: hot ones are asked for less (HeatRelief).
+    /// Takes the heat reported by the motors, before a tick's force: hot motors get a lower maximum (HeatRelief).
     void motorsAre(double heat, double period) noexcept;
-    /// No force in this tick. @param fadesIn and the next ones begin from nothing
+    /// No force in this tick. @param fadesIn whether the following forces fade in from zero
     void none(bool fadesIn, Sample& sample) noexcept;
-    /// What the last tick rendered was not sent: the device holds nothing. Forces rise from there, without fading.
+    /// The last tick's force was not sent, so that the device renders none. Forces rise again from zero, without fading
+    /// in.
     void nothingSent() noexcept;
-    /// Forces begin from nothing.
+    /// Lets forces fade in from zero.
     void fadeIn() noexcept;
-    /// The tool was taken up somewhere else: it did not move there.
+    /// The tool was loaded at another position; the jump there is not a motion.
     void toolTakenUp() noexcept { toolMotion_.reset(); }
 
-    /// The hand felt nothing in the last tick.
+    /// Whether the hand felt nothing in the last tick.
     bool quiet() const noexcept;
-    /// Of the last tick, device frame. Where the device has to carry its handle and does not do so itself, with the
-    /// force that does: constant, within the maximum, fading in and gone with the other forces.
+    /// The wrench of the last tick, device frame. If the handle has to be carried and the device does not do so itself,
+    /// it includes the force that carries the handle: constant, within the maximum, fading in and switched off together
+    /// with the other forces.
     const Wrench& wrench() const noexcept { return wrench_; }
     double couplingStiffness() const noexcept { return coupling_.stiffness(); } ///< N/m, device space
     const ForceLimiter& limiter() const noexcept { return limiter_; }
@@ -56,19 +58,20 @@ private:
     TurnCoupling turnCoupling_;
     CuttingForceRendering cuttingRendering_;
     PassivityController passivity_;
-    double maximum_;         ///< N, that are ever sent
-    double weight_;          ///< N, of the handle, that the motors have to lift
-    glm::dvec3 lift_;        ///< N, device frame, against the handle's weight
-    glm::dvec3 lifted_{0.0}; ///< N, that is sent of it: after a gap it comes back in steps
+    double maximum_;         ///< N, maximum that is ever sent
+    double weight_;          ///< N, weight of the handle that the motors have to lift
+    glm::dvec3 lift_;        ///< N, device frame, compensates the handle's weight
+    glm::dvec3 lifted_{0.0}; ///< N, the part of the lift that is sent: after a gap it comes back in steps
     HeatRelief relief_;
     ForceLimiter limiter_;
     ForceRamp ramp_;
     MotionEstimator toolMotion_;
     std::uint32_t forceButtons_;
     Wrench wrench_;
-    std::optional<glm::dvec3> handPlace_; ///< mm, device frame, in the last tick with a force
-    glm::dvec3 rendered_{0.0};            ///< N, device frame: the wrench's force without the lift
-    bool cuttingGaveWay_ = false;         ///< in the last tick, to what holds the tool
+    std::optional<glm::dvec3> handPlace_; ///< mm, device frame, position in the last tick with a force
+    glm::dvec3 rendered_{0.0};            ///< N, device frame: force of the wrench without the lift
+    /// whether in the last tick the cutting force was reduced in favour of the force that holds the tool
+    bool cuttingGaveWay_ = false;
 };
 
 } // namespace burin

@@ -6,16 +6,17 @@
 
 namespace burin {
 
-/// Spares motors that say they are hot: the share of the maximum that they are asked for goes down to half, and back
-/// once they have cooled a little, slowly enough to be no kick (0.45 mN a tick of 1 ms for 1.8 N). Tick code.
+/// Protects motors that report that they are hot: the share of the maximum force that is used goes down to half, and
+/// back once they have cooled a little, slowly enough not to be felt as a jump (0.45 mN per tick of 1 ms for 1.8 N).
+/// Called in the haptic tick.
 class HeatRelief {
 public:
-    static constexpr double hot = 0.8;              ///< of what the motors bear: beyond it they are spared
-    static constexpr double cooled = 0.75;          ///< below it no longer
-    static constexpr double least = 0.5;            ///< of the maximum
-    static constexpr double changePerSecond = 0.25; ///< of the maximum
+    static constexpr double hot = 0.8;              ///< share of the motors' limit above which the force is reduced
+    static constexpr double cooled = 0.75;          ///< below this share it is no longer reduced
+    static constexpr double least = 0.5;            ///< share of the maximum force
+    static constexpr double changePerSecond = 0.25; ///< share of the maximum force
 
-    /// @param heat share of what the motors bear; what is no number says nothing. @param period s
+    /// @param heat share of the motors' limit; NaN is ignored. @param period s
     void advance(double heat, double period) noexcept {
         if (heat > hot) spares_ = true;
         if (heat < cooled) spares_ = false;
@@ -23,12 +24,12 @@ public:
         const double change = changePerSecond * std::min(period, longestPeriod);
         share_ = spares_ ? std::max(least, share_ - change) : std::min(1.0, share_ + change);
     }
-    /// Of the maximum, 0.5 … 1.
+    /// Share of the maximum force to be used, 0.5 … 1.
     double share() const noexcept { return share_; }
     bool active() const noexcept { return share_ < 1.0; }
 
 private:
-    static constexpr double longestPeriod = 0.01; ///< s; after a gap nothing jumps
+    static constexpr double longestPeriod = 0.01; ///< s; avoids a jump after a gap
 
     double share_ = 1.0;
     bool spares_ = false;

@@ -9,28 +9,27 @@
 
 namespace burin {
 
-/// What is made of a position that is read in steps, tick by tick: how fast it moves, and whether it rests. A velocity
-/// that comes late turns a damper into a drive, and one that comes from single ticks shakes a resting hand by its
-/// encoders' steps: so the velocity is filtered briefly, and rest is told apart, where it is to be trusted less. Tick
-/// code.
+/// Estimates velocity and rest from a position that is read in steps, tick by tick. A velocity that is delayed turns a
+/// damper into a drive, and a velocity from single ticks shakes a resting hand by its encoder steps. So the velocity is
+/// filtered briefly, and rest is detected separately, as the velocity is less reliable then. Called in the haptic tick.
 class MotionEstimator {
 public:
     static constexpr double cutoff = 120.0;   ///< Hz, of the velocity's filter (first order): 1.3 ms of lag
-    static constexpr double restTime = 0.015; ///< s within one step of where it is: at rest
+    static constexpr double restTime = 0.015; ///< s within one step of the current position count as rest
 
-    /// @param step mm, of the positions along each axis; 0: they are exact
+    /// @param step mm, resolution of the positions along each axis; 0: they are exact
     explicit MotionEstimator(double step) noexcept;
 
-    /// @param position mm. @param period s since the position before, > 0
+    /// @param position mm. @param period s since the previous position, > 0
     void add(const glm::dvec3& position, double period) noexcept;
     void reset() noexcept { count_ = 0; }
 
-    /// mm/s; zero until two positions are known.
+    /// Velocity in mm/s; zero until two positions are known.
     glm::dvec3 velocity() const noexcept { return velocity_; }
-    /// All that was read lately lies within a step: what moves is mostly the encoders. Never with exact positions that
-    /// differ.
+    /// Whether all recent positions lie within one step, so that the motion consists mostly of encoder steps. Never
+    /// true for exact positions that differ.
     bool rests() const noexcept;
-    /// mm: the last position, moved towards the one before. @param share 0 … 0.5: 0.5 is their mean
+    /// The last position moved towards the one before, mm. @param share 0 … 0.5: 0.5 is their mean
     glm::dvec3 averaged(double share) const noexcept;
 
 private:

@@ -21,7 +21,7 @@ void PassivityController::sent(const glm::dvec3& force) noexcept {
 }
 
 glm::dvec3 PassivityController::dampen(const glm::dvec3& force, const Motion& hand, double period) noexcept {
-    // The device held this force over the whole tick: the product is exact, not an estimate.
+    // The device applied this force during the whole tick: the product is exact, not an estimate.
     const glm::dvec3& acted =
         sent_[(newest_ + sent_.size() - static_cast<std::size_t>(settings_.delay)) % sent_.size()];
     energy_ = std::min(energy_ - glm::dot(acted, hand.moved), largestCredit);

@@ -12,7 +12,7 @@ PlasticAnchor::PlasticAnchor(double stiffness, double mostForce) noexcept
 
 void PlasticAnchor::setStiffness(double stiffness) noexcept {
     if (!(stiffness > 0.0) || !(stiffness_ > 0.0)) return;
-    const double share = stiffness_ / stiffness; // of all lengths, and so of energies at the same force
+    const double share = stiffness_ / stiffness; // ratio of all lengths, and so of the energies at the same force
     stiffness_ = stiffness;
     stretch_ *= share;
     credit_ *= share;
@@ -28,7 +28,7 @@ void PlasticAnchor::reset() noexcept {
 glm::dvec3 PlasticAnchor::drag(const glm::dvec3& motion, const Yield& yield) noexcept {
     if (!(stiffness_ > 0.0)) return glm::dvec3(0.0);
     const bool goesOn = drags_ && glm::dot(stretch_, motion) >= 0.0;
-    // The device held the force of the last tick all the way: this product is exact.
+    // The device applied the force of the last tick during the whole motion: this product is exact.
     credit_ += stiffness_ * (glm::dot(stretch_, motion) + 0.5 * glm::dot(stretch_, stretch_));
     stretch_ += motion;
     const double length = glm::length(stretch_), limit = yield.force / stiffness_;

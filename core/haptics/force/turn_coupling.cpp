@@ -11,7 +11,7 @@
 namespace burin {
 namespace {
 
-constexpr double ratedPeriod = 0.001; // s, that a stylus states its stiffness for
+constexpr double ratedPeriod = 0.001; // s, for which a stylus states its stiffness
 constexpr double believedTurn = 5.0;  // rad/s
 constexpr double slowestTurn = 0.002; // rad/s: the tip of a pen of 50 mm moves by 0.1 mm/s
 

@@ -35,7 +35,7 @@ glm::dvec3 GuideAxis::wanted(const Guide& guide, const ClearanceField& field, co
     }
     const glm::dvec3 along = feed_ - normal * glm::dot(normal, feed_);
     const double length = glm::length(along);
-    if (length < smallestAngle) return normal; // the tool has not moved yet, or goes straight in
+    if (length < smallestAngle) return normal; // the tool has not moved yet, or moves along the normal
     const glm::dvec3 forward = along / length, left = glm::cross(normal, forward);
     return std::cos(guide.tilt) * (std::cos(guide.lead) * normal + std::sin(guide.lead) * forward) +
            std::sin(guide.tilt) * left;

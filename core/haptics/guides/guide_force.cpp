@@ -11,13 +11,14 @@ FeltGuides felt(const GuidedHand& guided, const glm::dvec3& hand, const glm::dve
     const glm::dvec3 kept = tool - guided.goal.tip;
     const double length = glm::length(kept);
     if (!(length > 1e-9)) return felt;
-    const glm::dvec3 outwards = kept / length; // out of what keeps the tool from the goal
+    const glm::dvec3 outwards = kept / length; // away from the surface that keeps the tool from the goal
     felt.across -= outwards * glm::dot(outwards, felt.across);
-    const double inFront = glm::dot(outwards, hand - guided.goal.tip); // of the goal, where the guide draws inwards
+    const double inFront = glm::dot(outwards, hand - guided.goal.tip); // of the goal, if the guide pulls inwards
     if (inFront <= 0.0) return felt;
     felt.from += outwards * std::min(inFront, length);
     const double inwards = glm::dot(outwards, felt.pull);
-    const double outside = std::clamp((inFront - length) / inFront, 0.0, 1.0); // of that way, before the contact
+    // share of that distance in front of the contact
+    const double outside = std::clamp((inFront - length) / inFront, 0.0, 1.0);
     if (inwards < 0.0) felt.pull += outwards * (inwards * (outside - 1.0));
     return felt;
 }

@@ -11,11 +11,12 @@
 namespace burin {
 namespace {
 
-constexpr double mostForceShare = 0.5; // of what is ever sent: the rest is for contact and cutting
+constexpr double mostForceShare = 0.5; // of the maximum force: the rest is for contact and cutting
 constexpr int mostRounds = 6;
-constexpr double smallestRound = 1e-7;    // mm
-constexpr double farthestGoal = 2.0;      // release distances from the hand
-constexpr double correctionSpeed = 200.0; // mm/s in the device, of the goal against the hand, beyond its own motion
+constexpr double smallestRound = 1e-7; // mm
+constexpr double farthestGoal = 2.0;   // distance from the hand, in release distances
+// mm/s of the device: speed of the goal relative to the hand, in addition to the hand's own motion
+constexpr double correctionSpeed = 200.0;
 
 double strongestPull(const HapticSettings& settings, double stiffness) noexcept {
     const double byDistance = GuideReach::strongest * GuideReach::release;
@@ -70,7 +71,7 @@ const Guide* GuideSet::axisGuide() const noexcept {
     return axis == settings_.guides.end() ? nullptr : &*axis;
 }
 
-/// A pass is remembered whether or not a guide asks for it: it may be switched on after the pass.
+/// A pass is recorded even if no guide uses it: the guide may be switched on after the pass.
 void GuideSet::followPass(const ToolPose& tool, bool cutting) noexcept {
     const auto stepOver = std::find_if(settings_.guides.begin(), settings_.guides.end(),
                                        [](const Guide& guide) { return guide.kind == GuideKind::stepOver; });
@@ -114,7 +115,7 @@ GuidedHand GuideSet::guide(const Hand& hand, const ToolPose& tool, bool cutting,
     return guided;
 }
 
-/// Those that leave come last: what holds then does not depend on them.
+/// Sorts leaving guides last, so that they do not affect what the others hold.
 void GuideSet::order() noexcept {
     std::array<std::size_t, GuideSettings::capacity> leaving{};
     std::size_t held = 0, left = 0;
@@ -127,7 +128,7 @@ void GuideSet::order() noexcept {
     activeCount_ = held + left;
 }
 
-/// Of those that contradict a guide, itself included, the last in the settings gives way.
+/// Of the guides that contradict a guide, itself included, the last in the settings gives way.
 void GuideSet::giveWay(std::size_t guide, const GuideRows& rows) noexcept {
     std::size_t last = guide;
     for (std::size_t i = 0; i < activeCount_; ++i) {
@@ -139,7 +140,8 @@ void GuideSet::giveWay(std::size_t guide, const GuideRows& rows) noexcept {
     if (slots_[last].state() == GuideSlot::State::held) slots_[last].leave(true);
 }
 
-/// Gathers what is held into the solver, about their feet or about a place. False: a guide cannot be told there.
+/// Collects the planes of the active guides in the solver, at their feet or near a point. Returns false if a guide
+/// can't be evaluated there.
 bool GuideSet::gather(const GuideSurroundings& around, const glm::dvec3* place) noexcept {
     solver_.clear();
     for (std::size_t i = 0; i < activeCount_; ++i) {
@@ -168,8 +170,8 @@ void GuideSet::capture() noexcept {
     }
 }
 
-/// One guide holds where its foot is. Several hold where all of them do, nearest to the hand: found by projecting onto
-/// them as they are near where the last round led.
+/// A single guide holds at its foot. Several guides hold at the common point nearest to the hand, found by repeated
+/// projection onto the planes near the result of the previous round.
 void GuideSet::solve(const GuideSurroundings& around, const glm::dvec3& hand, double reach) noexcept {
     overruled_ = 0;
     gather(around, nullptr);
@@ -186,7 +188,7 @@ void GuideSet::solve(const GuideSurroundings& around, const glm::dvec3& hand, do
         point = solver_.nearest(hand);
         if (glm::length(point - before) < smallestRound) break;
     }
-    // Guides that meet far off are as good as apart.
+    // Guides that meet far away are treated as if they did not meet.
     if (glm::length(point - hand) <= farthestGoal * GuideReach::release * reach) return;
     const auto held = [this](std::size_t i) {
         return slots_[i].state() == GuideSlot::State::held && !slots_[i].stepping();
@@ -195,9 +197,9 @@ void GuideSet::solve(const GuideSurroundings& around, const glm::dvec3& hand, do
         if (held(i)) return slots_[i].leave(true);
 }
 
-/// Each guide pulls on its own, so that what others do leaves no jump in it, and together they draw to where all of
-/// them hold. Guides that are not at right angles share what the device bears: the sum of shares along any direction
-/// (Gershgorin's bound on the stiffness matrix) is at most 1.
+/// Each guide pulls individually, so that changes of other guides cause no jump in it, and together they pull towards
+/// the common point. Guides that are not perpendicular share the force of the device: the sum of their shares along any
+/// direction (Gershgorin's bound on the stiffness matrix) is at most 1.
 void GuideSet::feel(const Hand& hand, GuidedHand& guided) const noexcept {
     const double reach = hand.mapping.scale, strongest = strongestPull_ * reach;
     double crowd = 1.0;

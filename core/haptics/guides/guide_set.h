@@ -10,38 +10,41 @@
 
 namespace burin {
 
-/// Where the guides would have the hand, and what they let it feel of that. Setup frame.
+/// The goal of the hand according to the guides, and what the hand feels of them. Setup frame.
 struct GuidedHand {
-    ToolPose goal;          ///< that the tool goes for
-    glm::dvec3 pull{0.0};   ///< mm: the guides' spring pulls the hand so far, faded and clamped; times its stiffness
-    glm::dvec3 across{0.0}; ///< mm/s of the hand across what holds it, for the guides' damper
-    std::uint32_t held = 0; ///< bit i: guide i holds
+    ToolPose goal; ///< pose that the tool moves to
+    /// mm, displacement of the guides' spring, faded and clamped; to be multiplied by its stiffness
+    glm::dvec3 pull{0.0};
+    glm::dvec3 across{0.0}; ///< mm/s, velocity of the hand across the guides that hold it, for the guides' damper
+    std::uint32_t held = 0; ///< bit i: guide i holds the hand
 };
 
-/// All guides of a session, solved together: the hand's wish becomes a guided goal on every guide that holds. A guide
-/// takes the hand within GuideReach::capture and lets go beyond release; a guide that contradicts one that holds waits
-/// (overruled), or, if it stands before it in the settings, makes it leave first. All changes fade over rampSeconds.
-/// The pull is the gradient of a potential that is highest where a guide lets go, so that coming near, being taken,
-/// and pushing off costs energy, and never gives any.
-/// Tick code, but for making the object.
+/// All guides of a session, solved together: the hand's request becomes a goal on every guide that holds the hand. A
+/// guide captures the hand within GuideReach::capture and releases it beyond GuideReach::release. A guide that
+/// contradicts one that holds the hand waits (overruled), or, if it comes earlier in the settings, makes the other one
+/// leave first. All changes fade over rampSeconds. The pull is the gradient of a potential that is highest at the
+/// release distance, so that approaching a guide, being captured and pushing off costs energy and never yields any.
+/// Called in the haptic tick, except for the constructor.
 class GuideSet {
 public:
     /// @param field of the tool; outlives the object
     GuideSet(const ClearanceField& field, const HapticSettings& settings);
 
-    /// Takes effect with the next tick, without a kick. Between two ticks.
+    /// Takes effect with the next tick, without a jump of the force. Called between two ticks.
     void set(const GuideSettings& settings) noexcept;
-    /// The next level for all level guides that hold, and the end of a pass for step-over. Between two ticks.
+    /// Selects the next level of all level guides that hold the hand, and ends the pass for step-over. Called between
+    /// two ticks.
     /// @param levels +1: along the normal
     void step(int levels) noexcept;
 
-    /// @param tool where it is. @param cutting the spindle turns: the tool makes a pass. @param period s
+    /// @param tool its current pose. @param cutting whether the spindle turns: the tool makes a pass. @param period s
     GuidedHand guide(const Hand& hand, const ToolPose& tool, bool cutting, double period) noexcept;
-    /// Nobody knows where the hand has been meanwhile: no guide holds. The last pass stays known.
+    /// To be called when the motion of the hand is not known for some time: no guide holds the hand any more. The last
+    /// pass is kept.
     void forget() noexcept;
 
     const GuideSettings& settings() const noexcept { return settings_; }
-    /// @param guide its number in the settings, not checked
+    /// @param guide its number in the settings, not range-checked
     GuideNews news(std::size_t guide) const noexcept;
     double stiffness() const noexcept { return stiffness_; } ///< N/m, device space
 
@@ -58,17 +61,17 @@ private:
 
     const ClearanceField* field_;
     double stiffness_;     ///< N/m, device space
-    double strongestPull_; ///< mm in the device
+    double strongestPull_; ///< mm of the device
     GuideSettings settings_;
     std::array<GuideSlot, GuideSettings::capacity> slots_;
-    std::array<std::size_t, GuideSettings::capacity> active_{}; ///< held and leaving ones, oldest first
+    std::array<std::size_t, GuideSettings::capacity> active_{}; ///< guides that hold or leave, oldest first
     std::size_t activeCount_ = 0;
     GuideSolver solver_;
     GuideAxis axis_;
     LastPass lastPass_;
     glm::dvec3 passDirection_{0.0};
     bool passUnderWay_ = false;
-    glm::dvec3 hand_{0.0}, correction_{0.0}; ///< mm, of the tick before
+    glm::dvec3 hand_{0.0}, correction_{0.0}; ///< mm, in the previous tick
     std::uint32_t buttons_ = 0, overruled_ = 0;
     bool known_ = false;
 };

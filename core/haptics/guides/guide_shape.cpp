@@ -12,19 +12,19 @@
 namespace burin {
 namespace {
 
-constexpr double onIt = 1e-6;          // mm: the hand is on the guide, and shows no direction from it
-constexpr double usableGradient = 0.2; // below it (a medial axis) the direction is noise
-constexpr double clearSide = 0.1;      // of the step-over: a hand farther off the last pass has chosen its side
-constexpr double footTravel = 0.05;    // mm a tick that a foot may run ahead of the hand
-constexpr double footOverHand = 4.0;   // how much faster than the hand it may be besides
-constexpr double nearPass = 0.5;       // of the step-over
-constexpr double smallestMix = 1e-3;   // of directions that are opposed
-constexpr double surfaceTravel = 10.0; // mm a tick
+constexpr double onIt = 1e-6;          // mm: the hand is on the guide, so that the direction from it is undefined
+constexpr double usableGradient = 0.2; // below it (at a medial axis) the direction is noise
+constexpr double clearSide = 0.1;      // share of the step-over: a hand farther from the last pass has chosen its side
+constexpr double footTravel = 0.05;    // mm per tick that a foot may move in addition to the hand's motion
+constexpr double footOverHand = 4.0;   // factor by which it may also be faster than the hand
+constexpr double nearPass = 0.5;       // share of the step-over
+constexpr double smallestMix = 1e-3;   // of opposed directions
+constexpr double surfaceTravel = 10.0; // mm per tick
 constexpr int surfaceSteps = 12;
-constexpr double surfaceTolerance = 0.25; // of the field's spacing
+constexpr double surfaceTolerance = 0.25; // share of the field's spacing
 constexpr double farthestLevel = 1e6;
 
-/// Two planes that keep a tip at a point of a curve, but for sliding along it.
+/// Two planes that hold a tip at a point of a curve, so that it can only slide along the curve.
 GuideRows rowsAcross(const glm::dvec3& tangent, const glm::dvec3& point, const glm::dvec3& place) noexcept {
     const glm::dvec3 away = place - point;
     const double distance = glm::length(away);
@@ -32,12 +32,12 @@ GuideRows rowsAcross(const glm::dvec3& tangent, const glm::dvec3& point, const g
     const glm::dvec3 second = glm::cross(tangent, first);
     GuideRows rows;
     rows.add(first, point);
-    // Straight beyond an end, anything across does.
+    // Straight beyond an end, any perpendicular direction will do.
     rows.add(glm::length(second) > 1e-3 ? glm::normalize(second) : anyAcross(first), point);
     return rows;
 }
 
-/// Along a polyline; at its points half-way between the segments.
+/// Direction of a polyline; at its vertices halfway between the segments.
 glm::dvec3 directionAt(const Polyline& line, const PolylineFoot& foot) noexcept {
     const auto direction = [&](std::size_t segment) {
         return glm::normalize(line.points[segment + 1] - line.points[segment]);
@@ -120,7 +120,7 @@ GuideFoot GuideShape::planeFoot(const glm::dvec3& hand, bool held) noexcept {
     return {true, hand - normal * (glm::dot(normal, hand) - offsetOfPlane()), 0.0};
 }
 
-/// A hand nearer to the part than the guide is led out as the proxy is, which settles in corners.
+/// A hand nearer to the part than the guide is moved out in the same way as the proxy, which settles in corners.
 GuideFoot GuideShape::surfaceFoot(const GuideSurroundings& around, const glm::dvec3& hand, bool held) const noexcept {
     const FieldSample here = around.field.at(hand);
     if (!held && !here.fine) return {};
@@ -138,8 +138,8 @@ GuideFoot GuideShape::surfaceFoot(const GuideSurroundings& around, const glm::dv
     return {there, step.pose.tip, 0.0};
 }
 
-/// From outside the nearest point is where the hand lies straight above the surface: projections onto the tangent plane
-/// of the projection before. They converge for hands nearer than the surface's radius of curvature.
+/// From outside, the nearest point is the one whose normal goes through the hand: found by projecting onto the tangent
+/// plane of the previous projection. Converges for hands nearer than the surface's radius of curvature.
 GuideFoot GuideShape::surfaceFromOutside(const ClearanceField& field, const glm::dvec3& hand,
                                          const glm::dvec3& start) const noexcept {
     glm::dvec3 point = start;
@@ -166,7 +166,7 @@ GuideFoot GuideShape::passFoot(const LastPass& lastPass, const glm::dvec3& hand,
         passes_ = lastPass.number();
         tracker_.reset();
         side_ = 0.0;
-        if (held) return {}; // it keeps from another pass now: lets go of the one before first
+        if (held) return {}; // its reference is another pass now: it has to release the previous one first
     }
     const glm::dvec3 place = across(hand);
     const PolylineFoot& at =
@@ -181,12 +181,12 @@ GuideFoot GuideShape::passFoot(const LastPass& lastPass, const glm::dvec3& hand,
     return {true, hand - row.normal * (glm::dot(row.normal, hand) - row.offset), 0.0};
 }
 
-/// The distance to the last pass grows along the way from it. Near the pass that way is noise; there it is straight
-/// across, turning evenly round the polyline's corners.
+/// The gradient of the distance to the last pass points away from it. Near the pass that direction is noise; there the
+/// direction straight across the pass is used, which rotates uniformly around the polyline's corners.
 GuideRows GuideShape::passRow(const Polyline& pass, const PolylineFoot& foot, const glm::dvec3& place) const noexcept {
     const glm::dvec3 onSide = side_ * glm::cross(guide_.direction, directionAt(pass, foot));
     const glm::dvec3 away = place - foot.point;
-    // Across the last pass from the side that is held, the distance is one to make good.
+    // A hand on the other side of the last pass has a negative distance, which the guide has to correct.
     const double distance = std::copysign(glm::length(away), glm::dot(away, onSide));
     const double share = std::min(1.0, std::abs(distance) / (nearPass * guide_.distance));
     const glm::dvec3 outwards = std::abs(distance) > onIt ? away / distance : onSide;

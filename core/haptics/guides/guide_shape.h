@@ -10,21 +10,21 @@
 
 namespace burin {
 
-/// What guides are made of besides their own figures.
+/// What guides depend on besides their own parameters.
 struct GuideSurroundings {
     const ClearanceField& field; ///< of the tool
     const LastPass& lastPass;
 };
 
-/// Where a guide would have the hand.
+/// The nearest point of a guide to the hand.
 struct GuideFoot {
     bool known = false;
     glm::dvec3 point{0.0};
-    double distance = 0.0; ///< mm from the hand
+    double distance = 0.0; ///< mm, from the hand
 };
 
-/// A guide near a place: up to two planes, of unit normals at right angles to each other, that a tip on the guide
-/// keeps to: dot(normal, tip) = offset.
+/// A guide linearised near a point: up to two planes, with perpendicular unit normals, on which a tip on the guide
+/// lies: dot(normal, tip) = offset.
 struct GuideRows {
     struct Row {
         glm::dvec3 normal{0.0};
@@ -40,10 +40,11 @@ struct GuideRows {
     const Row* end() const noexcept { return rows.data() + count; }
 };
 
-/// The geometry of one guide, with what it remembers from tick to tick: its level, its side, its foot. Tick code.
+/// The geometry of one guide, with the state kept from tick to tick: its level, its side, its nearest point (foot).
+/// Called in the haptic tick.
 class GuideShape {
 public:
-    /// Another guide, at its level 0: nothing is remembered of the one before.
+    /// Replaces the guide, starting at its level 0; no state of the previous guide is kept.
     void set(const Guide& guide) noexcept;
     const Guide& guide() const noexcept { return guide_; }
     bool curved() const noexcept {
@@ -51,15 +52,17 @@ public:
                guide_.kind == GuideKind::stepOver;
     }
 
-    /// The nearest point of the guide. @param held it keeps to the level, side and branch it had, and to where its foot
-    /// was; else it takes the nearest. @param moved mm that the hand has moved since the call before
+    /// The nearest point of the guide. @param held whether the level, side, branch and the neighbourhood of the
+    /// previous foot are kept; otherwise the nearest point of all is taken. @param moved mm that the hand has moved
+    /// since the last call
     GuideFoot foot(const GuideSurroundings& around, const glm::dvec3& hand, bool held, double moved) noexcept;
-    /// The guide about its foot, as the hand sees it: the first normal points at the hand.
+    /// The guide linearised at its foot, as seen from the hand: the first normal points to the hand.
     GuideRows atFoot(const GuideSurroundings& around, const glm::dvec3& hand) const noexcept;
-    /// The guide about another place near its foot. None: it cannot be told there.
+    /// The guide linearised at another point near its foot. Empty if that is not possible there.
     GuideRows near(const GuideSurroundings& around, const glm::dvec3& place) const noexcept;
 
-    /// mm between neighbours, for guides that have several: they share the room between them. 0: it is alone.
+    /// Distance between neighbours, mm, for guides with several levels or passes, which divide the space between them.
+    /// 0: a single guide.
     double spacing() const noexcept;
     int level() const noexcept { return level_; }
     void setLevel(int level) noexcept { level_ = level; }
@@ -72,7 +75,7 @@ private:
     GuideFoot passFoot(const LastPass& lastPass, const glm::dvec3& hand, bool held, double moved) noexcept;
     GuideRows curveRows(const PolylineFoot& foot, const glm::dvec3& place) const noexcept;
     GuideRows passRow(const Polyline& pass, const PolylineFoot& foot, const glm::dvec3& place) const noexcept;
-    glm::dvec3 across(const glm::dvec3& place) const noexcept; ///< seen along `direction`
+    glm::dvec3 across(const glm::dvec3& place) const noexcept; ///< component perpendicular to `direction`
     double offsetOfPlane() const noexcept;
     Polyline curve() const noexcept;
 
@@ -81,7 +84,7 @@ private:
     GuideFoot foot_;
     int level_ = 0;
     double side_ = 0.0;        ///< of the last pass: +1 left of it, seen against `direction`; 0: not known yet
-    std::uint32_t passes_ = 0; ///< that were known when the side was
+    std::uint32_t passes_ = 0; ///< number of passes known when the side was determined
 };
 
 } // namespace burin

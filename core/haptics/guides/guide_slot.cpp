@@ -67,7 +67,7 @@ void GuideSlot::updateHeld(const GuideSurroundings& around, const glm::dvec3& ha
                            double reach) noexcept {
     if (!(wanted_ == shape_.guide())) return leave(true);
     const GuideFoot foot = shape_.foot(around, hand, true, moved);
-    // A distance changes no more than the hand moves; one that does belongs to another branch.
+    // A distance changes no more than the hand moves; a larger change means another branch.
     const bool jumped = std::abs(foot.distance - distance_) > 2.0 * moved + smallestJump;
     if (!foot.known || jumped) return leave(true);
     distance_ = foot.distance;

@@ -31,7 +31,7 @@ double GuideSolver::independence(const GuideRows& rows) const noexcept {
         for (const Direction& held : *this) rest -= glm::dot(held.normal, row.normal) * held.normal;
         least = std::min(least, glm::length(rest));
     }
-    // Two rows may be independent of what is held, and yet share the one direction that is free.
+    // Two planes may each be independent of the directions held, and yet share the only direction that is free.
     return size_ + rows.count > capacity ? 0.0 : least;
 }
 

@@ -8,29 +8,30 @@
 
 namespace burin {
 
-/// Guides held together: an orthonormal basis of what they hold, from their rows in order (Gram-Schmidt), so that each
-/// direction can fade on its own, and so that in full force the nearest point on all of them comes out. Tick code.
+/// Combines the guides that hold: an orthonormal basis of the directions that they hold, from their planes in order
+/// (Gram-Schmidt), so that each direction can fade individually, and so that at full weight the result is the nearest
+/// point on all guides. Called in the haptic tick.
 class GuideSolver {
 public:
-    static constexpr int capacity = 3; ///< more directions there are not
+    static constexpr int capacity = 3; ///< there are no more than three directions
 
-    /// sin of the angle to what is held already, below which a row says nothing new, or contradicts.
+    /// Sine of the angle to the directions already held below which a plane adds no information, or contradicts them.
     static constexpr double smallestSine = 0.2;
-    /// The same for a guide that is to be captured: a little farther off.
+    /// The same for a guide that is to be captured: a somewhat larger angle.
     static constexpr double capturingSine = 0.3;
 
     struct Direction {
         glm::dvec3 normal{0.0};
         double offset = 0.0;   ///< mm: dot(normal, point) on the guides
-        std::size_t guide = 0; ///< whose row it is
+        std::size_t guide = 0; ///< the guide that it comes from
     };
 
     void clear() noexcept { size_ = 0; }
-    /// False: a row does not do; those before it stay.
+    /// Returns false if a plane can't be added; the planes before it stay.
     bool add(std::size_t guide, const GuideRows& rows) noexcept;
-    /// sin of the smallest angle between the rows and what is held.
+    /// Sine of the smallest angle between the planes' normals and the directions held.
     double independence(const GuideRows& rows) const noexcept;
-    /// Whether a guide's directions take part in what the rows hold.
+    /// Whether directions of a guide contribute to what holds along the planes' normals.
     bool concerns(std::size_t guide, const GuideRows& rows) const noexcept;
     /// The nearest point to `hand` on all guides.
     glm::dvec3 nearest(const glm::dvec3& hand) const noexcept;

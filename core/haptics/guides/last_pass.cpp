@@ -31,7 +31,7 @@ void LastPass::add(const glm::dvec3& tip) noexcept {
     window_[waiting_++] = tip;
 }
 
-/// Whether the segment from the point kept last to a tip does for all that lie between.
+/// Whether the segment from the last kept point to a tip is within the tolerance of all tips in between.
 bool LastPass::straightTo(const glm::dvec3& tip) const noexcept {
     const Pass& pass = passes_[1 - last_];
     const glm::dvec3 from = pass.points[pass.count - 1];
@@ -47,7 +47,7 @@ void LastPass::keep(const glm::dvec3& tip) noexcept {
     waiting_ = 0;
 }
 
-/// Drops every second point; the error grows by how far those lie from what is left.
+/// Drops every second point; the error grows by the distance of the dropped points from the remaining line.
 void LastPass::thin(Pass& pass) noexcept {
     double worst = 0.0;
     for (std::size_t i = 1; i + 1 < pass.count; i += 2)

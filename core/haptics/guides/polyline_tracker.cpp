@@ -21,7 +21,7 @@ PolylineFoot footOn(const Polyline& line, std::size_t segment, const glm::dvec3&
     return foot;
 }
 
-/// The segment after (or before) one; false at an end.
+/// Replaces a segment by the one after (or before) it; returns false at an end.
 bool neighbour(const Polyline& line, bool onwards, std::size_t& segment) noexcept {
     const std::size_t last = line.segments() - 1;
     if (segment != (onwards ? last : 0)) {
@@ -33,7 +33,7 @@ bool neighbour(const Polyline& line, bool onwards, std::size_t& segment) noexcep
     return true;
 }
 
-/// Downhill from a foot, in one direction.
+/// Walks from a foot in one direction as long as the distance decreases.
 PolylineFoot walked(const Polyline& line, const glm::dvec3& place, PolylineFoot foot, bool onwards,
                     double travel) noexcept {
     for (std::size_t i = 0; i < PolylineTracker::walkedSegments && travel > 0.0; ++i) {

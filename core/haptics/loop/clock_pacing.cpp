@@ -21,7 +21,7 @@ public:
         , stop_(stop)
         , outcome_(outcome)
         , period_(nanoseconds(settings.period)) {}
-    /// No force stays on a device, whatever ends the loop.
+    /// Sets the device's force to zero, whatever ends the loop.
     ~ClockPacing() { stylus_.write({}); }
     ClockPacing(const ClockPacing&) = delete;
     ClockPacing& operator=(const ClockPacing&) = delete;
@@ -43,11 +43,11 @@ private:
     PacingOutcome& outcome_;
     const std::int64_t period_; ///< ns
     std::int64_t start_ = 0;    ///< ns
-    double simulated_ = 0.0;    ///< s that ticks were told, beyond ticks of the nominal period
+    double simulated_ = 0.0;    ///< s, sum of the differences of the ticks' periods from the nominal one
 };
 
 bool ClockPacing::finished() const noexcept {
-    // Half a period: the sum of periods must not turn 1000 ticks into 1001.
+    // Half a period: rounding errors in the sum of periods must not turn 1000 ticks into 1001.
     return stop_.load(std::memory_order_relaxed) || stylus_.finished() ||
            outcome_.time >= settings_.maximumSeconds - 0.5 * settings_.period;
 }
@@ -67,7 +67,7 @@ void ClockPacing::tick(double period) noexcept {
     tick_.spent(now(CLOCK_THREAD_CPUTIME_ID) - before);
 }
 
-/// Simulated time: as many periods as ticks, but for what a stylus knows better.
+/// Simulated time: as many periods as ticks, unless the stylus specifies its own periods.
 void ClockPacing::runFast() noexcept {
     while (!finished()) {
         if (edge() != AtEdge::tick) {
@@ -80,7 +80,7 @@ void ClockPacing::runFast() noexcept {
     }
 }
 
-/// The ticks of one edge in a time lapse. What kept the last of them from being made, if anything did.
+/// Runs the ticks of one edge in a time lapse. Returns the reason why the last of them was not made, if any.
 AtEdge ClockPacing::lapse() noexcept {
     for (int i = 0; i < settings_.ticksPerEdge && !finished(); ++i) {
         if (const AtEdge answer = edge(); answer != AtEdge::tick) return answer;
@@ -90,8 +90,8 @@ AtEdge ClockPacing::lapse() noexcept {
     return AtEdge::tick;
 }
 
-/// Sleeps to the next edge that is still ahead: never catches up in a burst.
-/// @return the edge that it is when this thread runs again: woken late, it is a later one
+/// Sleeps until the next edge that is still ahead: never catches up in a burst.
+/// @return the edge at which this thread runs again: a later one if it was woken late
 std::int64_t ClockPacing::edgeAfter(std::int64_t edge) noexcept {
     const std::int64_t passed = (now() - start_) / period_;
     const std::int64_t next = passed > edge ? passed + 1 : edge + 1;

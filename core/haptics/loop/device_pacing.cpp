@@ -13,10 +13,10 @@
 namespace burin {
 namespace {
 
-/// Between two looks of the owner's thread at whether the loop is over.
+/// Interval at which the owner's thread checks whether the loop is over.
 constexpr std::chrono::milliseconds glance{2};
 
-/// The loop's side of a stylus that keeps its own time. Its ticks run in the stylus' thread.
+/// The loop's side of a self-paced stylus. The ticks run in the stylus' thread.
 class DevicePacing final : public StylusClient {
 public:
     DevicePacing(ServoTick& tick, const ServoSettings& settings, PacingOutcome& outcome) noexcept
@@ -36,7 +36,7 @@ private:
     const ServoSettings& settings_;
     PacingOutcome& outcome_;
     std::atomic<bool> over_{false};
-    std::optional<TickThread> thread_; ///< of the stylus, from here on
+    std::optional<TickThread> thread_; ///< settings of the stylus' thread; this member and the following are used by it
     std::optional<DenormalsAreZero> denormals_;
     std::optional<double> readBefore_; ///< s, the device's clock
     std::int64_t calledBefore_ = 0, cpuBefore_ = 0;
@@ -56,8 +56,8 @@ void DevicePacing::ends() noexcept {
     thread_.reset();
 }
 
-/// By the device's clock, which no bus disturbs. But a gap is the longer one of both: a device whose clock stands must
-/// not hide that the hand has waited.
+/// By the device's clock, which is not disturbed by the bus. But for gaps the longer of both durations counts: a device
+/// whose clock stands still must not hide that the hand has waited.
 double DevicePacing::periodOf(const StylusState& reading, std::int64_t time) noexcept {
     const double told = readBefore_ ? reading.time - *readBefore_ : settings_.period;
     const double waited = calledBefore_ > 0 ? seconds(time - calledBefore_) : settings_.period;

@@ -14,7 +14,7 @@ double DurationHistogram::quantileMicroseconds(double share) const noexcept {
     for (std::size_t i = 0; i < size; ++i) {
         seen += buckets_[i];
         if (seen < rank || seen == 0) continue;
-        // The inverse of `bucket`: from 64 on, each block of 32 buckets is twice as coarse as the one before.
+        // The inverse of `bucket`: from value 64 on, each block of 32 buckets is twice as coarse as the previous one.
         const std::size_t shift = i < (std::size_t{2} << subBits) ? 0 : (i >> subBits) - 1;
         const double upper = std::ldexp(static_cast<double>(i - (shift << subBits) + 1), static_cast<int>(shift)) - 1.0;
         return std::min(upper, static_cast<double>(largest_)) * 1e-3;

@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// Counts durations in fixed memory: exact to 1/32 of the value, whatever its size. Adding is a few instructions.
+/// Counts durations in fixed memory: with a relative error of at most 1/32 of the value, whatever its size. Adding is a
+/// few instructions.
 class DurationHistogram {
 public:
     /// @param nanoseconds negative counts as 0
@@ -20,7 +21,8 @@ public:
     }
     std::uint64_t count() const noexcept { return count_; }
     double largestMicroseconds() const noexcept { return static_cast<double>(largest_) * 1e-3; }
-    /// µs that a share of all durations does not exceed: the upper end of its bucket, never beyond the largest.
+    /// The duration in µs that a share of all durations does not exceed: the upper end of its bucket, never beyond the
+    /// largest.
     /// @param share 0 … 1
     double quantileMicroseconds(double share) const noexcept;
 

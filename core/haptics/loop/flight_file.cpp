@@ -26,7 +26,7 @@ void append(std::string& text, std::string_view value) {
     text += ',';
 }
 
-/// As one line of a comment, whatever a device calls itself.
+/// As one line of a comment, whatever characters the device's name contains.
 std::string oneLine(std::string text) {
     for (char& letter : text)
         if (static_cast<unsigned char>(letter) < 0x20) letter = ' ';

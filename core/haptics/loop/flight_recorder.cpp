@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::chrono::milliseconds interval{20}; // between two looks at whether a fault was raised
+constexpr std::chrono::milliseconds interval{20}; // between two checks for raised faults
 constexpr std::string_view start = "flight-", ending = ".csv";
 
-/// Names sort as their times.
+/// File names sort chronologically.
 std::string fileName(double time, TickFault fault) {
     const auto seconds = static_cast<std::time_t>(std::floor(time));
     std::tm parts{};
@@ -86,8 +86,8 @@ void FlightRecorder::run(const std::stop_token& stop) {
     writeRaised();
 }
 
-/// The newest entries, the oldest first. The loop holds its turn for less than a microsecond, unless it was made to
-/// wait for the processor right then.
+/// Returns the newest entries, the oldest first. The loop holds its turn for less than a microsecond, unless it is
+/// descheduled right then.
 std::vector<FlightRecorder::Entry> FlightRecorder::freeze() {
     for (Turn nobody = Turn::nobody; !turn_.compare_exchange_weak(nobody, Turn::writer, std::memory_order_acquire);
          nobody = Turn::nobody)
@@ -101,7 +101,8 @@ std::vector<FlightRecorder::Entry> FlightRecorder::freeze() {
 }
 
 void FlightRecorder::writeRaised() {
-    writing_.store(true, std::memory_order_release); // before `wanted_` goes, so that `writing` never blinks
+    // set before `wanted_` is cleared, so that `writing` is true without interruption
+    writing_.store(true, std::memory_order_release);
     if (wanted_.exchange(false, std::memory_order_acq_rel)) writeRecord();
     writing_.store(false, std::memory_order_release);
 }
@@ -110,7 +111,7 @@ void FlightRecorder::writeRecord() {
     std::vector<TickFault> faults;
     while (const std::optional<TickFault> fault = raised_.take()) faults.push_back(*fault);
     if (faults.empty()) return;
-    // What happens right after a fault is part of the picture; and if the loop is dead, nothing more will come.
+    // The record includes a short time after the fault; if the loop is dead, nothing more will come.
     std::this_thread::sleep_for(interval);
     const double time = unixTime();
     const fs::path file = settings_.folder / fileName(time, faults.front());

@@ -18,25 +18,27 @@
 
 namespace burin {
 
-/// Where flight records go, and whose they are.
+/// Settings of the flight records: their folder, and the session that they describe.
 struct FlightSettings {
-    std::filesystem::path folder;       ///< is made when the first record is written
-    std::string device;                 ///< name of the stylus
-    double period = 0.001;              ///< s, of the loop
-    int keep = 8;                       ///< records in the folder; the oldest go
-    std::vector<std::string> materials; ///< ids of the workpiece's property list, each at its index
+    std::filesystem::path folder; ///< created when the first record is written
+    std::string device;           ///< name of the stylus
+    double period = 0.001;        ///< s, of the loop
+    int keep = 8;                 ///< maximum number of records in the folder; the oldest are deleted
+    /// ids of the materials in the workpiece's property list, in the order of their indices
+    std::vector<std::string> materials;
 };
 
-/// A fault, and the file that tells of it.
+/// A fault, and the file that records it.
 struct FlightReport {
     TickFault fault = TickFault::none;
-    std::filesystem::path file; ///< empty: it could not be written
+    std::filesystem::path file; ///< empty if it could not be written
 };
 
 /// Keeps the last two seconds of a loop in fixed memory, and writes them to a file when a fault begins: every reading
-/// as it came, what became of it, and how the loop kept up. The sink behind it goes on as without it. The tick copies
-/// some hundred bytes: no allocation, lock or system call. While a record is written, which takes some milliseconds, no
-/// ticks are kept; faults meanwhile are told with that file. The file: see core/haptics/README.md.
+/// as it arrived, the resulting sample, and the timing of the loop. All calls are passed on to the next sink unchanged.
+/// Each tick copies some hundred bytes: no allocation, lock or system call. While a record is written, which takes some
+/// milliseconds, no ticks are kept; faults in the meantime are reported with that file. File format: see
+/// core/haptics/README.md.
 class FlightRecorder final : public TickSink, public LoopAlarm {
 public:
     static constexpr double length = 2.0; ///< s
@@ -51,23 +53,23 @@ public:
     void tick(const Sample& sample, const TickTiming& timing) noexcept override;
     void loopDied() noexcept override { raise(TickFault::dead); }
 
-    /// Owner's thread, once no tick runs any more: what was triggered is written when this returns.
+    /// Owner's thread, once no more ticks run. When it returns, all triggered records have been written.
     void finish();
-    /// Any thread: the oldest record that nobody took yet.
+    /// Any thread. The oldest report that was not taken yet.
     std::optional<FlightReport> take();
-    /// Any thread: a record is about to be written, and will be there to take.
+    /// Any thread. Whether a record is about to be written, which can be taken afterwards.
     bool writing() const noexcept {
         return wanted_.load(std::memory_order_acquire) || writing_.load(std::memory_order_acquire);
     }
 
-    /// One tick of a record.
+    /// One tick in a record.
     struct Entry {
         Sample sample;
         TickTiming timing;
     };
 
 private:
-    /// Who may touch the entries right now.
+    /// Which thread may access the entries right now.
     enum class Turn : std::uint8_t { nobody, loop, writer };
 
     void raise(TickFault fault) noexcept;
@@ -79,7 +81,7 @@ private:
     const FlightSettings settings_;
     TickSink& next_;
     std::vector<Entry> entries_;
-    std::uint64_t count_ = 0; ///< ticks ever kept; the newest at (count_ - 1) % size
+    std::uint64_t count_ = 0; ///< number of ticks kept so far; the newest is at (count_ - 1) % size
     std::atomic<Turn> turn_{Turn::nobody};
     BoxOf<TickFault> raised_;
     std::atomic<bool> wanted_{false}, writing_{false};
@@ -90,7 +92,7 @@ private:
     std::jthread thread_;               // last: it uses the above
 };
 
-/// The text of a record. @param entries the oldest first. @param unixTime s since 1970, UTC
+/// Returns the text of a record. @param entries oldest first. @param unixTime s since 1970, UTC
 std::string formatFlight(const FlightSettings& settings, TickFault fault, double unixTime,
                          const std::vector<FlightRecorder::Entry>& entries);
 

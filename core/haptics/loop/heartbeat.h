@@ -7,14 +7,14 @@
 
 namespace burin {
 
-/// Tells other threads that a loop lives. One thread beats, any may look.
+/// Signals to other threads that a loop is alive. One thread calls `beat`, any thread may read it.
 class Heartbeat {
 public:
     /// @param nanoseconds of CLOCK_MONOTONIC, above 0
     void beat(std::int64_t nanoseconds) noexcept { last_.store(nanoseconds, std::memory_order_release); }
-    /// Nobody need worry until the next beat: there is no device to push.
+    /// Suspends monitoring until the next beat, because there is no device that could push.
     void rest() noexcept { last_.store(0, std::memory_order_release); }
-    /// ns of the newest beat; 0: it rests.
+    /// ns, time of the newest beat; 0: monitoring is suspended.
     std::int64_t last() const noexcept { return last_.load(std::memory_order_acquire); }
 
 private:

@@ -17,14 +17,15 @@ inline constexpr double seconds(std::int64_t nanoseconds) noexcept {
     return static_cast<double>(nanoseconds) / static_cast<double>(nanosecondsPerSecond);
 }
 
-/// ns. CLOCK_MONOTONIC is answered without the kernel; the processor time of a thread is not.
+/// The time of a clock in ns. CLOCK_MONOTONIC is read without entering the kernel; the processor time of a thread is
+/// not.
 inline std::int64_t now(clockid_t clock = CLOCK_MONOTONIC) noexcept {
     timespec time{};
     clock_gettime(clock, &time);
     return static_cast<std::int64_t>(time.tv_sec) * nanosecondsPerSecond + time.tv_nsec;
 }
 
-/// Of CLOCK_MONOTONIC, absolute: no drift however often.
+/// Sleeps until an absolute time of CLOCK_MONOTONIC, so that repeated calls do not drift.
 inline void sleepUntil(std::int64_t nanoseconds) noexcept {
     timespec edge{};
     edge.tv_sec = static_cast<time_t>(nanoseconds / nanosecondsPerSecond);

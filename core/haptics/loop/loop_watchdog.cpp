@@ -28,7 +28,7 @@ LoopWatchdog::Cuts LoopWatchdog::cuts() const noexcept {
 
 void LoopWatchdog::watch(const std::stop_token& stop) noexcept {
     const RealtimeScheduling scheduling(RealtimeScheduling::Role::watchdog);
-    std::int64_t cutFor = 0; // the beat after which the motors were cut
+    std::int64_t cutFor = 0; // the beat after which the motors were last cut
     std::unique_lock lock(mutex_);
     while (!stop.stop_requested()) {
         const std::int64_t last = heart_.last(), time = now();
@@ -37,7 +37,7 @@ void LoopWatchdog::watch(const std::stop_token& stop) noexcept {
             cut(last);
             cutFor = last;
         }
-        // A loop that rests may begin right now: its patience is over one patience later at the earliest.
+        // A suspended loop may resume right now: its allowed time is over one such time later at the earliest.
         const bool beats = last > 0 && last != cutFor;
         const std::int64_t next = beats ? last + patience_ : now() + patience_ / 2;
         woken_.wait_for(lock, stop, std::chrono::nanoseconds(std::max<std::int64_t>(next - now(), 0)),

@@ -13,30 +13,31 @@
 
 namespace burin {
 
-/// Hears that a loop is dead.
+/// Is notified when a loop is dead.
 class LoopAlarm {
 public:
     virtual ~LoopAlarm() = default;
-    /// On the watchdog's thread, after the motors were cut. Once until the loop lives again.
+    /// Called on the watchdog's thread, after the motors were cut. Called once until the loop is alive again.
     virtual void loopDied() noexcept = 0;
 };
 
-/// Looks at a loop's heartbeat from a thread of its own, and cuts the motors of the stylus when it stops: the loop may
-/// hang in a tick, in the device, or not be given the processor. Looks at the moment when patience would be over, not
-/// at intervals, so that the motors are off as soon as this thread runs. Their way back is the loop's: its first force
-/// after such a gap is zero, and forces fade in.
+/// Monitors a loop's heartbeat on a thread of its own, and cuts the motors of the stylus when it stops: the loop may
+/// hang in a tick or in the device, or may not get the processor. It checks exactly when the allowed time would be
+/// over, not periodically, so that the motors are off as soon as this thread runs. The loop switches them on again: its
+/// first force after such a gap is zero, and forces fade in.
 class LoopWatchdog {
 public:
-    /// @param patience s without a beat. @param alarm may be null. What is given outlives the watchdog.
+    /// @param patience allowed time without a beat, s. @param alarm may be null. All arguments must outlive the
+    /// watchdog.
     LoopWatchdog(StylusDevice& device, const Heartbeat& heart, double patience, LoopAlarm* alarm);
-    /// Waits for a cut under way, which waits for the device.
+    /// Waits for a cut in progress, which waits for the device.
     ~LoopWatchdog();
     LoopWatchdog(const LoopWatchdog&) = delete;
     LoopWatchdog& operator=(const LoopWatchdog&) = delete;
 
     struct Cuts {
         std::uint64_t count = 0;
-        double longest = 0.0; ///< s from the last beat until the device had been told
+        double longest = 0.0; ///< s, from the last beat until the device had received the command
     };
     /// Any thread.
     Cuts cuts() const noexcept;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* service = "org.freedesktop.RealtimeKit1";
 constexpr const char* object = "/org/freedesktop/RealtimeKit1";
-constexpr std::uint64_t patience = 500'000; // µs for an answer
+constexpr std::uint64_t patience = 500'000; // µs to wait for an answer
 
 struct Close {
     void operator()(sd_bus* bus) const noexcept { sd_bus_flush_close_unref(bus); }

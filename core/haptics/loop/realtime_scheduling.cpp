@@ -16,10 +16,11 @@
 namespace burin {
 namespace {
 
-/// High enough for a desktop, below the kernel's own threads; what RealtimeKit grants at most by default is 20.
+/// High enough for a desktop, below the kernel's own threads; by default RealtimeKit grants at most 20.
 constexpr int loopPriority = 19, watchdogPriority = 20;
 
-/// Threads that the kernel may warn of, 0: none; negative: it has. A signal's handler may read and write these.
+/// Threads that the kernel may send a warning for; 0: free; negative: it has sent one. Atomics that a signal handler
+/// may read and write.
 std::array<std::atomic<int>, 8> warned{};
 
 void demoteAll(int) {
@@ -31,7 +32,7 @@ void demoteAll(int) {
     }
 }
 
-/// Once in a process; somebody else's handler stays.
+/// Installs the handler once per process; a handler of other code is kept.
 bool heedsWarning() noexcept {
     static const bool heeds = [] {
         struct sigaction before {};
@@ -74,10 +75,10 @@ RealtimeScheduling::RealtimeScheduling(Role role) noexcept : thread_(gettid()) {
 bool RealtimeScheduling::askLimits(int priority) noexcept {
     sched_param wanted{};
     wanted.sched_priority = priority;
-    // Reset on fork: no program started from here inherits the class.
+    // Reset on fork: programs started from here do not inherit the class.
     if (pthread_setschedparam(pthread_self(), SCHED_FIFO | SCHED_RESET_ON_FORK, &wanted) != 0) return false;
     obtained_ = SchedulingClass::fifo;
-    // Somebody may have limited the process as RealtimeKit would: without a handler that limit ends the program.
+    // Other code may have limited the process as RealtimeKit requires: without a handler that limit ends the program.
     rlimit unbroken{};
     if (getrlimit(RLIMIT_RTTIME, &unbroken) == 0 && unbroken.rlim_cur != RLIM_INFINITY && heedsWarning())
         place_ = takePlace(thread_);
@@ -88,7 +89,7 @@ void RealtimeScheduling::askKit(int priority) noexcept {
     realtimekit::Limits limits;
     if (!realtimekit::ask(limits)) return;
     const auto thread = static_cast<std::uint64_t>(thread_);
-    // A place first: nobody gets the class whom the handler would not find.
+    // The slot is taken first: no thread gets the class if the handler would not find it.
     if (limits.maximumPriority > 0 && heedsWarning()) place_ = takePlace(thread_);
     const sched_param normal{};
     if (place_ >= 0 && limitUnbroken(limits.maximumUnbroken) &&
@@ -106,7 +107,7 @@ SchedulingClass RealtimeScheduling::obtained() const noexcept {
 
 RealtimeScheduling::~RealtimeScheduling() {
     if (obtained_ == SchedulingClass::nice) setpriority(PRIO_PROCESS, static_cast<id_t>(thread_), niceBefore_);
-    // Who has no rights may not take the flag back.
+    // Without privileges the flag can't be cleared again.
     if ((obtained_ == SchedulingClass::fifo || obtained_ == SchedulingClass::roundRobin) &&
         pthread_setschedparam(pthread_self(), policyBefore_, &parametersBefore_) != 0)
         pthread_setschedparam(pthread_self(), policyBefore_ | SCHED_RESET_ON_FORK, &parametersBefore_);

@@ -9,25 +9,26 @@
 
 namespace burin {
 
-/// Asks for real-time scheduling of the calling thread as long as it lives, and puts back what was before: SCHED_FIFO
-/// where the limits allow it, else SCHED_RR and else a negative nice value from RealtimeKit. Never fails: without the
-/// right to any of it the thread stays as it is.
+/// Requests real-time scheduling of the calling thread for the lifetime of the object, and restores the previous
+/// scheduling afterwards: SCHED_FIFO if the limits allow it, otherwise SCHED_RR and otherwise a negative nice value
+/// from RealtimeKit. Never fails: without permission for any of these the thread keeps its scheduling.
 ///
-/// RealtimeKit wants the process to limit a real-time thread's unbroken processor time (RLIMIT_RTTIME, 200 ms as a
-/// rule; lasting, for the whole process). At half of that the kernel warns with SIGXCPU; its handler puts all such
-/// threads of ours back to the normal class, so that a tick that hangs costs its class and not the program.
+/// RealtimeKit requires the process to limit the uninterrupted processor time of real-time threads (RLIMIT_RTTIME,
+/// usually 200 ms; permanently, for the whole process). At half of that the kernel warns with SIGXCPU; its handler puts
+/// all such threads of the program back to the normal class, so that a tick that hangs loses its class and does not end
+/// the program.
 class RealtimeScheduling {
 public:
     enum class Role : std::uint8_t {
         loop,
-        watchdog, ///< one above: what the loop does must not keep it from looking
+        watchdog, ///< priority one above the loop's: the loop must not keep the watchdog from running
     };
     explicit RealtimeScheduling(Role role) noexcept;
     ~RealtimeScheduling();
     RealtimeScheduling(const RealtimeScheduling&) = delete;
     RealtimeScheduling& operator=(const RealtimeScheduling&) = delete;
 
-    /// Any thread. Normal again once the kernel had to warn.
+    /// Any thread. Normal again once the kernel has sent a warning.
     SchedulingClass obtained() const noexcept;
 
 private:
@@ -39,7 +40,7 @@ private:
     int policyBefore_ = SCHED_OTHER, niceBefore_ = 0;
     sched_param parametersBefore_{};
     int slackBefore_ = -1;
-    int place_ = -1; ///< among the threads that the handler knows
+    int place_ = -1; ///< index among the threads known to the signal handler
 };
 
 } // namespace burin

@@ -15,7 +15,8 @@ ServoTick::ServoTick(HapticStep& step, TickSink& sink, double period, bool byThe
 AtEdge ServoTick::edge() noexcept {
     const AtEdge answer = sink_.edge();
     if (answer == AtEdge::tick) return answer;
-    withheld_ = withheld_ || (answer == AtEdge::stand && byTheClock_); // who lets a hand stand lets go of it
+    // while the loop stands, the device gets no force
+    withheld_ = withheld_ || (answer == AtEdge::stand && byTheClock_);
     sentBefore_ = 0;
     heart_.beat(now());
     return answer;
@@ -27,7 +28,7 @@ void ServoTick::begin() noexcept {
 }
 
 Wrench ServoTick::serve(const StylusState& reading, double period) noexcept {
-    if (withheld_) step_.forceWithheld(); // between two ticks, as everything that it is told
+    if (withheld_) step_.forceWithheld(); // between two ticks, like all changes of the step
     sample_ = step_.advance(reading, period);
     timing_.period = period;
     timing_.reading = reading;
@@ -35,14 +36,14 @@ Wrench ServoTick::serve(const StylusState& reading, double period) noexcept {
     const std::int64_t gap = byTheClock_ ? now() - (sentBefore_ > 0 ? sentBefore_ : begun_) : 0;
     withheld_ = gap > nanoseconds(limits_.late);
     if (!withheld_) return step_.deviceWrench();
-    // The step has given no force already if it was told of the gap. What it did not see is its own slowness.
+    // If the step was told of the gap, it has given no force already. It does not know about its own slowness.
     ++timing_.late;
     sample_.flags |= sampleForcesOff | sampleForceLate;
     sample_.force = glm::dvec3(0.0);
     return {};
 }
 
-/// Each fault once: when it begins.
+/// Reports each fault once, when it begins.
 TickFault ServoTick::faultOf(const Sample& sample, const StylusState& reading, double period) const noexcept {
     if ((sample.flags & sampleStylusInvalid) == 0 || faulty_) return TickFault::none;
     if (!reading.valid) return TickFault::device;
@@ -62,7 +63,7 @@ void ServoTick::sent() noexcept {
     sink_.tick(sample_, timing_);
     timing_.work = now() - begun_;
     histograms_.work.add(timing_.work);
-    // Where there is no device to push, nothing has to be cut, however long it takes to find it again.
+    // Without a device that could push, the motors need not be cut, however long it takes to find the device again.
     if (!timing_.reading.valid) heart_.rest();
 }
 

@@ -12,26 +12,27 @@ namespace burin {
 
 class HapticStep;
 
-/// One tick of a loop, whoever keeps its time: reading, step, wrench, and once that is sent, sink and timing. A wrench
-/// that comes too late for the hand is withheld here: a step can't know how long it took.
+/// One tick of a loop, for either kind of pacing: reading, step, wrench, and once that is sent, sink and timing. A
+/// wrench that comes too late for the hand is withheld here, because a step can't know how long it took.
 ///
-/// The thread that ticks; no allocation, lock or system call.
+/// Called on the haptic thread; no allocation, lock or system call.
 class ServoTick {
 public:
-    /// @param period s, intended. @param byTheClock a hand waits for the force; false: time is simulated, and how long
-    /// anything takes changes nothing. What is given must outlive the tick.
+    /// @param period s, intended. @param byTheClock whether a hand waits for the force; false: time is simulated, and
+    /// real durations have no effect. All arguments must outlive the tick.
     ServoTick(HapticStep& step, TickSink& sink, double period, bool byTheClock) noexcept;
 
-    /// Before a tick: what the sink says; it alone may be asked again without a tick. Standing, the next tick's gap
-    /// doesn't count.
+    /// Called before a tick; returns the answer of the sink. It may be called repeatedly without a tick. While the loop
+    /// stands, the gap before the next tick does not count.
     AtEdge edge() noexcept;
-    /// From here on the tick's work counts: before its reading.
+    /// Starts measuring the tick's work; called before its reading.
     void begin() noexcept;
-    /// @param period s since the reading before. @return what the stylus shall render
+    /// @param period s since the previous reading. @return the wrench that the stylus has to render
     Wrench serve(const StylusState& reading, double period) noexcept;
-    /// Once the wrench is on its way.
+    /// Called once the wrench is on its way.
     void sent() noexcept;
-    /// @param nanoseconds of processor time that the tick took, which only the kernel knows: asked for outside of it.
+    /// @param nanoseconds processor time of the tick, which only the kernel knows, so that it is queried outside of the
+    /// tick.
     void spent(std::int64_t nanoseconds) noexcept;
 
     void missed(std::uint64_t edges) noexcept { timing_.missed += edges; }
@@ -40,7 +41,7 @@ public:
     std::uint64_t ticks() const noexcept { return ticks_; }
     Heartbeat& heart() noexcept { return heart_; }
 
-    /// Durations of all ticks so far; only once no thread ticks any more.
+    /// Durations of all ticks so far; may only be read once no thread ticks any more.
     struct Histograms {
         DurationHistogram work, cpu, interval;
     };
@@ -59,8 +60,8 @@ private:
     Sample sample_;
     std::int64_t begun_ = 0, sentBefore_ = 0; ///< ns
     std::uint64_t ticks_ = 0;
-    bool withheld_ = false; ///< the force of the last tick: the device holds none
-    bool faulty_ = true;    ///< what was never well does not break
+    bool withheld_ = false; ///< whether the force of the last tick was withheld: the device renders none
+    bool faulty_ = true;    ///< a fault is only reported after a valid tick
 };
 
 } // namespace burin

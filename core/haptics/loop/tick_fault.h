@@ -11,17 +11,17 @@
 
 namespace burin {
 
-/// Why a loop gave no force, and lets it fade in again.
+/// Why a loop rendered no force, and lets it fade in again.
 enum class TickFault : std::uint8_t {
     none,
-    device,  ///< the stylus had no valid reading: it says why itself
-    damaged, ///< a reading that is not finite, or no place
-    tooFast, ///< faster than the stylus is believed, or a jump
-    stalled, ///< the loop came late by more than GapLimits::stalled
+    device,  ///< the stylus had no valid reading; it reports the reason itself
+    damaged, ///< a reading that is not finite, or an implausible position
+    tooFast, ///< faster than is plausible for the stylus, or a jump
+    stalled, ///< the loop was late by more than GapLimits::stalled
     dead,    ///< no tick for GapLimits::dead: the watchdog cut the motors
 };
 
-/// Words of it, in the order of TickFault; empty where nothing is to be said.
+/// The text of each fault, in the order of TickFault; empty if nothing is to be reported.
 inline constexpr std::array<TextId, 6> tickFaultReasons{
     TextId{""},
     TextId{""},
@@ -31,20 +31,20 @@ inline constexpr std::array<TextId, 6> tickFaultReasons{
     BURIN_TEXT("DeviceReason", "the computer did not respond, so its motors were switched off"),
 };
 
-/// As in names of files.
+/// The name as used in file names.
 constexpr std::string_view nameOf(TickFault fault) noexcept {
     constexpr std::array<std::string_view, 6> names{"none", "device", "damaged", "too-fast", "stalled", "dead"};
     return names[static_cast<std::size_t>(fault)];
 }
 
-/// How long the hand may wait for its next force. s
+/// Limits of the time that the hand may wait for its next force, s.
 struct GapLimits {
-    double late;    ///< beyond it: no force in that tick, and counted
+    double late;    ///< beyond it: no force in that tick, and the tick counts as late
     double stalled; ///< beyond it: forces fade in again
     double dead;    ///< beyond it: a second thread cuts the motors
 };
 
-/// haptics practice at 1 kHz: 3, 10 and 50 ms; for devices that are slower than that, as many of their periods.
+/// Usual values in haptics at 1 kHz: 3, 10 and 50 ms; for slower devices at least 3, 10 and 10 of their periods.
 /// @param period s
 constexpr GapLimits gapLimits(double period) noexcept {
     const auto atLeast = [](double seconds, double other) { return seconds > other ? seconds : other; };

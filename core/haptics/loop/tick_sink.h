@@ -14,51 +14,53 @@
 
 namespace burin {
 
-/// What the system granted the loop's thread, from the least on.
+/// The scheduling class that the system granted the loop's thread, in ascending order.
 enum class SchedulingClass : std::uint8_t {
     normal,
-    nice,       ///< the normal class with a negative nice value, by RealtimeKit
-    roundRobin, ///< SCHED_RR, by RealtimeKit
-    fifo,       ///< SCHED_FIFO, by the limits in force
+    nice,       ///< the normal class with a negative nice value, granted by RealtimeKit
+    roundRobin, ///< SCHED_RR, granted by RealtimeKit
+    fifo,       ///< SCHED_FIFO, allowed by the limits in force
 };
 
-/// As in the JSON of the command line.
+/// The name as used in the JSON of the command line.
 constexpr std::string_view nameOf(SchedulingClass scheduling) noexcept {
     constexpr std::array<std::string_view, 4> names{"normal", "nice", "round-robin", "fifo"};
     return names[static_cast<std::size_t>(scheduling)];
 }
 
-/// How the loop keeps up, told with each tick. Times in ns.
+/// Timing of the loop, reported with each tick. Times in ns.
 struct TickTiming {
-    double period = 0.0;            ///< s that the step was told
-    std::int64_t over = 0;          ///< CLOCK_MONOTONIC, when the force was sent
-    std::int64_t interval = 0;      ///< from the force before to this one; 0: it is the first, or the loop stood
-    std::int64_t work = 0, cpu = 0; ///< of the tick before this one, whole: wall clock, processor time of the thread
-    std::uint64_t missed = 0;       ///< edges that were skipped since the loop began
-    std::uint64_t late = 0;         ///< ticks since the loop began whose force was withheld, as it came too late
+    double period = 0.0;            ///< s, passed to the step
+    std::int64_t over = 0;          ///< CLOCK_MONOTONIC, time at which the force was sent
+    std::int64_t interval = 0;      ///< from the previous force to this one; 0: first tick, or the loop stood
+    std::int64_t work = 0, cpu = 0; ///< of the previous tick in total: wall clock, processor time of the thread
+    std::uint64_t missed = 0;       ///< edges skipped since the loop began
+    std::uint64_t late = 0;         ///< ticks since the loop began whose force was withheld because it came too late
     SchedulingClass scheduling = SchedulingClass::normal;
-    TickFault fault = TickFault::none; ///< that begins with this tick
-    StylusState reading;               ///< as the stylus gave it
+    TickFault fault = TickFault::none; ///< fault that begins with this tick
+    StylusState reading;               ///< as returned by the stylus
 };
 
-/// What a loop does at an edge of its clock.
+/// What a loop has to do at an edge of its clock.
 enum class AtEdge : std::uint8_t {
-    tick,  ///< goes on
-    stand, ///< no tick: zero force, and the next edge asks again; such time is not missed
-    full,  ///< no room for what the tick would say: waits where it can, and ends with recordingOverflow where not
+    tick,  ///< run a tick
+    stand, ///< no tick: zero force, and the next edge asks again; edges passed in this state do not count as missed
+    /// the sink has no room for the next tick: the loop waits if possible, otherwise it ends with recordingOverflow
+    full,
 };
 
-/// Where the ticks of a loop go. Called by the thread that ticks alone, with neither allocation, lock nor file.
+/// Receives the ticks of a loop. Called only by the thread that runs the ticks; without allocation, lock or file
+/// access.
 class TickSink {
 public:
     virtual ~TickSink() = default;
-    /// Between two ticks: here, and only here, the workpiece and the step may be changed by others.
+    /// Called between two ticks: here, and only here, other code may change the workpiece and the step.
     virtual AtEdge edge() noexcept = 0;
-    /// After the force was sent, so that the hand never waits for it.
+    /// Called after the force was sent, so that the hand never waits for it.
     virtual void tick(const Sample& sample, const TickTiming& timing) noexcept = 0;
 };
 
-/// Every tick into a ring; a full one is for the loop to meet.
+/// Puts every tick into a ring; the loop handles a full ring.
 class RingSink final : public TickSink {
 public:
     explicit RingSink(Ring<Sample>& ring) noexcept : ring_(ring) {}

@@ -5,16 +5,16 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-// Where the linker put the program's code.
+// The range of the program's code, defined by the linker.
 extern "C" const char __executable_start, etext;
 
 namespace burin {
 namespace {
 
-constexpr std::size_t stackBytes = 256 * 1024; // far beyond what a tick uses
+constexpr std::size_t stackBytes = 256 * 1024; // far more than a tick uses
 
-/// Makes the kernel provide the pages that ticks will use. @return where they are: a number, since the place remains
-/// the stack's when this returns, but the array does not.
+/// Makes the kernel provide the pages that ticks will use. @return their address, as a number, since the memory remains
+/// part of the stack when this returns, but the array does not exist any more.
 [[gnu::noinline]] std::uintptr_t touchStack() noexcept {
     volatile char pages[stackBytes];
     for (std::size_t i = 0; i < stackBytes; i += 1024) pages[i] = 0;

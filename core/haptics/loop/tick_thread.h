@@ -10,8 +10,8 @@
 
 namespace burin {
 
-/// Keeps memory from being paged out as long as it lives, where the limit on locked memory allows (8 MiB as a rule:
-/// hence a tick's own memory, never the whole process).
+/// Keeps memory from being paged out for the lifetime of the object, if the limit on locked memory allows it (usually 8
+/// MiB, hence only a tick's own memory and never the whole process).
 class LockedMemory {
 public:
     LockedMemory(const void* begin, std::size_t bytes) noexcept;
@@ -26,13 +26,14 @@ private:
     bool locked_;
 };
 
-/// Reads the program's own code into memory: what a tick runs for the first time does not wait for the disk then. It
-/// may be paged out again under pressure. Quick where it is there already. No effect before Linux 5.14.
+/// Reads the program's own code into memory, so that code that a tick runs for the first time does not wait for the
+/// disk. It may be paged out again under memory pressure. Fast if the code is in memory already. No effect before Linux
+/// 5.14.
 void makeCodeResident() noexcept;
 
-/// Numbers too small for their full precision count as zero in the calling thread as long as this lives: filters that
-/// fade out would make ticks many times slower. Results differ from those with such numbers by less than 1e-300 in
-/// what they are added to, hence every pace of a loop uses it, so that all of them agree to the bit.
+/// Treats denormal numbers as zero in the calling thread for the lifetime of the object: filters that fade out would
+/// otherwise make ticks many times slower. Results differ from those with denormals by less than 1e-300 in the sums
+/// that they are added to; therefore every pace of a loop uses it, so that all of them agree to the bit.
 class DenormalsAreZero {
 public:
     DenormalsAreZero() noexcept;
@@ -44,8 +45,8 @@ private:
     std::uint64_t before_;
 };
 
-/// What the calling thread needs to tick in real time, as long as this lives: scheduling, its stack touched and locked.
-/// May take some hundred milliseconds (D-Bus).
+/// Prepares the calling thread for real-time ticks, for the lifetime of the object: sets its scheduling, and touches
+/// and locks its stack. May take some hundred milliseconds (D-Bus).
 class TickThread {
 public:
     TickThread() noexcept;

@@ -11,8 +11,8 @@ namespace burin {
 namespace {
 
 constexpr double jumpLength = 50.0;   // mm
-constexpr double buttonShare = 0.002; // of the ticks in which one is pressed or let go
-constexpr double longestStep = 0.02;  // s that the hand moves in one tick, however long that was
+constexpr double buttonShare = 0.002; // of the ticks in which a button is pressed or released
+constexpr double longestStep = 0.02;  // s of hand motion in one tick, however long the tick was
 constexpr int fewestCalmTicks = 4;
 constexpr double slamShare = 0.3, restShare = 0.1;
 constexpr std::uint64_t readingEvents = 6, allEvents = 9;
@@ -30,7 +30,7 @@ HostileStylus::HostileStylus(const HostileSettings& settings)
 Result<void> HostileStylus::open() {
     random_ = SeededRandom(settings_.seed);
     arm_.reset();
-    // Above what it strays in, so that it starts clear of the part.
+    // Above the region in which it moves, so that it starts clear of the part.
     intended_ = settings_.region.centre();
     intended_.z = settings_.region.high.z;
     target_ = intended_;
@@ -68,8 +68,8 @@ void HostileStylus::move(double seconds) noexcept {
 }
 
 HostileEvent HostileStylus::drawEvent(bool withPeriods) noexcept {
-    if (aside_) return HostileEvent::jump; // back again
-    // After a reading that was none, even a jump is a new start: so one event at a time.
+    if (aside_) return HostileEvent::jump; // the tick that comes back
+    // After an invalid reading even a jump is a new start: so only one event at a time.
     if (++calmTicks_ < fewestCalmTicks || random_.share() >= settings_.eventShare) return HostileEvent::none;
     calmTicks_ = 0;
     return static_cast<HostileEvent>(1 + random_.below(withPeriods ? allEvents : readingEvents));

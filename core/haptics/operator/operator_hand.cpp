@@ -55,10 +55,10 @@ void HandArm::reset() noexcept {
 
 Tremor::Tremor(double rms, std::uint64_t seed) noexcept : amplitude_(rms * std::sqrt(2.0 / wavesPerAxis)) {
     std::mt19937_64 generator(seed);
-    // The standard's distributions may differ from library to library; its generator may not.
+    // The standard's distributions may differ between libraries; its generators may not.
     const auto share = [&] { return static_cast<double>(generator() >> 11) * 0x1.0p-53; };
-    // One wave in each equal part of the band: no two of nearly the same frequency, whose slow beat would change the
-    // rms.
+    // One wave in each equal part of the band: no two have nearly the same frequency, as their slow beat would change
+    // the rms.
     constexpr double part = (highestFrequency - lowestFrequency) / wavesPerAxis;
     for (auto& axis : waves_)
         for (int i = 0; i < wavesPerAxis; ++i) {

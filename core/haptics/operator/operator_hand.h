@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// A hand that holds a device's handle: mass, damper and spring to where the hand means to be.
+/// A hand that holds a device's handle: a mass, and a damper and a spring to the position that the hand intends.
 struct HandImpedance {
     double mass = 0.3;        ///< kg
     double damping = 10.0;    ///< N·s/m
@@ -28,32 +28,34 @@ struct HandleInertia {
     double damping = 0.5; ///< N·s/m
 };
 
-/// How a hand answers a force that stays: it leans against it, a reaction time later.
+/// How a hand responds to a lasting force: it leans against it after a reaction time.
 struct HandReaction {
-    double share = 0.8;   ///< of the force that is answered, 0 … 1
+    double share = 0.8;   ///< share of the force that is compensated, 0 … 1
     double seconds = 0.1; ///< time constant, s; our estimate between reflex (0.05 s) and reaction time (0.2 s)
 };
 
-/// Hand and handle as one mass, held by the hand's spring and damper, pushed by the device. What is integrated is the
-/// deviation from where the hand means to be: a practised hand moves the mass it holds without thinking (it applies
-/// mass · acceleration + handle damping · velocity by itself), so the intended motion drops out of the equation
+/// Hand and handle as one mass, held by the hand's spring and damper, pushed by the device. The integrated quantity is
+/// the deviation from the position that the hand intends: a practised hand moves the mass that it holds without
+/// thinking (it applies mass · acceleration + handle damping · velocity by itself), so the intended motion drops out of
+/// the equation
 ///     (m + M) e" + (b + B) e' + k e = F + leaning
-/// and what remains is what the device's force does to the hand.
+/// and only the effect of the device's force on the hand remains.
 class HandArm {
 public:
     static constexpr double usualStep = 50e-6; ///< s: a thousandth of the fastest hand's period
     static constexpr double finestStep = 1e-6; ///< s
 
-    /// @param step s, of the integration at most; 10 to 20 µs where energies of µJ are measured. Not below finestStep.
+    /// @param step longest step of the integration, s; 10 to 20 µs where energies of µJ are measured. Not below
+    /// finestStep.
     HandArm(const HandImpedance& hand, const HandleInertia& handle, const HandReaction& reaction,
             double step = usualStep) noexcept;
 
-    /// Integrates with Runge-Kutta steps; the force is held, as a device's amplifier holds it.
+    /// Integrates with Runge-Kutta steps; the force is constant in between, as with a device's amplifier.
     /// @param force N. @param seconds > 0. No allocation.
     void advance(const glm::dvec3& force, double seconds) noexcept;
-    /// A mechanical stop: moves the deviation and takes away the velocity along `outward` (unit length).
+    /// A mechanical stop: sets the deviation and removes the velocity component along `outward` (unit length).
     void stopAt(const glm::dvec3& deviation, const glm::dvec3& outward) noexcept;
-    /// At rest where the hand means to be, leaning on nothing.
+    /// Resets the hand: at rest at the intended position, without leaning.
     void reset() noexcept;
 
     glm::dvec3 deviation() const noexcept { return deviation_; } ///< mm
@@ -71,8 +73,8 @@ private:
     glm::dvec3 leaning_{0.0}; ///< N
 };
 
-/// Physiological tremor: the hand's place wanders by some hundredths of a millimetre at 8 to 12 Hz. A sum of sines with
-/// frequencies and phases from a seeded generator with our own distribution: the same seed gives the same motion.
+/// Physiological tremor: the hand's position varies by some hundredths of a millimetre at 8 to 12 Hz. A sum of sines
+/// with frequencies and phases from a seeded generator with our own distribution: the same seed gives the same motion.
 class Tremor {
 public:
     /// @param rms mm along each axis; 0: none.

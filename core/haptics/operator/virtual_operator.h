@@ -13,46 +13,48 @@
 
 namespace burin {
 
-/// The device that a virtual operator holds unless told otherwise: figures of a 3D Systems Touch in the device table of
-/// CHAI3D (stated there for a closed loop at 1 kHz).
+/// The default device of a virtual operator: values of a 3D Systems Touch from the device table of CHAI3D (stated there
+/// for a closed loop at 1 kHz).
 StylusDescription touchLikeStylus();
 
-/// A mapping without rotation that lays a region of the setup into a device's workspace, with a tenth of the radius to
-/// spare for what forces do to the hand. Small regions are magnified at most four times, so that slow work stays
+/// A mapping without rotation that fits a region of the setup into a device's workspace, with a tenth of the radius as
+/// a margin for deviations caused by forces. Small regions are magnified at most four times, so that slow work stays
 /// within the speeds of a hand.
 /// @param setupRegion mm, setup frame, not empty.
 WorkspaceMapping mappingFor(const Box& setupRegion, const StylusDescription& stylus);
 
-/// What a virtual operator is like.
+/// Properties of a virtual operator.
 struct OperatorSettings {
     StylusDescription stylus = touchLikeStylus();
     HandImpedance hand = firmHand;
     HandleInertia handle;
     HandReaction reaction;
-    MotionLimits motion{.maximumSpeed = 500.0};  ///< device frame: mm of the device; half of what counts as a fault
-    double integrationStep = HandArm::usualStep; ///< s, of hand and handle
+    /// device frame: mm of the device; half of the speed that counts as a fault
+    MotionLimits motion{.maximumSpeed = 500.0};
+    double integrationStep = HandArm::usualStep; ///< s, for hand and handle
     double encoderStep = 0.02;                   ///< mm, device frame; 0: exact
     double tremor = 0.05;                        ///< mm rms along each axis, device frame; 0: a calm hand
-    std::uint64_t seed = 1;                      ///< of the tremor
+    std::uint64_t seed = 1;                      ///< seed of the tremor
 };
 
-/// A stylus held by a simulated hand that follows an intent. It reads back what a device would: the hand's place,
-/// pushed away by the forces written to it, to the step of the encoders. The same intent, settings, times and forces
-/// give the same readings, bit by bit.
+/// A stylus held by a simulated hand that follows an intended motion. It returns the readings of a real device: the
+/// position of the hand, displaced by the forces written to it, with the resolution of the encoders. The same intent,
+/// settings, times and forces give the same readings, bit by bit.
 class VirtualOperator final : public Stylus {
 public:
-    /// @param intent tips in the setup frame; @param mapping device to setup, as the haptic step has it.
+    /// @param intent tip positions in the setup frame; @param mapping device to setup, the same as in the haptic step.
     VirtualOperator(std::vector<IntentPoint> intent, const WorkspaceMapping& mapping, const OperatorSettings& settings);
 
     StylusDescription description() const override { return settings_.stylus; }
-    /// Prepares the motion; again: starts anew. Errors: argumentInvalid (the intent, or a point of it beyond the
-    /// workspace).
+    /// Prepares the motion; a repeated call starts it again. Errors: argumentInvalid (the intent, or a point of it
+    /// beyond the workspace).
     Result<void> open() override;
-    /// The motion starts with the first reading.
+    /// Returns a reading. The motion starts with the first one.
     StylusState read(double time) noexcept override;
-    /// Held until the next write; what exceeds the device's force is cut off; not finite: zero.
+    /// The force is held until the next write. It is limited to the device's force; a force that is not finite counts
+    /// as zero.
     void write(const Wrench& wrench) noexcept override;
-    /// The intent's end is reached and the hand has come to rest (or fails to for a second).
+    /// Whether the end of the intended motion is reached and the hand has come to rest (or failed to for a second).
     bool finished() const noexcept override;
     void close() noexcept override;
 

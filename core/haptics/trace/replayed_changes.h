@@ -11,11 +11,11 @@
 
 namespace burin {
 
-/// Tells a step at each edge what it was told there when its trace was recorded. Stands before every other sink whose
-/// edge tells the step something, as the recorder of the trace did.
+/// Applies to a step, at each edge, the changes that were recorded there in its trace. It has to precede every other
+/// sink that changes the step at its edge, as the recorder of the trace did.
 class ReplayedChanges final : public TickSink {
 public:
-    /// @param trace, step, next outlive the object
+    /// @param trace, step, next must outlive the object
     ReplayedChanges(const SessionTrace& trace, HapticStep& step, TickSink& next) noexcept
         : changes_(trace.changes), step_(step), next_(next) {}
 
@@ -23,7 +23,7 @@ public:
     void tick(const Sample& sample, const TickTiming& timing) noexcept override;
 
 private:
-    std::span<const TimedChange> changes_; ///< that are still to come
+    std::span<const TimedChange> changes_; ///< changes that are still to be applied
     HapticStep& step_;
     TickSink& next_;
     std::size_t ticks_ = 0;

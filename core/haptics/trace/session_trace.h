@@ -15,20 +15,20 @@
 
 namespace burin {
 
-/// A trace with what the session was told while it was recorded, ready to be played. It owns the curves of its guides,
-/// so it outlives every step that plays it.
+/// A trace together with the recorded changes of the session, ready to be played. It owns the curves of its guides, so
+/// it must outlive every step that plays it.
 struct SessionTrace {
     std::vector<StylusState> readings; ///< for TraceStylus
-    std::vector<TimedChange> changes;  ///< rising
+    std::vector<TimedChange> changes;  ///< in ascending order of ticks
     std::vector<std::unique_ptr<const GuideCurve>> curves;
-    std::optional<TracedSession> began; ///< with what it began; none in an older trace
+    std::optional<TracedSession> began; ///< initial state of the session; empty for an older trace
 };
 
 /// Errors: traceInvalid (place: "line 12"; detail: what is wrong there). A session in which the workpiece was changed
-/// beside the milling (a stroke taken back, another state put in place) is refused: a trace does not hold that state.
+/// other than by milling (a stroke undone, another state restored) is rejected: a trace does not contain that state.
 Result<SessionTrace> sessionTraceOf(Trace trace, const std::string& origin);
 
-/// A trace whose readings stay in their file, ready to be played.
+/// A trace whose readings remain in their file, ready to be played.
 struct OpenedSessionTrace {
     SessionTrace session;                    ///< without readings
     std::unique_ptr<TracePlayback> readings; ///< for TraceStylus; never null

@@ -115,7 +115,7 @@ WorkspaceSettings readWorkspace(JsonObject& object) {
 
 struct ToJson {
     json operator()(const AllowanceChange& change) const { return {{"allowance_mm", finite(change.allowance)}}; }
-    json operator()(const GuideSettings&) const { return {}; } // it needs the curves' numbers
+    json operator()(const GuideSettings&) const { return {}; } // handled separately: it needs the curves' numbers
     json operator()(const LevelStep& change) const { return {{"levels", change.levels}}; }
     json operator()(const WorkspaceSettings& change) const { return {{"workspace", toJson(change)}}; }
     json operator()(const LayerSwitch& change) const { return {{"layer", change.layer}, {"on", change.on}}; }
@@ -127,14 +127,14 @@ struct ToJson {
     json operator()(const TileChange& change) const { return {{"tile", change.tile}, {"there", change.there}}; }
 };
 
-/// A change that says no more than that it is one.
+/// A change without parameters.
 template <class Change>
 Change marked(JsonObject& object, std::string_view key) {
     if (!object.boolean(key)) object.fail(key, "has to be true");
     return {};
 }
 
-/// Every change that needs nothing but its own numbers; nothing for guides and curves.
+/// Reads every change that consists only of its own numbers; empty for guides and curves.
 std::optional<StepChange> plainChange(JsonObject& object) {
     if (object.has("allowance_mm")) return AllowanceChange{object.number("allowance_mm", {0.0, 10.0})};
     if (object.has("levels")) return LevelStep{object.integer("levels", -mostLevels, mostLevels)};
@@ -205,8 +205,8 @@ Result<GuideSettings> StepChangeReader::readGuides(JsonObject& object) const {
     return settings;
 }
 
-/// @param longest text of the object: each of a curve's numbers takes two characters or more, so that no count makes
-/// us reserve what is not there
+/// @param longest text length of the object: each of a curve's numbers takes two characters or more, which limits the
+/// memory that a false count can reserve
 Result<void> StepChangeReader::readCurve(JsonObject& object, std::size_t longest) {
     const int most = static_cast<int>(std::min<std::size_t>(longest / 2, 1'000'000));
     const int number = object.integer("curve", 0, mostCurves), points = object.integer("points", 0, most);

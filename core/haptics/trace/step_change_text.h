@@ -15,28 +15,29 @@ namespace burin {
 
 class JsonObject;
 
-/// Changes of a step as one JSON object each, without a line end. Numbers come back to the bit. README.md has the keys.
-/// A guide names its curve by a number, under which an object of its own gave its points before.
+/// Writes changes of a step as one JSON object each, without a line end. Numbers are read back exactly, to the bit. The
+/// keys are listed in README.md. A guide refers to its curve by a number; a separate object before it gives the points
+/// of the curve with that number.
 class StepChangeWriter {
 public:
-    /// One object a line, each with `before` in front of it and a line end behind it: curves that were not named
-    /// yet, then the change. Numbers that are not finite, which no guide that is on has, are written as 0; a scale or a
-    /// rotation that is not, which no workspace follows, is left out.
+    /// Appends one object per line, each preceded by `before` and followed by a line end: first the curves that were
+    /// not written yet, then the change. Numbers that are not finite, which no active guide has, are written as 0; a
+    /// scale or a rotation that is not finite, which no workspace uses, is omitted.
     void append(std::string& text, std::string_view before, const StepChange& change);
 
 private:
     int numberOf(const GuideCurve* curve, std::string& text, std::string_view before);
 
-    std::vector<const GuideCurve*> curves_; ///< by their numbers
+    std::vector<const GuideCurve*> curves_; ///< in the order of their numbers
 };
 
-/// Reads what StepChangeWriter wrote.
+/// Reads the output of StepChangeWriter.
 class StepChangeReader {
 public:
-    /// Nothing: it was a curve. Errors: resourceInvalid (place: the key), argumentInvalid (a guide or a curve that does
-    /// not do).
+    /// Returns an empty optional for a curve. Errors: resourceInvalid (place: the key), argumentInvalid (an invalid
+    /// guide or curve).
     Result<std::optional<StepChange>> read(std::string_view text, const std::string& origin);
-    /// The curves that guides point to.
+    /// The curves that the guides refer to.
     std::vector<std::unique_ptr<const GuideCurve>> takeCurves() noexcept { return std::move(curves_); }
 
 private:

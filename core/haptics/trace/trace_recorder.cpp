@@ -12,7 +12,7 @@
 namespace burin {
 
 namespace {
-constexpr std::chrono::milliseconds interval{50}; // between two looks at the ring
+constexpr std::chrono::milliseconds interval{50}; // between two checks of the ring
 }
 
 Result<std::unique_ptr<TraceRecorder>> TraceRecorder::begin(const std::filesystem::path& file, TickSink& next,
@@ -43,16 +43,16 @@ AtEdge TraceRecorder::edge() noexcept {
 }
 
 void TraceRecorder::changed(const StepChange& change) noexcept {
-    // What finds no room ends the loop at its edge: a trace without it would play another session.
+    // A change that finds no room ends the loop at its next edge: a trace without it would replay a different session.
     if (!changes_.push({read_, change})) changeLost_ = true;
 }
 
 void TraceRecorder::tick(const Sample& sample, const TickTiming& timing) noexcept {
     StylusState reading = timing.reading;
     reading.time = sample.time;
-    // 0 would be "not told"; to a tick it is as much a fault as any other that is not above 0.
+    // 0 would mean "not specified"; any period that is not above 0 is the same fault to a tick.
     reading.period = timing.period != 0.0 ? timing.period : -1.0;
-    readings_.push(reading); // room was seen at the edge
+    readings_.push(reading); // the edge has checked that there is room
     ++read_;
     next_.tick(sample, timing);
 }
@@ -74,11 +74,11 @@ void TraceRecorder::writeWaiting() {
             appendChangesBefore(written_++);
             appendTick(text_, batch[i]);
         }
-        if (outcome_) outcome_ = file_.append(text_); // after a fault the rest is of no use
+        if (outcome_) outcome_ = file_.append(text_); // after an error the remaining data is of no use
     }
 }
 
-/// What is told before a reading is in its ring before the reading is.
+/// Changes made before a reading are in their ring before the reading is.
 void TraceRecorder::appendChangesBefore(std::size_t reading) {
     const std::size_t before = waiting_.size();
     waiting_.resize(before + changes_.size());

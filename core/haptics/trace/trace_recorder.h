@@ -20,18 +20,19 @@
 
 namespace burin {
 
-/// Writes every reading of a loop, with the period that its tick was told, and what its step is told between them, to a
-/// trace of ticks (trace_file.h) while the loop runs; the sink behind it goes on as without it. The file is complete
-/// with `finish`, and put in its place by whoever gets it. A ring that is full is told to the loop as any full sink is:
-/// nothing is left out.
+/// Writes every reading of a loop, with the period passed to its tick, and the changes of its step between them, to a
+/// trace of ticks (trace_file.h) while the loop runs; all calls are passed on to the next sink unchanged. The file is
+/// complete after `finish`; the caller of `finish` moves it to its final path. A full ring is reported to the loop like
+/// any full sink: nothing is omitted.
 class TraceRecorder final : public TickSink, public StepChangeListener {
 public:
-    /// The step whose changes are to be kept listens to it (HapticStep::listen). Curves of guides outlive `finish`.
-    /// @param next outlives the recorder. Errors: fileNotWritable.
-    /// @param session with what it begins; where it is not told, whoever plays the trace has to know it
+    /// The recorder has to be set as the listener of the step whose changes are recorded (HapticStep::listen). Curves
+    /// of guides must outlive `finish`.
+    /// @param next must outlive the recorder. Errors: fileNotWritable.
+    /// @param session initial state of the session; if it is not given, it has to be known when the trace is played
     static Result<std::unique_ptr<TraceRecorder>> begin(const std::filesystem::path& file, TickSink& next,
                                                         const std::optional<TracedSession>& session = std::nullopt);
-    ~TraceRecorder() override; ///< without `finish`: the file is removed
+    ~TraceRecorder() override; ///< without a call of `finish` the file is removed
     TraceRecorder(const TraceRecorder&) = delete;
     TraceRecorder& operator=(const TraceRecorder&) = delete;
 
@@ -39,7 +40,8 @@ public:
     void tick(const Sample& sample, const TickTiming& timing) noexcept override;
     void changed(const StepChange& change) noexcept override;
 
-    /// The complete trace. Owner's thread, once no tick runs any more, once. Errors: fileNotWritable, diskFull.
+    /// Returns the complete trace. Owner's thread, once no more ticks run; called once. Errors: fileNotWritable,
+    /// diskFull.
     Result<StagedFile> finish();
 
 private:
@@ -48,23 +50,23 @@ private:
     void writeWaiting();
     void appendChangesBefore(std::size_t reading);
 
-    static constexpr std::size_t capacity = 16384;     ///< s of ticks that the disk may keep us waiting for
-    static constexpr std::size_t changeCapacity = 256; ///< that come in a moment
+    static constexpr std::size_t capacity = 16384;     ///< ticks: about 16 s at 1 kHz during which the disk may be slow
+    static constexpr std::size_t changeCapacity = 256; ///< changes that may be made at about the same time
 
-    StagedFile file_; ///< the writer's until it ended
+    StagedFile file_; ///< belongs to the writer until it ended
     TickSink& next_;
     Ring<StylusState> readings_{capacity};
     Ring<TimedChange> changes_{changeCapacity};
-    std::size_t read_ = 0;    ///< readings; the loop's
-    bool changeLost_ = false; ///< the loop's
-    std::size_t written_ = 0; ///< readings; the rest the writer's
+    std::size_t read_ = 0;    ///< number of readings; belongs to the loop
+    bool changeLost_ = false; ///< belongs to the loop
+    std::size_t written_ = 0; ///< number of readings; this member and the following belong to the writer
     std::vector<TimedChange> waiting_;
     StepChangeWriter words_;
     std::string text_;
-    Result<void> outcome_; ///< the writer's until it ended
+    Result<void> outcome_; ///< belongs to the writer until it ended
     std::mutex mutex_;
     std::condition_variable_any woken_;
-    std::jthread thread_; // last: it uses the above
+    std::jthread thread_; // last: it uses the members above
 };
 
 } // namespace burin

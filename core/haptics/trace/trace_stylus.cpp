@@ -10,12 +10,12 @@ namespace burin {
 
 namespace {
 
-/// Clocks that count the same ticks differ by rounding alone: a nanosecond apart is the same reading.
+/// Clocks that count the same ticks differ only by rounding errors: times within a nanosecond mean the same reading.
 constexpr double sameReading = 1e-9; // s
 
 StylusState between(const StylusState& before, const StylusState& after, double time) noexcept {
     const double share = (time - before.time) / (after.time - before.time);
-    StylusState state = before; // buttons change when the next reading says so
+    StylusState state = before; // buttons change only with the next reading
     state.pose.position = glm::mix(before.pose.position, after.pose.position, share);
     state.pose.rotation = glm::normalize(glm::slerp(before.pose.rotation, after.pose.rotation, share));
     return state;

@@ -10,27 +10,27 @@
 
 namespace burin {
 
-/// Plays a recorded trace open loop: forces written to it go nowhere. At a recorded time it returns that reading bit by
-/// bit; between two it interpolates; before the first and after the last it rests there. A trace of ticks (readings
-/// with periods) is played tick by tick instead, whatever the time: one reading a call, each told with its period, so
-/// that a step does what it did.
+/// Plays a recorded trace open loop: forces written to it have no effect. At a recorded time it returns that reading
+/// exactly, to the bit; between two readings it interpolates; before the first and after the last it returns these. A
+/// trace of ticks (readings with periods) is played tick by tick instead, whatever the time: one reading per call, each
+/// with its period, so that a step does the same as when it was recorded.
 class TraceStylus final : public Stylus {
 public:
-    /// @param states as readTrace returns them. @param description whose limits bound the forces that are computed.
+    /// @param states as returned by readTrace. @param description its limits apply to the computed forces.
     TraceStylus(std::vector<StylusState> states, StylusDescription description);
-    /// @param readings give the same, and may wait for the disk: nobody feels a trace
+    /// @param readings source of the same readings; it may wait for the disk, as nobody feels a trace
     TraceStylus(std::unique_ptr<TracePlayback> readings, StylusDescription description);
 
     StylusDescription description() const override { return description_; }
-    /// Again: starts anew. Errors: argumentInvalid (no state, or times that don't rise without periods), those of
-    /// TracePlayback::rewind.
+    /// A repeated call starts from the beginning. Errors: argumentInvalid (no state, or times that don't rise without
+    /// periods), those of TracePlayback::rewind.
     Result<void> open() override;
-    /// @param time s; no earlier than in the call before
+    /// @param time s; not earlier than in the previous call
     StylusState read(double time) noexcept override;
     void write(const Wrench&) noexcept override {}
     bool finished() const noexcept override { return played_; }
     void close() noexcept override {}
-    /// What ended the readings before the trace's end. After `close`.
+    /// The error that ended the readings before the trace's end, if any. Called after `close`.
     Result<void> outcome() { return readings_->outcome(); }
 
 private:
@@ -40,9 +40,9 @@ private:
 
     std::unique_ptr<TracePlayback> readings_;
     StylusDescription description_;
-    StylusState before_, after_; ///< the newest reading that was reached, and the one behind it
-    bool reached_ = false;       ///< there is a `before_`
-    bool more_ = false;          ///< there is an `after_`
+    StylusState before_, after_; ///< the newest reading that was reached, and the following one
+    bool reached_ = false;       ///< whether `before_` is valid
+    bool more_ = false;          ///< whether `after_` is valid
     bool played_ = false;
 };
 

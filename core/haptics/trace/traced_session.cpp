@@ -17,7 +17,7 @@ constexpr std::string_view beginning = R"({"session":)";
 constexpr double largestWord = 4294967295.0; // 32 bits of buttons
 constexpr NumberRange atLeastNothing{0.0, std::numeric_limits<double>::infinity()};
 
-/// Every figure of a description with its key. @tparam Description const or not
+/// Visits every value of a description with its key. @tparam Description const or not
 template <class Description, class Visit>
 void forEachFigure(Description& stylus, const Visit& visit) {
     visit("rate_hz", stylus.rate);
@@ -121,7 +121,7 @@ Result<TracedSession> readTracedSession(std::string_view text, const std::string
     object->object("session", [&session](JsonObject& inner) {
         inner.object("stylus", [&](JsonObject& stylus) { session.stylus = readStylus(stylus); });
         inner.object("mapping", [&](JsonObject& mapping) { session.mapping = readMapping(mapping); });
-        session.allowance = inner.number("allowance_mm", {0.0, 10.0}); // as mill takes it
+        session.allowance = inner.number("allowance_mm", {0.0, 10.0}); // the same range as for `mill`
         session.period = inner.number("period_s", {1e-6, 1.0});
         session.cutsOnButton = inner.boolean("cuts_on_button");
         const double buttons = inner.number("force_buttons", {0.0, largestWord});

@@ -12,8 +12,8 @@
 
 namespace burin {
 
-/// What a session began with that its stylus and its owner decided, not its project: without it a trace plays another
-/// one.
+/// The part of a session's initial state that was determined by its stylus and its owner, not by its project. Without
+/// it a replay of the trace would give a different session.
 struct TracedSession {
     StylusDescription stylus;
     WorkspaceMapping mapping;
@@ -22,18 +22,18 @@ struct TracedSession {
     bool cutsOnButton = false;      ///< as in HapticSettings
     std::uint32_t forceButtons = 0; ///< as in HapticSettings
     FeltCutting felt;
-    AxisMode axis; ///< decided by what bounds the tool
-    /// The part's boundary grew while it was milled (GrowingBoundary), as the changes tell.
+    AxisMode axis; ///< determined by the boundary of the tool
+    /// Set if the part's boundary grew while it was milled (GrowingBoundary); the recorded changes contain the tiles.
     struct Growth {
-        double maximumAllowance = 0.0; ///< mm, that it was made for
-        bool whole = false;            ///< all of it was there from the start
+        double maximumAllowance = 0.0; ///< mm, allowance that it was made for
+        bool whole = false;            ///< whether it was complete from the start
     };
-    std::optional<Growth> growth{}; ///< none: it was all there
+    std::optional<Growth> growth{}; ///< empty: the boundary was complete from the start
 };
 
-/// A JSON object of one line, without its end. Numbers come back to the bit.
+/// Returns a JSON object in one line, without a line end. Numbers are read back exactly, to the bit.
 std::string formatTracedSession(const TracedSession& session);
-/// Whether a line is one that formatTracedSession wrote, as far as its beginning tells.
+/// Whether a line was written by formatTracedSession, judged by its beginning.
 bool tellsTracedSession(std::string_view text);
 /// Errors: resourceInvalid (place: the key), argumentInvalid (a description that breaks a rule).
 Result<TracedSession> readTracedSession(std::string_view text, const std::string& origin);

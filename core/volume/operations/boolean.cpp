@@ -18,7 +18,7 @@ namespace burin {
 
 namespace {
 
-/// Where each property of an operand stands in the result's list.
+/// Index of each property of an operand in the result's list.
 using Places = std::array<PropertyIndex, 256>;
 
 std::optional<PropertyIndex> placeOf(const PropertyList& list, const std::string& id) {
@@ -27,7 +27,7 @@ std::optional<PropertyIndex> placeOf(const PropertyList& list, const std::string
     return std::nullopt;
 }
 
-/// Adds to `list` what it has not.
+/// Adds the missing properties to `list`.
 Result<void> unite(PropertyList& list, const PropertyList& other) {
     for (int i = 1; i < other.size(); ++i) {
         const Property& property = other[static_cast<PropertyIndex>(i)];
@@ -60,7 +60,7 @@ bool keepsPlaces(const Places& places, const PropertyList& list) {
     return true;
 }
 
-// What an operation makes of a place by both operands' segments there (BrickMerge).
+// The result of an operation at one position, from both operands' segments there (BrickMerge).
 constexpr std::uint32_t propertyBits = 0xff;
 struct Union {
     static constexpr std::uint32_t pick(std::uint32_t a, std::uint32_t b) { return (a & propertyBits) == 0 ? b : a; }
@@ -75,7 +75,7 @@ struct Difference {
         return a & ((b & propertyBits) == 0 ? ~0U : ~propertyBits);
     }
 };
-/// Whether it leaves material where only A, only B, or both have it.
+/// Whether the operation keeps material that only A, only B, or both have.
 template <class Operation>
 constexpr bool keepsA = Operation::pick(1, 0) != 0;
 template <class Operation>
@@ -83,7 +83,7 @@ constexpr bool keepsB = Operation::pick(0, 1) != 0;
 template <class Operation>
 constexpr bool keepsBoth = Operation::pick(1, 1) != 0;
 
-/// One operand: its bricks, and what its properties are called in the result.
+/// One operand: its bricks, and the mapping of its properties to those of the result.
 class Operand {
 public:
     Operand(const VolumeSnapshot& snapshot, const Places& places)
@@ -93,7 +93,7 @@ public:
         return VolumeAccess::tileAt(state_, brickU, brickV);
     }
     Tile tile(BlockIndex block) const noexcept { return state_.store->tile(block); }
-    /// The brick's segments by the result's properties: they themselves, or in `room`.
+    /// The brick's segments with the result's properties: the originals, or copies in `room`.
     const Segment* segments(const Tile& tile, std::vector<Segment>& room) const {
         if (same_) return tile.segments();
         room.resize(tile.segmentCount());
@@ -101,11 +101,11 @@ public:
         return room.data();
     }
 
-    /// Every line air from end to end.
+    /// Whether every line is air from end to end.
     bool isAir(const Tile& tile) const noexcept {
         return tile.segmentCount() == linesPerTile && every(tile, [](PropertyIndex p) { return p == airProperty; });
     }
-    /// Every line material of one property from end to end.
+    /// Whether every line is material of one property from end to end.
     bool isSolid(const Tile& tile) const noexcept {
         return tile.segmentCount() == linesPerTile && every(tile, [](PropertyIndex p) { return p != airProperty; });
     }
@@ -137,7 +137,7 @@ private:
     bool same_;
 };
 
-/// Makes one brick of the result after the other.
+/// Makes the bricks of the result one after the other.
 template <class Operation>
 class Combination {
 public:
@@ -149,7 +149,7 @@ public:
 
     const BrickLines& at(std::int32_t brickU, std::int32_t brickV) {
         const BlockIndex blockA = a_.blockAt(brickU, brickV), blockB = b_.blockAt(brickU, brickV);
-        // Bricks filled alike share one block, in stock and air many side by side.
+        // Bricks with equal content share one block; in stock and air many neighbours do.
         if (blockA == blockA_ && blockB == blockB_) return *present_;
         blockA_ = blockA;
         blockB_ = blockB;
@@ -204,13 +204,13 @@ Error gridsDiffer() {
     return {ErrorCode::argumentInvalid, "grid of the second volume", {}, "the grid of the first"};
 }
 
-/// Calls `work(describe)` with what makes the rows of bricks of the result.
+/// Calls `work(describe)` with the function that makes the rows of bricks of the result.
 template <class Operation, class Work>
 auto withRows(const PropertyList& properties, const VolumeSnapshot& a, const VolumeSnapshot& b, Work work)
     -> decltype(work(std::function<void(std::int32_t, BrickSink&)>())) {
     const Result<Places> placesA = placesIn(properties, a.properties()), placesB = placesIn(properties, b.properties());
     if (!placesA) return placesA.error();
-    // What B's properties are called counts in a union alone; elsewhere it matters that they are something.
+    // The properties of B matter only in a union; otherwise only whether they are air.
     if (keepsB<Operation> && !placesB) return placesB.error();
     const Operand operandA(a, *placesA), operandB(b, keepsB<Operation> ? *placesB : unchanged());
     const Grid& grid = a.grid();

@@ -13,9 +13,10 @@ namespace burin {
 namespace {
 
 /// Calls visit(VoxelStretch) for the boundary voxels of a line.
-/// @param own    where it holds material
-/// @param common where it and all eight lines around it do. A voxel is not on the boundary where all nine are full from
-///               the voxel before to the one after: there, but for the first and the last of each stretch.
+/// @param own     intervals where the line holds material
+/// @param common  intervals where the line and all eight lines around it hold material. A voxel is not on the boundary
+///        if all nine are full from the voxel before to the one after: all voxels of these intervals except the first
+///        and the last of each.
 template <class Visit>
 void eachBoundaryStretch(VoxelPlaces own, VoxelPlaces common, Visit&& visit) {
     std::size_t inner = 0;
@@ -32,14 +33,14 @@ void eachBoundaryStretch(VoxelPlaces own, VoxelPlaces common, Visit&& visit) {
 
 } // namespace
 
-/// Where the lines of one brick and of the rows beside it along v hold material. Lines of one stretch or none, which
-/// is what most are, also stand in arrays to be worked on at once.
+/// The material of the lines of one brick and of the neighbouring rows along v. Lines with at most one interval, which
+/// most are, are also stored in arrays, to be processed at once.
 class BoundaryList::Surrounding {
 public:
     static constexpr std::size_t side = tileSide, rows = side + 2;
     using Row = std::array<std::int32_t, side>;
 
-    /// @param brickU may lie beside the grid
+    /// @param brickU  may be outside the grid
     void read(const Grid& grid, const VolumeStore& store, const std::vector<BlockIndex>& pages, std::int32_t brickU,
               std::int32_t brickV) {
         changes_.clear();
@@ -61,7 +62,7 @@ public:
     }
 
     bool simple() const noexcept { return simple_; }
-    /// By row (0: before the brick) and u. Where there is none: no less than any place, and no more.
+    /// By row (0: before the brick) and u. Without an interval: `from` no less, and `to` no greater, than any position.
     const Row& from(std::size_t row) const noexcept { return from_[row]; }
     const Row& to(std::size_t row) const noexcept { return to_[row]; }
     std::span<const RunPosition> changes(std::size_t row, std::size_t u) const noexcept {
@@ -69,7 +70,7 @@ public:
     }
 
 private:
-    /// Bricks at the grid's end have lines beyond it.
+    /// Excludes lines of bricks at the grid's end that are beyond the grid.
     void leaveOut(std::int32_t presentU, std::int32_t presentV) noexcept {
         for (std::size_t row = 0; row < rows; ++row)
             for (std::size_t u = 0; u < side; ++u)
@@ -95,13 +96,13 @@ private:
     bool simple_ = true;
 };
 
-/// Walks along u through a row of bricks.
+/// Processes a row of bricks in the direction of u.
 class BoundaryList::Finder {
 public:
     explicit Finder(const VolumeSnapshot& volume)
         : grid_(volume.grid()), store_(*VolumeAccess::state(volume).store), pages_(VolumeAccess::state(volume).pages) {}
 
-    /// Bricks firstU … endU - 1 of a row of them; `bricks` begins with the first.
+    /// Bricks firstU … endU - 1 of a row; `bricks` begins with the first.
     void find(std::int32_t brickV, std::int32_t firstU, std::int32_t endU, Brick* bricks) {
         read(firstU - 1, brickV);
         read(firstU, brickV);
@@ -122,7 +123,7 @@ private:
     Surrounding& at(std::int32_t brickU) { return surroundings_[static_cast<std::size_t>(brickU + 3) % 3]; }
     void read(std::int32_t brickU, std::int32_t brickV) { at(brickU).read(grid_, store_, pages_, brickU, brickV); }
 
-    /// Every line one stretch: the common part of nine is from the greatest begin to the least end.
+    /// For lines with one interval each: the intersection of nine is from the greatest begin to the least end.
     void findSimple(const Surrounding& before, const Surrounding& here, const Surrounding& behind, Brick& brick) {
         std::array<VoxelStretch, 2 * linesPerTile> stretches;
         std::size_t found = 0;
@@ -136,7 +137,7 @@ private:
             for (std::size_t u = 0; u < side; ++u) alongV(here, u, u + 1);
             alongV(behind, 0, side + 1);
             for (std::size_t u = 0; u < side; ++u) {
-                // The voxels beside the common part's ends are on the boundary still.
+                // The outermost voxels of the intersection are still on the boundary.
                 const std::int32_t inner = std::max({from[u], from[u + 1], from[u + 2]});
                 const std::int32_t innerEnd = std::min({to[u], to[u + 1], to[u + 2]}) - 1;
                 const std::int32_t begin = here.from(v + 1)[u], last = here.to(v + 1)[u] - 1;
@@ -152,7 +153,7 @@ private:
         brick.stretches.assign(stretches.begin(), stretches.begin() + static_cast<std::ptrdiff_t>(found));
     }
 
-    /// The common part of nine lines in two steps: of three along v, then of three such results along u.
+    /// The intersection of nine lines in two steps: of three along v, then of three such results along u.
     void findAny(const Surrounding& before, const Surrounding& here, const Surrounding& behind, Brick& brick) {
         own_.clear();
         alongV_.clear();
@@ -192,7 +193,7 @@ private:
     const VolumeStore& store_;
     const std::vector<BlockIndex>& pages_;
     std::array<Surrounding, 3> surroundings_;
-    PlaceLists<(side + 2) * (side + 2)> own_; ///< u counts slower than v, both from one line before the brick
+    PlaceLists<(side + 2) * (side + 2)> own_; ///< u counts slower than v, both starting one line before the brick
     PlaceLists<(side + 2) * side> alongV_;
     PlaceLists<1> between_, common_;
     std::vector<VoxelStretch> stretches_;

@@ -9,39 +9,39 @@
 
 namespace burin {
 
-/// Neighbouring voxels first … last (inclusive) of one scanline.
+/// Consecutive voxels first … last (inclusive) of one scanline.
 struct VoxelStretch {
     std::int32_t first = 0, last = 0;
     friend bool operator==(VoxelStretch, VoxelStretch) = default;
 };
 
 /// The boundary voxels of an object: those with at least one empty voxel among their 26 neighbours (Chen & Yang 2004,
-/// eq. 2, by the run criteria of section 4.2). Beyond the grid everything is empty. Kept as stretches of the scanlines
-/// and refreshed where material came or went. Holds the snapshot that it was made of.
-/// Thread: one at a time; reading from several.
+/// eq. 2, by the run criteria of section 4.2). Everything beyond the grid is empty. Kept as intervals of the scanlines
+/// and updated where material was added or removed. Holds the snapshot that it was made from.
+/// Thread: one at a time for updates; several threads may read.
 class BoundaryList {
 public:
-    /// Of the whole volume. Parallel; cost: its runs, not its voxels.
+    /// Finds the boundary of the whole volume. Parallel; cost: grows with its runs, not its voxels.
     /// @throws std::bad_alloc
     explicit BoundaryList(const VolumeSnapshot& volume);
 
-    /// Follows a later (or earlier) state of the same volume: only bricks of 8 × 8 scanlines that differ, and those
-    /// beside them, are looked at again. A snapshot of another volume is taken up whole.
-    /// @return bricks that were looked at
+    /// Updates the list to a later (or earlier) state of the same volume: only bricks of 8 × 8 scanlines that differ,
+    /// and their neighbours, are examined again. For a snapshot of another volume the whole list is made anew.
+    /// @return number of bricks examined
     /// @throws std::bad_alloc
     std::size_t update(const VolumeSnapshot& now);
 
     const VolumeSnapshot& shown() const noexcept { return shown_; }
-    /// Stretches of a scanline, in order; two of them never touch. Valid until the next update.
+    /// Boundary intervals of a scanline, in order; no two of them touch. Valid until the next update.
     std::span<const VoxelStretch> line(LineIndex line) const noexcept;
     std::uint64_t voxelCount() const noexcept;
-    /// One by one, by scanlines (v, then u), then along them. Parallel.
+    /// All voxels, ordered by scanline (v, then u) and then along the scanline. Parallel.
     /// @throws std::bad_alloc
     std::vector<VoxelIndex> voxels() const;
 
 private:
     struct Brick {
-        std::array<std::uint32_t, 65> begin{}; ///< by line, u counts faster
+        std::array<std::uint32_t, 65> begin{}; ///< by line, u counts fastest
         std::vector<VoxelStretch> stretches;
     };
     class Surrounding;
@@ -57,10 +57,10 @@ private:
     std::vector<Brick> bricks_;
 };
 
-/// Boundary voxels of one scanline, in order. Cost: runs of the line and of its eight neighbours.
+/// Boundary voxels of one scanline, in order. Cost: grows with the runs of the line and of its eight neighbours.
 std::vector<VoxelStretch> boundaryOfLine(const VolumeSnapshot& volume, LineIndex line);
 
-/// All boundary voxels one by one; BoundaryList without the list that can be kept.
+/// All boundary voxels; as BoundaryList::voxels, without a list that can be updated.
 std::vector<VoxelIndex> boundaryVoxels(const VolumeSnapshot& volume);
 
 } // namespace burin

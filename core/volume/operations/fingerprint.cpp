@@ -14,14 +14,14 @@ namespace burin {
 
 namespace {
 
-/// Lowest byte first, whatever the machine.
+/// Lowest byte first on every machine.
 template <class Number>
 void append(std::string& bytes, Number number) {
     for (std::size_t i = 0; i < sizeof number; ++i)
         bytes.push_back(static_cast<char>((static_cast<std::uint64_t>(number) >> (8 * i)) & 0xff));
 }
 
-/// Grid and names: what the numbers of the runs mean.
+/// Grid and material ids, which define the meaning of the runs' numbers.
 std::string headOf(const Grid& grid, const PropertyList& properties) {
     std::string head;
     for (int axis = 0; axis < 3; ++axis) append(head, std::bit_cast<std::uint64_t>(grid.low()[axis]));

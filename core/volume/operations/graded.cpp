@@ -25,9 +25,9 @@ std::array<std::uint8_t, 3> shaded(std::array<std::uint8_t, 3> colour, int band,
     return colour;
 }
 
-/// Finds the bands along a scanline. The line is cut into stretches in which the grading rises or falls only; there
-/// each border is found by halving. What is looked at is not the band itself, which may come again, but the place
-/// between all distances at which it changes.
+/// Finds the bands along a scanline. The line is cut into intervals on which the grading is monotonic; in each, the
+/// borders are found by bisection. The compared value is not the band itself, which may recur, but the cell between two
+/// of the distances at which the band changes.
 class BandFinder {
 public:
     BandFinder(const GradedMaterial& material, const Grid& grid) : material_(material), grid_(grid) {
@@ -37,7 +37,7 @@ public:
             bandOfCell_.push_back(bandBetween(cell));
     }
 
-    /// Calls visit(end, band) for the stretches that make up `from` … `to`.
+    /// Calls visit(end, band) for the intervals that make up `from` … `to`.
     template <class Visit>
     void split(LineIndex line, RunPosition from, RunPosition to, Visit visit) const {
         const glm::dvec2 across = grid_.lineCentre(line);
@@ -77,7 +77,7 @@ private:
             places.push_back(before.distance + (value - before.value) / (behind.value - before.value) *
                                                    (behind.distance - before.distance));
         }
-        // A control that lies on a border may be where the band changes as well.
+        // A control that lies on a border may also be a point where the band changes.
         places.push_back(behind.distance);
         std::ranges::sort(places);
         changes_.insert(changes_.end(), places.begin(), places.end());
@@ -100,7 +100,7 @@ private:
     }
     int bandOf(int cell) const { return bandOfCell_.empty() ? cell : bandOfCell_[static_cast<std::size_t>(cell)]; }
 
-    /// The last unit, at most `limit`, up to which the grading rises or falls only.
+    /// The last unit, at most `limit`, up to which the grading is monotonic.
     RunPosition stretchEnd(const glm::dvec3& place, RunPosition from, RunPosition limit) const {
         if (material_.grading.controls().empty()) return std::min(limit, from + unitsPerVoxel);
         const std::optional<double> turn = material_.grading.nearest(place, grid_.axisOfRuns());
@@ -112,10 +112,10 @@ private:
     const GradedMaterial& material_;
     const Grid& grid_;
     std::vector<double> changes_; ///< distances, mm, rising
-    std::vector<int> bandOfCell_; ///< cell i lies before change i; the last one behind all
+    std::vector<int> bandOfCell_; ///< cell i lies before change i; the last cell is behind all changes
 };
 
-/// Rewrites rows of bricks in which the base material stands.
+/// Rewrites rows of bricks that contain the base material.
 class RowGrader {
 public:
     RowGrader(const RunVolume& volume, const GradedMaterial& material)

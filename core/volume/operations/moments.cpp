@@ -51,7 +51,8 @@ struct RunSums {
         alongAlong += other.alongAlong;
         return *this;
     }
-    /// As if lines and positions counted from another origin, all in whole numbers: what is left to round is small.
+    /// The sums relative to another origin of lines and positions, all in integers, so that what remains to be rounded
+    /// is small.
     RunSums from(std::int64_t lineU, std::int64_t lineV, std::int64_t position) const noexcept {
         RunSums moved;
         moved.length = length;
@@ -81,7 +82,7 @@ BodyMoments momentsOf(const RunSums& sums, const Grid& grid) {
     const std::int64_t position = nearest(sums.along, 2 * sums.length);
     const RunSums near = sums.from(lineU, lineV, position);
 
-    // In voxels, from the centre of line (lineU, lineV) and that position; the along axis third.
+    // In voxels, relative to the centre of line (lineU, lineV) and that position; the along axis is the third.
     constexpr double unit = 1.0 / unitsPerVoxel;
     const auto number = [](Wide value) { return static_cast<double>(value); };
     const double volume = number(near.length) * unit;

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// Volume and its moments of one body, as its runs describe it: every run a square prism of one voxel's width that ends
+/// Volume and moments of one body as its runs describe it: every run is a square prism of one voxel's width that ends
 /// at 1/256 voxel. Setup frame.
 struct BodyMoments {
     double volume = 0.0;      ///< mm³
@@ -18,17 +18,19 @@ struct BodyMoments {
     /// Integral of (r - c)(r - c)ᵀ over the body, c its centroid, mm⁵; symmetric.
     glm::dmat3 secondMoments{0.0};
 
-    /// Inertia about the centroid at density 1, mm⁵: trace of the second moments on the diagonal, less the moments.
+    /// Inertia about the centroid at density 1, mm⁵: the trace of the second moments on the diagonal, minus the second
+    /// moments.
     glm::dmat3 inertia() const noexcept;
 };
 
 struct VolumeMoments {
-    std::vector<BodyMoments> byProperty; ///< by entry of the property list; air's is empty
+    std::vector<BodyMoments> byProperty; ///< by entry of the property list; empty for air
     BodyMoments material;                ///< everything but air
 };
 
-/// Volume, centroid and second moments of every material. Sums are whole numbers, so that the result does not depend on
-/// how the work was shared; exact but for the last rounding to double. Parallel; cost: the volume's runs.
+/// Volume, centroid and second moments of every material. Sums are integers, so that the result does not depend on how
+/// the work is divided among threads; exact but for the final rounding to double. Parallel; cost: grows with the
+/// volume's runs.
 /// @throws std::bad_alloc
 VolumeMoments moments(const VolumeSnapshot& volume);
 

@@ -29,7 +29,8 @@ Result<Grid> gridOf(const Grid& old, const Placement& placement) {
     const Box box = boxAround(old.box(), placement);
     glm::ivec3 count(1);
     for (int axis = 0; axis < 3; ++axis) {
-        // Whole voxels must not become one more by the rounding of a division; what is no length is for make() to tell.
+        // A whole number of voxels must not become one more by the rounding of a division; a value that is not finite
+        // is reported by make().
         const double voxels = std::ceil(box.size()[axis] / old.edge() - 1e-6);
         count[axis] = voxels < 2.0 * Grid::maximumVoxelsPerAxis ? std::max(1, static_cast<int>(voxels))
                                                                 : 2 * Grid::maximumVoxelsPerAxis;
@@ -43,13 +44,13 @@ struct OldRay {
     glm::dvec3 origin{0.0}, way{0.0};
 };
 
-/// Meets the old runs along new scanlines.
+/// Intersects new scanlines with the old runs.
 class Scan {
 public:
     Scan(const VolumeSnapshot& volume, const Grid& grid, const Placement& placement)
         : volume_(volume), grid_(grid), back_(inverse(placement)) {}
 
-    /// Appends what a new scanline meets, from 0 to its end.
+    /// Appends the intersections of a new scanline, from 0 to its end.
     void read(LineIndex line, BrickLines& lines) const {
         const Grid& old = volume_.grid();
         const OldRay ray = rayOf(line);
@@ -92,7 +93,7 @@ private:
         if (end > 0.0) lines.append(static_cast<RunPosition>(end * unitsPerVoxel + 0.5), property);
     }
 
-    /// Where the ray leaves the column that it is in.
+    /// Where the ray leaves its current column.
     static double leaves(double origin, double way, std::int32_t column) noexcept {
         if (way == 0.0) return never;
         return (column + (way > 0.0 ? 1 : 0) - origin) / way;
@@ -118,7 +119,7 @@ private:
         }
     }
 
-    /// What is met within one column.
+    /// The intersections within one column.
     static void meet(std::span<const Segment> segments, const OldRay& ray, double from, double to, BrickLines& lines) {
         const double way = ray.way.z, start = ray.origin.z + way * from;
         const auto last = static_cast<double>(segments.back().end()) / unitsPerVoxel;
@@ -126,7 +127,7 @@ private:
             put(lines, to, start < 0.0 || start >= last ? airProperty : propertyAt(segments, start));
             return;
         }
-        // The grid's ends are met as segments of air are.
+        // The grid's ends are treated like segments of air.
         const auto reach = [&](double place, PropertyIndex before) {
             const double at = (place - ray.origin.z) / way;
             if (at > from) put(lines, std::min(at, to), before);

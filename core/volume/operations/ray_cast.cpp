@@ -15,9 +15,9 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// A ray in the grid's own frame: u, v in scanlines, along the runs in voxels, from the grid's low corner.
+/// A ray in the grid's own frame: u, v in scanlines, along the runs in voxels, relative to the grid's low corner.
 struct LocalRay {
-    glm::dvec3 origin, way; ///< `way` for one millimetre of the ray
+    glm::dvec3 origin, way; ///< `way` per millimetre of the ray
 };
 
 LocalRay localRay(const Grid& grid, const glm::dvec3& origin, const glm::dvec3& direction) {
@@ -44,7 +44,7 @@ struct Stretch {
     }
 };
 
-/// Where a ray meets a scanline's runs first between two distances.
+/// The first intersection of a ray with a scanline's runs between two distances.
 class LineTest {
 public:
     LineTest(const VolumeSnapshot& workpiece, const LocalRay& ray, RayTarget target)
@@ -80,7 +80,7 @@ private:
     RayTarget target_;
 };
 
-/// Walks along one axis across the runs: which column, and where the next one begins.
+/// Iterates along one axis across the runs: the current column, and where the next one begins.
 struct Walk {
     std::int32_t column = 0, step = 0;
     double next = never; ///< distance

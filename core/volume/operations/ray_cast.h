@@ -11,26 +11,24 @@ namespace burin {
 /// Which runs stop a ray.
 enum class RayTarget : std::uint8_t { anything, protectedOnly };
 
-/// Where a ray meets a workpiece first.
+/// Where a ray first meets a workpiece.
 struct RayHit {
     glm::dvec3 place{0.0}; ///< mm, setup frame
     double distance = 0.0; ///< mm from the ray's origin
     PropertyIndex property = airProperty;
 };
 
-/// The first run on a ray's way: exact on run ends, to the scanline's own column across them.
-/// @param origin mm, setup frame  @param direction of any length but 0
-/// @return nothing when the ray misses, or is none: an origin or a direction that is not finite, a direction without
-///         length
+/// The first run that a ray meets: exact on run ends, resolved to the scanline's own column across them.
+/// @param origin  mm, setup frame  @param direction  of any length but 0
+/// @return empty if the ray misses or is invalid: origin or direction not finite, or a direction without length
 /// Thread   any.
-/// Cost     grows with the scanlines on its way, and with their runs.
+/// Cost     grows with the scanlines that the ray passes, and with their runs.
 std::optional<RayHit> castRay(const VolumeSnapshot& workpiece, const glm::dvec3& origin, const glm::dvec3& direction,
                               RayTarget target = RayTarget::anything);
 
-/// The highest end of any run within a distance of a place, across the runs.
-/// @param place  mm, setup frame, along the grid's axes of u and v (runs along z: x, y)  @param radius mm
-/// @return mm along the runs, setup frame; the grid's low end where there is no run, or where place or radius is no
-///         finite number
+/// The highest end of any run within a distance of a point, measured across the runs.
+/// @param place  mm, setup frame, along the grid's axes of u and v (runs along z: x, y)  @param radius  mm
+/// @return mm along the runs, setup frame; the grid's low end if there is no run, or if place or radius is not finite
 /// Thread   any.
 /// Cost     grows with the scanlines within the radius, and with their runs.
 double highestWithin(const VolumeSnapshot& workpiece, const glm::dvec2& place, double radius);

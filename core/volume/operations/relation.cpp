@@ -40,7 +40,7 @@ void stretchesOf(std::span<const Segment> line, PropertyIndex property, std::vec
     }
 }
 
-/// By brick of 8 × 8 scanlines: whether anything in it passes a test of properties.
+/// By brick of 8 × 8 scanlines: whether any property in it passes a test.
 template <class Test>
 std::vector<std::uint8_t> bricksThatHold(const VolumeSnapshot& volume, Test test) {
     const VolumeState& state = VolumeAccess::state(volume);
@@ -57,14 +57,14 @@ std::vector<std::uint8_t> bricksThatHold(const VolumeSnapshot& volume, Test test
     return holds;
 }
 
-/// Looks through the bricks where one object has the other within a brick of it.
+/// Compares bricks of one object that have the other object within one brick.
 class Comparison {
 public:
     Comparison(const Grid& grid, std::vector<std::uint8_t> holdsA, std::vector<std::uint8_t> holdsB)
         : grid_(grid), holdsA_(std::move(holdsA)), holdsB_(std::move(holdsB)) {}
 
-    /// @param readA, readB fill the stretches of a line
-    /// @param mayIntersect false: enough is known when they are found to touch
+    /// @param readA, readB  get the intervals of a line
+    /// @param mayIntersect  false: the search ends as soon as they are found to touch
     template <class ReadA, class ReadB>
     SpatialRelation run(bool mayIntersect, ReadA readA, ReadB readB) {
         std::atomic<bool> intersecting{false}, adjacent{false};
@@ -106,7 +106,7 @@ private:
                 if (holds(holdsB_, u, v)) return true;
         return false;
     }
-    /// The line itself and those beside it.
+    /// The line itself and its neighbours.
     template <class Visit>
     void eachAround(LineIndex line, Visit visit) const {
         for (std::int32_t v = line.v - 1; v <= line.v + 1; ++v)

@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// A slab as a volume's scanlines see it.
+/// A slab in terms of a volume's scanlines.
 class Slab {
 public:
     Slab(const Grid& grid, int axis, double from, double to) : grid_(grid), axis_(axis), from_(from), to_(to) {
@@ -21,7 +21,7 @@ public:
         high_ = to >= end ? grid.lineEnd() : grid.toRunPosition(std::max(to, begin));
     }
 
-    /// The stretch of a line that lies in it; empty where high is not above low.
+    /// The interval of a line inside the slab; empty if high is not above low.
     struct Stretch {
         RunPosition low = 0, high = 0;
     };

@@ -9,15 +9,15 @@ namespace burin {
 
 namespace {
 
-constexpr double mostLines = 300'000.0; // looked at by a plane square to the runs
+constexpr double mostLines = 300'000.0; // evaluated for a plane perpendicular to the runs
 
-/// Of a plane along the runs: the runs of a row of scanlines.
+/// For a plane along the runs: the runs of a row of scanlines.
 std::vector<SectionPatch> alongRuns(const VolumeSnapshot& workpiece, int axis, std::int32_t index) {
     const Grid& grid = workpiece.grid();
     const bool squareToU = axis == grid.axisOfU();
     const int rowAxis = squareToU ? grid.axisOfV() : grid.axisOfU();
     const std::int32_t lines = squareToU ? grid.lineCountV() : grid.lineCountU();
-    const int runs = (axis + 1) % 3 == grid.axisOfRuns() ? 0 : 1; // which of a patch's two axes
+    const int runs = (axis + 1) % 3 == grid.axisOfRuns() ? 0 : 1; // index of the runs among a patch's two axes
     std::vector<SectionPatch> patches;
     for (std::int32_t i = 0; i < lines; ++i) {
         const double from = grid.low()[rowAxis] + i * grid.edge();
@@ -43,8 +43,8 @@ PropertyIndex propertyAt(std::span<const Segment> line, RunPosition along) {
     return found == line.end() ? airProperty : found->property();
 }
 
-/// Of a plane square to the runs: neighbours of one property along u are one patch. U and v follow the runs' axis by
-/// cyclic exchange, as the axes of a patch do the plane's.
+/// For a plane perpendicular to the runs: neighbours of one property along u are merged into one patch. U and v follow
+/// the runs' axis by cyclic exchange, as the axes of a patch follow the plane's.
 std::vector<SectionPatch> acrossRuns(const VolumeSnapshot& workpiece, RunPosition along) {
     const Grid& grid = workpiece.grid();
     const std::int32_t countU = grid.lineCountU(), countV = grid.lineCountV();

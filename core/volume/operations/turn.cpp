@@ -16,14 +16,14 @@ namespace burin {
 
 namespace {
 
-/// A plane of the grid that holds both run axes, turned: scanlines along the new axis one after another.
+/// A plane of the grid that contains both run axes, converted: scanlines along the new axis one after another.
 struct Slice {
-    std::vector<std::uint32_t> firsts; ///< by place along the old axis, and the end
+    std::vector<std::uint32_t> firsts; ///< by index along the old axis, and the end of the last
     std::vector<Segment> segments;
     RunPosition greatestDisplacement = 0;
 };
 
-/// Where a segment of an old scanline lies, and what lies beside it.
+/// A segment of an old scanline, and the properties of its neighbours.
 struct Piece {
     RunPosition from = 0, to = 0;
     PropertyIndex property = airProperty;
@@ -42,13 +42,13 @@ Piece pieceOf(std::span<const Segment> line, std::size_t index) noexcept {
     return piece;
 }
 
-/// A boundary that runs from one old scanline to the next one.
+/// A boundary between two properties that continues from one old scanline to the next.
 struct Crossing {
     RunPosition here = 0, there = 0; ///< along the old axis, on this line and on the next
     RunPosition distance() const noexcept { return here < there ? there - here : here - there; }
 };
 
-/// Turns slices one by one; keeps its working memory.
+/// Converts slices one by one; keeps its working memory.
 class SliceTurning {
 public:
     SliceTurning(const VolumeSnapshot& volume, RunAxis axis)
@@ -56,7 +56,7 @@ public:
         , newAlongU_(volume.grid().axisOfU() == static_cast<int>(axis))
         , lineCount_(newAlongU_ ? volume.grid().lineCountU() : volume.grid().lineCountV()) {}
 
-    /// @param index place along the axis that is across both
+    /// @param index  along the axis that is perpendicular to both
     void turn(std::int32_t index, Slice& slice) {
         ends_.clear();
         displacement_ = 0;
@@ -69,7 +69,7 @@ public:
             here = next;
         }
         closeLines(here);
-        // By place along the old axis; on each in the order in which they were found.
+        // Sorted by index along the old axis; for each in the order in which they were found.
         slice.firsts.assign(along + 1, 0);
         for (const End& end : ends_) ++slice.firsts[static_cast<std::size_t>(end.place) + 1];
         for (std::size_t place = 0; place < along; ++place) slice.firsts[place + 1] += slice.firsts[place];
@@ -90,7 +90,7 @@ private:
         return volume_.line(newAlongU_ ? LineIndex{at, index} : LineIndex{index, at});
     }
 
-    /// Run ends go to voxel faces.
+    /// Rounding of run ends to voxel faces.
     void notePlace(std::span<const Segment> segments) noexcept {
         for (const Segment segment : segments) {
             const RunPosition beyond = segment.end() % unitsPerVoxel;
@@ -119,7 +119,7 @@ private:
         }
     }
 
-    /// The boundary between the properties of two pieces that face each other, where both lines have it.
+    /// The boundary between the properties of two adjacent pieces, if both lines have it.
     static std::optional<Crossing> boundary(const Piece& here, const Piece& next) noexcept {
         constexpr RunPosition farthest = 8 * unitsPerVoxel;
         std::optional<Crossing> best;
@@ -136,14 +136,14 @@ private:
     RunPosition interpolated(const Crossing& crossing, std::int32_t place, RunPosition face) noexcept {
         const auto from = static_cast<double>(crossing.here), to = static_cast<double>(crossing.there);
         const double share = to == from ? 0.5 : (static_cast<double>(centreOf(place)) - from) / (to - from);
-        // The voxels on both sides keep the property of their centres.
+        // The voxels on both sides keep the property at their centres.
         const double offset = std::clamp(share * unitsPerVoxel, 1.0, static_cast<double>(unitsPerVoxel));
         const RunPosition end = face - unitsPerVoxel / 2 + static_cast<RunPosition>(offset + 0.5);
         displacement_ = std::max(displacement_, end < face ? face - end : end - face);
         return end;
     }
 
-    /// What the last old line shows reaches the end of each new one.
+    /// Extends the properties of the last old line to the end of each new line.
     void closeLines(std::span<const Segment> last) {
         const RunPosition lineEnd = static_cast<RunPosition>(lineCount_) * unitsPerVoxel;
         std::int32_t place = 0;
@@ -154,13 +154,13 @@ private:
 
     const VolumeSnapshot& volume_;
     bool newAlongU_;
-    std::int32_t lineCount_; ///< old scanlines in a slice
+    std::int32_t lineCount_; ///< number of old scanlines in a slice
     std::vector<End> ends_;
     std::vector<std::uint32_t> next_;
     RunPosition displacement_ = 0;
 };
 
-/// Old scanlines that lie side by side along the new axis make a slice; slices lie along the third axis.
+/// Old scanlines that are neighbours along the new axis form a slice; slices follow each other along the third axis.
 std::vector<Slice> turnSlices(const VolumeSnapshot& volume, RunAxis axis, Progress& progress) {
     const int across = 3 - static_cast<int>(volume.grid().axis()) - static_cast<int>(axis);
     std::vector<Slice> slices(static_cast<std::size_t>(volume.grid().count()[across]));
@@ -175,7 +175,7 @@ std::vector<Slice> turnSlices(const VolumeSnapshot& volume, RunAxis axis, Progre
 }
 
 Result<RunVolume> assembleSlices(const Grid& grid, const VolumeSnapshot& volume, const std::vector<Slice>& slices) {
-    const bool slicesAlongV = grid.axisOfU() == volume.grid().axisOfRuns(); // else along u
+    const bool slicesAlongV = grid.axisOfU() == volume.grid().axisOfRuns(); // otherwise along u
     return assembleBricks(grid, volume.properties(), [&](std::int32_t row, BrickSink& sink) {
         BrickLines lines(grid.lineEnd());
         for (LineIndex low{0, row * brickSide}; low.u < grid.lineCountU(); low.u += brickSide) {

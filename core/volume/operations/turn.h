@@ -9,10 +9,10 @@
 
 namespace burin {
 
-/// What turning a volume to another run axis did to its shape, seen as boxes one voxel wide around each scanline.
+/// How changing the run axis of a volume changed its shape, taken as boxes one voxel wide around each scanline.
 struct TurnLoss {
-    std::vector<double> changed;       ///< mm³ by property index: after less before
-    double greatestDisplacement = 0.0; ///< of a face, voxels: at most 1/2
+    std::vector<double> changed;       ///< mm³ by property index: after minus before
+    double greatestDisplacement = 0.0; ///< of a face, in voxels: at most 1/2
 };
 
 struct TurnedVolume {
@@ -20,13 +20,13 @@ struct TurnedVolume {
     TurnLoss loss;
 };
 
-/// The same volume with its runs along another axis, in the same grid and with the same property list.
+/// The same volume with its runs along another axis, on the same grid and with the same property list.
 ///
-/// Each voxel keeps the property of its centre: a volume of whole voxels is turned without loss, there and back. Of
-/// run ends within a voxel the old axis keeps the nearest voxel face (1/2 voxel at most). Along the new axis an end
-/// lies where the straight line between the ends in the two neighbouring old scanlines passes, so that a plane stays
-/// one to 1/128 voxel; where these ends have no partner in the neighbour, lie more than eight voxels apart or both on
-/// voxel faces, it lies on the voxel face between the two.
+/// Each voxel keeps the property of its centre: a volume of whole voxels is converted without loss in both directions.
+/// Run ends within a voxel move, along the old axis, to the nearest voxel face (by at most 1/2 voxel). Along the new
+/// axis an end lies where the straight line between the ends on the two neighbouring old scanlines passes, so that a
+/// plane remains a plane to 1/128 voxel; where these ends have no counterpart on the neighbour, lie more than eight
+/// voxels apart or both lie on voxel faces, the new end lies on the voxel face between the two scanlines.
 ///
 /// Cost: linear in the runs of both volumes, plus making the new one; parallel. Errors: cancelled, outOfMemory.
 Result<TurnedVolume> turned(const VolumeSnapshot& volume, RunAxis axis, Progress& progress);

@@ -12,11 +12,11 @@
 
 namespace burin {
 
-/// Where a scanline holds anything but air, in whole voxels: material begins at the first place, ends before the
-/// second, begins again at the third. Rising, even in number.
+/// Where a scanline holds anything but air, in whole voxels: material begins at the first index, ends before the
+/// second, begins again at the third, and so on. Rising, even in number.
 using VoxelPlaces = std::span<const std::int32_t>;
 
-/// Lists of places, one after the other; used again and again without allocating.
+/// Lists of voxel indices, one after the other; can be reused without allocating.
 template <std::size_t count>
 class PlaceLists {
 public:
@@ -25,13 +25,13 @@ public:
         return {places_.data() + parts_[list].begin, parts_[list].size};
     }
 
-    /// @param changes places in run units where material begins, ends, begins … ; rising, two may be equal
+    /// @param changes  positions in run units where material begins, ends, begins … ; rising, two may be equal
     void append(std::span<const RunPosition> changes) {
         std::int32_t* const first = room(changes.size());
         std::int32_t* end = first;
         for (const RunPosition position : changes) {
             const std::int32_t place = firstVoxelFrom(position);
-            // A piece that holds no voxel's centre begins and ends at one place: both vanish.
+            // A piece that holds no voxel's centre begins and ends at the same index: both vanish.
             if (end > first && end[-1] == place)
                 --end;
             else
@@ -39,7 +39,7 @@ public:
         }
         close(static_cast<std::size_t>(end - first));
     }
-    /// What two lists have in common. They must not be of this object.
+    /// Appends the intersection of two lists. They must not belong to this object.
     void appendCommon(VoxelPlaces a, VoxelPlaces b) {
         std::int32_t* const first = room(a.size() + b.size());
         std::size_t i = 0, k = 0, found = 0;

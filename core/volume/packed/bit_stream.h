@@ -12,10 +12,10 @@
 
 namespace burin {
 
-/// Appends numbers of any width to bytes, lowest bit first.
+/// Appends numbers of any bit width to a byte string, lowest bit first.
 class BitWriter {
 public:
-    /// @param bytes appended to; has to outlive this
+    /// @param bytes  appended to; has to outlive this object
     explicit BitWriter(std::string& bytes) noexcept : bytes_(bytes) {}
 
     /// @param value below 2^width
@@ -26,7 +26,7 @@ public:
         if (count_ < 32) return;
         append(4);
     }
-    /// Any number below 2^32 - 1, small ones in few bits (Elias's gamma code of value + 1).
+    /// Writes any number below 2^32 - 1, small ones in few bits (Elias's gamma code of value + 1).
     void putNumber(std::uint32_t value) {
         const unsigned further = bitsOfNumber(value) / 2;
         put(0, further);
@@ -36,7 +36,7 @@ public:
     static unsigned bitsOfNumber(std::uint32_t value) noexcept {
         return 2 * static_cast<unsigned>(std::bit_width(value + 1)) - 1;
     }
-    /// Fills the last byte up with zeros and hands over what waits.
+    /// Pads the last byte with zeros and writes the pending bits.
     void finish() {
         append((count_ + 7) / 8);
         count_ = 0;
@@ -52,10 +52,10 @@ private:
 
     std::string& bytes_;
     std::uint64_t waiting_ = 0;
-    unsigned count_ = 0; ///< bits that wait, below 32 between calls
+    unsigned count_ = 0; ///< pending bits, below 32 between calls
 };
 
-/// Reads what a BitWriter wrote. Beyond the end it reads zeros and remembers that it did.
+/// Reads what a BitWriter wrote. Beyond the end it returns zeros, and `good` becomes false.
 class BitReader {
 public:
     explicit BitReader(std::string_view bytes) noexcept : bytes_(bytes) {}
@@ -69,22 +69,22 @@ public:
     std::uint32_t getNumber() noexcept {
         const std::uint64_t word = ahead();
         const auto further = static_cast<unsigned>(std::countr_zero(word | std::uint64_t{1} << 32));
-        if (further > 31) at_ = bytes_.size() * 8 + 1; // no such number
+        if (further > 31) at_ = bytes_.size() * 8 + 1; // no valid number
         at_ += further + 1;
         return (get(further) | std::uint32_t{1} << (further & 31)) - 1;
     }
-    /// Whether so many bits are there to read.
+    /// Whether at least this many bits are left to read.
     bool holds(std::uint64_t bits) const noexcept {
         const std::uint64_t all = std::uint64_t{bytes_.size()} * 8;
         return at_ <= all && bits <= all - at_;
     }
-    /// False: more was read than there is.
+    /// False if more was read than there is.
     bool good() const noexcept { return at_ <= std::uint64_t{bytes_.size()} * 8; }
-    /// Bytes that were begun to be read.
+    /// Number of bytes read, including a partly read last one.
     std::size_t bytesRead() const noexcept { return static_cast<std::size_t>((at_ + 7) / 8); }
 
 private:
-    /// The next 57 bits or more, zeros beyond the end.
+    /// The next 57 bits or more, with zeros beyond the end.
     std::uint64_t ahead() const noexcept {
         const auto byte = static_cast<std::size_t>(at_ / 8);
         std::uint64_t word = 0;
@@ -98,7 +98,7 @@ private:
     std::uint64_t octet(std::size_t place) const noexcept { return static_cast<unsigned char>(bytes_[place]); }
 
     std::string_view bytes_;
-    std::uint64_t at_ = 0; ///< bits
+    std::uint64_t at_ = 0; ///< position in bits
 };
 
 } // namespace burin

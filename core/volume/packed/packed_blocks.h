@@ -18,26 +18,26 @@ inline PackedTileFrame packedFrame(const Grid& grid, const PropertyList& propert
     return {grid.lineEnd(), static_cast<std::uint32_t>(properties.size())};
 }
 
-/// Packed tiles one after the other.
+/// Packed tiles, one after the other.
 struct PackedBlocks {
     std::string bytes;
-    std::vector<std::size_t> starts; ///< of each tile, and the end of the last
+    std::vector<std::size_t> starts; ///< start of each tile, and the end of the last
 
     std::string_view tile(std::size_t place) const noexcept {
         return std::string_view(bytes).substr(starts[place], starts[place + 1] - starts[place]);
     }
 };
 
-/// Packs the tiles in these blocks, in their order; parallel. The blocks must be shown by a snapshot that is held.
+/// Packs the tiles in the given blocks, in their order; parallel. A snapshot that shows the blocks must be held.
 /// @throws std::bad_alloc
 PackedBlocks packBlocks(const VolumeStore& store, std::span<const BlockIndex> blocks);
 
-/// Packed tiles, each kept once however often it is added.
+/// Packed tiles, each stored only once however often it is added.
 class InternedTiles {
 public:
-    /// Where the tile begins in `bytes`.
+    /// Returns where the tile begins in `bytes`.
     std::uint64_t add(std::string_view tile);
-    /// Ends the adding and hands the bytes out, with nothing to spare.
+    /// Ends the adding and returns the bytes, without unused capacity.
     std::string take();
 
 private:

@@ -11,7 +11,7 @@ namespace {
 /// A constant has no fraction.
 constexpr int fractionBits = 8;
 
-/// Coefficients first … end - 1 share one width.
+/// The common bit width of coefficients first … end - 1.
 unsigned widthOf(const Prediction& prediction, std::size_t first, std::size_t end) noexcept {
     std::uint32_t any = 0;
     for (std::size_t k = first; k < end; ++k) any |= folded(prediction.coefficients[k]);
@@ -94,7 +94,7 @@ void readPalette(std::pmr::vector<PropertyIndex>& palette, std::uint32_t propert
     if (further >= properties) return;
     for (std::uint32_t i = 0; i <= further; ++i) {
         const std::uint32_t property = reader.get(bitsFor(properties));
-        // Rising: of a property that stood twice, one run could follow another.
+        // Rising: if a property occurred twice, one of its runs could follow another.
         if (property >= properties || (!palette.empty() && property <= palette.back())) {
             palette.clear();
             return;

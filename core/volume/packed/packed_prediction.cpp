@@ -19,7 +19,7 @@ constexpr std::array<std::int32_t, tileSide> linear{-7, -5, -3, -1, 1, 3, 5, 7};
 constexpr std::array<std::int32_t, tileSide> square{7, 1, -3, -5, -5, -3, 1, 7};
 /// Steps of each coefficient in 1/256 unit.
 constexpr std::array<std::int32_t, terms> steps{1, 4, 4, 4, 1, 4};
-/// So that all terms together stay far within 32 bits.
+/// Keeps the sum of all terms well within 32 bits.
 constexpr double coefficientLimit = 1 << 22;
 constexpr std::uint32_t spreadLimit = 1 << 21;
 
@@ -92,7 +92,7 @@ void PredictionFit::factorise() noexcept {
             row[k] /= factor_[k][k];
             row[determined_] -= row[k] * row[k];
         }
-        if (row[determined_] <= 1e-9 * before) return; // these scanlines can't tell it from the terms before it
+        if (row[determined_] <= 1e-9 * before) return; // not independent of the terms before, on these scanlines
         row[determined_] = std::sqrt(row[determined_]);
     }
 }
@@ -131,7 +131,7 @@ bool PredictionFit::fit(PredictionShape shape, Prediction& prediction, unsigned&
     if (count > determined_ || spread_ >= spreadLimit) return false;
     Coefficients sums{};
     for (std::size_t k = 0; k < count; ++k) {
-        // Four sums side by side, so that the additions of one need not wait for each other.
+        // Four sums side by side, so that the additions of one do not wait for each other.
         std::array<double, 4> parts{};
         for (std::size_t line = 0; line < linesPerTile; line += parts.size())
             for (std::size_t part = 0; part < parts.size(); ++part)

@@ -17,7 +17,7 @@ bool sameSequence(std::span<const Segment> a, std::span<const Segment> b) noexce
     return std::ranges::equal(a, b, {}, &Segment::property, &Segment::property);
 }
 
-/// The run ends of one column, or the lengths up to them, by place in the tile.
+/// The run ends of one column, or the lengths up to them, by index in the tile.
 void valuesOf(const TileView& lines, std::span<const std::uint8_t> places, std::size_t column, bool relative,
               TileValues& values) noexcept {
     for (const std::uint8_t place : places) {
@@ -26,7 +26,7 @@ void valuesOf(const TileView& lines, std::span<const std::uint8_t> places, std::
     }
 }
 
-/// Bits of the longest length between two ends less one, over all scanlines of a group; at least 1.
+/// Bits of the longest length between two ends minus one, over all scanlines of a group; at least 1.
 unsigned plainWidth(const TileView& lines, std::span<const std::uint8_t> places) noexcept {
     std::uint32_t any = 1;
     for (const std::uint8_t place : places) {

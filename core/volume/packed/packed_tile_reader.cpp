@@ -13,8 +13,8 @@ using namespace packed_form;
 
 namespace {
 
-/// Reads one tile part by part, in the order in which TilePacker writes them. Each part answers false when what it read
-/// can't be.
+/// Reads one tile part by part, in the order in which TilePacker writes them. Each part returns false if its content is
+/// invalid.
 class TileReader {
 public:
     TileReader(std::string_view bytes, const PackedTileFrame& frame, BrickLines& tile) noexcept
@@ -54,12 +54,12 @@ private:
     BrickLines& tile_;
     Segment* segments_ = nullptr;            ///< of the tile
     const std::uint32_t* offsets_ = nullptr; ///< of the tile
-    std::array<std::byte, 2048> scratch_;    ///< an ordinary tile needs no other memory
+    std::array<std::byte, 2048> scratch_;    ///< sufficient for ordinary tiles
     std::pmr::monotonic_buffer_resource memory_{scratch_.data(), scratch_.size()};
     std::pmr::vector<PropertyIndex> palette_{&memory_}, sequences_{&memory_};
     std::size_t groupCount_ = 0;
-    std::array<std::uint8_t, linesPerTile> groupOf_{}, places_{};            ///< places by group
-    std::array<std::size_t, linesPerTile + 1> placeEnds_{}, sequenceEnds_{}; ///< where each group's begin
+    std::array<std::uint8_t, linesPerTile> groupOf_{}, places_{};            ///< lines sorted by group
+    std::array<std::size_t, linesPerTile + 1> placeEnds_{}, sequenceEnds_{}; ///< where each group's entries begin
 };
 
 bool TileReader::readGroups() {
@@ -85,7 +85,7 @@ bool TileReader::readSequences() {
         if (!readSequence(group)) return false;
         leastBits += columnsOf(group) * std::min<std::uint64_t>(leastColumnBits, lines(group).size());
     }
-    // Damaged bytes must not ask for memory that what follows could never fill.
+    // Damaged bytes must not request memory that the remaining bytes could never fill.
     return reader_.holds(leastBits);
 }
 

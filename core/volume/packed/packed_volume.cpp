@@ -16,13 +16,13 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t bricksPerStage = 4096; ///< between looks at the wish to stop
+constexpr std::size_t bricksPerStage = 4096; ///< between checks for cancellation
 
 Error cancelled(const char* work) {
     return {ErrorCode::cancelled, work, {}, {}};
 }
 
-/// Each block once, in the order of its first place, and which of them stands at each place.
+/// Each block once, in the order of its first use, and which of them each position of the table has.
 struct Blocks {
     std::vector<BlockIndex> different;
     std::vector<std::uint32_t> atPlace;

@@ -13,25 +13,26 @@
 
 namespace burin {
 
-/// What a volume held at one moment, packed: about a thirtieth of the volume's own memory and none of its reserve. To
-/// be kept for long and read now and then. Immutable: any thread may read it.
+/// The state of a volume at one moment, packed: takes about a thirtieth of the volume's own memory and none of its
+/// reserve. Meant to be kept for long and read occasionally. Immutable: any thread may read it.
 class PackedVolume {
 public:
-    /// Cost: some µs a tile, shared among all cores. Errors: cancelled, outOfMemory.
+    /// Cost: some µs per tile, divided among all cores. Errors: cancelled, outOfMemory.
     static Result<PackedVolume> pack(const VolumeSnapshot& snapshot, Progress& progress);
 
     const Grid& grid() const noexcept { return grid_; }
     const PropertyList& properties() const noexcept { return properties_; }
     const RunAmounts& amounts() const noexcept { return amounts_; }
 
-    /// The brick of 8 × 8 scanlines around `line`, which must lie in the grid. Cost: 0.4–2 µs for a few runs a line.
-    /// @param brick line 8 v + u, counted from the brick's low corner; those beyond the grid are of no account
+    /// The brick of 8 × 8 scanlines that contains `line`, which must lie in the grid. Cost: 0.4–2 µs for a few runs per
+    /// line.
+    /// @param brick  line 8 v + u, counted from the brick's low corner; lines beyond the grid are undefined
     /// @throws std::bad_alloc
     void brick(LineIndex line, BrickLines& brick) const;
-    /// Segments of one scanline, in order. Cost: that of its brick; for many lines ask for bricks.
+    /// Segments of one scanline, in order. Cost: that of its brick; use `brick` for many lines.
     std::vector<Segment> line(LineIndex line) const;
-    /// A volume that holds the same, for editing.
-    /// @param reservedBytes as for assembleBricks
+    /// An editable volume with the same content.
+    /// @param reservedBytes  as for assembleBricks
     /// Errors: cancelled, outOfMemory.
     Result<RunVolume> unpack(Progress& progress, std::size_t reservedBytes = 0) const;
 
@@ -46,7 +47,7 @@ private:
     PropertyList properties_;
     RunAmounts amounts_;
     std::string bytes_;
-    std::vector<std::uint64_t> starts_; ///< in `bytes_`, for each place of the table, row by row
+    std::vector<std::uint64_t> starts_; ///< index into `bytes_` for each entry of the table, row by row
 };
 
 } // namespace burin

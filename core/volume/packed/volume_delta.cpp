@@ -26,7 +26,7 @@ struct VolumeDeltaPacker::Work {
     void findDifferences();
 };
 
-/// A block that both show can't have changed.
+/// A block that both states share can't have changed.
 void VolumeDeltaPacker::Work::findDifferences() {
     const VolumeState &first = VolumeAccess::state(before), &second = VolumeAccess::state(after);
     const VolumeStore& store = *first.store;
@@ -91,7 +91,7 @@ VolumeDelta deltaBetween(const VolumeSnapshot& before, const VolumeSnapshot& aft
 bool VolumeDelta::put(RunVolume& volume, std::uint64_t Brick::*moment) const {
     auto& writer = VolumeAccess::writer(volume);
     const PackedTileFrame frame = packedFrame(volume.grid(), volume.properties());
-    const VolumeSnapshot unchanged = volume.snapshot(); // the way back
+    const VolumeSnapshot unchanged = volume.snapshot(); // to restore on failure
     BrickLines lines(frame.lineEnd);
     for (const Brick& brick : bricks_) {
         const bool sound = unpackTile(std::string_view(bytes_).substr(brick.*moment), frame, lines);

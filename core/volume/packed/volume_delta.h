@@ -12,14 +12,14 @@
 
 namespace burin {
 
-/// The bricks in which two moments of one volume differ, packed, as they were before and after: a stretch of cutting
-/// that can be taken back and done again. Needs no snapshot and none of the volume's reserved memory. Immutable.
+/// The bricks in which two states of one volume differ, packed, before and after: a part of the cutting that can be
+/// undone and redone. Needs no snapshot and none of the volume's reserved memory. Immutable.
 class VolumeDelta {
 public:
-    /// Gives a volume that stands at "after" the bricks of "before", or the other way about. Amounts follow.
-    /// Errors: volumeOutOfMemory (its reserve does not hold both moments of the bricks concerned); the volume is then
-    /// what it was. Allocates. Writer's thread, outside the haptic loop; it must stand at the moment that is left.
-    /// Cost: some µs a brick.
+    /// Replaces the bricks of "after" in a volume by those of "before", or the reverse. Amounts are updated. Errors:
+    /// volumeOutOfMemory (its reserve does not have room for both states of the bricks concerned); the volume is then
+    /// unchanged. Allocates. Writer's thread, outside the haptic loop; the volume must be in the state that is left.
+    /// Cost: some µs per brick.
     Result<void> applyBackward(RunVolume& volume) const { return apply(volume, &Brick::before); }
     Result<void> applyForward(RunVolume& volume) const { return apply(volume, &Brick::after); }
 
@@ -32,7 +32,7 @@ private:
     friend class VolumeDeltaPacker;
     struct Brick {
         LineIndex corner;
-        std::uint64_t before = 0, after = 0; ///< where its packed form begins
+        std::uint64_t before = 0, after = 0; ///< start of its packed form
     };
     bool put(RunVolume& volume, std::uint64_t Brick::*moment) const;
     Result<void> apply(RunVolume& volume, std::uint64_t Brick::*moment) const;
@@ -41,8 +41,8 @@ private:
     std::vector<Brick> bricks_;
 };
 
-/// Makes a VolumeDelta bit by bit, so that a thread with other things to do is never held up for long. Holds both
-/// snapshots until it is done.
+/// Makes a VolumeDelta in steps, so that a thread with other work is never blocked for long. Holds both snapshots until
+/// it is done.
 class VolumeDeltaPacker {
 public:
     /// Both must show the same volume. @throws std::bad_alloc
@@ -51,9 +51,9 @@ public:
     VolumeDeltaPacker(VolumeDeltaPacker&&) noexcept;
     VolumeDeltaPacker& operator=(VolumeDeltaPacker&&) noexcept;
 
-    /// Packs up to so many bricks more (parallel, some µs each). True: it is done. @throws std::bad_alloc
+    /// Packs up to `bricks` further bricks (parallel, some µs each). True: done. @throws std::bad_alloc
     bool advance(std::size_t bricks);
-    /// What was packed, once `advance` has answered true.
+    /// The result, once `advance` has returned true.
     VolumeDelta take();
 
 private:
@@ -61,7 +61,7 @@ private:
     std::unique_ptr<Work> work_;
 };
 
-/// All at once. Both must show the same volume. @throws std::bad_alloc
+/// Makes the delta in one step. Both must show the same volume. @throws std::bad_alloc
 VolumeDelta deltaBetween(const VolumeSnapshot& before, const VolumeSnapshot& after);
 
 } // namespace burin

@@ -22,10 +22,10 @@ namespace {
 
 struct FoundHeader {
     Header header;
-    bool wasDamaged = false; ///< the first copy
+    bool wasDamaged = false; ///< whether the first copy was damaged
 };
 
-/// The first copy of the header that can be read.
+/// Returns the first readable copy of the header.
 Result<FoundHeader> findHeader(RecordScanner& scanner, const std::string& name) {
     const bool ours = scanner.peek(markBytes) == headerMark;
     bool first = true, any = ours;
@@ -52,8 +52,8 @@ public:
         , bricks_(header.grid)
         , lines_(frame_.lineEnd) {}
 
-    /// The content of a block that stands in front of the scanner, if it is sound. Else the scanner stays, as another
-    /// record may begin within what should have been the block.
+    /// Reads the content of the block in front of the scanner, if it is valid. Otherwise the scanner stays in place,
+    /// because another record may begin within what should have been the block.
     /// Errors: volumeOutOfMemory.
     Result<void> read(const BlockHead& head, RecordScanner& scanner);
     const BrickMap& bricks() const noexcept { return bricks_; }
@@ -67,7 +67,7 @@ private:
     PackedTileFrame frame_;
     BrickMap bricks_;
     BrickLines lines_;
-    std::unordered_map<std::string_view, LineIndex> known_; ///< of one block: equal bricks share memory
+    std::unordered_map<std::string_view, LineIndex> known_; ///< for one block: equal bricks share memory
 };
 
 Result<void> BrickReader::read(const BlockHead& head, RecordScanner& scanner) {
@@ -114,7 +114,7 @@ Result<VolumeFileContent> readVolume(std::istream& stream, const std::string& na
     if (found->wasDamaged) scanner.rewind();
     const Header& header = found->header;
     const std::size_t content = static_cast<std::size_t>(header.segments) * sizeof(Segment);
-    // Twice what the segments take: editing goes on afterwards.
+    // Twice the size of the segments, because editing continues afterwards.
     Result<RunVolume> volume =
         RunVolume::make(header.grid, header.properties,
                         reservedBytes != 0 ? reservedBytes : RunVolume::defaultReserve(header.grid) + 2 * content);

@@ -20,7 +20,7 @@ void append(std::string& bytes, double number) {
     append(bytes, std::bit_cast<std::uint64_t>(number));
 }
 
-/// Takes words from the front of bytes, lowest byte first; zeros once there are too few.
+/// Takes words from the front of a byte string, lowest byte first; zeros once there are too few bytes.
 class Words {
 public:
     explicit Words(std::string_view bytes) noexcept : bytes_(bytes) {}
@@ -33,7 +33,7 @@ public:
         return word;
     }
     double takeNumber() noexcept { return std::bit_cast<double>(take<std::uint64_t>()); }
-    /// Empty when there are fewer.
+    /// Empty if there are fewer.
     std::string_view takeBytes(std::size_t count) noexcept {
         if (count > bytes_.size()) {
             good_ = false;
@@ -145,7 +145,7 @@ std::optional<BlockHead> BlockHead::of(std::string_view record) {
 std::string RecordScanner::peek(std::size_t count) {
     stream_.clear();
     stream_.seekg(static_cast<std::streamoff>(at_));
-    // By parts: a stated length may be far beyond what the stream holds.
+    // In parts: a stated length may be far beyond the end of the stream.
     constexpr std::size_t part = std::size_t{1} << 20;
     std::string bytes;
     while (bytes.size() < count && stream_) {
@@ -157,7 +157,7 @@ std::string RecordScanner::peek(std::size_t count) {
     return bytes;
 }
 
-/// Moves to the next mark. False: there is none.
+/// Moves to the next mark. False if there is none.
 bool RecordScanner::findMark() {
     constexpr std::size_t window = 65536;
     for (std::string bytes = peek(window); bytes.size() >= markBytes; bytes = peek(window)) {

@@ -11,19 +11,19 @@
 #include <string>
 #include <string_view>
 
-/// The records that a volume's file consists of (volume_file.md), for its writer and its reader.
+/// The records of a volume file (volume_file.md), for its writer and its reader.
 namespace burin::volume_file {
 
 inline constexpr std::uint32_t version = 1;
 inline constexpr std::string_view headerMark = "BurinVol", blockMark = "BurinBlk";
 inline constexpr std::size_t markBytes = 8;
-/// No header is longer; a stated length beyond is damage.
+/// Maximum length of a header; a greater stated length is damage.
 inline constexpr std::size_t longestHeader = std::size_t{16} << 20;
-/// A block is closed when its bricks take more, and holds more only when a single brick does.
+/// A block is closed when its bricks take more, and exceeds this only if a single brick does.
 inline constexpr std::size_t fullBlock = std::size_t{4} << 20;
 inline constexpr std::size_t largestBlock = std::size_t{1} << 30;
 
-/// Bricks are written in groups of 16 × 16, the groups row by row, the bricks of a group row by row.
+/// Bricks are written in groups of 16 × 16: the groups row by row, and the bricks within each group row by row.
 class BrickGroups {
 public:
     explicit BrickGroups(const Grid& grid) noexcept : table_(grid) {}
@@ -41,19 +41,19 @@ private:
     TileTable table_;
 };
 
-/// What the header says beside mark, version, length and checksum.
+/// Content of the header in addition to mark, version, length and checksum.
 struct Header {
     Grid grid;
     PropertyList properties;
     std::uint64_t segments = 0; ///< of bricks whose memory is not shared: what a reader has to make room for
 };
 
-/// A whole header record. Errors: argumentInvalid (a property that does not come back from its JSON form).
+/// A complete header record. Errors: argumentInvalid (a property that its JSON form does not reproduce).
 Result<std::string> headerRecord(const Header& header);
-/// Content of a header record of this version. Nothing: it can't be.
+/// Parses the content of a header record of this version. Empty if it is invalid.
 std::optional<Header> headerOf(std::string_view content, const std::string& name);
 
-/// What stands in front of a block's bytes.
+/// Header of a block, in front of its bytes.
 struct BlockHead {
     static constexpr std::size_t bytes = markBytes + 5 * sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t);
     std::uint32_t group = 0, firstBrick = 0, bricks = 0;
@@ -61,11 +61,11 @@ struct BlockHead {
     std::uint64_t packedChecksum = 0;
 
     std::string record() const;
-    /// Nothing: damaged.
+    /// Empty if damaged.
     static std::optional<BlockHead> of(std::string_view record);
 };
 
-/// Walks the records of a stream, and from damage on to the next record that is sound.
+/// Reads the records of a stream one after the other, and skips damage up to the next valid record.
 class RecordScanner {
 public:
     explicit RecordScanner(std::istream& stream) noexcept : stream_(stream) {}
@@ -75,10 +75,10 @@ public:
         std::string content;       ///< of a header
         std::optional<BlockHead> block;
     };
-    /// The next sound header or head of a block at or after the present place, which then is behind it. Nothing: none.
-    /// A block's bytes follow its head. @throws std::bad_alloc
+    /// The next valid header or block head at or after the current position, which is then behind it. Empty if there is
+    /// none. A block's bytes follow its head. @throws std::bad_alloc
     std::optional<Found> next();
-    /// So many bytes from the present place on, which stays. Fewer at the end of the stream.
+    /// Returns `count` bytes from the current position, which does not move. Fewer at the end of the stream.
     std::string peek(std::size_t count);
     void skip(std::uint64_t bytes) noexcept { at_ += bytes; }
     void rewind() noexcept { at_ = 0; }

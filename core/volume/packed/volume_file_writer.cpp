@@ -19,7 +19,7 @@ using namespace volume_file;
 
 namespace {
 
-/// Writes the bricks of one group after the other.
+/// Writes the bricks of the groups one after the other.
 class GroupWriter {
 public:
     GroupWriter(std::ostream& stream, const VolumeSnapshot& volume)
@@ -56,7 +56,7 @@ bool GroupWriter::write(std::uint32_t group) {
     return plain.empty() || close(head, plain);
 }
 
-/// Writes the block that was collected and begins the next behind it.
+/// Writes the collected block and begins the next one after it.
 bool GroupWriter::close(BlockHead& head, std::string& plain) {
     if (plain.size() > largestBlock) return false;
     const std::string content = compress(plain);

@@ -46,7 +46,7 @@ bool VolumeHistory::belongsTo(RunVolume& volume) const {
     return volume_.lock().get() == &VolumeAccess::writer(volume).store();
 }
 
-/// Makes sure that the volume can come back to the present mark over a step.
+/// Ensures that the volume can return over a step to the current mark.
 void VolumeHistory::leave(std::size_t step, RunVolume& volume) {
     if (steps_[step].delta || !marks_[present_].empty()) return;
     marks_[present_] = volume.snapshot();
@@ -88,7 +88,7 @@ bool VolumeHistory::packable(std::size_t step) const noexcept {
     return !steps_[step].delta && !marks_[step].empty() && !marks_[step + 1].empty();
 }
 
-/// The step that is longest not needed: the oldest, as those to be redone are near.
+/// The step that will not be needed for longest: the oldest, because those to be redone are near.
 std::optional<std::size_t> VolumeHistory::nextDue(std::size_t heldSteps, std::size_t heldBytes) const noexcept {
     std::size_t steps = 0, bytes = 0;
     std::optional<std::size_t> oldest;
@@ -105,7 +105,7 @@ void VolumeHistory::startPacking(std::size_t step) {
     packing_.emplace(Packing{step, VolumeDeltaPacker(marks_[step], marks_[step + 1])});
 }
 
-/// True: the packing under way is done.
+/// True: the current packing is done.
 bool VolumeHistory::advancePacking(std::size_t bricks) {
     if (!packing_->packer.advance(bricks)) return false;
     Step& step = steps_[packing_->step];
@@ -116,7 +116,7 @@ bool VolumeHistory::advancePacking(std::size_t bricks) {
     return true;
 }
 
-/// A state is held only where a step beside it is not packed.
+/// A state is held only if a step before or after it is not packed.
 void VolumeHistory::releaseMarks() {
     for (std::size_t mark = 0; mark < marks_.size(); ++mark) {
         const bool before = mark > 0 && !steps_[mark - 1].delta;
@@ -125,7 +125,7 @@ void VolumeHistory::releaseMarks() {
     }
 }
 
-/// The oldest steps go first, then those that would be redone last.
+/// Drops the oldest steps first, then those that would be redone last.
 void VolumeHistory::keepBudget() {
     std::size_t packed = totalCost().packedBytes, forgotten = 0, last = steps_.size();
     while (forgotten < present_ && packed > budget_.packedBytes) packed -= cost(forgotten++).packedBytes;
@@ -134,7 +134,7 @@ void VolumeHistory::keepBudget() {
     forgetOldest(forgotten);
 }
 
-/// Gives up a step that can be redone, and all after it.
+/// Drops a step that can be redone, and all after it.
 void VolumeHistory::forgetFrom(std::size_t step) {
     if (step >= steps_.size()) return;
     if (packing_ && packing_->step >= step) packing_.reset();
@@ -146,7 +146,7 @@ void VolumeHistory::forgetFrom(std::size_t step) {
         releaseMarks();
 }
 
-/// True: no more than that is held by snapshots.
+/// True: snapshots hold no more than that.
 bool VolumeHistory::packDue(std::size_t heldSteps, std::size_t heldBytes, std::size_t bricks) {
     const std::optional<std::size_t> due = nextDue(heldSteps, heldBytes);
     if (!packing_ && !due) return true;

@@ -34,7 +34,7 @@ VolumeLoss BrickMap::lossOf(std::int32_t lowU, std::int32_t lowV, std::int32_t h
 
 std::vector<VolumeLoss> BrickMap::losses() const {
     std::vector<VolumeLoss> losses;
-    std::vector<std::size_t> above; // of the row before, that may go on
+    std::vector<std::size_t> above; // losses of the previous row that may continue
     for (std::int32_t v = 0; v < bricksV_; ++v) {
         std::vector<std::size_t> here;
         for (std::int32_t u = 0; u < bricksU_;) {
@@ -86,7 +86,7 @@ std::size_t bricksIn(const VolumeLoss& loss) {
 
 std::optional<Error> VolumeFileContent::damage() const {
     if (lost.empty()) return std::nullopt;
-    constexpr std::size_t named = 3; // in the sentence; `lost` has them all
+    constexpr std::size_t named = 3; // named in the message; `lost` has all of them
     std::size_t bricks = 0;
     for (const VolumeLoss& loss : lost) bricks += bricksIn(loss);
     std::string place =

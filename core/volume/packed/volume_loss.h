@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// Which bricks of 8 × 8 scanlines a reader has got.
+/// Records which bricks of 8 × 8 scanlines a reader has read.
 class BrickMap {
 public:
     explicit BrickMap(const Grid& grid);
@@ -19,7 +19,7 @@ public:
     void add(LineIndex line);
     std::size_t count() const noexcept { return count_; }
     std::size_t all() const noexcept { return present_.size(); }
-    /// Rectangles that make up what is missing, none twice.
+    /// Disjoint rectangles that cover the missing bricks.
     std::vector<VolumeLoss> losses() const;
 
 private:

@@ -7,13 +7,13 @@
 
 namespace burin {
 
-/// Whether two volumes are of the same scanlines, to the last bit of their place.
+/// Whether two volumes have the same grid, bit for bit.
 inline bool alike(const Grid& one, const Grid& other) noexcept {
     return one.low() == other.low() && one.edge() == other.edge() && one.count() == other.count() &&
            one.axis() == other.axis();
 }
 
-/// Whether they have the same entries, to the last value. @throws std::bad_alloc
+/// Whether two lists have the same entries, with equal values. @throws std::bad_alloc
 inline bool alike(const PropertyList& one, const PropertyList& other) {
     if (one.size() != other.size()) return false;
     for (int i = 1; i < one.size(); ++i) {

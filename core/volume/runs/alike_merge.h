@@ -17,20 +17,21 @@ BURIN_AVX512_BEGIN
 
 namespace burin {
 
-/// Joins the segments of two bricks as BrickMerge does, where neighbouring lines are alike: their segments have the
-/// same properties, and the ends of both operands follow each other in the same order. That is so for more than 19 of
-/// 20 lines, with few ways to be alike in a brick. How such a line is joined is worked out once (`Pattern`); for the
-/// others it takes as many vectors as a line has steps otherwise. Needs AVX-512 (`hasAvx512`).
+/// Joins the segments of two bricks as BrickMerge does, for bricks whose neighbouring lines are alike: their segments
+/// have the same properties, and the ends of both operands alternate in the same order. This holds for more than 19 of
+/// 20 lines, and a brick has few such kinds of lines. How a line of one kind is joined is worked out once (`Pattern`);
+/// each further line of that kind takes as many vector operations as BrickMerge takes steps. Needs AVX-512
+/// (`hasAvx512`).
 ///
-/// @tparam Operation as of BrickMerge
+/// @tparam Operation  see BrickMerge
 template <class Operation>
 class AlikeMerge {
 public:
-    static constexpr std::uint32_t mostEnds = 16; ///< of both lines together
+    static constexpr std::uint32_t mostEnds = 16; ///< segments of both lines together
     static constexpr std::size_t spare = mostEnds;
 
-    /// @param segments room for as many as a and b have together, and `spare` more
-    /// @return false: lines have too many ends, or too few are alike; nothing that was written counts
+    /// @param segments  has room for the segments of a and b together and for `spare` more
+    /// @return false if lines have too many ends or too few lines are alike; what was written is then invalid
     bool run(const Segment* a, const Segment* b, const Tile& linesOfA, const Tile& linesOfB, Segment* segments,
              std::uint32_t* offsets) noexcept {
         Lines lines{a, b, {}, {}, segments, offsets};
@@ -47,7 +48,7 @@ public:
                 present_ ^= 1;
             }
             if (lines.endsOf(line) > mostEnds) return false;
-            present_ ^= 1; // the one that was followed less recently
+            present_ ^= 1; // the pattern that was used less recently
             learn(patterns_[present_], lines, line);
         }
         return false;
@@ -55,7 +56,7 @@ public:
 
 private:
     static constexpr std::uint32_t properties = 0xff;
-    static constexpr int mostMisses = 16; ///< of 64 lines: a miss takes some times as long as a line otherwise
+    static constexpr int mostMisses = 16; ///< of 64 lines: a miss takes several times as long as another line
 
     struct Lines {
         const Segment *a, *b;
@@ -68,13 +69,13 @@ private:
         std::uint32_t endsOf(std::size_t line) const noexcept { return countA(line) + countB(line); }
     };
 
-    /// How lines of one kind are joined. Places count a's segments from 0 and b's from 16 on.
+    /// How lines of one kind are joined. Indices count the segments of a from 0 and those of b from 16.
     struct Pattern {
-        std::uint32_t countA = 0, countB = 0, count = 0; ///< segments of the operands' lines, of the result's
-        __m512i exampleA, exampleB;                      ///< a line of the kind; its properties count
-        __m512i order, orderNext;                        ///< places by rising ends, and those behind each
-        __mmask16 rises;                                 ///< where the next end is beyond, else they are equal
-        __m512i chosen, chosenProperties;                ///< of the result: places of its ends, and its properties
+        std::uint32_t countA = 0, countB = 0, count = 0; ///< segments in a line of a, of b and of the result
+        __m512i exampleA, exampleB;                      ///< a line of this kind; only its properties are compared
+        __m512i order, orderNext;                        ///< indices in order of rising ends, and the successor of each
+        __mmask16 rises;                                 ///< set where the next end is greater, not equal
+        __m512i chosen, chosenProperties;                ///< of the result: indices of its ends, and its properties
     };
 
     static __mmask16 first(std::uint32_t count) noexcept { return static_cast<__mmask16>((1U << count) - 1); }
@@ -83,8 +84,8 @@ private:
     }
 
     /// Joins lines as long as they are of this kind.
-    /// @param pattern a copy: what is written might lie in it, for all that the compiler knows
-    /// @return the first line that is not
+    /// @param pattern  a copy, because the compiler must assume that the output may alias it
+    /// @return the first line that is not of this kind
     static std::size_t follow(const Pattern pattern, const Lines& lines, std::size_t line) noexcept {
         const __mmask16 ofA = first(pattern.countA), ofB = first(pattern.countB);
         const __m512i property = _mm512_set1_epi32(properties), position = _mm512_set1_epi32(~int{properties});
@@ -110,7 +111,7 @@ private:
         return line;
     }
 
-    /// Makes the pattern that of a line.
+    /// Sets the pattern to that of the given line.
     static void learn(Pattern& pattern, const Lines& lines, std::size_t line) noexcept {
         const Segment *const a = lines.a + lines.offsetsA[line], *const b = lines.b + lines.offsetsB[line];
         pattern.countA = lines.countA(line);
@@ -124,7 +125,7 @@ private:
             const auto inA = std::bit_cast<std::uint32_t>(a[placeA]), inB = std::bit_cast<std::uint32_t>(b[placeB]);
             const std::uint32_t endA = inA | properties, endB = inB | properties;
             const std::uint32_t property = Operation::pick(inA, inB) & properties;
-            count += count == 0 || property != before ? 1 : 0; // else it goes on
+            count += count == 0 || property != before ? 1 : 0; // otherwise the segment is continued
             chosen[count - 1] = endA <= endB ? placeA : mostEnds + placeB;
             chosenProperties[count - 1] = before = property;
             order[ends] = placeA;
@@ -147,7 +148,7 @@ private:
                                                 _mm512_permutex2var_epi32(endA, pattern.orderNext, endB));
     }
 
-    std::array<Pattern, 2> patterns_{}; ///< the two last that were followed
+    std::array<Pattern, 2> patterns_{}; ///< the two patterns that were used last
     std::size_t present_ = 0;
 };
 

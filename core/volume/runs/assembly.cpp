@@ -12,7 +12,7 @@ Result<RunVolume> assembleBricks(const Grid& grid, const PropertyList& propertie
                                  const std::function<void(std::int32_t row, BrickSink& sink)>& describe,
                                  std::size_t reservedBytes) {
     try {
-        // How many runs there will be is known when they are there. The reserve suffices for all but lattices.
+        // The number of runs is known only once they are made. The reserve suffices for everything except lattices.
         for (std::size_t reserve = reservedBytes == 0 ? RunVolume::defaultReserve(grid) : reservedBytes;;) {
             Result<RunVolume> volume = RunVolume::make(grid, properties, reserve);
             if (!volume) return volume;

@@ -17,9 +17,9 @@ namespace burin {
 Result<RunVolume> assemble(const Grid& grid, PropertyList properties,
                            const std::function<void(LineIndex, std::vector<Segment>&)>& describe);
 
-/// Makes a volume brick by brick: the fastest way. Where nothing is handed over it is air.
+/// Makes a volume brick by brick, the fastest method. Bricks that are not handed over are air.
 /// @param describe as for RunVolume::rewriteBricks; called again when more memory turns out to be needed
-/// @param reservedBytes as for RunVolume::make, to begin with. What is made has at least as much room left for edits
+/// @param reservedBytes  initial reserve, as for RunVolume::make. The volume has at least as much memory left for edits
 ///        as its runs take.
 /// Errors: outOfMemory.
 Result<RunVolume> assembleBricks(const Grid& grid, const PropertyList& properties,

@@ -15,7 +15,7 @@ namespace burin {
 
 namespace {
 
-/// Sizes of the classes in units: each to 32, then in steps of an eighth, so that at most an eighth is lost.
+/// Sizes of the classes in units: each size up to 32, then in steps of an eighth, so that at most an eighth is wasted.
 template <std::size_t count>
 constexpr std::array<std::uint32_t, count> makeClassSizes() {
     std::array<std::uint32_t, count> sizes{};
@@ -34,7 +34,8 @@ constexpr std::size_t classAmong(std::size_t units) {
     return static_cast<std::size_t>(std::lower_bound(classSizes.begin(), classSizes.end(), units) - classSizes.begin());
 }
 
-/// Classes of the first sizes: a tick asks for some, and a search is mispredicted at every step.
+/// Precomputed classes of the smallest sizes: a tick allocates several blocks, and a search would be mispredicted at
+/// every step.
 constexpr std::size_t sizesAtHand = 1024; // units: 64 KiB
 constexpr auto classesAtHand = [] {
     static_assert(classSizes.size() <= 256);
@@ -50,7 +51,7 @@ std::unique_ptr<BlockArena> BlockArena::make(std::size_t bytes) {
     constexpr std::size_t page = std::size_t{2} << 20;
     const std::size_t mapped = (std::max(bytes, unitBytes * 2) + overread + page - 1) / page * page;
     if (bytes > std::numeric_limits<BlockIndex>::max() * unitBytes) return nullptr;
-    // The system promises more than it has; touching it would end in its out-of-memory killer.
+    // The system overcommits memory; touching it would then trigger its out-of-memory killer.
     if (mapped > availableMemory()) return nullptr;
     void* memory = ::mmap(nullptr, mapped, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) return nullptr;
@@ -60,7 +61,7 @@ std::unique_ptr<BlockArena> BlockArena::make(std::size_t bytes) {
         return nullptr;
     }
     arena->unitCount_ = static_cast<std::uint32_t>(std::max(bytes, unitBytes * 2) / unitBytes);
-    // A page that is touched for the first time costs a fault; the haptic loop must not pay for it.
+    // The first access to a page costs a fault, which the haptic loop must not pay for.
     (void)::madvise(memory, mapped, MADV_HUGEPAGE);
     std::byte* const first = arena->memory_;
     parallelStretches(std::size_t{0}, (arena->reservedBytes() + page - 1) / page, 1,
@@ -99,7 +100,8 @@ BlockIndex BlockArena::take(std::size_t sizeClass) noexcept {
     const BlockIndex block = first;
     if (block == noBlock) return noBlock;
     first = at(block)->next;
-    __builtin_prefetch(at(first)); // the next one to be taken, long out of the cache; of none, where none is read
+    __builtin_prefetch(at(first)); // the next one to be taken, no longer in the cache; for none, memory that is not
+                                   // read
     return block;
 }
 
@@ -129,7 +131,7 @@ BlockIndex BlockArena::split(std::size_t sizeClass) noexcept {
     return noBlock;
 }
 
-/// Cuts a stretch of free units into blocks.
+/// Cuts an interval of free units into blocks.
 void BlockArena::shelve(BlockIndex first, std::size_t units) noexcept {
     while (units > 0) {
         std::size_t sizeClass = classFor(units);
@@ -177,7 +179,7 @@ void BlockArena::giveBack(BlockIndex block) noexcept {
     const std::size_t sizeClass = header->sizeClass;
     returnedUnits_.fetch_add(classSizes[sizeClass], std::memory_order_relaxed);
     BlockIndex first = returned_[sizeClass].load(std::memory_order_relaxed);
-    // The writer only ever takes the whole stack, so a first block that came back can't be mistaken (no ABA).
+    // The writer only ever takes the whole stack, so a first block that is back again can't be mistaken (no ABA).
     do {
         header->next = first;
     } while (!returned_[sizeClass].compare_exchange_weak(first, block, std::memory_order_release,

@@ -10,17 +10,17 @@
 
 namespace burin {
 
-/// A block's place in its arena, in units of 64 bytes. 0: none.
+/// Position of a block in its arena, in units of 64 bytes. 0 means no block.
 using BlockIndex = std::uint32_t;
 inline constexpr BlockIndex noBlock = 0;
 
-/// What stands before the content of every block.
+/// Header at the start of every block.
 struct BlockHeader {
     std::uint64_t birth = 0;     ///< epoch of the volume in which it was made
-    BlockIndex next = noBlock;   ///< in a list of free or of dead blocks
-    std::uint32_t users = 0;     ///< places of the writer's present table that refer to it; the writer's own
-    std::uint32_t capacity = 0;  ///< tiles: segments there is room for
-    std::uint16_t sizeClass = 0; ///< the arena's
+    BlockIndex next = noBlock;   ///< link in a list of free or of dead blocks
+    std::uint32_t users = 0;     ///< references from the writer's current table; used by the writer only
+    std::uint32_t capacity = 0;  ///< tiles: number of segments that fit
+    std::uint16_t sizeClass = 0; ///< size class of the arena
     bool wide = false;           ///< tiles: 32-bit offsets
 };
 
@@ -28,18 +28,19 @@ struct BlockHeader {
 /// allocates and releases; other threads give blocks back through stacks without a lock, so the writer never waits.
 class BlockArena {
 public:
-    /// Nothing when the system has not that much memory.
+    /// Returns null if the system does not have that much memory.
     static std::unique_ptr<BlockArena> make(std::size_t bytes);
     ~BlockArena();
     BlockArena(const BlockArena&) = delete;
     BlockArena& operator=(const BlockArena&) = delete;
 
-    /// A block of `bytes` or more, header included; its size class is set. noBlock when the memory is used up. Writer.
+    /// Returns a block of at least `bytes`, header included, with its size class set, or noBlock if the memory is used
+    /// up. Called by the writer.
     BlockIndex allocate(std::size_t bytes) noexcept;
-    /// Writer.
+    /// Called by the writer.
     void release(BlockIndex block) noexcept;
-    /// Joins free blocks that lie side by side, so that larger ones can be had. Sorts all of them (allocates): not for
-    /// the haptic loop. Writer. @throws std::bad_alloc
+    /// Joins adjacent free blocks so that larger ones can be allocated. Sorts all free blocks (allocates): not for the
+    /// haptic loop. Called by the writer. @throws std::bad_alloc
     void joinFreeBlocks();
     /// Any thread, one at a time.
     void giveBack(BlockIndex block) noexcept;
@@ -47,13 +48,13 @@ public:
     BlockHeader* at(BlockIndex block) const noexcept {
         return reinterpret_cast<BlockHeader*>(memory_ + std::size_t{block} * unitBytes);
     }
-    /// Bytes of a block, header included.
+    /// Size of a block in bytes, header included.
     std::size_t bytesOf(const BlockHeader& block) const noexcept;
     std::size_t reservedBytes() const noexcept { return std::size_t{unitCount_} * unitBytes; }
     std::size_t usedBytes() const noexcept;
 
-    /// Behind any block so many bytes may be read as well, so that its end can be read in whole registers. What stands
-    /// there means nothing, and a writer may be changing it.
+    /// This many bytes behind any block may be read, so that the end of a block can be read in whole registers. Their
+    /// content is undefined, and a writer may be changing it.
     static constexpr std::size_t overread = 64;
 
 private:
@@ -70,10 +71,10 @@ private:
     std::size_t mappedBytes_;
     std::uint32_t unitCount_;
     std::uint32_t untouched_ = 1; ///< first unit that was never handed out; unit 0 stands for "none"
-    std::size_t handedOut_ = 0;   ///< units, by the writer's count
+    std::size_t handedOut_ = 0;   ///< units, as counted by the writer
     std::array<BlockIndex, classCount> free_{};
     std::array<std::atomic<BlockIndex>, classCount> returned_{};
-    std::atomic<std::size_t> returnedUnits_{0}; ///< all that other threads ever gave back
+    std::atomic<std::size_t> returnedUnits_{0}; ///< total that other threads have given back
 };
 
 } // namespace burin

@@ -39,7 +39,7 @@ bool RunVolume::Impl::clear(LineIndex index, const BrickSpans& spans, BlockIndex
         room = larger;
     }
     kernels::writeCleared(present, spans, machinable_, store_->tile(room), amounts_);
-    // What was set aside is for the worst case; keep no more than it takes.
+    // The room is sized for the worst case; keep no more than is needed.
     const Tile cleared = store_->tile(room);
     if (const BlockIndex fitting = allocateTile(cleared.segmentCount()); fitting != noBlock) {
         if (header(fitting).sizeClass < header(room).sizeClass) {

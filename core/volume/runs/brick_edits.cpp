@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// Counts those scanlines of a tile that lie in the grid.
+/// Counts the scanlines of a tile that lie in the grid.
 void RunVolume::Impl::count(LineIndex corner, const Tile& tile, bool add) noexcept {
     for (int i = 0; i < linesPerTile; ++i)
         if (store_->grid.contains(LineIndex{corner.u + i % tileSide, corner.v + i / tileSide}))
@@ -18,7 +18,7 @@ bool RunVolume::Impl::setBrick(LineIndex corner, const BrickLines& lines) noexce
     if (entry == nullptr) return false;
     const Tile present = store_->tile(*entry);
     const std::uint32_t needed = lines.segmentCount();
-    // A block of twice the size is better given back.
+    // A block of more than twice the size is better released.
     const bool fits =
         needed <= present.header().capacity && store_->arena->bytesOf(present.header()) <= 2 * Tile::bytesFor(needed);
     const bool inPlace = fits && present.header().users == 1 && isOwn(*entry);

@@ -12,12 +12,12 @@
 
 namespace burin {
 
-/// Scanlines along u and along v that share one block of memory.
+/// Number of scanlines along u and along v that share one block of memory.
 inline constexpr std::int32_t brickSide = 8;
 inline constexpr int linesPerBrick = brickSide * brickSide;
 
-/// What a whole brick shall hold, line after line: u counts fastest. Used again and again without allocating. Segments
-/// keep the rules of a volume by themselves: none empty, none beyond the line, no two of one property side by side.
+/// The new content of a whole brick, line after line; u counts fastest. Can be reused without allocating. Segments
+/// always keep the rules of a volume: none is empty, none reaches beyond the line, and neighbours differ in property.
 class BrickLines {
 public:
     explicit BrickLines(RunPosition lineEnd) noexcept : lineEnd_(lineEnd) {}
@@ -26,7 +26,7 @@ public:
         count_ = lineBegin_ = 0;
         lines_ = 0;
     }
-    /// The present line has `property` from where it ended until now to `end`.
+    /// Gives the current line `property` from its current end to `end`.
     void append(RunPosition end, PropertyIndex property) {
         if (end > lineEnd_) end = lineEnd_;
         if (count_ > lineBegin_) {
@@ -45,7 +45,7 @@ public:
     void append(std::span<const Segment> segments) {
         for (const Segment segment : segments) append(segment.end(), segment.property());
     }
-    /// A whole line at once, the present one being empty: `property` between `from` and `to`, else `around`.
+    /// Appends a whole line, the current one being empty: `property` between `from` and `to`, `around` elsewhere.
     void appendLine(RunPosition from, RunPosition to, PropertyIndex property, PropertyIndex around) {
         assert(count_ == lineBegin_ && lines_ < linesPerBrick && from <= to && to <= lineEnd_);
         if (segments_.size() < count_ + 3) segments_.resize(2 * std::size_t{count_} + linesPerBrick);
@@ -61,14 +61,14 @@ public:
         lineBegin_ = count_;
         offsets_[static_cast<std::size_t>(++lines_)] = count_;
     }
-    /// Goes on to the next line; what is missing of the present one is air.
+    /// Ends the current line, filling its remainder with air, and goes on to the next.
     void endLine() {
         assert(lines_ < linesPerBrick);
         append(lineEnd_, airProperty);
         lineBegin_ = count_;
         offsets_[static_cast<std::size_t>(++lines_)] = count_;
     }
-    /// Every line of the brick as the first, which must be the only one so far.
+    /// Makes every line of the brick a copy of the first, which must be the only one so far.
     void repeatFirst() {
         assert(lines_ == 1);
         const std::uint32_t each = count_;
@@ -82,9 +82,9 @@ public:
         lineBegin_ = count_;
     }
 
-    /// For what works on a whole brick at once. `write(Segment* segments, std::uint32_t* offsets)` gets room for so
-    /// many segments and for 65 offsets (where each line begins, and the end), fills them and keeps the rules by
-    /// itself.
+    /// For algorithms that work on a whole brick at once. `write(Segment* segments, std::uint32_t* offsets)` gets room
+    /// for `atMost` segments and for 65 offsets (where each line begins, and the end), fills them and has to keep the
+    /// rules itself.
     template <class Write>
     void writeAll(std::size_t atMost, Write&& write) {
         if (segments_.size() < atMost) segments_.resize(atMost);
@@ -93,7 +93,7 @@ public:
         lines_ = linesPerBrick;
     }
 
-    /// Whether all of its lines are the same.
+    /// Whether all lines of the brick are the same.
     bool uniform() const noexcept {
         if (count_ % linesPerBrick != 0) return false;
         const std::uint32_t each = count_ / linesPerBrick;
@@ -103,7 +103,7 @@ public:
     }
     bool complete() const noexcept { return lines_ == linesPerBrick; }
     std::uint32_t segmentCount() const noexcept { return count_; }
-    /// Place of a line's first segment; of line 64, where the last line ends.
+    /// Index of a line's first segment; for line 64, the end of the last line.
     std::uint32_t offset(int line) const noexcept { return offsets_[static_cast<std::size_t>(line)]; }
     std::span<const std::uint32_t, linesPerBrick + 1> offsets() const noexcept { return offsets_; }
     std::span<const Segment> segments() const noexcept { return std::span(segments_).first(count_); }
@@ -116,14 +116,14 @@ private:
     std::uint32_t count_ = 0, lineBegin_ = 0;
     int lines_ = 0;
     std::array<std::uint32_t, linesPerBrick + 1> offsets_{};
-    std::vector<Segment> segments_; ///< only the first `count_` mean anything
+    std::vector<Segment> segments_; ///< only the first `count_` are valid
 };
 
-/// Takes new bricks for a row of them (RunVolume::rewriteBricks).
+/// Receives new bricks for a row of them (RunVolume::rewriteBricks).
 class BrickSink {
 public:
-    /// Scanlines low.u … low.u + 7, low.v … low.v + 7 shall be as `lines` says, which is copied. What it says of
-    /// scanlines beyond the grid is of no account. Once for each brick at most.
+    /// Sets scanlines low.u … low.u + 7, low.v … low.v + 7 to `lines`, which is copied. Scanlines beyond the grid are
+    /// ignored. Called at most once for each brick.
     virtual void put(LineIndex low, const BrickLines& lines) = 0;
 
 protected:

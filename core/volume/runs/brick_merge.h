@@ -10,19 +10,18 @@
 
 namespace burin {
 
-/// Joins the segments of two bricks, line by line. Segments are handled as the numbers that they are packed in, the end
-/// above eight bits of property, and no branch depends on what they hold: runs come in no order that a processor could
-/// foresee. For the same reason two halves of the brick are walked at once, as each step has to wait for the one
-/// before.
+/// Joins the segments of two bricks, line by line. Segments are processed in their packed form, the end above eight
+/// bits of property, and no branch depends on their values, because the order of runs can't be predicted. Each step
+/// depends on the one before; therefore two halves of the brick are processed at the same time.
 ///
-/// @tparam Operation `std::uint32_t pick(std::uint32_t a, std::uint32_t b)`: the property of a place in the lower eight
-/// bits, from the segments there; other bits are of no account.
+/// @tparam Operation  `std::uint32_t pick(std::uint32_t a, std::uint32_t b)`: returns the resulting property in the
+///        lower eight bits, from the segments of both operands at one position; the other bits are ignored.
 template <class Operation>
 class BrickMerge {
 public:
-    /// @param a, b segments of two bricks, and where each line begins
-    /// @param segments room for as many as a and b have together
-    /// @param offsets  gets where each of the 64 lines begins, and the end
+    /// @param a, b  segments of the two bricks; linesOfA, linesOfB: where each line begins
+    /// @param segments  has room for the segments of a and b together
+    /// @param offsets   receives where each of the 64 lines begins, and the end
     static void run(const Segment* a, const Segment* b, const Tile& linesOfA, const Tile& linesOfB, RunPosition lineEnd,
                     Segment* segments, std::uint32_t* offsets) noexcept {
         const std::uint32_t middleA = linesOfA.offset(half), middleB = linesOfB.offset(half);
@@ -56,7 +55,7 @@ private:
             const auto inA = std::bit_cast<std::uint32_t>(a[placeA]), inB = std::bit_cast<std::uint32_t>(b[placeB]);
             const std::uint32_t endA = inA | properties, endB = inB | properties;
             const std::uint32_t end = std::min(endA, endB), property = Operation::pick(inA, inB) | ~properties;
-            last += property != before ? 1 : 0; // else it goes on
+            last += property != before ? 1 : 0; // otherwise the segment is continued
             result[last] = std::bit_cast<Segment>(end & property);
             ends[line] = static_cast<std::uint32_t>(last);
             const bool lineEnds = end >= lineEnd;
@@ -69,8 +68,8 @@ private:
         const Segment *a, *b;
         Segment* result;
         std::size_t placeA = 0, placeB = 0, line = 0;
-        std::size_t last = ~std::size_t{0};   ///< of the result so far
-        std::uint32_t before = 0;             ///< its property; 0 when a line begins
+        std::size_t last = ~std::size_t{0};   ///< index of the last segment of the result so far
+        std::uint32_t before = 0;             ///< its property; 0 at the start of a line
         std::array<std::uint32_t, half> ends; ///< last segment of each line
     };
 };

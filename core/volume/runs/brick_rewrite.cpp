@@ -33,8 +33,9 @@ void sum(RunAmounts& amounts, const RunAmounts& change) noexcept {
 
 } // namespace
 
-/// New bricks are written to blocks of their own beside the present ones, by several threads; then the table is turned
-/// to them, by one. Rows that found no memory get another chance with what the others' old blocks gave back.
+/// New bricks are written to blocks of their own in addition to the current ones, by several threads; then one thread
+/// updates the table. Rows for which the memory was insufficient are retried with the memory that the others' old
+/// blocks released.
 class RunVolume::Impl::BrickRewrite {
 public:
     explicit BrickRewrite(Impl& volume)
@@ -117,7 +118,7 @@ private:
                 addLines(lines.segments(), lines.offsets(), result_.change);
             else
                 eachLine([&](int line) { addLine(lines.line(line), result_.change); });
-            // Neighbours often share what they were before: air, or the stock's inside.
+            // Neighbours often had the same block before: air, or the inside of the stock.
             if (present != counted_ || width * height != countedLines_) {
                 subtractReplaced();
                 counted_ = present;
@@ -137,7 +138,7 @@ private:
     std::span<BlockIndex> row(std::int32_t index) noexcept {
         return std::span(fresh_).subspan(static_cast<std::size_t>(index) * columns_, columns_);
     }
-    /// A block that came not to be used.
+    /// Releases a block that is not needed.
     void discard(BlockIndex& block) noexcept {
         const BlockIndex gone = std::exchange(block, noBlock);
         if (gone != noBlock && volume_.header(gone).users == 0) volume_.store_->arena->release(gone);
@@ -170,12 +171,12 @@ private:
                                 : uniform_.emplace(LineContent(line.begin(), line.end()), noBlock).first->second;
         block = volume_.allocateTile(lines.segmentCount());
         if (block == noBlock) return noBlock;
-        volume_.header(block).users = 1; // ours, until all is done
+        volume_.header(block).users = 1; // held by this object until the end
         volume_.store_->tile(block).copyFrom(lines);
         return block;
     }
 
-    /// Turns the table to the new bricks of a row. False: no memory for a page of the table, or the row had none.
+    /// Updates the table to the new bricks of a row. False: no memory for a page of the table, or the row had none.
     bool commit(std::int32_t row, const RowResult& result) noexcept {
         for (LineIndex low{0, row * tileSide}; low.u < volume_.store_->grid.lineCountU(); low.u += tileSide)
             if (fresh_[placeOf(low)] != noBlock && volume_.writableEntry(low) == nullptr) return false;
@@ -191,7 +192,7 @@ private:
 
     Impl& volume_;
     std::size_t columns_;
-    std::vector<BlockIndex> fresh_; ///< by brick: what replaces it; each written by the thread of its row
+    std::vector<BlockIndex> fresh_; ///< by brick: its replacement; written only by the thread of its row
     std::mutex mutex_;              ///< for the arena and for:
     std::map<LineContent, BlockIndex, ContentOrder> uniform_; ///< bricks of 64 equal lines, by such a line
 };

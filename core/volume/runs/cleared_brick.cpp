@@ -12,7 +12,7 @@ namespace {
 
 using Machinable = std::array<bool, 256>;
 
-/// Eight segments at once, whatever they are.
+/// Copies eight segments at once, whatever they contain.
 BURIN_INLINE void copyFew(const Segment* from, Segment* to) noexcept {
     static_assert(sizeof(Segment) == sizeof(std::uint32_t));
     Words values;
@@ -20,7 +20,7 @@ BURIN_INLINE void copyFew(const Segment* from, Segment* to) noexcept {
     __builtin_memcpy(static_cast<void*>(to), &values, sizeof values);
 }
 
-/// A line of any length, any properties.
+/// A line of any length and any properties.
 Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition to, const Machinable& machinable,
                    Segment* place, RunAmounts& amounts) noexcept {
     const Segment* const begin = place;
@@ -54,10 +54,10 @@ Segment* clearLine(std::span<const Segment> line, RunPosition from, RunPosition 
     return std::copy(next, last, place);
 }
 
-/// A line whose air is widened within the runs on either side, or whose last run is cut down, as most are: no more than
-/// two ends move.
-/// @param copy of the line, with room for a segment more, which is changed
-/// @return segments of the changed copy; 0: the line is none of those, and the copy is as it was
+/// A line whose air interval is widened within the runs on either side, or whose last run is shortened, as in most
+/// cases: no more than two ends move.
+/// @param copy  of the line, with room for one more segment; is changed
+/// @return number of segments of the changed copy; 0: another kind of line, and the copy is unchanged
 BURIN_INLINE std::uint32_t moveEnds(const Segment* line, std::uint32_t count, RunPosition from, RunPosition to,
                                     const Machinable& machinable, Segment* copy, RunAmounts& amounts,
                                     std::uint64_t& cleared) noexcept {
@@ -92,7 +92,7 @@ BURIN_INLINE std::uint32_t moveEnds(const Segment* line, std::uint32_t count, Ru
     return count;
 }
 
-/// Lines of so few segments, nearly all, are copied at once.
+/// Lines of up to this many segments, nearly all, are copied at once.
 constexpr std::uint32_t few = lanes;
 
 } // namespace
@@ -104,7 +104,7 @@ BURIN_VECTORISED void writeCleared(const Tile& present, const BrickSpans& spans,
     const Segment* const segments = present.segments();
     Segment* const begin = cleared.segments();
     const RunPosition *const lows = spans.from.data(), *const highs = spans.to.data();
-    // Up to where eight segments can be read, and written whatever the lines before became.
+    // Limits up to which eight segments can be read, and written regardless of the length of the previous lines.
     const std::uint32_t readable = present.header().capacity, writable = cleared.header().capacity;
     std::uint64_t left = spans.lines, moved = 0;
     std::uint32_t at = 0;

@@ -7,13 +7,13 @@
 // Within core/volume: the inner loop of RunVolume::clear.
 namespace burin::kernels {
 
-/// A stretch of air within one run makes three segments of one.
+/// An interval of air within one run splits it into three segments.
 inline constexpr std::uint32_t mostAddedByLine = 2;
 
-/// Writes the scanlines of a brick without what is to be removed from them; neighbours of one property become one.
-/// @param machinable by property: others stay
-/// @param cleared    has room for `mostAddedByLine` segments more for each line of `spans`
-/// @param amounts    what is removed turns to air there
+/// Writes the scanlines of a brick without the material to remove; neighbours of one property are merged.
+/// @param machinable  by property: runs of other properties stay
+/// @param cleared     has room for `mostAddedByLine` more segments for each line of `spans`
+/// @param amounts     the removed material is counted as air there
 void writeCleared(const Tile& present, const BrickSpans& spans, const std::array<bool, 256>& machinable,
                   const Tile& cleared, RunAmounts& amounts) noexcept;
 

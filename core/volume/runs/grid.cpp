@@ -33,7 +33,7 @@ Result<Grid> Grid::make(const glm::dvec3& low, double edge, const glm::ivec3& co
 
 RunPosition Grid::toRunPosition(double along) const noexcept {
     const double units = (along - low_[axisOfRuns()]) / edge_ * unitsPerVoxel;
-    if (!(units > 0.0)) return 0; // catches what is not a number, too
+    if (!(units > 0.0)) return 0; // also for NaN
     return static_cast<RunPosition>(std::min(units, static_cast<double>(lineEnd())) + 0.5);
 }
 

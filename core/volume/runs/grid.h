@@ -18,17 +18,17 @@ struct VoxelIndex {
     friend constexpr bool operator==(VoxelIndex, VoxelIndex) = default;
 };
 
-/// Axis that the runs of a volume lie along.
+/// Axis that the runs of a volume are parallel to.
 enum class RunAxis : std::uint8_t { x, y, z };
 
-/// A scanline: its place across the run axis. For runs along z: u counts along x and v along y; the other axes follow
-/// by cyclic exchange (runs along x: u = y, v = z; along y: u = z, v = x).
+/// A scanline, given by its position across the run axis. For runs along z, u counts along x and v along y; the other
+/// axes follow by cyclic exchange (runs along x: u = y, v = z; along y: u = z, v = x).
 struct LineIndex {
     std::int32_t u = 0, v = 0;
     friend constexpr bool operator==(LineIndex, LineIndex) = default;
 };
 
-/// Place along a scanline in 1/256 voxel from the low end of the grid: fixed point, so that sums are exact.
+/// Position on a scanline in 1/256 voxel from the low end of the grid: fixed point, so that sums are exact.
 using RunPosition = std::uint32_t;
 inline constexpr RunPosition unitsPerVoxel = 256;
 
@@ -50,12 +50,12 @@ public:
     /// mm, setup frame.
     Box box() const noexcept { return {low_, low_ + glm::dvec3(count_) * edge_}; }
 
-    /// Index (0, 1, 2 for x, y, z) of the axis that u, v and the runs lie along.
+    /// Index (0, 1, 2 for x, y, z) of the axis of u, of v and of the runs.
     int axisOfU() const noexcept { return (static_cast<int>(axis_) + 1) % 3; }
     int axisOfV() const noexcept { return (static_cast<int>(axis_) + 2) % 3; }
     int axisOfRuns() const noexcept { return static_cast<int>(axis_); }
 
-    /// Scanlines along u and v, and what lies on one of them; `lineEnd` in run units (1/256 voxel).
+    /// Number of scanlines along u and v, and number of voxels on one; `lineEnd` in run units (1/256 voxel).
     std::int32_t lineCountU() const noexcept { return count_[axisOfU()]; }
     std::int32_t lineCountV() const noexcept { return count_[axisOfV()]; }
     std::int32_t voxelsPerLine() const noexcept { return count_[axisOfRuns()]; }
@@ -64,17 +64,18 @@ public:
     /// Volume of one run unit (1/256 voxel on one scanline), mm³.
     double unitVolume() const noexcept { return edge_ * edge_ * edge_ / unitsPerVoxel; }
 
-    /// Coordinates across the run axis (along the axes of u and v) of a scanline's centre, mm.
+    /// Coordinates of a scanline's centre across the run axis (along the axes of u and v), mm.
     glm::dvec2 lineCentre(LineIndex line) const noexcept {
         return {low_[axisOfU()] + (line.u + 0.5) * edge_, low_[axisOfV()] + (line.v + 0.5) * edge_};
     }
-    /// Place of `along` (mm, along the run axis) on a scanline, rounded to the nearest unit, clamped to the grid.
+    /// Position of `along` (mm, along the run axis) on a scanline, rounded to the nearest unit, clamped to the grid.
     RunPosition toRunPosition(double along) const noexcept;
-    /// Coordinate along the run axis of a place on a scanline, mm.
+    /// Coordinate along the run axis of a position on a scanline, mm.
     double toMillimetres(RunPosition position) const noexcept {
         return low_[axisOfRuns()] + edge_ * (static_cast<double>(position) / unitsPerVoxel);
     }
-    /// The scanline that a voxel lies on and its count along it, and back. Indices outside of the grid are not refused.
+    /// The scanline that a voxel lies on and its index along it, and the inverse. Indices outside the grid are not
+    /// rejected.
     LineIndex lineOf(VoxelIndex voxel) const noexcept;
     std::int32_t alongOf(VoxelIndex voxel) const noexcept;
     VoxelIndex voxel(LineIndex line, std::int32_t along) const noexcept;

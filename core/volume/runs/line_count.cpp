@@ -20,8 +20,8 @@ BURIN_INLINE Words wordsAt(const Segment* segments) noexcept {
     return words;
 }
 
-/// Lines of a brick with the same properties one after another: the ends of each segment are added up over all of them,
-/// eight segments side by side.
+/// Consecutive lines of a brick with the same properties: the ends of each segment are summed over all of them, eight
+/// segments side by side.
 class AlikeLines {
 public:
     static constexpr std::uint32_t mostSegments = 2 * lanes;

@@ -9,10 +9,10 @@
 
 namespace burin {
 
-/// Adds what one line holds of every property.
+/// Adds the amounts of every property on one line.
 void addLine(std::span<const Segment> line, RunAmounts& amounts) noexcept;
 
-/// Adds what the 64 lines of a brick hold of every property.
+/// Adds the amounts of every property on the 64 lines of a brick.
 /// @param offsets where each line begins in `segments`, and the end of the last
 void addLines(std::span<const Segment> segments, std::span<const std::uint32_t, linesPerBrick + 1> offsets,
               RunAmounts& amounts) noexcept;

@@ -43,7 +43,7 @@ std::string toJson(const Property& property) {
     for (const auto& [name, value] : property.values)
         values[name] = {
             {"value", value.value}, {"unit", value.unit}, {"source", value.source}, {"estimate", value.estimate}};
-    // A name that is no UTF-8 must not end in an exception.
+    // A name that is not UTF-8 must not cause an exception.
     return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

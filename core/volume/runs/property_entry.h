@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// The entry of a material's id, air left out; nothing: the list has none.
+/// The entry with the given material id, air excluded; empty if the list has none.
 inline std::optional<PropertyIndex> entryOf(const PropertyList& list, std::string_view id) {
     for (int i = 1; i < list.size(); ++i)
         if (list[static_cast<PropertyIndex>(i)].id == id) return static_cast<PropertyIndex>(i);

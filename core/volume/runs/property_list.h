@@ -14,30 +14,30 @@
 
 namespace burin {
 
-/// Entry of a property list. 0 is air, always.
+/// Index of an entry of a property list. 0 is always air.
 using PropertyIndex = std::uint8_t;
 inline constexpr PropertyIndex airProperty = 0;
-/// Machinable entries that one list may hold, grades included: one cut answers for so many at most.
+/// Maximum number of machinable entries in a list, grades included: the result of one cut has room for this many.
 inline constexpr int maximumMachinableProperties = 32;
-/// Machinable materials among them that are no grades of another: a recorded sample has room for the removed volume of
-/// so many, and grades are recorded as the material that they belong to (PropertyList::baseOf).
+/// Maximum number of machinable materials that are not grades of another: a recorded sample has room for the removed
+/// volume of this many. Grades are recorded as the material that they belong to (PropertyList::baseOf).
 inline constexpr int maximumMachinableMaterials = 8;
 
 /// What a cutter may do to a run.
 enum class Machinability : std::uint8_t { machinable, isProtected };
 
-/// One number of a material, with where it comes from.
+/// One value of a material, with its source.
 struct NamedValue {
     double value = 0.0;
     std::string unit;      ///< "J/mm^3", "g/cm^3", "1"
     std::string source;    ///< publication, table, edition
-    bool estimate = false; ///< true: nobody published it; calibrate before trusting a figure that depends on it
+    bool estimate = false; ///< true: not published anywhere; calibrate before relying on results that depend on it
 };
 
-// Names of values that Burin itself reads. Any further name may be added to a material.
+// Names of values that Burin itself reads. A material may have further values of any name.
 inline constexpr std::string_view specificCuttingEnergy = "specific_cutting_energy"; ///< K, J/mm^3 (paper, eq. 11)
 inline constexpr std::string_view radialForceRatio = "radial_force_ratio";           ///< Kr, 1 (paper, eq. 13)
-// Kienzle: K(h) = kc1.1 · (h / 1 mm)^-mc / 1000 of a chip of thickness h; where a material has both, they stand for K.
+// Kienzle: K(h) = kc1.1 · (h / 1 mm)^-mc / 1000 of a chip of thickness h; used in place of K if a material has both.
 inline constexpr std::string_view kienzleForce = "kienzle_kc11";                  ///< kc1.1, N/mm^2
 inline constexpr std::string_view kienzleExponent = "kienzle_mc";                 ///< mc, 1
 inline constexpr std::string_view density = "density";                            ///< g/cm^3
@@ -51,28 +51,28 @@ struct Property {
     std::string name;                                  ///< English, shown through translation
     std::array<std::uint8_t, 3> colour{128, 128, 128}; ///< sRGB
     Machinability machinability = Machinability::machinable;
-    std::string base; ///< grades (graded.h): id of the material that this is a grade of; else empty
+    std::string base; ///< grades (graded.h): id of the material that this is a grade of; otherwise empty
     std::map<std::string, NamedValue, std::less<>> values;
 
-    /// The value called `valueName`, or `otherwise` when the material has none.
+    /// The value called `valueName`, or `otherwise` if the material has none.
     double valueOr(std::string_view valueName, double otherwise) const;
 };
 
-/// The property list of a volume: air and up to 255 materials, at most `maximumMachinableProperties` machinable, of
-/// them `maximumMachinableMaterials` that are no grades.
+/// The property list of a volume: air and up to 255 materials, of which at most `maximumMachinableProperties` are
+/// machinable, and of these at most `maximumMachinableMaterials` are not grades.
 class PropertyList {
 public:
-    PropertyList(); ///< holds air alone
+    PropertyList(); ///< contains only air
 
-    /// Errors: argumentInvalid (an id that stands already, a list that is full, a grade of what is not in the list, is
-    /// a grade itself or has another machinability).
+    /// Errors: argumentInvalid (an id that exists already, a full list, a grade whose base is not in the list, is a
+    /// grade itself or has another machinability).
     Result<PropertyIndex> add(Property property);
-    /// @param index below `size`, not checked. The reference ends with the next `add`.
+    /// @param index  below `size`, not checked. The reference is valid until the next `add`.
     const Property& operator[](PropertyIndex index) const { return entries_[index]; }
     int size() const noexcept { return static_cast<int>(entries_.size()); } ///< air included
-    /// Never cut: a part or a fixture. False for air, and for an index that no entry has.
+    /// Whether the entry is never cut, as a part or a fixture. False for air and for an index without an entry.
     bool isProtected(PropertyIndex index) const noexcept { return protected_[index]; }
-    /// The material that an entry is a grade of; itself when it is none.
+    /// The material that an entry is a grade of; the entry itself if it is not a grade.
     PropertyIndex baseOf(PropertyIndex index) const noexcept { return base_[index]; }
 
 private:
@@ -81,19 +81,19 @@ private:
     std::array<PropertyIndex, 256> base_{};
 };
 
-/// Materials that Burin is shipped with or the user added: `<id>.json` files of one folder.
+/// Reads a material that Burin is shipped with or that the user added: `<id>.json` files of one folder.
 /// Errors: nameUnknown, resourceInvalid.
 Result<Property> loadMaterial(std::string_view id);
-/// Ids of all materials there are, sorted.
+/// Ids of all available materials, sorted.
 std::vector<std::string> materialIds();
-/// The file of the user's own library (userResourceDirectory), where `loadMaterial` looks first, that a material of
-/// this id would get. Without `replace` an id that any material has is refused, also one that Burin is shipped with, as
-/// it would be hidden. Errors: argumentInvalid (an id that is none or is taken), fileNotWritable.
+/// The file of the user's own library (userResourceDirectory), which `loadMaterial` searches first, for a material with
+/// this id. Without `replace` an id in use is rejected, including those that Burin is shipped with, because the new
+/// material would hide that one. Errors: argumentInvalid (not a valid id, or one in use), fileNotWritable.
 Result<std::filesystem::path> userMaterialFile(const std::string& id, bool replace);
 
-/// A material as JSON text and back; the form of resources/materials and of the project file.
+/// Converts a material to JSON text and back; the form of resources/materials and of the project file.
 std::string toJson(const Property& property);
-/// @param origin file name for messages. Errors: resourceInvalid.
+/// @param origin  file name for error messages. Errors: resourceInvalid.
 Result<Property> propertyFromJson(std::string_view text, const std::string& origin);
 
 } // namespace burin

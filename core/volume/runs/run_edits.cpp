@@ -9,7 +9,7 @@ namespace burin {
 
 namespace {
 
-/// Segments in order, neighbours of one property merged; room for a few.
+/// Segments in order, with neighbours of one property merged; holds a few.
 template <std::size_t capacity>
 class SegmentList {
 public:
@@ -35,7 +35,7 @@ RunPosition startOf(std::span<const Segment> line, std::size_t segment) noexcept
     return segment == 0 ? 0 : line[segment - 1].end();
 }
 
-/// Segments that one edit step looks at; two more are its neighbours, two more come from splitting its ends.
+/// Maximum number of segments in one edit step; two more are its neighbours, two more come from splitting its ends.
 constexpr std::size_t fewSegments = 60;
 
 } // namespace
@@ -52,7 +52,7 @@ Removal RunVolume::Impl::removeSpan(LineIndex index, RunPosition from, RunPositi
     while (first < present.size() && startOf(present, first) < to && !machinable(present[first])) ++first;
     if (first == present.size() || startOf(present, first) >= to) return Removal::nothing;
 
-    // However much is taken, a line gains two segments at most: a stretch of air within one run.
+    // However much is removed, a line gains at most two segments: an interval of air within one run.
     const std::optional<Tile> tile = writableTile(index, 2);
     if (!tile) return Removal::outOfMemory;
     const int lineInTile = TileTable::lineInTile(index);
@@ -60,7 +60,7 @@ Removal RunVolume::Impl::removeSpan(LineIndex index, RunPosition from, RunPositi
     return Removal::removed;
 }
 
-/// Removes from the first segments of a stretch; answers how far it came.
+/// Removes from the first segments of an interval; returns the position that was reached.
 RunPosition RunVolume::Impl::removeFew(const Tile& tile, int lineInTile, RunPosition from, RunPosition to,
                                        RunAmounts& removed) noexcept {
     const std::span<const Segment> present = tile.line(lineInTile);
@@ -130,7 +130,7 @@ bool RunVolume::Impl::fillSpan(LineIndex index, RunPosition from, RunPosition to
 bool RunVolume::Impl::setLine(LineIndex index, std::span<const Segment> segments) noexcept {
     const RunPosition lineEnd = store_->grid.lineEnd();
     assert(!segments.empty() && segments.back().end() == lineEnd);
-    // Walks the segments as they will stand: none empty, none beyond the line, no two of one property side by side.
+    // Iterates over the resulting segments: none empty, none beyond the line, no two neighbours of one property.
     const auto walk = [&](auto&& emit) {
         Segment open(0, airProperty);
         for (const Segment segment : segments) {
@@ -206,7 +206,7 @@ bool RunVolume::Impl::fillTile(LineIndex low, LineIndex high, RunPosition from, 
     }
     const bool shared = header(before).users > 1;
     if (!each([&](LineIndex index) { return fillSpan(index, from, to, property); })) return false;
-    // While others share it, the block before stays what it is, so the next of them can take the same result.
+    // As long as others share the previous block it stays unchanged, so the next of them can take the same result.
     if (whole && shared) known = {before, *entry};
     return true;
 }

@@ -33,7 +33,7 @@ std::size_t RunVolume::defaultReserve(const Grid& grid) noexcept {
 }
 
 Result<RunVolume> RunVolume::make(const Grid& grid, PropertyList properties, std::size_t reservedBytes) {
-    // The first table and the tile of air are not the editor's to use up.
+    // The first table and the tile of air are not part of the memory for edits.
     constexpr std::size_t sizeClassLoss = 64;
     const std::size_t first = TileTable(grid).pageCount() * (TileTable::pageBytes() + sizeClassLoss) +
                               Tile::bytesFor(linesPerTile) + 2 * sizeClassLoss;

@@ -17,12 +17,12 @@
 
 namespace burin {
 
-/// Part of a scanline with one property: from the end of the segment before it (0 for the first) to `end`. The segments
+/// Part of a scanline with one property, from the end of the previous segment (0 for the first) to `end`. The segments
 /// of a line cover it without gaps, air included; neighbours differ in property.
 class Segment {
 public:
     Segment() = default;
-    /// @param end run units from the line's start, below 2^24
+    /// @param end  run units from the line's start, below 2^24
     Segment(RunPosition end, PropertyIndex property) noexcept : packed_((end << 8) | property) {}
     RunPosition end() const noexcept { return packed_ >> 8; }
     PropertyIndex property() const noexcept { return static_cast<PropertyIndex>(packed_ & 0xff); }
@@ -39,21 +39,21 @@ struct Run {
     friend bool operator==(const Run&, const Run&) = default;
 };
 
-/// Lengths of material by property, in run units (1/256 voxel of one scanline): exact.
+/// Exact lengths of material by property, in run units (1/256 voxel of one scanline).
 struct RunAmounts {
     std::array<std::uint64_t, 256> units{};
     friend bool operator==(const RunAmounts&, const RunAmounts&) = default;
 };
 
-/// What is to be removed from a brick of 8 × 8 scanlines: stretches with from < to that lie within the line. Line i
-/// lies at u = i % 8, v = i / 8 of the brick. Views of what somebody else owns.
+/// The intervals to remove from a brick of 8 × 8 scanlines, with from < to and within the line. Line i lies at u = i %
+/// 8, v = i / 8 of the brick. Does not own the data.
 struct BrickSpans {
-    std::uint64_t lines = 0; ///< bit i: line i has a stretch
+    std::uint64_t lines = 0; ///< bit i: line i has an interval
     std::span<const RunPosition, 64> from, to;
 };
 
-/// Reserved memory that clearing one brick may need, set aside while what is to be removed is still being gathered.
-/// It belongs to the volume that gave it.
+/// Reserved memory for clearing one brick, set aside while the intervals to remove are still being gathered. Belongs to
+/// the volume that allocated it.
 class BrickRoom {
 public:
     bool empty() const noexcept { return block_ == 0; }
@@ -68,41 +68,41 @@ class BrickSink;
 
 enum class Removal : std::uint8_t { nothing, removed, outOfMemory };
 
-/// How inserting or removing one voxel ended.
+/// Result of inserting or removing one voxel.
 enum class [[nodiscard]] VoxelEdit : std::uint8_t{
-    nothing,     ///< there was nothing to insert or to remove; the paper's failure flag of removing
+    nothing,     ///< nothing to insert or to remove; the paper's failure flag of removing
     done,        ///< the volume changed
     outOfMemory, ///< the reserved memory is used up; the volume is unchanged
 };
 
-/// What a volume held at one moment. Shared and immutable: any thread may read it as long as it likes; the writer never
-/// waits for it. Copying is cheap.
+/// State of a volume at one moment. Shared and immutable: any thread may read it for any length of time, and the writer
+/// never waits for it. Cheap to copy.
 class VolumeSnapshot {
 public:
-    /// Shows nothing; only to be assigned to.
+    /// An empty snapshot, to be assigned to.
     VolumeSnapshot() noexcept = default;
     VolumeSnapshot(const VolumeSnapshot& other) noexcept;
     VolumeSnapshot(VolumeSnapshot&& other) noexcept;
     VolumeSnapshot& operator=(VolumeSnapshot other) noexcept;
-    /// The last one to go gives the memory that it alone held back to the volume.
+    /// The last copy returns memory that no other snapshot uses to the volume.
     ~VolumeSnapshot();
 
     bool empty() const noexcept { return state_ == nullptr; }
     const Grid& grid() const noexcept;
     const PropertyList& properties() const noexcept;
-    /// Segments of a scanline, in order; the view lives as long as a snapshot of this moment. `line` must lie in the
-    /// grid.
+    /// Segments of a scanline, in order; the view is valid as long as any snapshot of this state exists. `line` must
+    /// lie in the grid.
     std::span<const Segment> line(LineIndex line) const noexcept;
-    /// Segments of the brick of 8 × 8 scanlines around `line`: of its 64 lines, one after another, u counting fastest.
-    /// Each line ends with the segment that ends at `Grid::lineEnd`. What lines of it beyond the grid say means
-    /// nothing.
+    /// Segments of the brick of 8 × 8 scanlines that contains `line`: of its 64 lines, one after another, u counting
+    /// fastest. Each line ends with the segment that ends at `Grid::lineEnd`. The content of lines beyond the grid is
+    /// undefined.
     std::span<const Segment> brick(LineIndex line) const noexcept;
     /// Total of every property, recounted over all scanlines (parallel).
     RunAmounts amounts() const;
-    /// Whether both show moments of one and the same volume.
+    /// Whether both are snapshots of the same volume.
     bool sameVolume(const VolumeSnapshot& other) const noexcept;
-    /// Whether the brick of 8 × 8 scanlines around `line` is one and the same in both: nothing in it changed in between
-    /// (otherwise it may have). Both must show the same volume. Cost: two look-ups.
+    /// Whether both share the brick of 8 × 8 scanlines that contains `line`, so that nothing in it changed in between
+    /// (otherwise it may have changed). Both must show the same volume. Cost: two look-ups.
     bool sharesBrick(const VolumeSnapshot& other, LineIndex line) const noexcept;
 
 private:
@@ -113,17 +113,17 @@ private:
 };
 
 /// Spatial run-length encoding of a workpiece: a position array of scanlines with runs, cross-referenced to a property
-/// list (Chen & Yang 2004, section 2), run ends to 1/256 voxel. Copy-on-write bricks of 8 × 8 scanlines.
-/// Thread: one writer; snapshots are read anywhere.
+/// list (Chen & Yang 2004, section 2), with run ends to 1/256 voxel. Copy-on-write bricks of 8 × 8 scanlines.
+/// Thread: one writer; snapshots may be read on any thread.
 class RunVolume {
 public:
     /// A grid filled with air.
-    /// @param reservedBytes memory for bricks that editing may use up; allocated and touched here, so that no edit
+    /// @param reservedBytes  memory for bricks that edits may use; allocated and touched here, so that no edit
     ///        allocates. 0: `defaultReserve`.
-    /// Errors: outOfMemory (also when the system has not that much available).
+    /// Errors: outOfMemory (also if the system does not have that much available).
     static Result<RunVolume> make(const Grid& grid, PropertyList properties, std::size_t reservedBytes = 0);
-    /// 48 bytes a scanline (measured: 25 for a new part of 3.5 runs a line, 36 after heavy milling), four tables of
-    /// tiles, and, for lattices and small grids, 16 bytes a voxel up to 32 MiB.
+    /// 48 bytes per scanline (measured: 25 for a new part of 3.5 runs per line, 36 after heavy milling), four tables of
+    /// tiles, and, for lattices and small grids, 16 bytes per voxel up to 32 MiB.
     static std::size_t defaultReserve(const Grid& grid) noexcept;
     ~RunVolume();
     RunVolume(RunVolume&&) noexcept;
@@ -131,79 +131,85 @@ public:
 
     const Grid& grid() const noexcept;
     const PropertyList& properties() const noexcept;
-    /// As VolumeSnapshot::line and brick, of what stands now: the views end with the next edit of their brick. Writer's
-    /// thread. What MaterialRemoval has cut and not written yet is still there.
+    /// As VolumeSnapshot::line and brick, for the current state: the views are valid until the next edit of their
+    /// brick. Writer's thread. Does not include pending writes of MaterialRemoval.
     std::span<const Segment> line(LineIndex line) const noexcept;
     std::span<const Segment> brick(LineIndex line) const noexcept;
 
-    // ---- Scanlines. No allocation, no exception: fit for the haptic loop.
+    // ---- Scanlines. No allocation, no exception: suitable for the haptic loop.
 
-    /// Fetches what is shown of the brick of a line from memory, for whoever is going to read it soon.
+    /// Prefetches the brick of a line, for a caller that will read it soon.
     void fetch(LineIndex line) const noexcept;
 
-    /// Turns the machinable runs between `from` and `to` to air; protected runs stay.
-    /// @param removed what was taken is added to it.
+    /// Turns the machinable runs between `from` and `to` into air; protected runs stay.
+    /// @param removed  the removed amounts are added to it
     /// outOfMemory: the line is unchanged and the reserved memory is used up; cutting has to stop.
     Removal removeSpan(LineIndex line, RunPosition from, RunPosition to, RunAmounts& removed) noexcept;
-    /// Sets memory aside to clear the brick of a line, so that what is gathered for it can't fail to be written. False:
-    /// out of reserved memory, or no page of the table of tiles to spare; `room` must be empty and stays so.
+    /// Sets memory aside for clearing the brick of a line, so that writing the intervals gathered for it can't fail.
+    /// False if the reserved memory is used up or no page of the table of tiles is spare; `room` must be empty and then
+    /// stays empty.
     bool setAside(LineIndex line, BrickRoom& room) noexcept;
-    /// Gives back what was set aside.
+    /// Releases the memory that was set aside.
     void giveBack(BrickRoom& room) noexcept;
-    /// Turns the machinable runs within `spans` to air, all lines of a brick at once; protected runs stay. `room` is
-    /// used up. Cost: one pass over the brick. False: out of reserved memory, the brick unchanged, `room` kept. That
-    /// can only be when the brick was edited otherwise since its room was set aside, or without pages to spare.
-    /// @param line any of the brick
+    /// Turns the machinable runs within `spans` into air, all lines of a brick at once; protected runs stay. `room` is
+    /// consumed. Cost: one pass over the brick. False if the reserved memory is used up; the brick is then unchanged
+    /// and `room` is kept. This happens only if the brick was edited in another way since its room was set aside, or
+    /// without spare pages.
+    /// @param line  any line of the brick
     bool clear(LineIndex line, const BrickSpans& spans, BrickRoom& room) noexcept;
-    /// False: a snapshot that is taken now could leave `clear` without a page of its table. Whoever holds rooms clears
-    /// the bricks before.
+    /// False if a snapshot taken now could leave `clear` without a page for its table. Callers that hold rooms must
+    /// clear their bricks first.
     bool hasPagesToSpare() const noexcept;
-    /// Gives the stretch `from` … `to` one property, whatever was there. False: out of reserved memory, line unchanged.
+    /// Sets the interval `from` … `to` to one property. False if the reserved memory is used up; the line is then
+    /// unchanged.
     bool fillSpan(LineIndex line, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
-    /// Gives the stretch `from` … `to` of every scanline with low.u <= u < high.u, low.v <= v < high.v one property.
-    /// Bricks that become equal share one block. False: out of reserved memory; some lines are filled already.
+    /// Sets the interval `from` … `to` of every scanline with low.u <= u < high.u, low.v <= v < high.v to one property.
+    /// Bricks that become equal share one block. False if the reserved memory is used up; some lines are then filled
+    /// already.
     bool fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
-    /// Replaces a line. `segments` must rise and cover it; empty ones and equal neighbours are merged. They must not be
-    /// this volume's own (a snapshot's may be). False: out of reserved memory, line unchanged.
+    /// Replaces a line. `segments` must have rising ends and cover the line; empty ones and equal neighbours are
+    /// merged. They must not be this volume's own (a snapshot's may be). False if the reserved memory is used up; the
+    /// line is then unchanged.
     bool setLine(LineIndex line, std::span<const Segment> segments) noexcept;
 
-    // ---- Bricks of 8 × 8 scanlines, whole. Not for the haptic loop.
+    // ---- Whole bricks of 8 × 8 scanlines. Not for the haptic loop.
 
     /// Rewrites bricks on all cores; about ten times as fast as line by line.
-    /// @param describe gets a row of bricks (from 0 along v) and hands over those of them that change (brick_lines.h).
-    ///        Called on several threads at once, and again for a row that the memory did not suffice for at first. It
-    ///        may read its own row of bricks only, which stands unchanged until it returns.
-    /// False: out of reserved memory; some rows are rewritten already, the others unchanged. An exception of
-    /// `describe` goes on to the caller; nothing is rewritten then or some rows are.
+    /// @param describe  gets the index of a row of bricks (from 0 along v) and hands over those of its bricks that
+    ///        change (brick_lines.h). Called on several threads at once, and again for a row for which the memory was
+    ///        insufficient at first. It may read only its own row of bricks, which is unchanged until it returns.
+    /// False if the reserved memory is used up; some rows are then rewritten already, the others are unchanged. An
+    /// exception from `describe` is passed on to the caller; some rows may then be rewritten.
     /// Bricks whose 64 lines are the same share one block.
     bool rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe);
 
-    // ---- The paper's operations on whole voxels (section 3), an exact special case. A voxel belongs to the property
-    // that its centre lies in.
+    // ---- The paper's operations on whole voxels (section 3), an exact special case. A voxel has the property at its
+    // centre.
 
-    /// Belonging: is the voxel part of the object, that is, not air?
+    /// Belonging: whether the voxel is part of the object, that is, not air.
     bool belongs(VoxelIndex voxel) const noexcept;
-    /// Locating: the run that holds the voxel, nothing for air.
+    /// Locating: the run that holds the voxel, or empty for air.
     std::optional<Run> locate(VoxelIndex voxel) const noexcept;
-    /// Inserting. Nothing: the voxel belongs already, whatever its property, lies outside the grid, or is to be air.
+    /// Inserting. `nothing` if the voxel belongs already, whatever its property, lies outside the grid, or `property`
+    /// is air.
     VoxelEdit insert(VoxelIndex voxel, PropertyIndex property) noexcept;
-    /// Removing, whatever the property. Nothing: the voxel lies outside the object.
+    /// Removing, whatever the property. `nothing` if the voxel lies outside the object.
     VoxelEdit remove(VoxelIndex voxel) noexcept;
     /// Runs of a scanline in the paper's whole-voxel view.
     std::vector<Run> runs(LineIndex line) const;
 
     // ---- Whole volume
 
-    /// Total of every property, kept up to date with each edit: O(1).
+    /// Total of every property, updated by each edit: O(1).
     const RunAmounts& amounts() const noexcept;
-    /// Cost: below a tick. Bricks are copied when they are next written. Allocates only when more than 64 snapshots
+    /// Cost: less than a tick. Bricks are copied when they are next written. Allocates only if more than 64 snapshots
     /// are held at once. Writer's thread.
     VolumeSnapshot snapshot();
-    /// Puts back what a snapshot of this volume held (undo). Needs no memory; snapshots taken since stay as they are.
-    /// Writer's thread, outside the haptic loop: it may wait for a reader that is just letting a snapshot go.
+    /// Restores the state of a snapshot of this volume (undo). Needs no memory; later snapshots stay valid. Writer's
+    /// thread, outside the haptic loop: it may wait for a reader that is releasing a snapshot.
     void restore(const VolumeSnapshot& snapshot);
-    /// Memory that was set aside for bricks when the volume was made, and how much of it holds any: also blocks that
-    /// only snapshots still show. Writer's thread.
+    /// Memory that was reserved for bricks when the volume was made, and how much of it is in use, including blocks
+    /// that only snapshots still use. Writer's thread.
     std::size_t reservedBytes() const noexcept;
     std::size_t usedBytes() const noexcept;
 

@@ -38,7 +38,7 @@ bool RunVolume::Impl::fillWithAir() noexcept {
 }
 
 void RunVolume::Impl::fetch(LineIndex index) const noexcept {
-    // Bytes: to ask the block how many it has would be to wait for it.
+    // A fixed number of bytes: reading the block's size would mean waiting for it.
     constexpr std::size_t cacheLine = 64, usual = 1536;
     const auto* const begin = reinterpret_cast<const std::byte*>(&store_->tileAt(pages_, index).header());
     for (std::size_t at = 0; at < usual; at += cacheLine) __builtin_prefetch(begin + at, 0, 2);
@@ -54,7 +54,7 @@ BlockIndex RunVolume::Impl::allocate(std::size_t bytes) noexcept {
     return block;
 }
 
-/// The newest snapshot was released, so nobody sees what died since.
+/// The newest snapshot was released, so no reader sees what died since.
 void RunVolume::Impl::releaseUnseen() noexcept {
     for (BlockIndex gone = dead_.first; gone != noBlock;) {
         const BlockIndex next = header(gone).next;
@@ -75,7 +75,7 @@ BlockIndex RunVolume::Impl::allocateTile(std::uint32_t segments) noexcept {
     return block;
 }
 
-/// One place of the present state refers to the block no more.
+/// Removes one reference of the current state to the block.
 void RunVolume::Impl::drop(BlockIndex block) noexcept {
     if (--header(block).users > 0) return;
     if (isOwn(block))
@@ -103,7 +103,7 @@ BlockIndex* RunVolume::Impl::writableEntry(LineIndex index) noexcept {
     return &store_->page(page)[static_cast<std::size_t>(TileTable::entryOf(index))];
 }
 
-/// The tile of a line, for this state alone, with room for so many more segments.
+/// The tile of a line, exclusive to this state, with room for `added` more segments.
 std::optional<Tile> RunVolume::Impl::writableTile(LineIndex index, std::uint32_t added) noexcept {
     BlockIndex* const entry = writableEntry(index);
     if (entry == nullptr) return std::nullopt;
@@ -131,8 +131,8 @@ VolumeState* RunVolume::Impl::snapshot() {
 }
 
 void RunVolume::Impl::restore(const VolumeState& state) {
-    // First everything that comes back, then everything that goes: a block that several tiles share must not die
-    // between the two.
+    // First adopts all restored blocks, then drops all others: a block that several tiles share must not be released in
+    // between.
     bool revived = false;
     const auto adopt = [&](BlockIndex block) { revived |= header(block).users++ == 0; };
     for (std::size_t p = 0; p < pages_.size(); ++p) {

@@ -6,12 +6,12 @@
 
 namespace burin {
 
-/// The writer's side of a volume: the present table of tiles, copy on write, and the edits of one scanline.
+/// The writer's side of a volume: the current table of tiles, copy on write, and the edits of one scanline.
 class RunVolume::Impl {
 public:
     /// @throws std::bad_alloc
     explicit Impl(std::shared_ptr<VolumeStore> store);
-    /// A page for every part of the table, one tile of air for all. False: out of memory.
+    /// Allocates every page of the table and one shared tile of air. False: out of memory.
     bool fillWithAir() noexcept;
 
     const VolumeStore& store() const noexcept { return *store_; }
@@ -26,20 +26,20 @@ public:
     bool fillBlock(LineIndex low, LineIndex high, RunPosition from, RunPosition to, PropertyIndex property) noexcept;
     bool setLine(LineIndex index, std::span<const Segment> segments) noexcept;
     bool rewriteBricks(const std::function<void(std::int32_t row, BrickSink& sink)>& describe);
-    /// Gives the brick at `corner` new content; what it says of scanlines beyond the grid is of no account. False: out
-    /// of reserved memory, brick unchanged.
+    /// Replaces the content of the brick at `corner`; scanlines beyond the grid are ignored. False if the reserved
+    /// memory is used up; the brick is then unchanged.
     bool setBrick(LineIndex corner, const BrickLines& lines) noexcept;
-    /// Lets the brick at `corner` share the block of the one at `other`. False: out of reserved memory, brick
-    /// unchanged.
+    /// Makes the brick at `corner` share the block of the one at `other`. False if the reserved memory is used up; the
+    /// brick is then unchanged.
     bool shareBrick(LineIndex corner, LineIndex other) noexcept;
 
-    /// Makes large blocks of what is free in small ones. Outside the haptic loop. @throws std::bad_alloc
+    /// Joins small free blocks into large ones. Outside the haptic loop. @throws std::bad_alloc
     void joinFreeMemory();
 
-    /// A block for a brick with two more segments a line than it has. noBlock: out of memory.
+    /// A block for a brick with two more segments per line than it has now, or noBlock if out of memory.
     BlockIndex setAside(LineIndex index) noexcept;
     void giveBack(BlockIndex block) noexcept { store_->arena->release(block); }
-    /// @param room used up, then noBlock
+    /// @param room  consumed, then noBlock
     bool clear(LineIndex index, const BrickSpans& spans, BlockIndex& room) noexcept;
     bool hasPagesToSpare() const noexcept { return lackingPages_ == 0; }
 
@@ -49,7 +49,7 @@ public:
 private:
     class BrickRewrite;
 
-    /// A tile that was made equal to another: every line of it got the same stretch.
+    /// A tile that was filled to become equal to another: the same interval of every line was set.
     struct EqualFill {
         BlockIndex before = noBlock, after = noBlock;
     };
@@ -72,11 +72,11 @@ private:
     std::shared_ptr<VolumeStore> store_;
     std::array<bool, 256> machinable_{}; ///< by property
     std::vector<BlockIndex> pages_;
-    std::vector<BlockIndex> sparePages_; ///< by page: to copy it to, where bricks of it have room set aside
-    std::size_t lackingPages_ = 0;       ///< pages that used their spare and found no other
+    std::vector<BlockIndex> sparePages_; ///< by page: spare copy, for pages with bricks that have room set aside
+    std::size_t lackingPages_ = 0;       ///< number of pages that used their spare and could not get another
     std::vector<bool> lacks_;            ///< those pages
     RunAmounts amounts_;
-    std::uint64_t epoch_ = 1;        ///< blocks made now bear it
+    std::uint64_t epoch_ = 1;        ///< birth epoch of blocks made now
     std::uint64_t lastSnapshot_ = 0; ///< epoch of the newest snapshot
     DeadList dead_;                  ///< died since the newest snapshot, which shows them
 };

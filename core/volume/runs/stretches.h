@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// Half-open stretch of one scanline; of run units or of voxels.
+/// Half-open interval of one scanline, in run units or in voxels.
 struct Stretch {
     std::int64_t from = 0, to = 0;
 };
@@ -20,7 +20,7 @@ inline bool sameGrid(const Grid& a, const Grid& b) noexcept {
     return a.low() == b.low() && a.edge() == b.edge() && a.count() == b.count() && a.axis() == b.axis();
 }
 
-/// Appends a stretch that begins at or beyond the end of the last; touching ones become one.
+/// Appends an interval that begins at or beyond the end of the last one; touching ones are merged.
 inline void appendStretch(std::vector<Stretch>& stretches, Stretch next) {
     if (!stretches.empty() && stretches.back().to == next.from)
         stretches.back().to = next.to;
@@ -28,7 +28,7 @@ inline void appendStretch(std::vector<Stretch>& stretches, Stretch next) {
         stretches.push_back(next);
 }
 
-/// Where a line holds anything but air, in run units.
+/// The intervals of a line that are not air, in run units.
 inline void materialUnits(std::span<const Segment> line, std::vector<Stretch>& stretches) {
     stretches.clear();
     RunPosition start = 0;
@@ -38,7 +38,7 @@ inline void materialUnits(std::span<const Segment> line, std::vector<Stretch>& s
     }
 }
 
-/// Where a line holds anything but air, in whole voxels.
+/// The intervals of a line that are not air, in whole voxels.
 inline void materialVoxels(std::span<const Segment> line, std::vector<Stretch>& stretches) {
     stretches.clear();
     forEachVoxelRun(line, [&](const Run& run) {

@@ -14,16 +14,16 @@
 namespace burin {
 
 // A tile holds 8 × 8 scanlines in one block: header, 65 offsets (where each line's segments begin, and the end of the
-// last), the segments of all lines without a gap, some room. Offsets are 16 bits wide, 32 in a tile of more than
-// 65,535 segments, so that no number of runs is out of reach.
+// last), the segments of all lines without a gap, and some spare room. Offsets are 16 bits wide, or 32 bits in a tile
+// of more than 65,535 segments, so that the number of runs is not limited.
 inline constexpr std::int32_t tileSide = brickSide;
 inline constexpr int linesPerTile = linesPerBrick;
 inline constexpr std::uint32_t narrowLimit = 0xffff;
 
-/// The scanlines of a tile for reading, line 8 v + u; views into what somebody else owns.
+/// The scanlines of a tile for reading, line 8 v + u; non-owning views.
 using TileView = std::array<std::span<const Segment>, linesPerTile>;
 
-/// Where the segments of each line begin, and the end of the last, counted from the first line's.
+/// Where the segments of each line begin, and the end of the last, counted from the first segment of the tile.
 using TileOffsets = std::array<std::uint32_t, linesPerTile + 1>;
 
 /// Access to the content of a tile's block; owns nothing.
@@ -34,7 +34,7 @@ public:
     static std::size_t bytesFor(std::uint32_t segments) noexcept {
         return segmentsAt(segments > narrowLimit) + std::size_t{segments} * sizeof(Segment);
     }
-    /// Sets a fresh block up for at least `needed` segments.
+    /// Initialises a new block for at least `needed` segments.
     void format(std::size_t blockBytes, std::uint32_t needed) noexcept {
         header_->wide = needed > narrowLimit;
         const std::size_t room = (blockBytes - segmentsAt(header_->wide)) / sizeof(Segment);
@@ -59,7 +59,7 @@ public:
         return lines;
     }
 
-    /// Every line one and the same segment.
+    /// Sets every line to the same single segment.
     void fill(Segment segment) const noexcept {
         for (int line = 0; line <= linesPerTile; ++line) setOffset(line, static_cast<std::uint32_t>(line));
         for (int line = 0; line < linesPerTile; ++line) segments()[line] = segment;
@@ -83,8 +83,8 @@ public:
         return segmentCount() == lines.segmentCount() &&
                std::memcmp(segments(), lines.segments().data(), segmentCount() * sizeof(Segment)) == 0;
     }
-    /// Makes room for `added` segments in place of `removed` ones of a line, from its `first` on. The caller has made
-    /// sure of the capacity and writes them to the place that is returned.
+    /// Makes room for `added` segments in place of `removed` ones of a line, starting at its segment `first`. The
+    /// caller has to ensure the capacity and to write the new segments to the returned position.
     Segment* replace(int line, std::uint32_t first, std::uint32_t removed, std::uint32_t added) const noexcept {
         const std::uint32_t at = offset(line) + first;
         const std::uint32_t total = segmentCount();

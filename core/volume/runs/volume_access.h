@@ -6,13 +6,14 @@
 
 namespace burin {
 
-/// The blocks behind volumes and snapshots, for this library alone: what packs, counts or compares whole tiles.
+/// Access to the blocks behind volumes and snapshots, for this library only: for code that packs, counts or compares
+/// whole tiles.
 class VolumeAccess {
 public:
     static const VolumeState& state(const VolumeSnapshot& snapshot) noexcept { return *snapshot.state_; }
     static RunVolume::Impl& writer(RunVolume& volume) noexcept { return *volume.impl_; }
 
-    /// The block of the tile in this place of the table.
+    /// The block of the tile at this position of the table.
     static BlockIndex tileAt(const VolumeState& state, std::int32_t tileU, std::int32_t tileV) noexcept {
         const LineIndex corner{tileU * tileSide, tileV * tileSide};
         const VolumeStore& store = *state.store;

@@ -94,7 +94,7 @@ std::size_t bytesHeldBack(const VolumeSnapshot& snapshot, const VolumeSnapshot& 
     };
     sortedOnce(held);
     std::vector<BlockIndex> shown = held.empty() ? std::vector<BlockIndex>{} : blocksOf(others), alone;
-    sortedOnce(shown); // what one place lost, others may share still
+    sortedOnce(shown); // what one position lost may still be shared by others
     std::ranges::set_difference(held, shown, std::back_inserter(alone));
     for (const BlockIndex block : alone) bytes += store.arena->bytesOf(*store.arena->at(block));
     return bytes;

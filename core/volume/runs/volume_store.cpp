@@ -57,7 +57,7 @@ void VolumeStore::publish(VolumeState* state) noexcept {
 }
 
 void VolumeStore::release(VolumeState* state) noexcept {
-    const std::shared_ptr<VolumeStore> store = std::move(state->store); // the store may go with its last snapshot
+    const std::shared_ptr<VolumeStore> store = std::move(state->store); // may be the store's last owner
     const std::lock_guard lock(store->mutex_);
     store->receive();
     state->released = true;
@@ -65,7 +65,7 @@ void VolumeStore::release(VolumeState* state) noexcept {
     store->reclaim();
 }
 
-/// Appends what the writer published since to the snapshots by epoch.
+/// Appends newly published states to the list of snapshots by epoch.
 void VolumeStore::receive() noexcept {
     VolumeState* newest = published_.exchange(nullptr, std::memory_order_acquire);
     VolumeState* ordered = nullptr;
@@ -79,7 +79,7 @@ void VolumeStore::receive() noexcept {
     *end = ordered;
 }
 
-/// Takes released snapshots out. The newest stays: the blocks that died since are on the writer's own list still.
+/// Removes released snapshots. The newest stays: blocks that died since are still on the writer's own list.
 void VolumeStore::reclaim() noexcept {
     std::uint64_t epochBefore = 0;
     for (VolumeState** place = &oldest_; *place != nullptr && (*place)->next != nullptr;) {

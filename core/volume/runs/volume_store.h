@@ -14,7 +14,7 @@ namespace burin {
 
 class VolumeStore;
 
-/// List of blocks that left the writer's state while a snapshot still shows them; linked through their headers.
+/// List of blocks that the writer no longer uses but a snapshot still shows; linked through their headers.
 struct DeadList {
     BlockIndex first = noBlock, last = noBlock;
 
@@ -26,18 +26,18 @@ struct DeadList {
 class VolumeState {
 public:
     std::atomic<std::uint32_t> readers{0};
-    std::shared_ptr<VolumeStore> store; ///< set while anybody reads
+    std::shared_ptr<VolumeStore> store; ///< set while there are readers
     std::uint64_t epoch = 0;            ///< shows blocks born in this epoch or before
     std::vector<BlockIndex> pages;
     RunAmounts amounts;
 
     // Below: guarded by the store's mutex once the writer has handed the state over.
-    DeadList dead; ///< died between the snapshot before this one and this one
+    DeadList dead; ///< died between the previous snapshot and this one
     bool released = false;
-    VolumeState* next = nullptr; ///< the next later snapshot; also the link of inbox and pool
+    VolumeState* next = nullptr; ///< the next newer snapshot; also the link of inbox and pool
 };
 
-/// Table of tiles in two levels: pages of 16 × 16 tiles, and a root that names the pages.
+/// Table of tiles in two levels: pages of 16 × 16 tiles, and a root with the indices of the pages.
 struct TileTable {
     static constexpr std::int32_t pageSide = 16; ///< tiles
     static constexpr int tilesPerPage = pageSide * pageSide;
@@ -61,15 +61,15 @@ struct TileTable {
     static std::size_t pageBytes() noexcept { return sizeof(BlockHeader) + tilesPerPage * sizeof(BlockIndex); }
 
 private:
-    /// Lines are never below 0: a division by a power of two is a shift.
+    /// Lines are never below 0; unsigned, so that the division by a power of two is a shift.
     static std::size_t at(std::int32_t line) noexcept { return static_cast<std::size_t>(line); }
 };
 
-/// What a volume and its snapshots share: the grid, the property list, the memory, and the account of which block is
-/// still shown by whom. A block that the writer replaces after snapshot S was taken goes on a list of dead blocks that
-/// the next snapshot N keeps. When S is released, those of N's list that no snapshot before S shows are free, and the
-/// list that S itself kept goes to N. So each block comes back exactly when its last reader leaves; the work is done
-/// on that reader's thread.
+/// What a volume and its snapshots share: the grid, the property list, the memory, and the record of which blocks are
+/// still in use by which snapshot. A block that the writer replaces after snapshot S was taken goes on the list of dead
+/// blocks of the next snapshot N. When S is released, the blocks on N's list that no snapshot before S shows are freed,
+/// and the list of S itself is appended to that of N. So each block is freed exactly when its last reader leaves; the
+/// work is done on that reader's thread.
 class VolumeStore {
 public:
     VolumeStore(const Grid& grid, PropertyList properties, std::unique_ptr<BlockArena> arena);
@@ -92,18 +92,18 @@ public:
 
     // ---- Writer's thread
 
-    /// A state to fill in; allocates only when more than 64 snapshots are held at once.
+    /// Returns a state to fill in; allocates only if more than 64 snapshots are held at once.
     VolumeState* obtainState();
     /// Hands a snapshot over to the readers.
     void publish(VolumeState* state) noexcept;
-    /// False: nobody holds a snapshot, so that everything may be changed in place.
+    /// False if nobody holds a snapshot, so that everything may be changed in place.
     bool hasReaders() const noexcept { return heldSnapshots_.load(std::memory_order_acquire) != 0; }
-    /// Drops blocks that are in use again from all lists of dead blocks. Waits for a reader that is just leaving.
+    /// Removes blocks that are in use again from all lists of dead blocks. Waits for a reader that is just leaving.
     void unlistRevived(DeadList& writers);
 
     // ---- Any thread
 
-    /// The last reader of `state` has gone.
+    /// Called when the last reader of `state` has gone.
     static void release(VolumeState* state) noexcept;
 
 private:
@@ -112,17 +112,17 @@ private:
     void freeYoungerThan(DeadList& list, std::uint64_t epoch) noexcept;
     void unlist(DeadList& list) noexcept;
 
-    /// 32 strokes to take back, the one under way, what waits to be handed over and what others look at (3 kB each,
-    /// and 4 bytes more for every 128 x 128 scanlines).
+    /// 32 strokes that can be undone, the current one, states waiting to be handed over and states that others look at
+    /// (3 kB each, and 4 bytes more for every 128 x 128 scanlines).
     static constexpr int preparedStates = 64;
 
-    std::vector<std::unique_ptr<VolumeState>> states_; ///< all there are; writer's
+    std::vector<std::unique_ptr<VolumeState>> states_; ///< all states; writer's
     VolumeState* spare_ = nullptr;                     ///< writer's
     std::atomic<VolumeState*> returnedStates_{nullptr};
     std::atomic<VolumeState*> published_{nullptr}; ///< newest first
     std::atomic<std::uint32_t> heldSnapshots_{0};
-    std::mutex mutex_;              ///< among readers; the writer takes it only to put an old snapshot back
-    VolumeState* oldest_ = nullptr; ///< snapshots by epoch
+    std::mutex mutex_;              ///< among readers; the writer locks it only to restore an old snapshot
+    VolumeState* oldest_ = nullptr; ///< list of snapshots by epoch
 };
 
 } // namespace burin

@@ -9,13 +9,13 @@
 
 namespace burin {
 
-// The paper's whole-voxel view of a line: a voxel has the property that its centre lies in.
+// The paper's whole-voxel view of a line: a voxel has the property at its centre.
 
 constexpr RunPosition centreOf(std::int32_t along) noexcept {
     return static_cast<RunPosition>(along) * unitsPerVoxel + unitsPerVoxel / 2;
 }
 
-/// The first voxel whose centre is not before a place.
+/// The first voxel whose centre is not before a position.
 constexpr std::int32_t firstVoxelFrom(RunPosition position) noexcept {
     return static_cast<std::int32_t>((position + unitsPerVoxel / 2 - 1) / unitsPerVoxel);
 }
@@ -30,7 +30,7 @@ void forEachVoxelRun(std::span<const Segment> line, Visit&& visit) {
     Run open{0, -1, airProperty};
     for (const Segment segment : line) {
         const std::int32_t next = firstVoxelFrom(segment.end());
-        if (next <= open.last + 1) continue; // holds no centre
+        if (next <= open.last + 1) continue; // contains no voxel centre
         if (segment.property() != open.property && open.last >= open.first) {
             visit(static_cast<const Run&>(open));
             open.first = open.last + 1;

@@ -17,12 +17,12 @@ namespace {
 static_assert(sizeof(SurfaceLine) == sizeof(std::uint32_t) && sizeof(Segment*) == sizeof(std::uint64_t) &&
               std::endian::native == std::endian::little);
 
-/// Four segments of each line: the one before its first (of a brick's first line what stands before its segments) and
-/// what follows. They are within the arena, whatever they mean (BlockArena::overread).
+/// Four segments of each line: the one before its first (for the first line of a brick, the memory before its segments)
+/// and the following ones. They are within the arena, whatever they contain (BlockArena::overread).
 struct Fours {
     __m256i before, first, second, third;
 };
-/// @param firsts of fewer than eight lines, the others' are those of some line
+/// @param firsts  for fewer than eight lines, the remaining ones repeat those of some line
 BURIN_INLINE Fours foursAt(const Segment* segments, __m256i firsts) noexcept {
     static_assert(BlockArena::overread >= 2 * sizeof(Segment));
     alignas(32) std::uint32_t places[8];
@@ -39,7 +39,7 @@ BURIN_INLINE Fours foursAt(const Segment* segments, __m256i firsts) noexcept {
     return {_mm256_unpacklo_epi64(lowAb, lowCd), _mm256_unpackhi_epi64(lowAb, lowCd),
             _mm256_unpacklo_epi64(highAb, highCd), _mm256_unpackhi_epi64(highAb, highCd)};
 }
-/// What scanlines see of a window, and where they enter and leave it.
+/// What scanlines contain within a window, and where they enter and leave it.
 struct Seen {
     __m256i lines;                 ///< each a SurfaceLine
     unsigned begins = 0, ends = 0; ///< 1: air, 2: solid, 3: both
@@ -47,29 +47,29 @@ struct Seen {
 BURIN_INLINE unsigned bitOf(bool solid) noexcept {
     return SurfaceChanges::bitOf(solid);
 }
-/// Without a change.
+/// A line without a change.
 BURIN_INLINE __m256i uniform(bool solid) noexcept {
     return _mm256_set1_epi32(static_cast<std::uint16_t>(solid ? -SurfaceLine::beyond : SurfaceLine::beyond));
 }
-/// Places of the ends of segments, in the lower halves.
+/// Positions of the ends of segments, in the lower halves.
 BURIN_INLINE __m256i placesOf(const AlikeRows& rows, __m256i segments) noexcept {
     const __m256i position = _mm256_sub_epi32(_mm256_srli_epi32(segments, 8), _mm256_set1_epi32(rows.rounding));
     return _mm256_and_si256(_mm256_sra_epi32(position, _mm_cvtsi32_si128(rows.level)), _mm256_set1_epi32(0xffff));
 }
 constexpr int toAir = ~0xffff; ///< in the upper half
-/// Those that are less, as unsigned numbers.
+/// Those that are less, compared as unsigned numbers.
 BURIN_INLINE __mmask8 less(__m256i a, __m256i b) noexcept {
     return _mm256_cmplt_epu32_mask(a, b);
 }
 
-/// A row, to be read from the segments that its lines skip to.
+/// A row, to be read from the segments at which its lines enter the window.
 struct Row {
     __mmask8 all; ///< its lines
     __m256i firsts, ends;
     Fours fours;
 };
 
-/// False: the row's lines are not alike.
+/// False if the row's lines are not alike.
 BURIN_INLINE bool readRow(const AlikeRows& rows, const Row& row, bool skips, std::uint8_t* seen, Seen& read) noexcept {
     const __m256i low = _mm256_set1_epi32(static_cast<int>(rows.low)),
                   high = _mm256_set1_epi32(static_cast<int>(rows.high));

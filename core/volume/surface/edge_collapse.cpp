@@ -14,7 +14,8 @@ enum State : std::uint8_t { open, tried, fixed, gone }; // of a point
 
 constexpr std::size_t mostNeighbours = 32;
 constexpr int mostSweeps = 24;
-/// Cosine of how far a triangle may turn in one step, and away from the surface's own normals in all.
+/// Least cosine of the angle by which a triangle may turn in one step, and in total away from the surface's own
+/// normals.
 constexpr float leastTurn = 0.3F, leastLean = 0.2F;
 
 } // namespace
@@ -57,7 +58,7 @@ void EdgeCollapse::link() {
     sweep_ = mark_ = 0;
 }
 
-/// False: nothing to gain by another one.
+/// False: another sweep would not help.
 bool EdgeCollapse::sweep(float tolerance) {
     ++sweep_;
     std::size_t collapsed = 0;
@@ -75,7 +76,7 @@ bool EdgeCollapse::sweep(float tolerance) {
     return collapsed > 0;
 }
 
-/// False: the triangles round the point make no closed fan.
+/// False: the triangles around the point do not form a closed fan.
 bool EdgeCollapse::readStar(std::uint32_t point) {
     star_.clear();
     for (std::uint32_t corner = firstCorner_[point]; corner != none; corner = nextCorner_[corner]) {
@@ -95,14 +96,14 @@ bool EdgeCollapse::orderStar() {
     }
     if (star_.size() < 3 || star_.back().second != star_.front().first) return false;
     ++mark_;
-    for (const Side& side : star_) { // a neighbour that is met twice: two sheets that touch
+    for (const Side& side : star_) { // a neighbour that occurs twice: two sheets that touch
         if (stamp_[side.first] == mark_) return false;
         stamp_[side.first] = mark_;
     }
     return true;
 }
 
-/// Neighbours stay stamped with `mark_` from orderStar on.
+/// The neighbours have been stamped with `mark_` since orderStar.
 bool EdgeCollapse::tryCollapse(std::uint32_t point, float tolerance) {
     if (star_.size() > mostNeighbours || !findBorderOfRegions()) return false;
     sortTargets(point);
@@ -141,7 +142,7 @@ void EdgeCollapse::sortTargets(std::uint32_t point) {
     });
 }
 
-/// Only the two points opposite the edge may be neighbours of both its ends, else two sheets would stick together.
+/// Only the two points opposite the edge may be neighbours of both its ends; otherwise two sheets would be joined.
 bool EdgeCollapse::linkIsSound(std::uint32_t target) {
     std::uint32_t before = none, behind = none;
     for (const Side& side : star_) {

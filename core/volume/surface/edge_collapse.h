@@ -20,33 +20,34 @@ inline float distanceToSegment(const glm::vec3& point, const glm::vec3& from, co
     return glm::length(way - place * line);
 }
 
-/// What a triangle belongs to: a material, and a known face of the workpiece (KnownFaces) or none.
+/// The region of a triangle: a material, and a known face of the workpiece (KnownFaces) or none.
 struct SurfaceRegion {
     PropertyIndex material = airProperty;
     KnownFaces::Number face = KnownFaces::none;
     friend bool operator==(SurfaceRegion, SurfaceRegion) = default;
-    /// Whether the border between two regions must be kept: colours change there, or faces meet in a sharp edge.
+    /// Whether the border between two regions must be preserved: the colour changes there, or faces meet in a sharp
+    /// edge.
     bool bordersOn(SurfaceRegion other) const noexcept {
         return material != other.material ||
                (face != other.face && face != KnownFaces::none && other.face != KnownFaces::none);
     }
 };
 
-/// Thins a triangle mesh out by drawing points into a neighbour. A point goes only if it lies within the tolerance of
-/// the planes of all triangles that come in its place, what earlier steps moved there included; if no triangle turns
-/// over, neither at once nor step by step; and if the surface stays a surface. A point between two regions goes
-/// along their border only, under the same tolerance. Points on the rim stay.
-/// Sweeps of points that are no neighbours of each other take the place of a priority queue, the tolerance growing from
-/// round to round: as fast, and no fans of slivers on flat faces.
+/// Simplifies a triangle mesh by collapsing points into a neighbour. A point is removed only if it lies within the
+/// tolerance of the planes of all triangles that replace its own, including displacements by earlier steps; if no
+/// triangle flips, neither in one step nor gradually; and if the surface remains a surface. A point between two regions
+/// is collapsed only along their border, under the same tolerance. Points on the rim stay.
+/// Instead of a priority queue it uses sweeps over points that are not neighbours of each other, with a tolerance that
+/// grows from round to round: equally fast, and without fans of slivers on flat faces.
 class EdgeCollapse {
 public:
-    /// @param triangles thinned out in place
-    /// @param regions one a triangle, likewise
+    /// @param triangles  simplified in place
+    /// @param regions    one per triangle, likewise
     void run(std::span<const glm::vec3> points, std::span<const glm::vec3> normals,
              std::vector<std::uint32_t>& triangles, std::vector<SurfaceRegion>& regions, float tolerance);
 
 private:
-    /// A triangle at the point in question: the two others corners, in its turn.
+    /// A triangle at the current point: its two other corners, in its orientation.
     struct Side {
         std::uint32_t first = 0, second = 0, triangle = 0;
     };
@@ -66,14 +67,14 @@ private:
     std::span<const glm::vec3> points_, normals_;
     std::vector<std::uint32_t>* triangles_ = nullptr;
     std::vector<SurfaceRegion>* regions_ = nullptr;
-    std::vector<std::uint32_t> firstCorner_, nextCorner_; ///< the corners at each point, a chain
-    std::vector<float> moved_;                            ///< mm, what the surface has moved at most around a point
+    std::vector<std::uint32_t> firstCorner_, nextCorner_; ///< chain of the corners at each point
+    std::vector<float> moved_;                            ///< mm, greatest displacement of the surface around a point
     std::vector<std::uint8_t> state_;
     std::vector<std::uint32_t> touched_, stamp_;
     std::uint32_t sweep_ = 0, mark_ = 0;
-    std::vector<Side> star_;             ///< round the point in question, in order
-    std::vector<std::uint32_t> targets_; ///< neighbours, near ones first
-    std::vector<std::uint32_t> border_;  ///< neighbours that the border of two regions leads to
+    std::vector<Side> star_;             ///< around the current point, in order
+    std::vector<std::uint32_t> targets_; ///< neighbours, nearest first
+    std::vector<std::uint32_t> border_;  ///< neighbours along the border of two regions
 };
 
 } // namespace burin

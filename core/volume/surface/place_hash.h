@@ -10,7 +10,7 @@
 
 namespace burin {
 
-/// Of a position, for tables of points that are equal bit for bit.
+/// Hash of a position, for tables of points that are equal bit for bit.
 struct PlaceHash {
     std::size_t operator()(const glm::vec3& place) const noexcept {
         std::uint64_t hash = 0;

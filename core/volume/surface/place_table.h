@@ -11,14 +11,14 @@
 
 namespace burin {
 
-/// Finds points that are equal, by a hash of their place. Keeps its storage from use to use.
+/// Finds equal points by a hash of their position. Keeps its storage from use to use.
 class PlaceTable {
 public:
-    /// Empties it. @param points that may be entered
+    /// Empties the table. @param points  maximum number of entries
     void open(std::size_t points) { slots_.assign(std::bit_ceil(2 * points + 1), none); }
 
-    /// The first point entered that is equal to this one, which is entered if there is none.
-    /// @param equal tells whether another point, at a place with the same hash, is equal to this one
+    /// Returns the first entered point that is equal to this one, which is entered if there is none.
+    /// @param equal  whether another point, at a position with the same hash, is equal to this one
     template <class Equal>
     std::uint32_t entry(std::span<const glm::vec3> points, std::uint32_t point, Equal equal) {
         const std::size_t mask = slots_.size() - 1;
@@ -28,7 +28,7 @@ public:
         }
     }
 
-    /// The first point at the place of each.
+    /// Returns for each point the first one at the same position.
     /// @param placeOf replaced
     void weld(std::span<const glm::vec3> points, std::vector<std::uint32_t>& placeOf) {
         open(points.size());

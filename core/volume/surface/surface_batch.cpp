@@ -13,7 +13,7 @@ namespace {
 
 using FourWords = std::uint32_t __attribute__((vector_size(16)));
 
-/// In one register: to store words would take as long as all else that a cube takes.
+/// Assembled in one register: storing single words would take as long as all other work for a cube.
 void keep(const std::int16_t* low, const std::int16_t* high, std::size_t place, std::size_t next,
           std::uint32_t (&to)[4]) noexcept {
     const auto pairAt = [](const std::int16_t* nodes) noexcept {
@@ -30,7 +30,7 @@ void keep(const std::int16_t* low, const std::int16_t* high, std::size_t place, 
 std::span<const std::uint32_t> SurfaceBatch::add(std::span<const std::uint32_t> cubes, const Row& row,
                                                  std::uint32_t* pointAt, std::uint32_t point) noexcept {
     const std::size_t count = std::min(cubes.size(), most - count_);
-    // What the stores can't change, as far as the compiler knows.
+    // Values that the stores can't change, as far as the compiler knows.
     const std::int16_t *const lowValues = row.field[0].values, *const highValues = row.field[1].values,
                               *const lowSmooth = row.field[0].smooth, *const highSmooth = row.field[1].smooth;
     const auto stride = static_cast<std::size_t>(row.stride);

@@ -11,22 +11,23 @@
 
 namespace burin {
 
-/// Cubes that the surface crosses, of several rows of a field, with what is known at their corners, side by side: so
-/// that points are worked out for whole registers of them, and when rows are long gone.
+/// Cubes that the surface crosses, from several rows of a field, with the values at their corners, side by side: so
+/// that points are computed for whole registers of cubes, and after the rows themselves are gone.
 class SurfaceBatch {
 public:
     static constexpr std::size_t most = 240;
-    /// Behind the last cube so many more may be read, whatever stands there.
+    /// This many cubes more may be read behind the last; their content is undefined.
     static constexpr std::size_t spare = 16;
     template <class Number>
     struct alignas(64) Each : std::array<Number, most + spare> {};
-    /// What is known at a cube's corners: in each word nodes n and n + 1 of a column, of columns u and u + 1 in the
-    /// lower row, then in the upper one.
+    /// Values at a cube's corners: each word holds nodes n and n + 1 of a column, for columns u and u + 1 of the lower
+    /// row, then of the upper one.
     struct alignas(32) Corners {
         std::uint32_t values[4], smooth[4];
     };
 
-    /// A cube of one row (`SurfaceCubes`), and above its column that row, counted from the first of the field.
+    /// A cube of one row (`SurfaceCubes`), with the number of that row, counted from the first of the field, in the
+    /// bits above its column.
     static constexpr int rowShift = 22, columnShift = 16;
     static constexpr std::uint32_t columnMask = 0x3f, placeMask = 0xffff;
     static_assert(SurfaceWindow::mostColumns <= columnMask && SurfaceField::mostPlaces <= placeMask);
@@ -37,8 +38,8 @@ public:
         std::uint32_t number = 0;                      ///< counted from the first of the field
         int stride = 0;                                ///< from column to column
     };
-    /// Adds the first so many cubes of a row as there is room for. @return the others
-    /// @param pointAt is given the number of its point at the place of each  @param point number of the first
+    /// Adds as many cubes from the beginning of a row as there is room for. @return the remaining ones
+    /// @param pointAt  receives the number of its point at the index of each cube  @param point  number of the first
     std::span<const std::uint32_t> add(std::span<const std::uint32_t> cubes, const Row& row, std::uint32_t* pointAt,
                                        std::uint32_t point) noexcept;
 

@@ -12,12 +12,11 @@ namespace burin {
 namespace {
 
 constexpr std::int16_t beyond = SurfaceLine::beyond;
-/// Of a row; rows alike.
+/// Of a row; the same for rows.
 constexpr std::size_t mostLines = linesPerSurfaceTile + (2 * SurfaceWindow::margin << coarsestSurfaceLevel);
 static_assert(sizeof(SurfaceLine) * surfaceLineLanes == sizeof(Nodes) && mostLines % surfaceLineLanes == 0);
 
-/// What the first changes of some lines lie between. Lines without a change are all air or all solid if both are the
-/// same.
+/// Range of the first changes of some lines. Lines without a change are all air or all solid if both bounds are equal.
 struct Extent {
     std::int16_t least, most;
     void add(const Extent& other) {
@@ -31,10 +30,10 @@ constexpr Extent nothing{beyond, -beyond};
 
 struct Extents {
     std::array<Extent, mostLines> byRow, byLine; ///< by row of scanlines, and by scanline of a row
-    Extent changes;                              ///< where lines change at all
+    Extent changes;                              ///< range of all changes
 };
 
-/// Of eight lines side by side. (Between the places stands whether they change to air, which does not matter here.)
+/// For eight lines side by side. (Between the positions are the directions of change, which do not matter here.)
 struct EightExtents {
     Nodes least = nodes(beyond), most = nodes(-beyond);
 };
@@ -48,7 +47,7 @@ BURIN_INLINE Extent ofAll(const EightExtents& eight) noexcept {
         least = otherLeast < least ? otherLeast : least;
         most = otherMost > most ? otherMost : most;
     };
-    // Lanes that an even number parts, so that places stay among places.
+    // Swaps lanes at even distances, so that positions are combined only with positions.
     add(__builtin_shufflevector(least, least, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7),
         __builtin_shufflevector(most, most, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
     add(__builtin_shufflevector(least, least, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11),
@@ -81,9 +80,9 @@ BURIN_VECTORISED void findExtents(const SurfaceLine* lines, std::size_t step, st
     }
 }
 
-/// Leaves those columns (rows) out that are air or solid all through, as far as they are like the outermost on their
-/// side. Averages reach one column and those for normals two: a column beside one that changes has values other than
-/// all air and all solid, but no other sign.
+/// Excludes columns (rows) that are completely air or solid, as long as they equal the outermost one on their side.
+/// Averages reach one column and those for normals two: a column beside one that changes has values other than all air
+/// and all solid, but the same sign.
 SurfaceBox::Range withoutUniform(std::span<const Extent> lines, int level) {
     constexpr int reach = SurfaceWindow::margin;
     std::array<Extent, SurfaceWindow::mostColumns> extents;
@@ -102,7 +101,7 @@ SurfaceBox::Range withoutUniform(std::span<const Extent> lines, int level) {
     return {first, std::min(static_cast<int>(high - begin) + reach, count) - first};
 }
 
-/// Rounded down and up.
+/// Quotients rounded down and up.
 constexpr int floorQuotient(int value, int divisor) {
     return value >= 0 ? value / divisor : -((divisor - 1 - value) / divisor);
 }
@@ -110,7 +109,7 @@ constexpr int ceilingQuotient(int value, int divisor) {
     return -floorQuotient(-value, divisor);
 }
 
-/// Nodes that are neither all air nor all solid are less than a cell from a change.
+/// Nodes that are neither all air nor all solid are less than a cell away from a change.
 SurfaceBox::Range nodesBetween(const SurfaceWindow& window, const Extent& changes, bool differAtBegin,
                                bool differAtEnd) {
     constexpr int reach = SurfaceWindow::marginNodes, cell = SurfaceLine::cell, centre = SurfaceLine::centre;

@@ -12,8 +12,8 @@ namespace burin {
 
 namespace {
 
-/// Calls visit(line, before, now) for the bricks of 8 × 8 scanlines that two snapshots of one volume do not share,
-/// `line` the first of each. Pages of the table that they share are passed over whole.
+/// Calls visit(line, before, now) for the bricks of 8 × 8 scanlines that two snapshots of one volume do not share, with
+/// the first `line` of each. Shared pages of the table are skipped as a whole.
 template <class Visit>
 void eachChangedBrick(const VolumeSnapshot& before, const VolumeSnapshot& now, Visit visit) {
     const VolumeState &old = VolumeAccess::state(before), &fresh = VolumeAccess::state(now);
@@ -35,7 +35,7 @@ void eachChangedBrick(const VolumeSnapshot& before, const VolumeSnapshot& now, V
     }
 }
 
-/// The same of two volumes of one grid, by what their bricks hold.
+/// The same for two volumes on one grid, compared by the content of their bricks.
 template <class Visit>
 void eachOtherBrick(const VolumeSnapshot& before, const VolumeSnapshot& now, Visit visit) {
     for (LineIndex line{0, 0}; line.v < now.grid().lineCountV(); line.v += tileSide)
@@ -43,7 +43,7 @@ void eachOtherBrick(const VolumeSnapshot& before, const VolumeSnapshot& now, Vis
             if (!std::ranges::equal(before.brick(line), now.brick(line))) visit(line);
 }
 
-/// The surface tiles that lines within `reach` of a brick of scanlines belong to.
+/// The surface tiles of the lines within `reach` of a brick of scanlines.
 struct TilesAround {
     glm::ivec2 low, high;
     TilesAround(LineIndex line, std::int32_t reach, const glm::ivec2& count)
@@ -56,7 +56,7 @@ struct TilesAround {
     }
 };
 
-/// The stretch of a line outside which two states of it are equal; empty where they are equal all through.
+/// The interval of a line outside which two states of it are equal; empty if they are equal everywhere.
 struct ChangedStretch {
     RunPosition from = 0, to = 0;
     ChangedStretch(std::span<const Segment> before, std::span<const Segment> now) {
@@ -115,7 +115,7 @@ void changedSurfaceBricks(const VolumeSnapshot& before, const VolumeSnapshot& no
                 for (int n = 0; n < pieces; ++n) bricks.push_back({u, v, n});
         return;
     }
-    // What a window sees beyond its own nodes.
+    // How far a window sees beyond its own nodes.
     constexpr auto reach = static_cast<std::int32_t>((SurfaceWindow::marginNodes + 1) * unitsPerVoxel);
     constexpr auto length = static_cast<std::int32_t>(SurfaceWindow::ownedNodes * unitsPerVoxel);
     std::vector<std::uint8_t> marks(static_cast<std::size_t>(pieces));

@@ -12,7 +12,7 @@ namespace {
 
 using Bits = std::array<std::uint64_t, SurfaceWindow::mostColumns + 2>;
 
-/// Cubes of which some nodes are below 0 and some are not.
+/// Finds cubes of which some nodes are below 0 and some are not.
 BURIN_VECTORISED void findCubes(const std::uint64_t* low, const std::uint64_t* high, int first, int end,
                                 std::uint64_t owned, std::uint64_t* cubes) noexcept {
     for (int u = first; u < end; ++u) {
@@ -22,10 +22,10 @@ BURIN_VECTORISED void findCubes(const std::uint64_t* low, const std::uint64_t* h
     }
 }
 
-/// Of one column. That it has one or two is the rule: those go without a branch.
-/// @param lowest a cube at its lowest node
+/// Lists the cubes of one column. Usually there are one or two: those are handled without a branch.
+/// @param lowest  the cube at the column's lowest node
 BURIN_INLINE std::uint32_t* list(std::uint64_t bits, std::uint32_t lowest, std::uint32_t* end) noexcept {
-    constexpr std::uint64_t guard = std::uint64_t{1} << 63; // no node is so high
+    constexpr std::uint64_t guard = std::uint64_t{1} << 63; // no node has this bit
     for (int i = 0; i < 2; ++i) {
         *end = lowest + static_cast<std::uint32_t>(std::countr_zero(bits | guard));
         end += bits != 0 ? 1 : 0;

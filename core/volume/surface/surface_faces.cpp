@@ -15,7 +15,7 @@ namespace {
 using Corners = SurfaceFaces::Corners;
 using Difference = SurfaceFaces::Difference;
 
-/// The way from one point to another, and one number more that means nothing.
+/// The vector from one point to another, and one more number that is meaningless.
 BURIN_INLINE FourFloats way(const glm::vec3* from, const glm::vec3* to) noexcept {
     return fourAt(&to->x) - fourAt(&from->x);
 }
@@ -36,7 +36,7 @@ BURIN_VECTORISED void lookAllUp(std::span<const std::uint32_t> edges, const Quad
     }
 }
 
-/// What the first three of each of four vectors add up to.
+/// Sums of the first three components of each of four vectors.
 BURIN_INLINE FourFloats sums(const Difference* four) noexcept {
     const FourFloats a = fourAt(four[0].of), b = fourAt(four[1].of), c = fourAt(four[2].of), d = fourAt(four[3].of);
     const FourFloats xyAb = __builtin_shufflevector(a, b, 0, 4, 1, 5), zAb = __builtin_shufflevector(a, b, 2, 6, 2, 6),
@@ -45,8 +45,8 @@ BURIN_INLINE FourFloats sums(const Difference* four) noexcept {
            __builtin_shufflevector(zAb, zCd, 0, 1, 4, 5);
 }
 
-/// Two triangles each of two quadrangles.
-/// @param turn all bits in the four lanes of one that is split between its second and its fourth corner
+/// Writes two triangles for each of two quadrilaterals.
+/// @param turn  all bits in the four lanes of a quadrilateral that is split between its second and its fourth corner
 BURIN_INLINE void writeTriangles(const Corners* two, Integers turn, std::uint32_t* triangles) noexcept {
     Integers corner;
     static_assert(sizeof corner == 2 * sizeof *two);
@@ -62,7 +62,7 @@ BURIN_INLINE void writeTriangles(const Corners* two, Integers turn, std::uint32_
 constexpr std::size_t together = 4;
 static_assert(SurfaceFaces::spareCorners >= 6 * (together - 1));
 
-/// What stands behind the last quadrangle is written as well, whatever it is.
+/// Also writes the quadrilaterals behind the last one, whatever they contain.
 BURIN_VECTORISED void writeAll(const Corners* corners, const Difference* differences, std::size_t count,
                                std::uint32_t* triangles) noexcept {
     for (std::size_t i = 0; i < count; i += together, triangles += 6 * together) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int16_t cell = SurfaceLine::cell, centre = SurfaceLine::centre;
 
-/// The columns of a row: how many, and how many nodes each has, whole lanes.
+/// The columns of a row: their number, and the number of nodes of each, in whole lanes.
 struct Columns {
     int count = 0, stride = 0;
 };
@@ -22,18 +22,19 @@ BURIN_INLINE Nodes centresFrom(int node) noexcept {
     const Nodes steps{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
     return (steps + static_cast<std::int16_t>(node)) * cell + centre;
 }
-/// What nodes see of a change to material at `place`: less than 0 where mostly air, 256 in the middle of material.
+/// Contribution of a change to material at `place` to the nodes: negative where there is mostly air, 256 in the middle
+/// of material.
 BURIN_INLINE Nodes seen(Nodes centres, std::int16_t place) noexcept {
     const Nodes beyond = centres - place, most = nodes(cell), least = nodes(-cell);
     const Nodes held = beyond < most ? beyond : most;
     return held > least ? held : least;
 }
 BURIN_INLINE Nodes seen(Nodes centres, SurfaceLine line) noexcept {
-    return (seen(centres, line.place) ^ line.toAir) - line.toAir; // turned over where material ends
+    return (seen(centres, line.place) ^ line.toAir) - line.toAir; // inverted if material ends there
 }
 
-/// Many scanlines a column: sums over them.
-/// @param step from a scanline to the next along v
+/// Sums over the scanlines of each column, if there are many.
+/// @param step  from a scanline to the next along v
 BURIN_VECTORISED void addLines(const SurfaceLine* lines, std::size_t step, Columns columns, int level, int firstNode,
                                std::int16_t* nodes) noexcept {
     for (int n = 0; n < columns.stride; n += nodeLanes) {
@@ -49,7 +50,7 @@ BURIN_VECTORISED void addLines(const SurfaceLine* lines, std::size_t step, Colum
     }
 }
 
-/// What a change behind the first of a scanline adds.
+/// Adds the contributions of changes behind the first one of a scanline.
 BURIN_VECTORISED void addFurther(const SurfaceLines::Further* further, std::size_t count, int firstColumn, int stride,
                                  int firstNode, std::int16_t* nodes) noexcept {
     for (std::size_t i = 0; i < count; ++i) {
@@ -62,14 +63,14 @@ BURIN_VECTORISED void addFurther(const SurfaceLines::Further* further, std::size
     }
 }
 
-/// Sums over the scanlines of a cell to their mean.
+/// Converts sums over the scanlines of a cell to their mean.
 BURIN_VECTORISED void takeMean(Columns columns, int level, std::int16_t* nodes) noexcept {
     const auto half = static_cast<std::int16_t>(1 << (2 * level) >> 1);
     for (int i = 0; i < columns.count * columns.stride; i += nodeLanes)
         storeNodes((loadNodes(nodes + i) + half) >> (2 * level), nodes + i);
 }
 
-/// Where a row's averages go. Two rows of each kind are kept; the newest takes the place of the one two before it.
+/// Destinations of a row's averages. Two rows of each kind are kept; the newest replaces the one two before it.
 struct Averaging {
     std::int16_t *alongU, *values; ///< of the newest row; of the one before
     const std::int16_t* alongUBefore;
@@ -84,7 +85,7 @@ BURIN_INLINE Nodes average(Nodes before, Nodes middle, Nodes behind) noexcept {
 }
 
 /// Columns 1 … count - 2 of `values` and `below`, 2 … count - 3 of `acrossRuns`.
-/// @param seenIn what the nodes of a column see
+/// @param seenIn  values of the nodes of a column
 template <class Column>
 BURIN_INLINE void averageAcross(const Averaging& row, Columns columns, int n, Column seenIn) noexcept {
     const int stride = columns.stride;
@@ -117,7 +118,7 @@ BURIN_INLINE void averageAlong(const Averaging& row, Columns columns) noexcept {
     }
 }
 
-/// Of a row whose columns have one scanline each, with one change at most.
+/// For a row whose columns have one scanline each, with at most one change.
 BURIN_VECTORISED void averageLines(const Averaging& row, Columns columns, const SurfaceLine* lines,
                                    int firstNode) noexcept {
     for (int column = 0; column < columns.count; ++column) row.below[column] = 0;
@@ -151,7 +152,7 @@ void SurfaceField::advance() {
     const int level = window_->level, firstNode = box.nodes.first;
     const SurfaceLine* const lines = lines_->at(row_, box.columns.first);
     const std::span<const SurfaceLines::Further> further = lines_->further(row_);
-    // Of the first rows, what comes of rows before the box is written over before it is looked at.
+    // In the first rows, values derived from rows before the box are overwritten before they are read.
     const auto before = static_cast<std::size_t>(row_ + 5), newest = before % 2;
     const Averaging row{
         alongU_[newest].data(), values_[before % 3].data(), alongU_[1 - newest].data(), below_[before % 3].data(),

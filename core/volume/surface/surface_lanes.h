@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// Sixteen nodes of a surface's field side by side; for values in registers alone, as `Floats`.
+/// Sixteen nodes of a surface's field side by side; only for values in registers, as `Floats`.
 using Nodes = std::int16_t __attribute__((vector_size(32)));
 inline constexpr int nodeLanes = 16;
 
@@ -24,9 +24,9 @@ BURIN_INLINE void storeNodes(Nodes values, std::int16_t* to) noexcept {
 BURIN_INLINE Nodes nodes(std::int16_t value) noexcept {
     return Nodes{} + value;
 }
-/// A bit for each of sixteen nodes that is below 0.
+/// One bit for each of sixteen nodes: set if it is below 0.
 BURIN_INLINE std::uint64_t negative(Nodes values) noexcept {
-#ifdef __SSE2__ // as every x86-64 has; the compiler does not find it by itself
+#ifdef __SSE2__ // available on every x86-64; the compiler does not find it by itself
     const auto low = __builtin_shufflevector(values, values, 0, 1, 2, 3, 4, 5, 6, 7);
     const auto high = __builtin_shufflevector(values, values, 8, 9, 10, 11, 12, 13, 14, 15);
     const __m128i bytes = _mm_packs_epi16(reinterpret_cast<__m128i>(low), reinterpret_cast<__m128i>(high));

@@ -22,7 +22,7 @@ std::int32_t endOf(const Segment& segment) {
 bool solidIn(const Segment& segment) {
     return segment.property() != airProperty;
 }
-/// Rises with the end first.
+/// Ordered by the end first.
 std::uint32_t packed(Segment segment) {
     return std::bit_cast<std::uint32_t>(segment);
 }
@@ -73,7 +73,7 @@ private:
         changes_.atBegin |= SurfaceChanges::bitOf(false);
         changes_.atEnd |= SurfaceChanges::bitOf(false);
     }
-    /// So that lines can be looked at in whole lanes.
+    /// Pads the rows so that lines can be processed in whole lanes.
     void fillUp() {
         const auto count = static_cast<std::ptrdiff_t>(window_.columns << level_),
                    step = static_cast<std::ptrdiff_t>(lines_.step_);
@@ -97,11 +97,11 @@ private:
                     {where.row >> level_, where.column, {}});
         }
     }
-    /// Of a line by its row and place among the scanlines that are read.
+    /// Index of a line, given by its row and its position among the scanlines that are read.
     std::size_t placeOf(const Further& where) const {
         return static_cast<std::size_t>(where.row) * lines_.step_ + static_cast<std::size_t>(where.column);
     }
-    /// The next rows of a brick, from a line on, up to one whose lines are not alike. @return how many
+    /// Reads the next rows of a brick, from a line on, up to one whose lines are not alike. @return number of rows read
     std::size_t addAlike(const TileOffsets& offsets, LineIndex low, LineIndex high) {
         const AlikeRows rows{last_.segments,
                              offsets.data() + TileTable::lineInTile(low),
@@ -116,16 +116,16 @@ private:
         return readAlikeRows(rows, last_.skipped, {&lines_.lines_[at], &lines_.firstSegments_[at], lines_.step_, seen_},
                              changes_);
     }
-    /// What is kept from line to line: mostly the next is like the last.
+    /// State kept from line to line, because most lines are like the previous one.
     struct LastLine {
         const Segment* segments = nullptr;      ///< of the brick
         const std::uint32_t* offsets = nullptr; ///< of the lines of one row
         std::uint32_t skipped = 0;              ///< segments before the window
         unsigned properties = ~0U;              ///< of the two segments that it may see
-        bool changes = false, solid = false;    ///< one of them alone is air; the first is not
+        bool changes = false, solid = false;    ///< exactly one of them is air; the first is not
         SurfaceLine line;                       ///< if both are alike
     };
-    /// Hardly any line has more than one end within a window.
+    /// Only few lines have more than one end within a window.
     void addEach(LastLine& last, std::size_t count, SurfaceLine* lines, const Segment** firstSegments, Further where) {
         const std::uint32_t low = packedLow_, high = packedHigh_;
         std::ptrdiff_t skipped = last.skipped;
@@ -159,7 +159,7 @@ private:
         changes_.atBegin |= SurfaceChanges::bitOf(solidIn(before));
         changes_.atEnd |= SurfaceChanges::bitOf(solidIn(behind));
     }
-    /// @param segment the first that ends within the window or behind it
+    /// @param segment  the first that ends within the window or behind it
     SurfaceLine anyEnds(const Segment* segment, const Segment* end, Further where) {
         bool solid = low_ >= 0 && solidIn(*segment), any = false;
         seen_[segment->property()] = 1;
@@ -204,9 +204,9 @@ private:
     const Grid& grid_;
     const SurfaceWindow& window_;
     const int level_;
-    const std::int32_t origin_, low_, high_;     ///< run units; changes behind low and before high count
-    const std::int32_t rounding_;                ///< the origin, as it has to be to round places to the nearest
-    const std::uint32_t packedLow_, packedHigh_; ///< a segment ends behind low if above, before high if below
+    const std::int32_t origin_, low_, high_;     ///< run units; changes after low and before high count
+    const std::int32_t rounding_;                ///< the origin, offset so that positions are rounded to the nearest
+    const std::uint32_t packedLow_, packedHigh_; ///< a segment ends after low if greater, before high if less
     SurfaceLines& lines_;
     std::uint8_t* const seen_;
     LastLine last_;
@@ -254,7 +254,7 @@ void SurfaceLines::eachMaterial(Visit visit) const {
     std::uint64_t eight = 0;
     for (std::size_t first = 0; first < seen_.size(); first += sizeof eight) {
         std::memcpy(&eight, &seen_[first], sizeof eight);
-        for (std::size_t i = first; eight != 0 && i < first + sizeof eight; ++i) // mostly there is none among them
+        for (std::size_t i = first; eight != 0 && i < first + sizeof eight; ++i) // usually none of them occurs
             if (seen_[i] != 0 && i != airProperty) visit(static_cast<PropertyIndex>(i));
     }
 }

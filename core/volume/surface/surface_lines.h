@@ -12,11 +12,11 @@
 
 namespace burin {
 
-/// Where the scanlines of a window change between material and air. Everything outside the grid is air. Looks into the
-/// workpiece that was read, which must stay.
+/// Where the scanlines of a window change between material and air. Everything outside the grid is air. Refers to the
+/// workpiece that was read, which must stay valid.
 class SurfaceLines {
 public:
-    /// A change behind the first of its scanline.
+    /// A change behind the first one of its scanline.
     struct Further {
         int row = 0, column = 0; ///< of the window
         SurfaceLine line;
@@ -25,7 +25,8 @@ public:
     void read(const VolumeSnapshot& workpiece, const SurfaceWindow& window);
 
     const SurfaceBox& box() const { return box_; }
-    /// The scanlines of a column in a row of the window: 2^level along u, and as many rows of scanlines, `step` apart.
+    /// The scanlines of a column in a row of the window: 2^level along u, and equally many rows of scanlines, `step`
+    /// apart.
     const SurfaceLine* at(int row, int column) const {
         return lines_.data() + (static_cast<std::size_t>(row) << level_) * step_ +
                (static_cast<std::size_t>(column) << level_);
@@ -35,14 +36,14 @@ public:
         const auto at = static_cast<std::size_t>(row);
         return std::span(further_).subspan(firstFurther_[at], firstFurther_[at + 1] - firstFurther_[at]);
     }
-    /// Tells the material at a place, as far as the window sees; air beside the grid. A copy of what it needs, which no
-    /// store into properties can change, as far as the compiler knows.
+    /// Returns the material at a position, within the range that the window covers; air outside the grid. A copy of the
+    /// necessary pointers, so that the compiler knows that no store into properties can change them.
     class Materials {
     public:
         explicit Materials(const SurfaceLines& lines)
             : firstSegments_(lines.firstSegments_.data()), lineEnd_(lines.lineEnd_) {}
-        /// @param line     row after row of scanlines, `step` apart, from the window's first on
-        /// @param position run units
+        /// @param line      row after row of scanlines, `step` apart, from the window's first on
+        /// @param position  run units
         PropertyIndex at(std::int32_t line, std::int32_t position) const {
             const Segment* segment = firstSegments_[line];
             if (segment == nullptr || position >= lineEnd_) return airProperty;
@@ -54,7 +55,7 @@ public:
         const Segment* const* firstSegments_;
         std::int32_t lineEnd_;
     };
-    /// The one material in the window, airProperty when there are several.
+    /// The single material in the window, or airProperty if there are several.
     PropertyIndex onlyProperty() const;
     /// Whether any of them is protected.
     bool holdsProtected(const PropertyList& properties) const;

@@ -14,10 +14,10 @@ static_assert(SurfaceMaterials::spare >= lanes);
 using Place = SurfaceMaterials::Place;
 using Frame = SurfaceMaterials::Frame;
 
-/// Below a point, voxels. So far down the part counts for more than what lies on it.
+/// Below a point, voxels. Down to this depth the part takes precedence over what lies on it.
 constexpr std::array<float, 3> partDepths{0.3F, 0.6F, 0.9F};
 
-/// The coordinates of eight vectors, along u, v and the runs; one number behind them is read.
+/// The components of eight vectors along u, v and the runs; one number behind them is read.
 struct EightVectors {
     Floats along[3];
 };
@@ -30,7 +30,7 @@ BURIN_INLINE Integers clamped(Integers values, std::int32_t end) noexcept {
     return least(most(values, integers(0)), integers(end - 1));
 }
 
-/// Places beside the grid are moved to its border.
+/// Positions outside the grid are moved to its border.
 template <int axisOfRuns>
 BURIN_INLINE void placesAlong(const Frame& frame, const glm::vec3* points, const glm::vec3* normals, std::size_t count,
                               float depth, Place* places) noexcept {
@@ -103,7 +103,8 @@ void SurfaceMaterials::find(const VolumeSnapshot& workpiece, const SurfaceWindow
     }
 }
 
-/// Where the first depths found nothing: further down, then (a splinter thinner than that) in the voxels around.
+/// For points where the first depths found nothing: deeper, then (a splinter thinner than that) in the neighbouring
+/// voxels.
 PropertyIndex SurfaceMaterials::search(const SurfaceLines& lines, std::span<const glm::vec3> point,
                                        const glm::vec3* normal, std::span<const float> depths) const {
     const SurfaceLines::Materials materials(lines);

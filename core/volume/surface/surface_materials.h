@@ -14,24 +14,24 @@
 
 namespace burin {
 
-/// Finds the material under the points of a window's surface: the part where it lies within a voxel (a finishing pass
-/// leaves a film of some hundredths of a millimetre, which nobody would call stock), else the first that is not air on
-/// the way in. A coarse surface may lie that much farther out. Keeps its working storage.
+/// Finds the material under the points of a window's surface: the part if it lies within a voxel (a finishing pass
+/// leaves a film of some hundredths of a millimetre, which should not be shown as stock), otherwise the first material
+/// that is not air on the way inwards. A coarse surface may lie correspondingly farther out. Keeps its working storage.
 class SurfaceMaterials {
 public:
-    /// @param lines   of the window, from the same workpiece
-    /// @param points  mm, setup frame; behind them `spare` more may be read
-    /// @param normals likewise
-    /// @param properties one a point, written
+    /// @param lines    of the window, from the same workpiece
+    /// @param points   mm, setup frame; `spare` more may be read behind them
+    /// @param normals  likewise
+    /// @param properties  one per point, output
     void find(const VolumeSnapshot& workpiece, const SurfaceWindow& window, const SurfaceLines& lines,
               std::span<const glm::vec3> points, const glm::vec3* normals, PropertyIndex* properties);
     static constexpr std::size_t spare = 8;
 
-    /// A place in a window: the scanline, as `SurfaceLines::Materials` counts, and how far along it, run units.
+    /// A position in a window: the scanline, as `SurfaceLines::Materials` counts, and the position along it, run units.
     struct Place {
         std::int32_t line = 0, position = 0;
     };
-    /// What makes places of millimetres; by u, v and the runs.
+    /// Converts millimetres into such positions; by u, v and the runs.
     struct Frame {
         int axisOfRuns = 2;                  ///< x, y or z: 0, 1, 2
         std::array<float, 3> low{};          ///< mm, of the grid

@@ -16,7 +16,7 @@ constexpr std::uint64_t bitsBetween(int begin, int end) {
     return begin < end ? (std::uint64_t{1} << end) - (std::uint64_t{1} << begin) : 0;
 }
 
-/// Where a window's own edges begin, by column or row. The first tile also owns those that start beside the grid.
+/// Where a window's own edges begin, by column or row. The first tile also owns those that start outside the grid.
 int firstOwned(int firstCell) {
     return firstCell < 0 ? firstCube : margin;
 }
@@ -83,7 +83,7 @@ void SurfaceNet::add(const SurfaceWindow& window, const SurfaceLines& lines, con
 void SurfaceNet::addCubes(int row) {
     constexpr int rowsKept = SurfaceFrame::rowsKept;
     if (batch_.count() == 0) firstRow_ = row;
-    if (row - firstRow_ == rowsKept - 1) { // the row before the batch's first is looked back at
+    if (row - firstRow_ == rowsKept - 1) { // the row before the batch's first is still needed
         addBatch();
         firstRow_ = row;
     }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Of surface_points.cpp, which includes it once for each width of registers (core/base/whole_registers.h).
+// Part of surface_points.cpp, which includes it once for each width of registers (core/base/whole_registers.h).
 
 static_assert(SurfaceBatch::most % width == 0 && SurfaceBatch::spare >= width && SurfaceFrame::spare >= width);
 
@@ -14,9 +14,9 @@ struct Signs {
 };
 
 constexpr int cornerWords = sizeof(SurfaceBatch::Corners) / sizeof(std::uint32_t); ///< from cube to cube
-/// 2^16 times the nodes' numbers, so that each half of a word counts where it stands: only shares and directions come
-/// of them.
-/// @param first of what cubes have at their corners
+/// The values of the nodes times 2^16, so that each half of a word is used without shifting it down: only ratios and
+/// directions are derived from them.
+/// @param first  of the values at the corners of cubes
 BURIN_INLINE Corners cornersOf(const std::uint32_t (&first)[4]) noexcept {
     const auto pairs = foursAt<Words, cornerWords>(first);
     Corners corners;
@@ -36,26 +36,26 @@ BURIN_INLINE Signs signsOf(const Corners& corners) noexcept {
     return signs;
 }
 
-/// above / below, not divided yet: one division then serves a sum of four.
+/// The fraction above / below, not divided yet: one division then suffices for a sum of four.
 struct Share {
     Floats above, below;
 };
 BURIN_INLINE Share operator+(const Share& a, const Share& b) noexcept {
     return {a.above * b.below + b.above * a.below, a.below * b.below};
 }
-/// Where an edge is crossed, from its one end to the other; 0 where it is not.
+/// Position of the crossing on an edge, from one end to the other; 0 if it is not crossed.
 BURIN_INLINE Share crossing(Floats from, Floats to, Mask is) noexcept {
     return {select(is, from, Floats{}), select(is, from - to, each(1.0F))};
 }
 
 /// The crossings on four parallel edges.
 struct FourCrossings {
-    Floats places;          ///< sum of places along the edges
+    Floats places;          ///< sum of the positions along the edges
     Integers count;         ///< how many
-    Integers first, second; ///< and of those how many on edges at the far side of the first, the second other axis
+    Integers first, second; ///< and how many of them on edges at the far side of the first, the second other axis
     Mask lowest;            ///< whether the edge at the low sides is crossed
 };
-/// @param from, to by the edges' places along the other two axes in their order; and where they are below 0
+/// @param from, to  by the edges' positions along the other two axes in their order; and whether they are below 0
 BURIN_INLINE FourCrossings crossingsOn(const Floats (&from)[2][2], const Floats (&to)[2][2],
                                        const Mask (&fromBelow)[2][2], const Mask (&toBelow)[2][2]) noexcept {
     const Mask is[2][2]{{fromBelow[0][0] ^ toBelow[0][0], fromBelow[0][1] ^ toBelow[0][1]},
@@ -92,7 +92,7 @@ BURIN_INLINE Crossings crossingsOf(const Corners& corners, const Signs& signs) n
             crossingsOn(fromN, toN, belowFromN, belowToN)};
 }
 
-/// In the middle of them, 0 … 1 from the lowest corner.
+/// The mean of the crossings, 0 … 1 from the lowest corner.
 BURIN_INLINE Triple middleOf(const Crossings& crossings) noexcept {
     const auto& [u, v, n] = crossings;
     const Floats whole = 1.0F / floatsOf(u.count + v.count + n.count);
@@ -104,10 +104,10 @@ BURIN_INLINE Floats between(Floats a, Floats b, Floats share) noexcept {
     return a + share * (b - a);
 }
 
-/// Downhill at a place in the cubes.
+/// Downhill direction at a position in the cubes.
 BURIN_INLINE Triple downhill(const Corners& corners, const Triple& place) noexcept {
     const auto& at = corners.at;
-    Floats falls[2][2], here[2][2]; // by v, n: along u from end to end, and the value at the place
+    Floats falls[2][2], here[2][2]; // by v, n: fall along u from end to end, and the value at the position
     for (int v = 0; v < 2; ++v)
         for (int n = 0; n < 2; ++n) {
             falls[v][n] = at[0][v][n] - at[1][v][n];
@@ -117,7 +117,7 @@ BURIN_INLINE Triple downhill(const Corners& corners, const Triple& place) noexce
             between(here[0][0] - here[1][0], here[0][1] - here[1][1], place.n),
             between(here[0][0] - here[0][1], here[1][0] - here[1][1], place.v)};
 }
-/// Unit length; of what has none, along the runs.
+/// Scales to unit length; a zero vector becomes the direction of the runs.
 BURIN_INLINE Triple unit(const Triple& way) noexcept {
     const Floats square = way.u * way.u + way.v * way.v + way.n * way.n;
     const Floats shorter = 1.0F / rootsOf(square);
@@ -126,7 +126,7 @@ BURIN_INLINE Triple unit(const Triple& way) noexcept {
             select(any, way.n * shorter, each(1.0F))};
 }
 
-/// @tparam axis of the runs: 0, 1, 2; that of u is the next one, and that of v the one before
+/// @tparam axis  of the runs: 0, 1, 2; that of u is the next one, and that of v the one before
 template <int axis>
 BURIN_INLINE void store(const Triple& triple, glm::vec3* to) noexcept {
     const Floats alongRunsUv[3]{triple.n, triple.u, triple.v};
@@ -144,7 +144,7 @@ BURIN_INLINE Triple kept(const Triples& from, std::size_t at) noexcept {
     return {lanesAt<Floats>(&from[0][at]), lanesAt<Floats>(&from[1][at]), lanesAt<Floats>(&from[2][at])};
 }
 
-/// Columns, rows and nodes of cubes, and their places among those of the rows that are kept.
+/// Columns, rows and nodes of cubes, and their indices among those of the rows that are kept.
 struct Places {
     Integers column, row, node, place;
 };
@@ -157,10 +157,10 @@ BURIN_INLINE Places placesOf(const SurfaceFrame& frame, const SurfaceBatch& cube
             place + (row & (SurfaceFrame::rowsKept - 1)) * frame.placesPerRow};
 }
 
-// All cubes of a batch go through each of the steps below before the next: what a step waits for is then done for
-// others meanwhile.
+// All cubes of a batch go through each of the steps below before the next step begins, so that the latency of a step
+// for one cube is hidden by the work for others.
 
-/// The first step: where the points are, 0 … 1 from their cubes' lowest corners; and the edges that the cubes own.
+/// First step: the positions of the points, 0 … 1 from their cubes' lowest corners, and the edges that the cubes own.
 BURIN_INLINE void placeWithin(const SurfaceFrame& frame, const SurfaceBatch& cubes, Triples& within,
                               SurfaceEdges& listed) noexcept {
     const Integers column = each(frame.firstEdgeColumn - 1), row = each(frame.firstEdgeRow - 1),
@@ -183,13 +183,13 @@ BURIN_INLINE void placeWithin(const SurfaceFrame& frame, const SurfaceBatch& cub
     listed.keep({endU, endV, endN});
 }
 
-/// The second step: which way is downhill there.
+/// Second step: the downhill direction there.
 BURIN_INLINE void findWays(const SurfaceBatch& cubes, const Triples& within, Triples& ways) noexcept {
     for (std::size_t i = 0; i < cubes.count(); i += width)
         keep(downhill(cornersOf(cubes.corners()[i].smooth), kept(within, i)), ways, i);
 }
 
-/// The last step: points and directions of the ways as vectors.
+/// Last step: stores points and unit directions as vectors.
 template <int axis>
 BURIN_INLINE void storeAlong(const SurfaceFrame& frame, const SurfaceBatch& cubes, const Triples& within,
                              const Triples& ways, glm::vec3* points, glm::vec3* normals) noexcept {

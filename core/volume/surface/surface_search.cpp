@@ -30,7 +30,7 @@ std::span<const int> SurfaceSearch::pieces(const VolumeSnapshot& workpiece, Surf
 }
 
 void SurfaceSearch::mark(std::span<const Segment> line, RunPosition lineEnd) {
-    constexpr std::int64_t far = std::int64_t{1} << 40; // beyond the grid there is air
+    constexpr std::int64_t far = std::int64_t{1} << 40; // beyond the grid everything is air
     std::int64_t from = -far;
     bool solid = false;
     RunPosition begin = 0;
@@ -50,10 +50,10 @@ void SurfaceSearch::mark(std::span<const Segment> line, RunPosition lineEnd) {
 }
 
 void SurfaceSearch::markStretch(std::vector<int>& steps, std::int64_t from, std::int64_t to) const {
-    constexpr std::int64_t reach = SurfaceWindow::marginNodes + 1; // what a window's nodes see beyond its own
+    constexpr std::int64_t reach = SurfaceWindow::marginNodes + 1; // how far a window's nodes see beyond its own
     const std::int64_t piece = SurfaceWindow::ownedNodes * cell_, last = static_cast<std::int64_t>(steps.size()) - 1;
     const auto place = [&](std::int64_t position) {
-        return static_cast<std::size_t>(std::clamp<std::int64_t>(position / piece, 0, last)); // below 0 alike
+        return static_cast<std::size_t>(std::clamp<std::int64_t>(position / piece, 0, last)); // also below 0
     };
     ++steps[place(from - reach * cell_)];
     --steps[place(to + reach * cell_ + piece)];

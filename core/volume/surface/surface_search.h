@@ -10,10 +10,11 @@
 
 namespace burin {
 
-/// Finds the windows of a tile that hold surface: those that see both air and material. Keeps its working storage.
+/// Finds the windows of a tile that contain surface: those that see both air and material. Keeps its working storage.
 class SurfaceSearch {
 public:
-    /// Pieces along the runs (`SurfaceWindow::of`), rising. Looks at all runs of the tile and its margin.
+    /// Returns the indices of pieces along the runs (`SurfaceWindow::of`), rising. Examines all runs of the tile and
+    /// its margin.
     std::span<const int> pieces(const VolumeSnapshot& workpiece, SurfaceTile tile, int level);
 
 private:
@@ -21,7 +22,8 @@ private:
     void markStretch(std::vector<int>& steps, std::int64_t from, std::int64_t to) const;
 
     std::int64_t cell_ = unitsPerVoxel; ///< run units
-    std::vector<int> solid_, air_;      ///< by piece: how many more scanlines it sees some of than the piece before
+    std::vector<int> solid_, air_;      ///< by piece: change in the number of scanlines with solid or air in it, from
+                                        ///< the piece before
     std::vector<int> found_;
 };
 

@@ -10,12 +10,12 @@ namespace burin {
 namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
-constexpr std::size_t mostBetween = 64; ///< points that one straight piece of a rim replaces
-constexpr float sameFace = 0.7F;        ///< cosine: normals of one point that are farther apart are of a sharp edge
+constexpr std::size_t mostBetween = 64; ///< maximum number of points that one straight piece of a rim replaces
+constexpr float sameFace = 0.7F;        ///< cosine: normals of one point that are farther apart mean a sharp edge
 
-// What meets in a place, but for the number of a known face.
-constexpr std::uint16_t several = 0x100; ///< known faces
-constexpr std::uint16_t unknown = 0x200; ///< a triangle of no known face
+// Flags of the faces that meet at a position, in addition to the number of a known face.
+constexpr std::uint16_t several = 0x100; ///< several known faces
+constexpr std::uint16_t unknown = 0x200; ///< a triangle on no known face
 
 void addPoint(SurfaceMesh& mesh, const SurfaceMesh& from, std::size_t point) {
     mesh.points.push_back(from.points[point]);
@@ -40,7 +40,7 @@ void SurfaceSimplifier::simplify(SurfaceMesh& mesh, double tolerance, double cel
     takeKnownNormals(mesh, *faces);
 }
 
-/// A triangle has one material: that of most of its corners.
+/// A triangle gets one material: that of most of its corners.
 void SurfaceSimplifier::chooseRegions(const SurfaceMesh& mesh, const KnownFaces* faces) {
     regions_.clear();
     for (std::size_t corner = 0; corner < mesh.triangles.size(); corner += 3) {
@@ -52,7 +52,7 @@ void SurfaceSimplifier::chooseRegions(const SurfaceMesh& mesh, const KnownFaces*
     }
 }
 
-/// `leaning_`: the mean normal of the points at a place, which stand there once for each face of a sharp edge.
+/// `leaning_`: the mean normal of the points at a position, where there is one for each face of a sharp edge.
 void SurfaceSimplifier::weldNormals(const SurfaceMesh& mesh) {
     leaning_ = mesh.normals;
     for (std::size_t point = 0; point < mesh.points.size(); ++point)
@@ -61,14 +61,14 @@ void SurfaceSimplifier::weldNormals(const SurfaceMesh& mesh) {
         if (placeOf_[point] != point) leaning_[placeOf_[point]] = glm::normalize(leaning_[placeOf_[point]]);
 }
 
-/// Triangles by the place of their corners, whatever the material.
+/// Triangles by the position of their corners, whatever the material.
 void SurfaceSimplifier::weldByPlace(const SurfaceMesh& mesh) {
     table_.weld(mesh.points, placeOf_);
     corners_.resize(mesh.triangles.size());
     for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i] = placeOf_[mesh.triangles[i]];
 }
 
-/// Which known faces meet where.
+/// Finds which known faces meet at each position.
 void SurfaceSimplifier::findFacesAtPlaces(std::size_t points) {
     facesAt_.assign(points, 0);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -83,14 +83,14 @@ void SurfaceSimplifier::findFacesAtPlaces(std::size_t points) {
     }
 }
 
-/// A point stands once for every material that meets in it, and on a sharp edge once for every known face.
+/// A point is duplicated for every material that meets in it, and on a sharp edge for every known face.
 SurfaceRegion SurfaceSimplifier::regionOfCorner(std::size_t corner) const {
     SurfaceRegion region = regions_[corner / 3];
     if ((facesAt_[corners_[corner]] & several) == 0) region.face = KnownFaces::none;
     return region;
 }
 
-/// Makes `work_` of the triangles that are left.
+/// Makes `work_` from the remaining triangles.
 void SurfaceSimplifier::standByRegion(const SurfaceMesh& mesh) {
     work_.clear();
     knownFaces_.clear();
@@ -118,7 +118,7 @@ void SurfaceSimplifier::standByRegion(const SurfaceMesh& mesh) {
     }
 }
 
-/// What is no known face, where it meets a sharp edge: the edge's other sides must not lean on it.
+/// Parts without a known face that meet a sharp edge: their normals must not be influenced by the edge's other sides.
 void SurfaceSimplifier::shadeBesideEdges(SurfaceMesh& mesh) {
     leaning_.assign(mesh.points.size(), glm::vec3(0.0F));
     for (std::size_t corner = 0; corner < mesh.triangles.size(); corner += 3) {
@@ -138,7 +138,7 @@ void SurfaceSimplifier::takeKnownNormals(SurfaceMesh& mesh, const KnownFaces& fa
             mesh.normals[point] = faces.normal(knownFaces_[point], mesh.points[point]);
 }
 
-/// Visits every edge that has a triangle on one side only, by its two points.
+/// Visits every edge with a triangle on one side only, by its two points.
 template <class Visit>
 void SurfaceSimplifier::eachOpenCorner(const SurfaceMesh& mesh, Visit visit) {
     weldByPlace(mesh);
@@ -164,7 +164,7 @@ std::vector<std::uint32_t> SurfaceSimplifier::rim(const SurfaceMesh& mesh, doubl
 
 std::vector<std::uint32_t> SurfaceSimplifier::straightened(const SurfaceMesh& mesh,
                                                            const std::vector<std::uint32_t>& edges, float tolerance) {
-    newPoint_.assign(mesh.points.size(), none); // here: the edge that starts at a place
+    newPoint_.assign(mesh.points.size(), none); // here: the edge that starts at a position
     for (std::uint32_t edge = 0; edge < edges.size(); edge += 2) newPoint_[placeOf_[edges[edge]]] = edge;
     std::vector<bool> done(edges.size(), false);
     std::vector<std::uint32_t> result, between;
@@ -191,7 +191,7 @@ std::vector<std::uint32_t> SurfaceSimplifier::straightened(const SurfaceMesh& me
     return result;
 }
 
-/// Leans the normals towards the large faces around a point.
+/// Shifts the normals towards those of the large faces around a point.
 void SurfaceSimplifier::leanOnFaces(SurfaceMesh& mesh, double cell) {
     weldByPlace(mesh);
     const auto cellArea = static_cast<float>(cell * cell);
@@ -201,7 +201,7 @@ void SurfaceSimplifier::leanOnFaces(SurfaceMesh& mesh, double cell) {
         const glm::vec3& start = mesh.points[at[0]];
         const glm::vec3 twice = glm::cross(mesh.points[at[1]] - start, mesh.points[at[2]] - start);
         const float area = 0.5F * glm::length(twice);
-        if (area <= 2.0F * cellArea) continue; // no larger than unsimplified: the field knows better
+        if (area <= 2.0F * cellArea) continue; // no larger than unsimplified: the field's normal is more accurate
         for (const std::uint32_t point : at) leaning_[point] += twice * (0.5F * (area - 2.0F * cellArea) / area);
     }
     for (std::size_t point = 0; point < mesh.points.size(); ++point)

@@ -8,10 +8,10 @@
 
 namespace burin {
 
-/// The part of a surface that is worked out at once: a tile of scanlines, and of them a piece along the runs. It is
-/// seen on a lattice whose nodes are the centres of cells of 2^level voxels. Columns count along u, rows along v, nodes
-/// along the runs; node n of column c in row r is cell (firstU + c, firstV + r, firstNode + n) of the grid. A window
-/// owns the edges that start at its own nodes; around those there is a margin that other windows own.
+/// The part of a surface that is computed at once: a tile of scanlines, and of these a piece along the runs. It is
+/// sampled on a lattice whose nodes are the centres of cells of 2^level voxels. Columns count along u, rows along v,
+/// nodes along the runs; node n of column c in row r is cell (firstU + c, firstV + r, firstNode + n) of the grid. A
+/// window owns the edges that start at its own nodes; around those is a margin that other windows own.
 struct SurfaceWindow {
     static constexpr int margin = 3;                                     ///< columns and rows on either side
     static constexpr int marginNodes = 2;                                ///< nodes on either side
@@ -23,9 +23,9 @@ struct SurfaceWindow {
     int columns = 0, rows = 0;
     int owned = 0; ///< nodes, from node `marginNodes` on
 
-    /// Cells that a number of voxels makes up.
+    /// Number of cells that cover a number of voxels.
     static int cells(int voxels, int level) { return (voxels + (1 << level) - 1) >> level; }
-    /// How many windows a tile has along the runs.
+    /// Number of windows of a tile along the runs.
     static int count(const Grid& grid, int level) {
         return (cells(grid.voxelsPerLine(), level) + ownedNodes - 1) / ownedNodes;
     }

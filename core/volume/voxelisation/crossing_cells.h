@@ -13,17 +13,18 @@
 
 namespace burin {
 
-/// Where the centre of a scanline passes through a triangle. In order of position; at one place entering comes first.
+/// Where the centre line of a scanline passes through a triangle. Ordered by position; at equal positions entering
+/// comes first.
 class LineCrossing {
 public:
     LineCrossing() = default;
-    /// @param position run units, from -1 (anywhere below the grid) to one beyond the line's end
-    /// @param leaves   where a line that runs upwards leaves an outward mesh
-    /// @param cap      of a triangle that only closes a hole
+    /// @param position  run units, from -1 (anywhere below the grid) to one beyond the line's end
+    /// @param leaves    whether a line that runs upwards leaves an outward-oriented mesh here
+    /// @param cap       whether the triangle only closes a hole
     LineCrossing(std::int32_t position, bool leaves, bool cap) noexcept
         : code_(static_cast<std::uint32_t>(position + 1) << 2 | (leaves ? 2U : 0U) | (cap ? 1U : 0U)) {}
     std::int32_t position() const noexcept { return static_cast<std::int32_t>(code_ >> 2) - 1; }
-    /// What the winding number grows by on the way upwards.
+    /// The change of the winding number in upward direction.
     std::int32_t turn() const noexcept { return (code_ & 2U) != 0 ? -1 : 1; }
     bool cap() const noexcept { return (code_ & 1U) != 0; }
     bool isPlainEntry() const noexcept { return (code_ & 3U) == 0; } ///< of surface
@@ -34,8 +35,8 @@ private:
     std::uint32_t code_ = 0;
 };
 
-/// Crossings of the scanlines of one row of bricks. Each line has a cell with room for a few, so that they go to their
-/// line at once; what does not fit is kept aside. Used for row after row without allocating.
+/// Crossings of the scanlines of one row of bricks. Each line has a cell with room for a few, so that most crossings
+/// are written to their line directly; the surplus is kept separately. Can be reused row after row without allocating.
 class CrossingCells {
 public:
     explicit CrossingCells(std::int32_t lineCountU)
@@ -59,7 +60,7 @@ public:
     bool touched(std::int32_t column) const noexcept { return touched_[static_cast<std::size_t>(column)] != 0; }
     /// To be called between the last `add` and the first `take`.
     void finish() { std::ranges::sort(surplus_, {}, &Surplus::cell); }
-    /// The crossings of a line of a brick in order; its cell is empty afterwards. Valid until the next call.
+    /// Returns the crossings of a line of a brick in order; its cell is empty afterwards. Valid until the next call.
     std::span<const LineCrossing> take(std::int32_t column, int line) {
         const std::size_t index = static_cast<std::size_t>(column) * linesPerBrick + static_cast<std::size_t>(line);
         Cell& cell = cells_[index];
@@ -73,9 +74,9 @@ public:
         }
         return found;
     }
-    /// A brick's cells are empty.
+    /// Marks the cells of a brick as empty.
     void leave(std::int32_t column) noexcept { touched_[static_cast<std::size_t>(column)] = 0; }
-    /// All cells are.
+    /// Marks all cells as empty.
     void clear() noexcept { surplus_.clear(); }
 
 private:
@@ -98,7 +99,7 @@ private:
         return many_;
     }
 
-    std::vector<Cell> cells_;           ///< by brick, then by line of it
+    std::vector<Cell> cells_;           ///< by brick, then by line within the brick
     std::vector<std::uint8_t> touched_; ///< by brick
     std::vector<Surplus> surplus_;
     std::vector<LineCrossing> many_;

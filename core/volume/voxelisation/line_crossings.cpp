@@ -27,7 +27,7 @@ Integer ceilDivide(Integer numerator, Integer denominator) noexcept { // denomin
     return quotient + (numerator % denominator > 0 ? 1 : 0);
 }
 
-/// The first scanline u at or beyond the place where the edge crosses row v: exact, the same from both sides.
+/// The first scanline u at or beyond the crossing of the edge with row v: exact, and the same from both sides.
 std::int64_t firstLineBeyond(std::int64_t fromU, std::int64_t fromV, std::int64_t toU, std::int64_t toV,
                              std::int64_t v) noexcept {
     if (fromV > toV) {
@@ -56,11 +56,11 @@ Result<std::vector<LatticeVertex>> projectVertices(const TriangleMesh& mesh, con
     const auto voxels = [&](const glm::dvec3& point, const Axis& axis) {
         return (glm::value_ptr(point)[axis.index] - axis.low) * voxelsPerMillimetre; // operator[] would branch
     };
-    // Differences on the lattice then stay below 2^52 and are exact in double precision, too.
+    // Differences on the lattice then stay below 2^52 and are also exact in double precision.
     constexpr double reach = static_cast<double>(std::int64_t{1} << 34);
-    const auto reached = [](double x) { return std::abs(x) < reach; }; // false for what is not a number
+    const auto reached = [](double x) { return std::abs(x) < reach; }; // false for NaN
     const auto lattice = [](double x) {
-        constexpr double wholeFromHere = 0x1.8p52; // so large a double has no fraction; holds for less than 2^51
+        constexpr double wholeFromHere = 0x1.8p52; // doubles from here on have no fraction; valid below 2^51
         return std::bit_cast<std::int64_t>((x - 0.5) * static_cast<double>(one) + wholeFromHere) -
                std::bit_cast<std::int64_t>(wholeFromHere);
     };
@@ -84,7 +84,7 @@ Result<std::vector<LatticeVertex>> projectVertices(const TriangleMesh& mesh, con
 
 TriangleCover::Row TriangleCover::row(std::int32_t index) const noexcept {
     const std::int64_t v = std::int64_t{index} << latticeBits;
-    // An edge crosses the row when one end lies below it and the other on it or above: two edges do, or none.
+    // An edge crosses the row if one end lies below it and the other on it or above: two edges do, or none.
     std::int64_t upwards = 0, downwards = 0;
     const std::array points{&a_, &b_, &c_};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -95,8 +95,8 @@ TriangleCover::Row TriangleCover::row(std::int32_t index) const noexcept {
     const auto clamped = [&](std::int64_t line) {
         return static_cast<std::int32_t>(std::clamp<std::int64_t>(line, lines_.lowU, lines_.highU));
     };
-    // Seen against the runs a counter-clockwise triangle goes up on its right: it faces along the runs, the line
-    // leaves.
+    // Seen against the run direction a counter-clockwise triangle goes up on its right: it faces along the runs, so the
+    // line leaves.
     return {clamped(std::min(upwards, downwards)), clamped(std::max(upwards, downwards)), downwards < upwards};
 }
 

@@ -26,7 +26,7 @@ inline TriangleCover::TriangleCover(const LatticeVertex& a, const LatticeVertex&
               clamped((std::max({a.v, b.v, c.v}) >> latticeBits) + 1, range.lowV, range.highV)};
 }
 
-/// Edge functions of 32 bits, and not too many lines beside the triangle to look at in vain.
+/// Whether edge functions fit into 32 bits and not too many lines beside the triangle would be tested in vain.
 inline bool TriangleCover::isSmall() const noexcept {
     constexpr std::int64_t reach = std::int64_t{1} << 22; // 64 voxels
     const auto far = [](std::int64_t x, std::int64_t y) {
@@ -36,8 +36,8 @@ inline bool TriangleCover::isSmall() const noexcept {
              far(a_.u, c_.u) || far(a_.v, b_.v) || far(a_.v, c_.v));
 }
 
-/// At the first line of the range. Whole numbers of lattice steps squared, over one line's step: lines lie that far
-/// apart, so what is left over decides nothing.
+/// The edge function at the first line of the range, in squared lattice steps, as an integer, divided by the step
+/// between lines: lines lie that far apart, so the remainder does not affect the sign.
 inline TriangleCover::Edge TriangleCover::edge(const LatticeVertex& from, const LatticeVertex& to) const noexcept {
     const std::int64_t du = to.u - from.u, dv = to.v - from.v;
     const std::int64_t u = (std::int64_t{lines_.lowU} << latticeBits) - from.u;
@@ -47,7 +47,7 @@ inline TriangleCover::Edge TriangleCover::edge(const LatticeVertex& from, const 
             static_cast<std::int32_t>(-dv), static_cast<std::int32_t>(du)};
 }
 
-/// Answers all rows' bits together.
+/// Returns the bits of all rows combined.
 inline std::uint32_t TriangleCover::mask(std::int64_t area, Mask& rows) const noexcept {
     const bool turned = area < 0; // edges have the inside on their left
     const Edge one = turned ? edge(b_, a_) : edge(a_, b_), two = turned ? edge(c_, b_) : edge(b_, c_),
@@ -89,13 +89,13 @@ inline std::uint32_t TriangleCover::mask(std::int64_t area, Mask& rows) const no
     return all;
 }
 
-/// Height of a triangle's plane over the lines of its range.
+/// Height of a triangle's plane at the lines of its range.
 class TriangleCover::Plane {
 public:
     Plane(const TriangleCover& cover, double area, double lowest, double highest) noexcept {
         const LatticeVertex &a = cover.a_, &b = cover.b_, &c = cover.c_;
         const LineRectangle& lines = cover.lines_;
-        // Relative to the first corner, to keep digits.
+        // Relative to the first corner, to preserve precision.
         const double bu = static_cast<double>(b.u - a.u), bv = static_cast<double>(b.v - a.v), bz = b.along - a.along;
         const double cu = static_cast<double>(c.u - a.u), cv = static_cast<double>(c.v - a.v), cz = c.along - a.along;
         constexpr double step = static_cast<double>(std::int64_t{1} << latticeBits);
@@ -109,10 +109,9 @@ public:
     }
     /// @param u, v lines from the low end of the range
     double at(std::int32_t u, std::int32_t v) const noexcept {
-        // A triangle seen nearly edge-on has slopes without meaning; its crossing lies between its corners all the
-        // same.
+        // The slopes of a triangle seen nearly edge-on are meaningless; its crossing still lies between its corners.
         double along = first_ + stepV_ * v + stepU_ * u;
-        along = along > low_ ? along : low_; // what is not a number becomes the lower one
+        along = along > low_ ? along : low_; // NaN becomes the lower one
         return along < high_ ? along : high_;
     }
 
@@ -131,7 +130,7 @@ void TriangleCover::forEachLine(double lowest, double highest, Visit&& visit) co
         for (std::int32_t v = 0; v < lines_.highV - lines_.lowV; ++v)
             for (std::uint32_t left = rows[static_cast<std::size_t>(v)]; left != 0; left &= left - 1) {
                 const std::int32_t u = std::countr_zero(left);
-                // Seen against the runs a counter-clockwise triangle faces along them: the line leaves.
+                // Seen against the run direction a counter-clockwise triangle faces along it: the line leaves.
                 visit(lines_.lowU + u, lines_.lowV + v, plane.at(u, v), area > 0);
             }
         return;

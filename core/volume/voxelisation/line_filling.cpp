@@ -58,7 +58,7 @@ void LineFilling::throughHoles(std::span<const LineCrossing> crossings, LineInde
     glm::dvec3 place(0.0);
     place[grid_.axisOfU()] = centre.x;
     place[grid_.axisOfV()] = centre.y;
-    std::int32_t winding = 0; // of surface and caps together: a whole number
+    std::int32_t winding = 0; // of surface and caps together: an integer
     for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
         winding += crossings[i].turn();
         if (crossings[i].position() == crossings[i + 1].position()) continue;
@@ -80,7 +80,8 @@ void LineFilling::add(LineCrossing from, LineCrossing to) {
         spans_.push_back(span);
 }
 
-/// Of a line on which windings close. Shells that only touch wind twice around nothing, or what rounding makes of it.
+/// For a line on which the winding numbers close. Shells that only touch wind twice around nothing, or around a
+/// rounding error.
 void LineFilling::noteOverlaps(std::span<const LineCrossing> crossings, LineIndex line, DoubtfulLines& overlaps) const {
     std::int32_t winding = 0;
     std::size_t first = 0;
@@ -102,7 +103,7 @@ void LineFilling::doubt(std::span<const LineCrossing> crossings, LineIndex line,
     doubtful.place.include(placeOf(crossings, line));
 }
 
-/// From the first crossing to the last, as wide as the line, mm.
+/// The box from the first crossing to the last, with the width of the line, mm.
 Box LineFilling::placeOf(std::span<const LineCrossing> crossings, LineIndex line) const {
     Box box;
     const glm::dvec2 centre = grid_.lineCentre(line);
@@ -121,7 +122,7 @@ Box LineFilling::placeOf(std::span<const LineCrossing> crossings, LineIndex line
 void appendPainted(std::span<const Segment> present, std::span<const InnerSpan> spans, PropertyIndex property,
                    BrickLines& lines, RunAmounts& replaced) {
     std::size_t i = 0;
-    RunPosition reached = 0; // everything before it is appended
+    RunPosition reached = 0; // everything before it has been appended
     for (const InnerSpan& span : spans) {
         for (; present[i].end() <= span.from; ++i) lines.append(present[i].end(), present[i].property());
         lines.append(span.from, present[i].property());

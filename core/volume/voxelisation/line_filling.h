@@ -12,28 +12,28 @@
 
 namespace burin {
 
-/// Half-open stretch of a scanline inside a body.
+/// Half-open interval of a scanline inside a body.
 struct InnerSpan {
     RunPosition from = 0, to = 0;
 };
 
-/// Turns the crossings of a line into the stretches inside, by the rules in voxelisation.h, and notes what was odd.
-/// Keeps its working memory from line to line.
+/// Turns the crossings of a line into the intervals inside the body, by the rules in voxelisation.h, and reports
+/// irregularities. Keeps its working memory from line to line.
 class LineFilling {
 public:
-    /// Run units that edges may gape or shells enter each other by and are still taken to meet.
+    /// Gap between edges, or overlap of shells, in run units, up to which they are still considered to touch.
     static constexpr std::int32_t slit = unitsPerVoxel / 16;
 
     explicit LineFilling(const Grid& grid) : grid_(grid) {}
 
-    /// The commonest line: in and out again, within the grid. Nothing is odd about it.
+    /// The most common line: one entry and one exit, within the grid. It has no irregularity.
     static bool isPlain(std::span<const LineCrossing> crossings, RunPosition lineEnd) noexcept {
         return crossings.size() == 2 && (crossings[0].isPlainEntry() & crossings[1].isPlainExit()) &&
                crossings[0].position() >= 0 && crossings[1].position() <= static_cast<std::int32_t>(lineEnd);
     }
     /// @param crossings in order, at least one
-    /// @param open what closes the mesh; nullptr when it is closed
-    /// @return in order, apart from each other; valid until the next call
+    /// @param open  what closes the mesh; nullptr if it is closed
+    /// @return intervals in order, disjoint and not touching; valid until the next call
     std::span<const InnerSpan> spans(std::span<const LineCrossing> crossings, LineIndex line, const OpenMesh* open,
                                      VoxelisationReport& report);
 
@@ -50,8 +50,8 @@ private:
     std::vector<InnerSpan> spans_;
 };
 
-/// Appends a line to a brick with `spans` of it painted over.
-/// @param replaced gets what stood there
+/// Appends a line to a brick with its parts in `spans` set to `property`.
+/// @param replaced  receives the amounts of what was there before
 void appendPainted(std::span<const Segment> present, std::span<const InnerSpan> spans, PropertyIndex property,
                    BrickLines& lines, RunAmounts& replaced);
 

@@ -47,11 +47,11 @@ std::vector<OpenEdge> openEdges(const TriangleMesh& mesh) {
     return open;
 }
 
-/// Places on a grid of cells, to find one near another.
+/// Points in a grid of cells, for finding one near another.
 class NearbyPlaces {
 public:
     explicit NearbyPlaces(double distance) : distance_(distance) {}
-    /// The first of earlier places within the distance, or this one, which is noted then.
+    /// The first earlier point within the distance, or this one, which is then added.
     std::uint32_t findOrAdd(std::uint32_t index, const glm::dvec3& place) {
         const Cell centre = cellOf(place);
         for (std::int64_t dx = -1; dx <= 1; ++dx)
@@ -88,7 +88,7 @@ private:
     std::unordered_map<Cell, std::vector<std::pair<std::uint32_t, glm::dvec3>>, CellHash> cells_;
 };
 
-/// Takes open edges apart into loops that pass no vertex twice. At each vertex an even number of them meet.
+/// Decomposes open edges into loops that pass no vertex twice. At each vertex an even number of them meet.
 class Loops {
 public:
     explicit Loops(std::span<const OpenEdge> edges) : edges_(edges), used_(edges.size()) {
@@ -107,13 +107,13 @@ public:
 private:
     struct Step {
         OpenEdge edge;
-        std::uint32_t from = 0; ///< the end of the edge that the walk came by
+        std::uint32_t from = 0; ///< the end of the edge from which the walk came
     };
 
     template <class Visit>
     void walk(std::uint32_t vertex, Visit& visit) {
         std::vector<Step> way;
-        std::unordered_map<std::uint32_t, std::size_t> passed; ///< where on the way
+        std::unordered_map<std::uint32_t, std::size_t> passed; ///< position on the way
         while (const OpenEdge* const edge = next(vertex)) {
             passed[vertex] = way.size();
             way.push_back({*edge, vertex});
@@ -130,7 +130,7 @@ private:
             visit(std::span<const OpenEdge>(loop));
         }
     }
-    /// An unused edge at a vertex, one that leaves it where there is a choice.
+    /// An unused edge at a vertex, preferably one that leaves it.
     const OpenEdge* next(std::uint32_t vertex) {
         std::vector<std::uint32_t>& here = atVertex_[vertex];
         std::erase_if(here, [&](std::uint32_t edge) { return used_[edge]; });
@@ -155,7 +155,7 @@ OpenMesh::OpenMesh(const TriangleMesh& mesh, double tolerance) : closed_(weldIde
 }
 
 void OpenMesh::dropDuplicates() {
-    // Written from its least index on, a triangle is the same only when it is turned alike.
+    // With the least index first, two triangles are equal only if they have the same orientation.
     std::vector<Triangle> canonical = closed_.triangles;
     for (Triangle& triangle : canonical) std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     std::vector<std::uint32_t> order(canonical.size());

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t trianglesPerPart = std::size_t{1} << 14; // their crossings fit into the cache
 constexpr int cellBits = 18;                                   // cells in a row of bricks: 32,768 lines times eight
 
-/// A number for an undirected edge that looks like chance (Murmur's last steps).
+/// A hash of an undirected edge (Murmur's last steps).
 std::uint64_t markOf(std::uint32_t a, std::uint32_t b) noexcept {
     std::uint64_t mark = (std::uint64_t{std::min(a, b)} << 32 | std::max(a, b)) * 0xff51afd7ed558ccdU;
     mark ^= mark >> 33;

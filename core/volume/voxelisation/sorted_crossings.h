@@ -11,30 +11,30 @@
 
 namespace burin {
 
-/// Where scanlines cross the triangles of a mesh, by row of bricks. Small triangles are crossed here and now, in the
-/// mesh's order; of large ones it is noted which rows they reach into. 8 bytes a crossing.
+/// The crossings of scanlines with the triangles of a mesh, by row of bricks. Small triangles are intersected at once,
+/// in the order of the mesh; for large ones only the rows that they reach are recorded. 8 bytes per crossing.
 class SortedCrossings {
 public:
-    /// Parallel. @param firstCap triangles from here on only close holes. @throws std::bad_alloc
+    /// Parallel. @param firstCap  triangles from this index on only close holes. @throws std::bad_alloc
     SortedCrossings(const TriangleMesh& mesh, std::size_t firstCap, const Grid& grid,
                     std::vector<LatticeVertex> vertices);
 
-    /// Puts those of a row into the cells of their lines. Any thread.
+    /// Adds the crossings of a row to the cells of their lines. Any thread.
     void collect(std::int32_t row, CrossingCells& cells) const;
 
     /// Whether every edge joins an even number of triangles (by vertex index), so that no line is crossed an odd number
-    /// of times. A mesh that is not may be taken for closed once in 2^64.
+    /// of times. The probability of taking an open mesh for closed is 2^-64.
     bool closed() const noexcept { return closed_; }
 
 private:
     struct Placed {
-        std::uint32_t place = 0; ///< the cell in its row of bricks, above it the row
+        std::uint32_t place = 0; ///< cell in its row of bricks; the row in the bits above
         LineCrossing crossing;
     };
-    /// Things sorted by row of bricks.
+    /// Items sorted by row of bricks.
     template <class Thing>
     struct ByRow {
-        std::vector<std::uint32_t> firsts; ///< and the end
+        std::vector<std::uint32_t> firsts; ///< and the end of the last
         std::vector<Thing> things;
         std::span<const Thing> in(std::int32_t row) const noexcept {
             const std::uint32_t first = firsts[static_cast<std::size_t>(row)];
@@ -44,11 +44,11 @@ private:
     struct LargeTriangle {
         std::uint32_t triangle = 0, row = 0;
     };
-    /// Triangles one after the other in the mesh.
+    /// Consecutive triangles of the mesh.
     struct Part {
         ByRow<Placed> crossings;
         ByRow<LargeTriangle> large;
-        std::uint64_t edges = 0; ///< sum modulo 2 of all edges' marks
+        std::uint64_t edges = 0; ///< sum modulo 2 of the hashes of all edges
     };
     struct Scratch {
         std::vector<Placed> crossings;

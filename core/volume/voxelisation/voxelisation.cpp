@@ -17,11 +17,11 @@ namespace burin {
 
 namespace {
 
-/// A body, ready to be looked through row by row.
+/// A body, prepared for processing row by row.
 struct PreparedBody {
     const TriangleMesh* mesh = nullptr; ///< closed
     PropertyIndex property = airProperty;
-    std::unique_ptr<OpenMesh> open; ///< holds `mesh` when the caller's was open
+    std::unique_ptr<OpenMesh> open; ///< owns `mesh` if the caller's was open
     std::optional<SortedCrossings> crossings;
 };
 
@@ -118,7 +118,7 @@ private:
     LineFilling filling_;
     CrossingCells cells_;
     BrickLines lines_;
-    std::vector<std::unique_ptr<BrickLines>> earlier_; ///< what bodies filled before made of a brick
+    std::vector<std::unique_ptr<BrickLines>> earlier_; ///< content of a brick after the bodies filled before
 };
 
 void add(VoxelisationReport& sum, const VoxelisationReport& part) {
@@ -132,7 +132,7 @@ void add(VoxelisationReport& sum, const VoxelisationReport& part) {
     for (std::size_t i = 0; i < sum.replaced.units.size(); ++i) sum.replaced.units[i] += part.replaced.units[i];
 }
 
-/// What all threads share.
+/// State shared by all threads.
 class Filling {
 public:
     Filling(RunVolume& volume, std::span<const PreparedBody> bodies, Progress& progress)
@@ -144,7 +144,7 @@ public:
             if (progress_.cancelled()) return;
             std::unique_ptr<RowFilling> worker = takeWorker();
             std::vector<VoxelisationReport>& reports = rows_[static_cast<std::size_t>(row)];
-            reports.assign(bodies_.size(), {}); // anew when the row is described once more
+            reports.assign(bodies_.size(), {}); // reset if the row is described again
             worker->fill(volume_, row, bodies_, reports, sink);
             giveBack(std::move(worker));
             done.add();

@@ -10,9 +10,9 @@
 
 namespace burin::cap {
 
-/// The two ways to use a cap, of every driver of one.
+/// The two modes of a cap, for every driver of a device with a cap.
 std::vector<DeviceMode> modes();
-/// Errors: nameUnknown. @param mode empty: the usual one
+/// Errors: nameUnknown. @param mode empty: the default mode
 Result<void> checkMode(const std::string& mode);
 ControlMode modeOf(const std::string& mode);
 

@@ -10,7 +10,7 @@
 namespace burin::cap {
 namespace {
 
-glm::dquat turnBy(const glm::dvec3& turn) noexcept { // rad, axis and angle in one
+glm::dquat turnBy(const glm::dvec3& turn) noexcept { // rad, rotation vector
     const double angle = glm::length(turn);
     return angle > 0.0 ? glm::angleAxis(angle, turn / angle) : glm::dquat(1.0, 0.0, 0.0, 0.0);
 }

@@ -56,7 +56,7 @@ StylusDescription CapStylus::description() const {
 }
 
 Result<void> CapStylus::open() {
-    const std::uint64_t motions = device_.shared().motions(); // what is heard from now on is news
+    const std::uint64_t motions = device_.shared().motions(); // motions received from now on are new
     if (Result<void> started = thread_.start(); !started) return started;
     mapping_.reset();
     readAt_.reset();
@@ -100,7 +100,7 @@ polled::PolledDevice::Heard CapStylus::Published::receive(int milliseconds) noex
 }
 
 void CapStylus::Published::rest() noexcept {
-    // The battery's charge is known as before.
+    // The battery state is kept.
     controls_.axes = {};
     controls_.buttons = 0;
     controls_.keys = {};

@@ -14,24 +14,24 @@
 
 namespace burin::cap {
 
-/// A device with a cap, as it is read. All calls come from one thread, the stylus'.
+/// Reads a device with a cap. All calls come from one thread, that of the stylus.
 class ControlSource {
 public:
     enum class Heard : std::uint8_t { nothing, motion, other, gone };
     virtual ~ControlSource() = default;
-    /// Looks for the device and opens it. True: it is open, also when it was before.
+    /// Searches for the device and opens it. Returns true if it is open, also if it was open before.
     virtual bool connect() noexcept = 0;
-    /// Waits for news, a while at most. @param[out] controls all of them, where something was heard
+    /// Waits for an event, up to a time limit. @param[out] controls the complete state, if something was received
     virtual Heard receive(Controls& controls, int milliseconds) noexcept = 0;
-    /// Also when it is not connected.
+    /// May also be called when it is not connected.
     virtual void disconnect() noexcept = 0;
 };
 
-/// Hands plain values from the device's thread to any other by one atomic word each: a reader may see the axes of one
-/// report and the buttons of the next, which are different reports anyway.
+/// Passes plain values from the device's thread to any other one by one atomic word each: a reader may see the axes of
+/// one report together with the buttons of the next, which arrive in different reports anyway.
 class SharedControls {
 public:
-    void publish(const Controls& controls) noexcept; ///< the device's thread
+    void publish(const Controls& controls) noexcept; ///< called on the device's thread
     void heardMotion() noexcept { motions_.fetch_add(1, std::memory_order_release); }
     std::array<std::int16_t, 6> axes() const noexcept;
     std::uint32_t buttons() const noexcept { return buttons_.load(std::memory_order_relaxed); }
@@ -47,18 +47,19 @@ private:
     std::atomic<bool> charging_{false};
 };
 
-/// What a stylus over a cap says of itself, and how it takes what it hears.
+/// Description of a stylus based on a cap, and how it interprets what it receives.
 struct CapStylusSettings {
     std::string name;
     int buttons = 0;
     Figure<"Hz"> rate;
-    double staleAfter = 0.0; ///< s without motion, from which on the cap is at rest; 0: it always says when it is
+    /// s without motion after which the cap counts as at rest; 0: the device always reports rest
+    double staleAfter = 0.0;
     ControlMode mode = ControlMode::rate;
 };
 
-/// A cap as a stylus without motors: the loop calls it. A thread of its own reads the device, and finds it again after
-/// it was unplugged. Thread: read and write the loop's, which touch no file; open, close, takeFault the owner's; health
-/// any.
+/// A cap as a stylus without motors, called by the loop. A thread of its own reads the device, and finds it again after
+/// it was unplugged. read and write are called on the haptic thread and access no file; open, close and takeFault on
+/// the owner's thread; health on any thread.
 class CapStylus final : public Stylus {
 public:
     CapStylus(std::unique_ptr<ControlSource> source, CapStylusSettings settings);
@@ -67,7 +68,7 @@ public:
     CapStylus& operator=(const CapStylus&) = delete;
 
     StylusDescription description() const override;
-    /// Errors: argumentInvalid (it is open), outOfMemory.
+    /// Errors: argumentInvalid (already open), outOfMemory.
     Result<void> open() override;
     void close() noexcept override { thread_.stop(); }
     std::optional<Error> takeFault() override { return thread_.takeFault(); }
@@ -76,7 +77,7 @@ public:
     void write(const Wrench& wrench) noexcept override;
 
 private:
-    /// The polling thread's side.
+    /// The part that the polling thread uses.
     class Published final : public polled::PolledDevice {
     public:
         explicit Published(std::unique_ptr<ControlSource> source) : source_(std::move(source)) {}
@@ -94,9 +95,9 @@ private:
 
     CapStylusSettings settings_;
     Published device_;
-    polled::PollingThread thread_; ///< after what it reads
+    polled::PollingThread thread_; ///< declared after the device that it reads
 
-    CapMapping mapping_; ///< from here on the loop's
+    CapMapping mapping_; ///< this member and the following belong to the haptic thread
     std::optional<double> readAt_;
     double movedAt_ = 0.0;
     std::uint64_t motions_ = 0;

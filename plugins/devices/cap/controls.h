@@ -7,9 +7,9 @@
 
 namespace burin::cap {
 
-/// How far a cap is pushed and turned, and what is pressed.
+/// Deflection of a cap, and the pressed buttons.
 struct Controls {
-    /// Displacement of the cap in counts, full scale 350 (some units go a little beyond): x right, y towards the user,
+    /// Displacement of the cap in counts, full scale 350 (some units exceed it a little): x right, y towards the user,
     /// z down; then the rotations about them.
     std::array<std::int16_t, 6> axes{};
     std::uint32_t buttons = 0;          ///< bit 0: the first button

@@ -9,7 +9,7 @@
 namespace burin::forcedimension {
 namespace {
 
-constexpr std::pair oldestVersion{3, 16}; // since then angles and frames come as described
+constexpr std::pair oldestVersion{3, 16}; // since this version angles and frames are as described
 
 vendor::LibrarySearch search() {
     vendor::LibrarySearch search{"Force Dimension", "the Force Dimension SDK 3.16 or later", "libdrd.so", {}};

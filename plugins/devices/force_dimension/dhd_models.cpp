@@ -17,7 +17,7 @@ struct Model {
     double stiffness;         ///< N/m, closed loop at 1 kHz
     double damping;           ///< N·s/m
     double radius;            ///< mm
-    double torque;            ///< N·mm; 0: no driven wrist
+    double torque;            ///< N·mm; 0: no actuated wrist
     double turningStiffness;  ///< N·mm/rad; 0: not known, so that no torque is rendered
 };
 
@@ -58,7 +58,8 @@ Pose poseOf(double x, double y, double z, const double (&rotation)[3][3]) noexce
     const auto column = [&](int i) { return fromDhd(rotation[0][i], rotation[1][i], rotation[2][i]); };
     Pose pose;
     pose.position = fromDhd(x, y, z) * millimetresPerMetre;
-    // The pen of these devices lies along their x at rest; ours stands along z, from the tip to the holder.
+    // At rest, the pen of these devices lies along their x axis; Burin's tool is parallel to z, from the tip to the
+    // holder.
     pose.rotation = glm::normalize(glm::quat_cast(glm::dmat3(-column(2), column(1), column(0))));
     return pose;
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr unsigned char on = 1, off = 0;
 constexpr std::chrono::milliseconds reconnectPoll{20};
 
-/// Why a device switched its forces off, by the number that its state gives.
+/// The reason why a device switched its forces off, from the code in its state.
 DeviceFault faultOfCause(int cause) noexcept {
     switch (cause) {
     case 1: // its button
@@ -34,7 +34,7 @@ DeviceFault faultOfCause(int cause) noexcept {
     }
 }
 
-/// Only a hand switches these off again.
+/// Whether only the user can end this condition.
 bool waitsForTheHand(int cause) noexcept {
     return cause == 1 || cause == 6;
 }
@@ -55,7 +55,7 @@ Result<std::unique_ptr<Stylus>> DhdStylus::connect(const DhdApi& api, DhdId id, 
     described->sensed = {3, api.hasWrist(id) ? 3 : 0};
     described->actuated = {3, api.hasActiveWrist(id) && described->maximumTurningStiffness.value > 0.0 ? 3 : 0};
     described->buttons = api.hasGripper(id) && api.emulateButton == nullptr ? 0 : 1;
-    described->carriesHandle = true; // its own compensation of gravity
+    described->carriesHandle = true; // by its own gravity compensation
     return std::unique_ptr<Stylus>(std::make_unique<DhdStylus>(api, id, type, initialisation, std::move(*described)));
 }
 
@@ -87,23 +87,23 @@ Result<void> DhdStylus::open() {
     return {};
 }
 
-/// The device moves by itself in it, so it happens only where the user chose that.
+/// The device moves by itself during the initialisation, so this is done only if the user chose that mode.
 Result<void> DhdStylus::initialise() {
     if (api_.isInitialised(id_)) return {};
     if (initialisation_ == Initialisation::refuse)
         return refusal(BURIN_TEXT("DeviceReason", "it is not calibrated; choose its self-calibrating mode"));
     const bool done = api_.autoInitialise(id_) >= 0;
-    api_.stopRegulation(false, id_); // the library's own control of the device, which would work against ours
+    api_.stopRegulation(false, id_); // the library's own control of the device, which would work against Burin's forces
     if (done && api_.isInitialised(id_)) return {};
     return errorOf(DeviceFault::notCalibrated, description_.name);
 }
 
-/// What has to stand before the loop may render. The speed limit stays as the factory set it.
+/// Settings that are required before the loop may render forces. The speed limit keeps its factory setting.
 void DhdStylus::prepare() noexcept {
     api_.setGravityCompensation(1, id_);
     api_.setMaximumForce(description_.maximumForce.value, id_);
     api_.setWatchdog(watchdog, id_);
-    api_.setBrakes(1, id_); // wherever its forces are off
+    api_.setBrakes(1, id_); // active whenever its forces are off
     if (api_.hasGripper(id_) && api_.emulateButton != nullptr) api_.emulateButton(on, id_);
     enableForces();
     failures_ = reads_ = 0;
@@ -111,7 +111,7 @@ void DhdStylus::prepare() noexcept {
     cutsSeen_ = cutsAtRead_ = cuts_.load();
 }
 
-/// From none: what was set before they went off would be rendered again.
+/// Starts from zero: otherwise the force set before they went off would be rendered again.
 void DhdStylus::enableForces() noexcept {
     api_.setForce(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, id_);
     api_.enableForce(on, id_);
@@ -160,7 +160,7 @@ StylusState DhdStylus::read(double time) noexcept {
     }
     failures_ = 0;
     state.pose = poseOf(x, y, z, rotation);
-    if (!wrist_) state.pose.rotation = glm::dquat(1.0, 0.0, 0.0, 0.0); // it holds the tool upright
+    if (!wrist_) state.pose.rotation = glm::dquat(1.0, 0.0, 0.0, 0.0); // without a wrist it holds the tool upright
     state.buttons = api_.getButtons(id_);
     const glm::dquat& turn = state.pose.rotation;
     const bool finite = isFinite(state.pose.position) && std::isfinite(turn.w + turn.x + turn.y + turn.z);
@@ -170,7 +170,8 @@ StylusState DhdStylus::read(double time) noexcept {
     return state;
 }
 
-/// True: its forces are on. What the loop's watchdog cut comes on again with this reading.
+/// Returns whether its forces are on. Motors that were cut by the loop's watchdog are switched on again with this
+/// reading.
 bool DhdStylus::checkState(double time) noexcept {
     if (cutsSeen_ != cutsAtRead_) {
         cutsSeen_ = cutsAtRead_;
@@ -212,7 +213,7 @@ void DhdStylus::lose() noexcept {
     faults_.raise(DeviceFault::unplugged);
 }
 
-/// The reconnecting thread: while the device is lost, opens it every half second.
+/// The reconnecting thread: while the device is lost, tries to open it every half second.
 void DhdStylus::reconnectWhenLost() noexcept {
     blockSignals();
     auto lookedAt = std::chrono::steady_clock::now();
@@ -227,7 +228,8 @@ void DhdStylus::reconnectWhenLost() noexcept {
     }
 }
 
-/// Another model in its place is left alone, and one whose encoders know nothing: nobody said that it may move.
+/// Another model in its place is not used, nor a device whose encoders are not initialised: nobody has allowed it to
+/// move.
 void DhdStylus::connectAgain() noexcept {
     if (api_.open(id_) < 0) return;
     if (api_.getSystemType(id_) != type_ || !api_.isInitialised(id_)) {

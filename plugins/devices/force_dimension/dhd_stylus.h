@@ -13,33 +13,34 @@
 
 namespace burin::forcedimension {
 
-/// What to do with a device whose encoders know nothing after it was switched on.
+/// What to do with a device whose encoders are not initialised after it was switched on.
 enum class Initialisation { refuse, byItself };
 
-/// A device of Force Dimension, or one that libdrd drives. The loop calls it: it reads and writes in the same tick.
+/// A Force Dimension device, or another one that libdrd drives. The loop calls it: it reads and writes in the same
+/// tick.
 ///
-/// Its own guards stay as they are: the speed from which it brakes, and a watchdog of 20 ms that takes its forces away
-/// when nobody writes. Forces that it switched off come back only when its cause is gone, through readings that are not
-/// valid meanwhile, so that ours fade in. A device that was unplugged is looked for twice a second by a thread that
-/// only does that. Thread: as Stylus says; `cutMotors` any.
+/// The device's own protections are kept: the speed above which it brakes, and a watchdog of 20 ms that switches its
+/// forces off when nothing is written. Forces that the device switched off come back only when the cause is gone; the
+/// readings in between are not valid, so that Burin's forces fade in. A device that was unplugged is searched for twice
+/// a second by a separate thread. Threads as for Stylus; `cutMotors` on any thread.
 class DhdStylus final : public Stylus {
 public:
     static constexpr unsigned char watchdog = 160;   ///< times dhdWatchdogTick: 20 ms
-    static constexpr int failuresUntilLost = 20;     ///< readings in a row
-    static constexpr int readingsBetweenChecks = 10; ///< at its state
-    static constexpr double retryAfter = 0.5;        ///< s from a cut by the device to the next try
-    static constexpr double lookEvery = 0.5;         ///< s
+    static constexpr int failuresUntilLost = 20;     ///< consecutive failed readings
+    static constexpr int readingsBetweenChecks = 10; ///< of the device's state
+    static constexpr double retryAfter = 0.5;        ///< s from the device switching its forces off to the next attempt
+    static constexpr double lookEvery = 0.5;         ///< s, interval of the searches
 
     /// Opens the device. Errors: deviceNotFound, deviceIncompatible (a model whose limits are not known).
     static Result<std::unique_ptr<Stylus>> connect(const DhdApi& api, DhdId id, Initialisation initialisation);
-    /// @param id open @param type dhdGetSystemType
+    /// @param id of the opened device @param type dhdGetSystemType
     DhdStylus(const DhdApi& api, DhdId id, int type, Initialisation initialisation, StylusDescription description);
     ~DhdStylus() override;
     DhdStylus(const DhdStylus&) = delete;
     DhdStylus& operator=(const DhdStylus&) = delete;
 
     StylusDescription description() const override { return description_; }
-    /// May take some ten seconds where the device initialises itself. Errors: deviceFault, outOfMemory.
+    /// May take some ten seconds if the device initialises itself. Errors: deviceFault, outOfMemory.
     Result<void> open() override;
     void close() noexcept override;
     std::optional<Error> takeFault() override;
@@ -70,9 +71,9 @@ private:
     std::atomic<unsigned int> cuts_{0};
     std::thread reconnecting_;
     bool isOpen_ = false;
-    bool closed_ = false; ///< in the library, while it is lost; the reconnecting thread's while that runs
+    bool closed_ = false; ///< closed in the library while it is lost; used by the reconnecting thread while that runs
 
-    unsigned int cutsAtRead_ = 0, cutsSeen_ = 0; ///< from here on the loop's
+    unsigned int cutsAtRead_ = 0, cutsSeen_ = 0; ///< this member and the following belong to the haptic thread
     int failures_ = 0, reads_ = 0;
     bool forcesOff_ = false, valid_ = false;
     double triedAt_ = 0.0;

@@ -14,7 +14,7 @@ constexpr int mostDevices = 16;
 constexpr const char* byItself = "self_calibrating";
 constexpr const char* careful = "calibrated";
 
-/// Its number; nothing where the text is none.
+/// The device number; empty if the text is not a number.
 std::optional<DhdId> numberOf(const std::string& id) {
     int number = -1;
     const auto [end, fault] = std::from_chars(id.data(), id.data() + id.size(), number);
@@ -31,7 +31,7 @@ public:
         return {};
     }
 
-    /// Names are known only once a device is open, which would switch it on.
+    /// Names are known only once a device is open, and opening would switch it on.
     std::vector<FoundDevice> find() override {
         std::vector<FoundDevice> found;
         const Result<const DhdApi*> api = api_.get();

@@ -8,7 +8,7 @@
 
 namespace burin::forcedimension {
 
-/// Finds the devices that libdrd knows of (delta, omega, sigma, lambda, Falcon), and makes styluses of them.
+/// Finds the devices that libdrd supports (delta, omega, sigma, lambda, Falcon), and makes styluses for them.
 std::unique_ptr<DeviceDriver> makeDriver();
 
 } // namespace burin::forcedimension

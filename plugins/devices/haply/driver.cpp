@@ -11,7 +11,8 @@
 namespace burin::haply {
 namespace {
 
-constexpr std::chrono::seconds lookEvery{5}; // at what arms a service has that is there: each look is a connection
+// between queries for the arms of a running service: each query is a connection
+constexpr std::chrono::seconds lookEvery{5};
 
 class Driver final : public DeviceDriver {
 public:

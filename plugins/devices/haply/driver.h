@@ -8,7 +8,7 @@
 
 namespace burin::haply {
 
-/// Finds the Inverse3 devices that Haply's service owns, and makes styluses of them.
+/// Finds the Inverse3 devices that are managed by Haply's service, and makes styluses for them.
 std::unique_ptr<DeviceDriver> makeDriver();
 
 } // namespace burin::haply

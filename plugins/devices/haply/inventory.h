@@ -8,7 +8,7 @@
 
 namespace burin::haply {
 
-/// The device ids of the arms that the service's first message lists; none where it is no such message.
+/// The device ids of the arms listed in the service's first message; empty if it is not such a message.
 std::vector<std::string> armsOf(std::string_view message);
 
 } // namespace burin::haply

@@ -14,7 +14,7 @@
 namespace burin::haply {
 namespace {
 
-constexpr double askedForce = 0.05;     // N: less may be below what the motors do
+constexpr double askedForce = 0.05;     // N: a smaller force may be below what the motors can render
 constexpr double renderedForce = 0.005; // N
 constexpr int buttons = 3;
 constexpr const char* tutorial = BURIN_TEXT("Device", "Haply's tutorial").text;
@@ -62,7 +62,7 @@ StylusDescription InverseStylus::description() const {
     stylus.maximumStiffness = {800.0, tutorial};
     stylus.maximumDamping = {3.0, tutorial};
     stylus.workspaceRadius = {75.0, careful};
-    stylus.carriesHandle = true; // the service's own compensation of gravity
+    stylus.carriesHandle = true; // by the service's own gravity compensation
     return stylus;
 }
 
@@ -103,7 +103,7 @@ void InverseStylus::stop() noexcept {
     const double until = steadySeconds() + stopWithin;
     while (!ended_.load(std::memory_order_acquire) && steadySeconds() < until)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    if (!ended_.load(std::memory_order_acquire)) cutMotors(); // it waits for the service
+    if (!ended_.load(std::memory_order_acquire)) cutMotors(); // the thread waits for the service
     thread_.join();
 }
 
@@ -120,7 +120,7 @@ void InverseStylus::run(StylusClient& client) noexcept {
     ended_.store(true, std::memory_order_release);
 }
 
-/// A tick, its force, and the service's answer. False: the connection is broken.
+/// One tick: sends its force and receives the service's answer. Returns false if the connection is broken.
 bool InverseStylus::exchange(StylusClient& client) noexcept {
     due_ = std::max(due_ + period, steadySeconds());
     sleepUntil(due_);
@@ -136,7 +136,7 @@ bool InverseStylus::exchange(StylusClient& client) noexcept {
     return true;
 }
 
-/// False: none comes any more.
+/// Waits for an answer. Returns false if none arrives any more.
 bool InverseStylus::awaitAnswer(StylusClient& client) noexcept {
     constexpr int milliseconds = static_cast<int>(lateAfter * 1e3);
     if (connection_->waits(milliseconds)) return true;
@@ -161,19 +161,19 @@ bool InverseStylus::readAnswer() noexcept {
         said_ = *said;
     else
         faults_.raise(DeviceFault::damaged);
-    if (!said) said_.cursor.reset(); // no reading then
+    if (!said) said_.cursor.reset(); // no reading in this case
     if (said_.batteryShare) battery_.store(*said_.batteryShare, std::memory_order_relaxed);
     return true;
 }
 
-/// A force that the arm does not render was named in a way that this version does not know.
+/// If the arm does not render a force, this version of the service does not know the name used for it.
 void InverseStylus::watchForce(const glm::dvec3& sent) noexcept {
     const bool unheard = glm::length(sent) > askedForce && said_.force && glm::length(*said_.force) < renderedForce;
     unheard_ = unheard ? unheard_ + 1 : 0;
     if (unheard_ < answersUntilDeaf) return;
     unheard_ = 0;
     key_ = key_ == ForceKey::vector ? ForceKey::values : ForceKey::vector;
-    if (++changes_ == 2) faults_.raise(DeviceFault::deaf); // it knows neither
+    if (++changes_ == 2) faults_.raise(DeviceFault::deaf); // it knows neither name
 }
 
 StylusState InverseStylus::stateOf(const ServiceState& said) noexcept {
@@ -201,7 +201,7 @@ void InverseStylus::tickWithoutReading(StylusClient& client) noexcept {
     client.answered();
 }
 
-/// The connection is broken: says so, makes it again, and keeps the client's guards running meanwhile.
+/// The connection is broken: reports it, reconnects, and keeps the client's guards running in the meantime.
 void InverseStylus::waitForService(StylusClient& client) noexcept {
     if (connected_.exchange(false, std::memory_order_relaxed)) faults_.raise(DeviceFault::unplugged);
     use(nullptr);
@@ -227,7 +227,7 @@ std::unique_ptr<ServiceConnection> InverseStylus::look() noexcept {
         if (!said || !said->cursor || said->grip.has_value() != hasGrip_) return nullptr;
         said_ = *said;
         return connection;
-    } catch (const std::exception&) { // memory, or a name that can't be resolved: the next look has another try
+    } catch (const std::exception&) { // out of memory, or a name that can't be resolved: retried at the next attempt
         return nullptr;
     }
 }

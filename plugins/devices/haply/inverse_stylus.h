@@ -17,38 +17,39 @@
 
 namespace burin::haply {
 
-/// An Inverse3, with a VerseGrip where there is one, through Haply's service. Its thread keeps the time: a thousand
-/// times a second it sends a force and gets the state that follows; the service lets the arm go idle when nobody sends.
-/// Where the arm was when it was connected is the middle of its workspace.
+/// An Inverse3, with a VerseGrip if there is one, through Haply's service. Its own thread paces the loop: a thousand
+/// times a second it sends a force and receives the resulting state; the service lets the arm go idle when nothing is
+/// sent. The position of the arm at the time of the connection becomes the centre of its workspace.
 ///
-/// A message that is late makes readings invalid, a broken connection is made again twice a second. Which of the two
-/// names for a force the service knows is found out by what the arm renders. Thread: as SelfPacedStylus says.
+/// Late messages make readings invalid; a broken connection is re-established by attempts twice a second. Which of the
+/// two names for a force the service understands is determined from the forces that the arm renders. Threads as for
+/// SelfPacedStylus.
 class InverseStylus final : public SelfPacedStylus {
 public:
     static constexpr double period = 0.001;     ///< s
-    static constexpr double lateAfter = 0.003;  ///< s without an answer, from which on readings are not valid
-    static constexpr double faultyAfter = 0.05; ///< s; from then on it is a fault
-    static constexpr double brokenAfter = 1.0;  ///< s; from then on it is connected again
-    static constexpr double lookEvery = 0.5;    ///< s
-    static constexpr int answersUntilDeaf = 20; ///< in which a force that was asked for is not rendered
-    static constexpr double stopWithin = 0.2;   ///< s that the thread has to end by itself
+    static constexpr double lateAfter = 0.003;  ///< s without an answer after which readings are invalid
+    static constexpr double faultyAfter = 0.05; ///< s after which it is a fault
+    static constexpr double brokenAfter = 1.0;  ///< s after which the connection is re-established
+    static constexpr double lookEvery = 0.5;    ///< s, interval of the connection attempts
+    static constexpr int answersUntilDeaf = 20; ///< number of answers without the requested force
+    static constexpr double stopWithin = 0.2;   ///< s for the thread to end by itself
 
     /// Connects to an arm. Errors: deviceNotFound (no service, no such arm).
     static Result<std::unique_ptr<SelfPacedStylus>> connect(const std::string& arm);
-    /// @param connection whose first message was read @param first what it said
+    /// @param connection whose first message was read @param first content of that message
     InverseStylus(std::string arm, std::unique_ptr<ServiceConnection> connection, const ServiceState& first);
     ~InverseStylus() override { stop(); }
     InverseStylus(const InverseStylus&) = delete;
     InverseStylus& operator=(const InverseStylus&) = delete;
 
     StylusDescription description() const override;
-    Result<void> open() override { return {}; } ///< it is connected since it was made
+    Result<void> open() override { return {}; } ///< connected since its construction
     void close() noexcept override { stop(); }
     std::optional<Error> takeFault() override;
     DeviceHealth health() const noexcept override;
-    /// Breaks the connection: the arm goes idle, and is connected again.
+    /// Closes the connection: the arm goes idle, and is connected again.
     void cutMotors() noexcept override;
-    /// Errors: argumentInvalid (it was started already), outOfMemory.
+    /// Errors: argumentInvalid (already started), outOfMemory.
     Result<void> start(StylusClient& client) override;
     void stop() noexcept override;
 
@@ -67,12 +68,12 @@ private:
 
     std::string arm_;
     std::mutex emergency_;
-    std::unique_ptr<ServiceConnection> connection_; ///< replaced under the lock, by the device's thread
+    std::unique_ptr<ServiceConnection> connection_; ///< replaced by the device's thread, under the lock
     ForceMessage message_;
     ForceKey key_ = ForceKey::vector;
     ServiceState said_;
     bool hasGrip_ = false;
-    glm::dvec3 middle_{0.0}; ///< m, service's frame
+    glm::dvec3 middle_{0.0}; ///< m, service's frame: centre of the workspace
     int unheard_ = 0, changes_ = 0;
     double startedAt_ = 0.0, due_ = 0.0;
     bool unusableTold_ = false;

@@ -11,8 +11,8 @@
 namespace burin::haply {
 namespace {
 
-constexpr int decimals = 5;       // of a newton: finer than any motor
-constexpr std::size_t room = 100; // for three numbers of so many digits, and what stands around them
+constexpr int decimals = 5;       // of a newton: finer than any motor's resolution
+constexpr std::size_t room = 100; // for three numbers with that many digits, and the text around them
 
 } // namespace
 

@@ -17,21 +17,20 @@ enum class ForceKey : std::uint8_t {
     values  ///< 3.1 and most public programs
 };
 
-/// Writes the one message of a tick: the force of an arm. Made beforehand but for the numbers, so that a tick allocates
-/// nothing. One thread.
+/// Writes the only message of a tick: the force of an arm. Prepared beforehand except for the numbers, so that a tick
+/// does not allocate. One thread.
 class ForceMessage {
 public:
-    static constexpr double largest = 1000.0; ///< N, of each component; no arm is as strong
+    static constexpr double largest = 1000.0; ///< N, for each component; more than any arm renders
 
-    /// @param arm device id, as the service told it
+    /// @param arm device id, as reported by the service
     explicit ForceMessage(std::string_view arm);
-    /// @param force N; what is no number or beyond `largest` goes out as 0 or as that. @return valid until the next
-    /// call
+    /// @param force N; NaN is sent as 0, and values beyond `largest` as `largest`. @return valid until the next call
     std::string_view write(const glm::dvec3& force, ForceKey key) noexcept;
 
 private:
     std::array<std::string, 2> heads_; ///< by key
-    std::string buffer_;               ///< long enough for either, with three numbers
+    std::string buffer_;               ///< long enough for either form with three numbers
 };
 
 } // namespace burin::haply

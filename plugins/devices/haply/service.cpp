@@ -24,9 +24,9 @@ namespace {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 
-constexpr std::chrono::seconds patience{1}; // for somebody who listens and does not answer
+constexpr std::chrono::seconds patience{1}; // for a server that accepts connections but does not answer
 
-/// Breaks a socket that is not through in time: these calls know no limit of their own.
+/// Closes a socket if its operation does not end in time: these calls have no time limit of their own.
 class Limit {
 public:
     explicit Limit(int handle)
@@ -39,7 +39,7 @@ public:
 private:
     std::mutex mutex_;
     std::condition_variable_any woken_;
-    std::jthread thread_; // last: it uses the others
+    std::jthread thread_; // last: it uses the members above
 };
 
 } // namespace
@@ -55,7 +55,7 @@ ServiceAddress serviceAddress() {
 
 struct ServiceConnection::Socket {
     asio::io_context context;
-    beast::websocket::stream<asio::ip::tcp::socket, false> stream{context}; // false: nothing is packed
+    beast::websocket::stream<asio::ip::tcp::socket, false> stream{context}; // false: no compression
     beast::flat_static_buffer<longestMessage> buffer;
     int handle = -1;
 };
@@ -74,7 +74,8 @@ std::unique_ptr<ServiceConnection> ServiceConnection::open(const ServiceAddress&
     const Limit limit(socket->handle);
     socket->stream.handshake(address.host + ":" + address.port, "/", fault);
     if (fault) return nullptr;
-    // Its beginning may have come with the handshake: the stream has it then, and nobody would see it wait.
+    // The beginning of the first message may have arrived with the handshake: the stream has it then, and polling the
+    // socket would not show it.
     socket->stream.read(socket->buffer, fault);
     if (fault) return nullptr;
     socket->stream.text(true);

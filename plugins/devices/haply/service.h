@@ -8,32 +8,33 @@
 
 namespace burin::haply {
 
-/// Where the service listens: $HAPLY_INVERSE_SERVICE as HOST:PORT, or localhost:10001.
+/// The address of the service: $HAPLY_INVERSE_SERVICE as HOST:PORT, or localhost:10001.
 struct ServiceAddress {
     std::string host, port;
 };
 ServiceAddress serviceAddress();
 
-/// A WebSocket to the service. It answers each message with one; its first comes unasked. Thread: one, but for `cut`.
+/// A WebSocket connection to the service. The service answers each message with one message; its first one is sent
+/// without a request. Used by one thread, except for `cut`.
 class ServiceConnection {
 public:
     static constexpr std::size_t longestMessage = 64 * 1024; ///< bytes
 
-    /// Null: nobody listens there, it is no WebSocket, or it says nothing by itself. May take a second.
+    /// Null if there is no server, if it is not a WebSocket, or if it does not send a first message. May take a second.
     static std::unique_ptr<ServiceConnection> open(const ServiceAddress& address);
     ~ServiceConnection();
     ServiceConnection(const ServiceConnection&) = delete;
     ServiceConnection& operator=(const ServiceConnection&) = delete;
 
-    /// What it said by itself. Valid until `read`.
+    /// The first message, sent without a request. Valid until `read`.
     std::string_view first() const noexcept;
-    /// Whether a message has begun to arrive, after a wait of so long at most.
+    /// Whether a message has begun to arrive, after waiting for at most this time.
     bool waits(int milliseconds) noexcept;
-    /// The message that arrives now; empty: the connection is broken. Valid until the next call. Allocates nothing once
-    /// a message as long has been read.
+    /// Reads the message that arrives now; empty if the connection is broken. Valid until the next call. Does not
+    /// allocate once a message of that length has been read.
     std::string_view read() noexcept;
     bool write(std::string_view message) noexcept; ///< false: the connection is broken
-    /// Any thread: breaks the connection, so that the arm goes idle and whoever reads or writes comes back.
+    /// Any thread. Closes the connection, so that the arm goes idle and pending reads and writes return.
     void cut() noexcept;
 
 private:

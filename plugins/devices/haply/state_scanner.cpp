@@ -9,9 +9,9 @@
 namespace burin::haply {
 namespace {
 
-constexpr std::size_t deepest = 8; // levels of a message: array, device, state, quantity, component, and some
+constexpr std::size_t deepest = 8; // levels of a message: array, device, state, quantity, component, and some spare
 
-/// The keys that lead to a value, without the places in arrays.
+/// The keys that lead to a value, without indices of arrays.
 struct Path {
     std::array<std::string_view, deepest> keys{};
     std::size_t length = 0;
@@ -19,8 +19,8 @@ struct Path {
     std::string_view key(std::size_t level) const noexcept { return level < length ? keys[level] : std::string_view(); }
 };
 
-/// Walks a JSON text once, and hands over its texts, numbers and booleans with the keys above them. Escapes in texts
-/// are left as they are: no key that is looked for has one.
+/// Walks through a JSON text once, and passes on its texts, numbers and booleans together with the keys above them.
+/// Escapes in texts are not decoded, because none of the relevant keys has one.
 template <class Taker>
 class Walker {
 public:
@@ -130,7 +130,7 @@ private:
 constexpr std::string_view arms = "inverse3";
 constexpr std::string_view grips[] = {"verse_grip", "wireless_verse_grip"};
 
-/// Gathers one device of a list after the other. An arm's id may stand before or behind its state.
+/// Collects the data of one device of a list after the other. An arm's id may come before or after its state.
 class Gatherer {
 public:
     explicit Gatherer(std::string_view arm) noexcept : arm_(arm) {}
@@ -175,7 +175,7 @@ private:
     static bool isGrip(std::string_view list) noexcept { return list == grips[0] || list == grips[1]; }
     static void put(std::optional<glm::dvec3>& vector, char component, double value) noexcept {
         if (component < 'x' || component > 'z') return;
-        if (!vector) vector = glm::dvec3(NAN); // until all three are there
+        if (!vector) vector = glm::dvec3(NAN); // until all three components are there
         (*vector)[component - 'x'] = value;
     }
     void turn(char component, double value) noexcept {
@@ -197,7 +197,7 @@ private:
             break;
         }
     }
-    /// The device that was gathered, where it is one of ours.
+    /// Keeps the data of the collected device if it is one of the relevant devices.
     void keep() noexcept {
         if (!ours_) return;
         if (kind_ == arms) {

@@ -12,7 +12,7 @@
 namespace burin::hid {
 namespace {
 
-/// hidapi's wide text as UTF-8. On Linux a wide character is a code point.
+/// Converts hidapi's wide text to UTF-8. On Linux a wide character is a code point.
 std::string textOf(const wchar_t* wide) {
     std::string text;
     for (; wide != nullptr && *wide != L'\0'; ++wide) {
@@ -50,7 +50,7 @@ public:
     int read(std::span<std::uint8_t> bytes, int milliseconds) noexcept override {
         errno = 0;
         const int size = hid_read_timeout(device_, bytes.data(), bytes.size(), milliseconds);
-        return size < 0 && errno == EINTR ? 0 : size; // a signal is no reason to give the device up
+        return size < 0 && errno == EINTR ? 0 : size; // an interrupting signal does not mean that the device is gone
     }
     bool write(std::span<const std::uint8_t> report) noexcept override {
         return hid_write(device_, report.data(), report.size()) == static_cast<int>(report.size());
@@ -81,7 +81,7 @@ public:
             device.usage = at->usage;
             device.serial = textOf(at->serial_number);
             device.name = textOf(at->product_string);
-            // An interface with several collections comes once for each; the first one tells what it is.
+            // An interface with several collections is listed once for each of them; the first one identifies it.
             if (std::ranges::find(devices, device.path, &DeviceInfo::path) == devices.end())
                 devices.push_back(std::move(device));
         }

@@ -8,7 +8,7 @@
 
 namespace burin::input_events {
 
-/// Finds the gamepads, joysticks and pen tablets that the kernel has as input devices.
+/// Finds the gamepads, joysticks and pen tablets among the kernel's input devices.
 std::unique_ptr<DeviceDriver> makeDriver();
 
 } // namespace burin::input_events

@@ -47,7 +47,7 @@ EventPort::Heard EventPort::next(input_event& event, int milliseconds) noexcept 
         if (read == LIBEVDEV_READ_STATUS_SUCCESS) return Heard::event;
         if (read == LIBEVDEV_READ_STATUS_SYNC) {
             const bool begins = !std::exchange(catchesUp_, true);
-            if (begins) continue; // this one only says that some were lost
+            if (begins) continue; // this event only indicates that others were lost
             return Heard::event;
         }
         if (read != -EAGAIN && read != -EINTR) return Heard::gone;

@@ -21,7 +21,7 @@ class EventPort {
 public:
     enum class Heard : std::uint8_t { nothing, event, gone };
 
-    /// Errors: deviceNotFound, deviceNotAllowed, deviceFault. @param name of the device, for errors
+    /// Errors: deviceNotFound, deviceNotAllowed, deviceFault. @param name name of the device, for errors
     static Result<EventPort> open(const std::filesystem::path& node, const std::string& name);
     EventPort(EventPort&& other) noexcept;
     EventPort& operator=(EventPort&& other) noexcept;
@@ -29,8 +29,8 @@ public:
     EventPort& operator=(const EventPort&) = delete;
     ~EventPort();
 
-    /// The next event; waits for it, a while at most. Where events were lost in the kernel, those come that lead from
-    /// what was told to what is.
+    /// Returns the next event; waits for it, up to a time limit. If events were lost in the kernel, it returns events
+    /// that lead from the last reported state to the current one.
     Heard next(input_event& event, int milliseconds) noexcept;
     const libevdev& device() const noexcept { return *device_; }
 
@@ -39,7 +39,7 @@ private:
 
     int file_ = -1;
     DeviceHandle device_;
-    bool catchesUp_ = false; ///< events were lost
+    bool catchesUp_ = false; ///< events were lost; the state is being synchronised
 };
 
 } // namespace burin::input_events

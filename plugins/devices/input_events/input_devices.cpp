@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr unsigned int bitsPerWord = 8 * sizeof(long);
 
-/// The first line of a small file of sysfs; empty where there is none.
+/// The first line of a small file in sysfs; empty if there is no such file.
 std::string lineOf(const fs::path& file) {
     std::ifstream stream(file);
     std::string line;
@@ -63,7 +63,7 @@ std::vector<InputDevice> inputDevices(const InputFolders& folders) {
         if (const std::string serial = lineOf(device / "uniq"); !serial.empty()) id += ':' + serial;
         found.push_back({std::move(id), lineOf(device / "name"), folders.nodes / event, *kind});
     }
-    // In the order in which they were plugged in, as far as that can be told.
+    // In the order in which they were plugged in, as far as that is known.
     const auto number = [](const InputDevice& device) {
         const std::string node = device.node.filename().string();
         return std::pair(node.size(), node);

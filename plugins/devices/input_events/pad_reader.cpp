@@ -10,7 +10,7 @@
 namespace burin::input_events {
 namespace {
 
-// Of Controls::axes: x right, y towards the user, z down, and the turn about it.
+// Indices in Controls::axes: x right, y towards the user, z down, and the rotation about z.
 constexpr std::size_t right = 0, towards = 1, down = 2, turn = 5;
 constexpr std::size_t mostButtons = 32;
 

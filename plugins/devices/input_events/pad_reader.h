@@ -13,15 +13,16 @@
 
 namespace burin::input_events {
 
-/// Makes controls of the events of a gamepad or joystick. The left stick moves the tool in the plane; the right one up
-/// and down, and turns it about its axis; the triggers press it down (right) and lift it (left). A joystick without a
-/// second stick lifts and lowers with its hat, and turns with its twist. Until an axis has moved it counts as at rest:
-/// the kernel knows no value of it before. Source of the codes: the kernel's Documentation/input/gamepad.rst. One
-/// thread; no allocation, no exception after it was made.
+/// Converts the events of a gamepad or joystick to controls. The left stick moves the tool in the plane; the right one
+/// moves it up and down and rotates it about its axis; the triggers press it down (right) and lift it (left). A
+/// joystick without a second stick lifts and lowers the tool with its hat, and rotates it with its twist. An axis
+/// counts as at rest until it has moved: the kernel knows no value of it before. Source of the codes: the kernel's
+/// Documentation/input/gamepad.rst. One thread; no allocation, no exception after the construction.
 class PadReader {
 public:
     enum class Kind : std::uint8_t { none, motion, button };
-    static constexpr double deadZone = 0.1; ///< share of a stick's way about its middle; what the device states if more
+    /// share of a stick's range about its centre; a larger value stated by the device is used instead
+    static constexpr double deadZone = 0.1;
 
     explicit PadReader(const libevdev& device);
 
@@ -30,20 +31,20 @@ public:
     int buttonCount() const noexcept { return static_cast<int>(buttons_.size()); }
 
 private:
-    /// What a control of the device does to one of ours.
+    /// The assignment of an axis of the device to one of the controls.
     struct Axis {
         unsigned int code = 0;
-        double low = 0.0, high = 0.0; ///< of its values
-        double dead = 0.0;            ///< share
+        double low = 0.0, high = 0.0; ///< range of its values
+        double dead = 0.0;            ///< dead zone, share
         bool oneSided = false;        ///< a trigger: at rest at its low end
-        std::size_t target = 0;       ///< of Controls::axes
+        std::size_t target = 0;       ///< index in Controls::axes
         double sign = 1.0;
-        double value = 0.0; ///< -1 … 1 as it is now
+        double value = 0.0; ///< -1 … 1, current value
     };
     void addAxis(const libevdev& device, unsigned int code, std::size_t target, double sign, bool oneSided = false);
 
     std::vector<Axis> axes_;
-    std::vector<unsigned int> buttons_; ///< codes, in their order; 32 at most
+    std::vector<unsigned int> buttons_; ///< codes in ascending order; 32 at most
     cap::Controls controls_;
 };
 

@@ -10,7 +10,7 @@ bool PadSource::connect() noexcept {
     const bool again = port_.connect();
     if (!again) return false;
     try {
-        reader_ = PadReader(port_.device()); // what was pressed when it was pulled out is not any more
+        reader_ = PadReader(port_.device()); // resets buttons that were pressed when it was unplugged
         return true;
     } catch (const std::bad_alloc&) {
         return false;

@@ -11,7 +11,7 @@ namespace burin::input_events {
 /// Reads a gamepad's events.
 class PadSource final : public cap::ControlSource {
 public:
-    /// @param port open
+    /// @param port an open gamepad
     explicit PadSource(ReopenedPort port) : port_(std::move(port)), reader_(port_.device()) {}
 
     bool connect() noexcept override;

@@ -10,11 +10,11 @@
 namespace burin::input_events {
 namespace {
 
-/// From upright to leaning so far to the right and away.
+/// The rotation from upright to a tilt to the right and away from the user.
 glm::dquat leaning(double x, double y) noexcept {
     const double lean = std::hypot(x, y);
     if (!(lean > 1e-6)) return {1.0, 0.0, 0.0, 0.0};
-    // About the level axis that is square to where it leans.
+    // About the horizontal axis perpendicular to the direction of the tilt.
     return glm::angleAxis(std::min(lean, PenMapping::mostLean), glm::dvec3(-y, x, 0.0) / lean);
 }
 

@@ -7,20 +7,20 @@
 
 namespace burin::input_events {
 
-/// Makes a pose of what a pen does: where it is on the tablet, as deep as it is pressed, leaning as it leans. A pen in
-/// the air holds the tool above. It can be put down anywhere: the tool goes there no faster than it may. Device frame:
-/// x right, y away from the user, z up. One thread; no allocation, no exception.
+/// Computes a pose from the state of a pen: the position on the tablet, a depth according to the pressure, and the tilt
+/// of the pen. A pen in the air holds the tool above the plane. It can be put down anywhere: the tool moves there with
+/// limited speed. Device frame: x right, y away from the user, z up. One thread; no allocation, no exception.
 class PenMapping {
 public:
     static constexpr double depth = 10.0;        ///< mm at full pressure
-    static constexpr double lift = 5.0;          ///< mm, of a pen that does not touch
+    static constexpr double lift = 5.0;          ///< mm, height of a pen that does not touch the tablet
     static constexpr double followSpeed = 400.0; ///< mm/s
-    static constexpr double lag = 0.02;          ///< s: reports come 100 to 300 times a second, in steps
-    static constexpr double mostLean = 1.0;      ///< rad
-    static constexpr double longestStep = 0.05;  ///< s that one call may move the pose
+    static constexpr double lag = 0.02; ///< s: smooths the reports, which arrive 100 to 300 times a second, in steps
+    static constexpr double mostLean = 1.0;     ///< rad, largest tilt
+    static constexpr double longestStep = 0.05; ///< s, longest time by which one call moves the pose
 
     void reset() noexcept { *this = PenMapping(); }
-    /// @param seconds since the call before, >= 0
+    /// @param seconds since the previous call, >= 0
     const Pose& advance(const Pen& pen, double seconds) noexcept;
 
 private:

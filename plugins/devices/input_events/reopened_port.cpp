@@ -21,7 +21,7 @@ bool ReopenedPort::connect() noexcept {
         Result<EventPort> port = EventPort::open(found->node, found->name);
         if (port) port_ = std::move(*port);
         return port_.has_value();
-    } catch (const std::exception&) { // memory, or a folder that went away: the next look has another try
+    } catch (const std::exception&) { // out of memory, or a folder that has gone: retried at the next attempt
         return false;
     }
 }

@@ -10,7 +10,7 @@
 
 namespace burin::input_events {
 
-/// An input device that is opened again, by its id, after it was unplugged. One thread at a time.
+/// An input device that is opened again, identified by its id, after it was unplugged. One thread at a time.
 class ReopenedPort {
 public:
     /// Errors: those of EventPort::open.
@@ -18,7 +18,7 @@ public:
 
     bool connect() noexcept;
     void disconnect() noexcept { port_.reset(); }
-    /// Only while it is connected.
+    /// May only be called while it is connected.
     EventPort::Heard next(input_event& event, int milliseconds) noexcept { return port_->next(event, milliseconds); }
     const libevdev& device() const noexcept { return port_->device(); }
 

@@ -60,7 +60,7 @@ TabletReader::TabletReader(const libevdev& device) noexcept
     , tiltY_(axisOf(device, ABS_TILT_Y)) {
     statesSize_ = x_.perUnit > 0.0 && y_.perUnit > 0.0;
     if (!statesSize_) x_.perUnit = y_.perUnit = x_.span() / assumedWidth;
-    // Without a resolution tilts are degrees, as the drivers of tablets have it.
+    // Without a stated resolution, tilts are in degrees, as is usual for drivers of tablets.
     for (Axis* tilt : {&tiltX_, &tiltY_})
         if (!(tilt->perUnit > 0.0)) tilt->perUnit = 180.0 / pi;
 }
@@ -100,7 +100,7 @@ bool TabletReader::take(const input_event& event) noexcept {
     if (event.type == EV_ABS) move(event);
     if (event.type == EV_KEY) press(event);
     if (event.type != EV_SYN || event.code != SYN_REPORT) return false;
-    // A pen that went away stays where it was, and touches nothing.
+    // A pen that went away keeps its position, and touches nothing.
     if (!pen_.near) {
         pen_.pressure = 0.0;
         pen_.buttons = 0;

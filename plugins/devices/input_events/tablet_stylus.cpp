@@ -8,7 +8,7 @@
 namespace burin::input_events {
 namespace {
 
-constexpr int penButtons = 4; // its tip, and three on its barrel at most
+constexpr int penButtons = 4; // its tip, and at most three on its barrel
 
 } // namespace
 

@@ -15,8 +15,8 @@
 
 namespace burin::input_events {
 
-/// A pen on a tablet as a stylus without motors. Thread: read and write the loop's, which touch no file; open, close,
-/// takeFault the owner's; health any.
+/// A pen on a tablet as a stylus without motors. read and write are called on the haptic thread and access no file;
+/// open, close and takeFault on the owner's thread; health on any thread.
 class TabletStylus final : public Stylus {
 public:
     /// @param port an open tablet
@@ -26,7 +26,7 @@ public:
     TabletStylus& operator=(const TabletStylus&) = delete;
 
     StylusDescription description() const override;
-    /// Errors: argumentInvalid (it is open), outOfMemory.
+    /// Errors: argumentInvalid (already open), outOfMemory.
     Result<void> open() override;
     void close() noexcept override { thread_.stop(); }
     std::optional<Error> takeFault() override { return thread_.takeFault(); }
@@ -35,7 +35,7 @@ public:
     void write(const Wrench& wrench) noexcept override;
 
 private:
-    /// The polling thread's side.
+    /// The part that the polling thread uses.
     class Published final : public polled::PolledDevice {
     public:
         explicit Published(ReopenedPort port) : port_(std::move(port)), reader_(port_.device()) {}
@@ -43,8 +43,8 @@ private:
         Heard receive(int milliseconds) noexcept override;
         void disconnect() noexcept override { port_.disconnect(); }
         void rest() noexcept override;
-        const TabletReader& reader() const noexcept { return reader_; } ///< what it is made for; any thread
-        /// The loop's. False: nothing was told since.
+        const TabletReader& reader() const noexcept { return reader_; } ///< its constant properties; any thread
+        /// Called on the haptic thread. Returns false if there was no report since the last call.
         bool take(Pen& pen) noexcept { return pens_.take(pen); }
 
     private:
@@ -55,9 +55,9 @@ private:
 
     std::string name_;
     Published device_;
-    polled::PollingThread thread_; ///< after what it reads
+    polled::PollingThread thread_; ///< declared after the device that it reads
 
-    PenMapping mapping_; ///< from here on the loop's
+    PenMapping mapping_; ///< this member and the following belong to the haptic thread
     Pen pen_;
     std::optional<double> readAt_;
 };

@@ -8,8 +8,8 @@
 
 namespace burin::openstylus {
 
-/// Finds the devices of the open stylus protocol on a bus. The bus lives as long as the driver, and the driver outlives
-/// what it makes.
+/// Finds the devices on a bus that use the open stylus protocol. The bus lives as long as the driver, and the driver
+/// outlives the styluses that it makes.
 std::unique_ptr<DeviceDriver> makeDriver(std::unique_ptr<hid::Bus> bus);
 
 } // namespace burin::openstylus

@@ -9,7 +9,7 @@ namespace burin::openstylus {
 namespace {
 
 constexpr double perMicrosecond = 1e-6;
-constexpr double longestStep = 0.1; // s between two readings; beyond it the device's clock is not believed
+constexpr double longestStep = 0.1; // s between two readings; a longer step of the device's clock is not used
 constexpr double longestRoundTrip = 0.2;
 
 constexpr std::array<std::pair<ReportedFault, DeviceFault>, 7> reportedFaults{
@@ -22,7 +22,7 @@ constexpr std::array<std::pair<ReportedFault, DeviceFault>, 7> reportedFaults{
      {reportedMechanism, DeviceFault::mechanism}}};
 
 glm::dvec3 limited(const glm::dvec3& wanted, double maximum) noexcept {
-    constexpr double step = 0x1.0p-16; // that rounding may add
+    constexpr double step = 0x1.0p-16; // added by rounding at most
     return isFinite(wanted) ? clampLength(wanted, std::max(0.0, maximum - step)) : glm::dvec3(0.0);
 }
 
@@ -61,14 +61,15 @@ Exchange::Outcome Exchange::take(Bytes report, double now) noexcept {
     state_.pose.position = reading->pose.position;
     state_.pose.rotation = glm::normalize(reading->pose.rotation);
     state_.buttons = reading->buttons;
-    // Motors that say they are on while we have them off have not heard it yet, or lie: no force would get there.
+    // If motors are reported as on while the host has them off, the device has not received that yet, or its report is
+    // wrong: no force would be rendered.
     const bool driven = motorsOn_ && arming_ == 0;
     state_.valid = reading->poseValid && reading->faults == 0 && (driven || !pushes);
     known_ = true;
     return Outcome::reading;
 }
 
-/// False for a report that was there before. Half the range of numbers counts as ahead.
+/// Returns false for a report that was received before. Numbers ahead by less than half of the range count as newer.
 bool Exchange::number(const Reading& reading) noexcept {
     const auto ahead = static_cast<std::uint16_t>(reading.sequence - sequence_);
     if (known_ && ahead == 0) return false;
@@ -82,7 +83,7 @@ bool Exchange::number(const Reading& reading) noexcept {
     return true;
 }
 
-/// By the device's clock, which no bus delays. After a gap by ours.
+/// Uses the device's clock, which is not affected by delays of the bus; after a gap the host's clock.
 void Exchange::advanceTime(const Reading& reading, double now) noexcept {
     const double stepped = static_cast<double>(reading.microseconds - microseconds_) * perMicrosecond;
     const bool believed = clockHeld_ && stepped > 0.0 && stepped <= longestStep;
@@ -145,7 +146,7 @@ std::array<std::uint8_t, outputSize> Exchange::farewell(double now) noexcept {
 }
 
 std::array<std::uint8_t, outputSize> Exchange::emergency(int attempt) const noexcept {
-    constexpr unsigned far = 0x8000; // half the range of numbers from those in use
+    constexpr unsigned far = 0x8000; // half of the range away from the numbers in use
     Command command;
     command.sequence = static_cast<std::uint16_t>(sent_.load(std::memory_order_relaxed) + far + unsigned(attempt));
     return encodeOutput(command);

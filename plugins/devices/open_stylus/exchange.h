@@ -11,56 +11,59 @@
 
 namespace burin::openstylus {
 
-/// What the host makes of a device's reports and answers to them: numbering, time, arming, faults, limits. No transport
-/// and no clock: times are arguments, s of a clock that only rises.
+/// The host's side of the protocol: interprets a device's reports and answers them; numbering, time, arming, faults,
+/// limits. Without transport and clock: times are arguments, s of a monotonic clock.
 ///
-/// Readings are valid only while the device knows its pose, reports no fault and, if it has motors, has them on as it
-/// was asked to.
-/// Motors are asked for only after the device has seen them switched off and reports no fault; so they never come on
-/// by themselves after one.
+/// Readings are valid only while the device knows its pose, reports no fault and, if it has motors, has switched them
+/// on as requested.
+/// Motors are requested only after the device has received reports that switch them off and reports no fault, so that
+/// they never come on by themselves after a fault.
 ///
-/// Thread: the device's; `health`, `cut`, `emergency` any. No allocation, lock or exception but in the constructor.
+/// Called on the device's thread; `health`, `cut` and `emergency` on any thread. No allocation, lock or exception
+/// except in the constructor.
 class Exchange {
 public:
     enum class Outcome : std::uint8_t {
-        reading, ///< a new one
-        old,     ///< one that was seen already, or that a newer one has overtaken
+        reading, ///< a new reading
+        old,     ///< a reading that was received before, or that was superseded by a newer one
         damaged,
     };
-    static constexpr int armingReports = 3;    ///< answers with the motors off before they are asked for
-    static constexpr int damagedInARow = 10;   ///< until that is a fault
-    static constexpr int backwardsInARow = 8;  ///< until the device counts as started anew
-    static constexpr double deafSeconds = 0.1; ///< without an echo although the device goes on sending
+    static constexpr int armingReports = 3;  ///< answers with the motors off before they are requested
+    static constexpr int damagedInARow = 10; ///< number of consecutive damaged reports that counts as a fault
+    /// number of reports with old numbers after which the device counts as restarted
+    static constexpr int backwardsInARow = 8;
+    static constexpr double deafSeconds = 0.1; ///< s without an echo although the device continues to send
 
     explicit Exchange(const Identity& identity) noexcept;
 
-    /// A new session: time begins with 0.
+    /// Starts a new session: time begins at 0.
     void begin() noexcept {
         state_ = {};
         restart();
     }
-    /// After connecting: forgets numbers, time of the device and arming. The session's time goes on.
+    /// To be called after connecting: discards numbers, time of the device and arming. The session's time goes on.
     void restart() noexcept;
     /// @param now s
     Outcome take(Bytes report, double now) noexcept;
-    /// One more reading had arrived before this one was answered.
+    /// To be called when a further reading had arrived before this one was answered.
     void overtaken() noexcept { overtaken_.fetch_add(1, std::memory_order_relaxed); }
     /// The newest reading, its rotation of unit length.
     const StylusState& state() const noexcept { return state_; }
-    /// What to tell the client while nothing comes. @param elapsed s since the last thing it was told
+    /// The state to pass to the client while no reading arrives. @param elapsed s since the last state passed to it
     const StylusState& silence(double elapsed) noexcept;
-    /// The answer to the newest reading. Shortened to the device's limits (less one step of the report, 2^-16) with its
-    /// direction kept; what is not finite, or meant for motors that are not on, is sent as zero.
+    /// The answer to the newest reading. The wrench is limited to the device's limits (less one step of the report,
+    /// 2^-16) with its direction kept; a wrench that is not finite, or for motors that are not on, is sent as zero.
     std::array<std::uint8_t, outputSize> answer(const Wrench& wrench, double now) noexcept;
-    /// Motors off, whatever went before.
+    /// A report that switches the motors off, whatever was sent before.
     std::array<std::uint8_t, outputSize> farewell(double now) noexcept;
-    /// Any thread: what is being answered right now no longer counts, and the motors are armed anew.
+    /// Any thread. The answer in progress is dropped, and the motors are armed again.
     void cut() noexcept { cut_.store(true, std::memory_order_release); }
-    /// Any thread: motors off, with a number that no other report has near it. @param attempt 0 …, one report each
+    /// Any thread. A report that switches the motors off, with a number that is far from all numbers in use. @param
+    /// attempt 0 …, one report each
     std::array<std::uint8_t, outputSize> emergency(int attempt) const noexcept;
 
     FaultBox& faults() noexcept { return faults_; }
-    /// Any thread; `connected` is not told here.
+    /// Any thread; `connected` is not set here.
     DeviceHealth health() const noexcept;
 
 private:
@@ -72,7 +75,7 @@ private:
 
     Identity identity_;
     StylusState state_;
-    bool known_ = false; ///< a reading has come since the restart
+    bool known_ = false; ///< whether a reading has arrived since the restart
     std::uint16_t sequence_ = 0, echo_ = 0, faultsBefore_ = 0;
     std::atomic<std::uint16_t> sent_{0}; ///< read by any thread
     std::atomic<bool> cut_{false};
@@ -80,11 +83,11 @@ private:
     double lastTaken_ = 0.0; ///< s, of the clock of `now`
     double lastEcho_ = 0.0;  ///< s
     bool deafTold_ = false;
-    bool clockHeld_ = false; ///< the device's clock told the last step of time
+    bool clockHeld_ = false; ///< whether the last step of time was that of the device's clock
     int arming_ = armingReports;
     int damagedRun_ = 0, backwardsRun_ = 0;
     bool motorsOn_ = false;
-    std::array<double, 256> sentAt_{}; ///< s, by the low byte of the number
+    std::array<double, 256> sentAt_{}; ///< s, indexed by the low byte of the report's number
     FaultBox faults_;
     std::atomic<std::uint64_t> readings_{0}, lost_{0}, damaged_{0}, repeated_{0}, overtaken_{0};
     std::atomic<double> roundTrip_{0.0}, motorHeat_{-1.0};

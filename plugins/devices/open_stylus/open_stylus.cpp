@@ -13,10 +13,10 @@
 namespace burin::openstylus {
 namespace {
 
-constexpr double restSeconds = 0.001; // between ticks that only tell silence
-constexpr int farewells = 3;          // in case one is lost
+constexpr double restSeconds = 0.001; // between ticks that only report silence
+constexpr int farewells = 3;          // sent several times in case one is lost
 constexpr std::size_t largestReport = 64;
-constexpr int mostReports = 128; // looked at before the next tick; the kernel keeps 64
+constexpr int mostReports = 128; // read before the next tick; the kernel keeps 64
 
 void rest(double seconds) noexcept {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -109,11 +109,11 @@ void OpenStylus::run(StylusClient& client) noexcept {
     client.ends();
 }
 
-/// One reading and its answer, or a sign of silence. False when the device is gone.
+/// Handles one reading and its answer, or reports silence. Returns false if the device is gone.
 bool OpenStylus::exchangeOnce(StylusClient& client) noexcept {
     const double waited = steadySeconds() - heardAt_;
     if (!receive(waited < silentAfter_ ? silentAfter_ - waited : restSeconds)) return false;
-    if (toldAt_ < heardAt_) { // something was heard since the last tick
+    if (toldAt_ < heardAt_) { // a reading was received since the last tick
         toldAt_ = heardAt_;
         silenceTold_ = false;
         const bool taken = port_->write(exchange_.answer(client.tick(exchange_.state()), steadySeconds()));
@@ -124,7 +124,7 @@ bool OpenStylus::exchangeOnce(StylusClient& client) noexcept {
     return true;
 }
 
-/// Waits for a reading, then takes the newest of those that are there. False when the device is gone.
+/// Waits for a reading, then takes the newest of the available ones. Returns false if the device is gone.
 bool OpenStylus::receive(double longest) noexcept {
     std::array<std::uint8_t, largestReport> report;
     int milliseconds = std::max(1, static_cast<int>(std::ceil(longest * 1e3)));
@@ -156,7 +156,7 @@ void OpenStylus::tellSilence(StylusClient& client) noexcept {
     }
 }
 
-/// The device is gone: says so, looks for it, and keeps the client's guards running meanwhile.
+/// The device is gone: reports it, searches for it, and keeps the client's guards running in the meantime.
 void OpenStylus::waitForDevice(StylusClient& client) noexcept {
     if (connected_.exchange(false, std::memory_order_relaxed)) exchange_.faults().raise(DeviceFault::unplugged);
     port_.reset();
@@ -189,7 +189,7 @@ void OpenStylus::cutMotors() noexcept {
     for (int i = 0; i < farewells; ++i) emergencyPort_->write(exchange_.emergency(i));
 }
 
-/// Another device, or one whose limits have changed, is left alone: the session was made for this one's.
+/// Another device, or one whose limits have changed, is not used: the session was prepared for this device.
 void OpenStylus::look() noexcept {
     std::unique_ptr<hid::Port> port = hid::openAgain(bus_, speaksProtocol, id_);
     if (port == nullptr) return;

@@ -14,26 +14,27 @@
 
 namespace burin::openstylus {
 
-/// Whether an interface speaks the protocol, as far as its descriptor tells.
+/// Whether an interface uses the protocol, according to its descriptor.
 bool speaksProtocol(const hid::DeviceInfo& device);
 
-/// What the device of a port says of itself. Errors: deviceFault (no answer, a damaged one, values out of range),
-/// deviceIncompatible. Allocates; takes as long as the device.
+/// Queries the identity of the device on a port. Errors: deviceFault (no answer, a damaged answer, values out of
+/// range), deviceIncompatible. Allocates; takes as long as the device.
 Result<Identity> identify(hid::Port& port, const std::string& name);
 
 /// A device of the open stylus protocol. Its thread waits for each input report, calls the client, and answers with an
-/// output report: the device's own clock paces the loop. When the device is gone it looks for the same one (id, same
-/// identity) twice a second, and goes on with it.
+/// output report: the device's own clock paces the loop. When the device is gone, it searches for the same device (same
+/// id and identity) twice a second, and continues with it.
 ///
-/// Thread: as SelfPacedStylus says. Between two connections the device's thread allocates and locks (enumeration); in a
-/// connection it does not, but for what hidapi does in a call that fails, the last one of a connection.
+/// Threads as for SelfPacedStylus. Between two connections the device's thread allocates and locks (enumeration);
+/// during a connection it does not, except for what hidapi does in a call that fails, which is the last one of a
+/// connection.
 class OpenStylus final : public SelfPacedStylus {
 public:
-    static constexpr int silentPeriods = 3;       ///< until missing readings count as silence
-    static constexpr double faultySilence = 0.05; ///< s; from then on it is a fault
-    static constexpr double lookEvery = 0.5;      ///< s
+    static constexpr int silentPeriods = 3;       ///< number of periods after which missing readings count as silence
+    static constexpr double faultySilence = 0.05; ///< s after which silence is a fault
+    static constexpr double lookEvery = 0.5;      ///< s, interval of the searches
 
-    /// @param port connected already; @param id of idOf, by which it is found again
+    /// @param port already connected; @param id from idOf, used to find the device again
     OpenStylus(hid::Bus& bus, std::unique_ptr<hid::Port> port, const Identity& identity, std::string id,
                std::string name);
     ~OpenStylus() override { stop(); }
@@ -41,15 +42,15 @@ public:
     OpenStylus& operator=(const OpenStylus&) = delete;
 
     StylusDescription description() const override { return descriptionOf(identity_, name_); }
-    Result<void> open() override { return {}; } ///< it is connected since it was made
+    Result<void> open() override { return {}; } ///< connected since its construction
     void close() noexcept override { stop(); }
     std::optional<Error> takeFault() override;
     DeviceHealth health() const noexcept override;
-    /// Sends "motors off" itself, through a port of its own: the device's thread may be stuck in a tick, or in its
-    /// port. Waits for the device to take it, and takes a lock that is otherwise held only while the device is looked
-    /// for.
+    /// Sends "motors off" directly, through a port of its own, because the device's thread may be stuck in a tick or in
+    /// its port. Waits until the device has accepted it, and takes a lock that is otherwise held only while the device
+    /// is searched for.
     void cutMotors() noexcept override;
-    /// Errors: argumentInvalid (it was started already), outOfMemory.
+    /// Errors: argumentInvalid (already started), outOfMemory.
     Result<void> start(StylusClient& client) override;
     void stop() noexcept override;
 
@@ -64,15 +65,15 @@ private:
     bool runs() const noexcept { return !stop_.load(std::memory_order_relaxed); }
 
     hid::Bus& bus_;
-    std::unique_ptr<hid::Port> port_; ///< the device's thread while it runs
+    std::unique_ptr<hid::Port> port_; ///< belongs to the device's thread while it runs
     Identity identity_;
     std::mutex emergency_;
-    std::unique_ptr<hid::Port> emergencyPort_; ///< guarded by it; nothing is ever read from this port
+    std::unique_ptr<hid::Port> emergencyPort_; ///< guarded by emergency_; nothing is ever read from this port
     std::string id_, name_;
     Exchange exchange_;
-    double silentAfter_;   ///< s
-    double heardAt_ = 0.0; ///< s, of the newest reading or the connection
-    double toldAt_ = 0.0;  ///< s, of the newest tick
+    double silentAfter_;   ///< s without a reading after which the device counts as silent
+    double heardAt_ = 0.0; ///< s, time of the newest reading or of the connection
+    double toldAt_ = 0.0;  ///< s, time of the newest tick
     bool silenceTold_ = false;
     std::atomic<bool> connected_{true}, stop_{false};
     std::thread thread_;

@@ -14,7 +14,7 @@ constexpr double perRotation = 0x1.0p-30;   // quaternion, rad
 constexpr double perStiffness = 0x1.0p-8;   // N/m, N·mm/rad
 constexpr double perFineLength = 0x1.0p-24; // mm
 constexpr double perMass = 0x1.0p-16;       // kg
-constexpr int massSince = 1;                // minor version of the protocol
+constexpr int massSince = 1;                // minor version of the protocol that introduced the mass
 constexpr double heatScale = 200.0;
 constexpr std::uint8_t heatUnknown = 255;
 constexpr double unitTolerance = 0.01;
@@ -155,7 +155,7 @@ IdentityFault decodeFeature(Bytes report, Identity& identity) noexcept {
     identity.minor = report[2];
     if (identity.major != protocolMajor) return IdentityFault::otherVersion;
     if (!whole(report, featureSize, featureId)) return IdentityFault::damaged;
-    if (report[3] != 1) return IdentityFault::outOfRange; // other units
+    if (report[3] != 1) return IdentityFault::outOfRange; // values are in other units
     Reader in(report, 8);
     const int major = in.u8(), minor = in.u8(), patch = in.u16();
     identity.firmware = {major, minor, patch};

@@ -9,8 +9,8 @@
 #include <optional>
 #include <span>
 
-/// The bytes of the open HID stylus protocol 1.1, as protocol.md describes them. Functions of their arguments: any
-/// thread, no allocation (but for descriptionOf), no exception.
+/// The bytes of the open HID stylus protocol 1.1, as described in protocol.md. Pure functions: thread-safe, no
+/// allocation (except for descriptionOf), no exception.
 namespace burin::openstylus {
 
 inline constexpr std::uint16_t usagePage = 0xffb1;
@@ -21,7 +21,7 @@ inline constexpr std::uint8_t protocolMajor = 1;
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// What the device reports about itself: bits of the field `faults`.
+/// Faults reported by the device: bits of the field `faults`.
 enum ReportedFault : std::uint16_t {
     reportedWatchdog = 1U << 0,
     reportedNotCalibrated = 1U << 1,
@@ -34,24 +34,24 @@ enum ReportedFault : std::uint16_t {
 
 /// An input report.
 struct Reading {
-    std::uint16_t sequence = 0;     ///< one more with each report, wraps around
-    std::uint32_t microseconds = 0; ///< the device's clock when the pose was measured, wraps around
+    std::uint16_t sequence = 0;     ///< increases by one with each report, wraps around
+    std::uint32_t microseconds = 0; ///< time of the pose measurement by the device's clock, wraps around
     Pose pose;                      ///< mm, device frame; rotation as sent, not yet of unit length
     std::uint32_t buttons = 0;
     std::uint16_t faults = 0; ///< ReportedFault; unknown bits are kept
-    std::uint16_t echo = 0;   ///< sequence of the newest good output report
+    std::uint16_t echo = 0;   ///< sequence number of the newest valid output report
     bool motorsOn = false, poseValid = false, saturated = false, heard = false;
-    std::optional<double> motorHeat; ///< 0 … 1 of what the motors bear
+    std::optional<double> motorHeat; ///< 0 … 1, share of the motors' limit
 };
-/// Nothing when the size, the id, the check sum or the length of the quaternion (1 within 1 %) is wrong.
+/// Empty if the size, the id, the checksum or the length of the quaternion (1 within 1 %) is wrong.
 std::optional<Reading> decodeInput(Bytes report) noexcept;
 
 /// An output report.
 struct Command {
     std::uint16_t sequence = 0;
-    std::uint16_t echo = 0; ///< sequence of the input report that it answers
+    std::uint16_t echo = 0; ///< sequence number of the input report that it answers
     bool motors = false;    ///< false: motors off, which also acknowledges faults
-    Wrench wrench;          ///< N, N·mm; beyond ± 32767 and what is not finite is sent as ± 32767 and 0
+    Wrench wrench;          ///< N, N·mm; values beyond ± 32767 are sent as ± 32767, values that are not finite as 0
 };
 std::array<std::uint8_t, outputSize> encodeOutput(const Command& command) noexcept;
 
@@ -72,22 +72,22 @@ struct Identity {
     double maximumTurningStiffness = 0.0;             ///< N·mm/rad
     double workspaceRadius = 0.0, positionStep = 0.0; ///< mm
     double rotationStep = 0.0;                        ///< rad
-    double handleMass = 0.0;                          ///< kg that the host shall lift; 0 before 1.1
+    double handleMass = 0.0;                          ///< kg that the host has to lift; 0 before version 1.1
     friend bool operator==(const Identity&, const Identity&) = default;
 };
 enum class IdentityFault : std::uint8_t {
     none,
     foreign,      ///< not this protocol: size, id or mark
     otherVersion, ///< another major version of it
-    damaged,      ///< check sum
+    damaged,      ///< wrong checksum
     outOfRange,   ///< values that no such device can have (protocol.md)
 };
 IdentityFault decodeFeature(Bytes report, Identity& identity) noexcept;
 
-/// @param name of the product. Owner's thread: allocates.
+/// @param name name of the product. Owner's thread: allocates.
 StylusDescription descriptionOf(const Identity& identity, const std::string& name);
 
-/// CRC-16/IBM-3740: polynomial 0x1021, start 0xffff, not reflected; of "123456789" 0x29b1.
+/// CRC-16/IBM-3740: polynomial 0x1021, initial value 0xffff, not reflected; check value for "123456789": 0x29b1.
 std::uint16_t checksumOf(Bytes bytes) noexcept;
 
 } // namespace burin::openstylus

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* usualDevice = "Default Device"; // the setup program's first one
+constexpr const char* usualDevice = "Default Device"; // the first device of the setup program
 constexpr const char* suffix = ".config";
 
 std::vector<fs::path> configurationFolders() {

@@ -11,11 +11,11 @@
 
 namespace burin::openhaptics {
 
-/// Finds the devices that 3D Systems' setup program has written down, and makes styluses of them.
+/// Finds the devices that were configured by 3D Systems' setup program, and makes styluses for them.
 std::unique_ptr<DeviceDriver> makeDriver();
 
-/// Names of the devices that are set up: files "NAME.config" in $GTDD_HOME/config, ~/.3dsystems/config and
-/// /usr/share/3DSystems/config, each once, "Default Device" first. libHD has no function for it.
+/// Names of the configured devices: files "NAME.config" in $GTDD_HOME/config, ~/.3dsystems/config and
+/// /usr/share/3DSystems/config, each once, "Default Device" first. libHD has no function to list them.
 std::vector<std::string> configuredDevices();
 
 } // namespace burin::openhaptics

@@ -6,25 +6,25 @@
 
 namespace burin::openhaptics {
 
-// Declared after the published reference of OpenHaptics 3.4 (HDAPI), whose headers are not needed and not copied. On
-// 64-bit Linux these are plain C functions.
+// Declared according to the published reference of OpenHaptics 3.4 (HDAPI), whose headers are not needed and not
+// copied. On 64-bit Linux these are plain C functions.
 
 using HdHandle = unsigned int;
 inline constexpr HdHandle hdInvalidHandle = 0xffffffffU;
 
-/// What hdGetError gives, by value.
+/// The result of hdGetError, returned by value.
 struct HdError {
     unsigned int code = 0;
     int internal = 0;
     HdHandle device = 0;
 };
 
-/// Parameters, capabilities and answers by their numbers.
+/// The numbers of parameters, capabilities and results.
 enum HdNumber : unsigned int {
-    hdCurrentButtons = 0x2000,    ///< int: a bit a button
-    hdCurrentTransform = 0x2052,  ///< 16 doubles by columns; mm
+    hdCurrentButtons = 0x2000,    ///< int: one bit per button
+    hdCurrentTransform = 0x2052,  ///< 16 doubles in column order; mm
     hdDeviceModel = 0x2501,       ///< text
-    hdUsableWorkspace = 0x2551,   ///< 6 doubles: least x y z, most x y z; mm
+    hdUsableWorkspace = 0x2551,   ///< 6 doubles: minimum x y z, maximum x y z; mm
     hdInputFreedoms = 0x2553,     ///< int
     hdOutputFreedoms = 0x2554,    ///< int
     hdCalibrationStyles = 0x2555, ///< int: bits of HdStyle
@@ -32,7 +32,7 @@ enum HdNumber : unsigned int {
     hdNominalStiffness = 0x2602,  ///< double: N/mm
     hdNominalForce = 0x2603,      ///< double: N
     hdContinuousForce = 0x2604,   ///< double: N
-    hdMotorTemperatures = 0x2605, ///< doubles, one a motor: 0 … 1
+    hdMotorTemperatures = 0x2605, ///< doubles, one per motor: 0 … 1
     hdNominalDamping = 0x2609,    ///< double: N/(mm/s)
     hdCurrentForce = 0x2700,      ///< 3 doubles: N
     hdCurrentTorque = 0x2701,     ///< 3 doubles: mN·m
@@ -73,7 +73,8 @@ struct HdApi {
     void (*setSchedulerRate)(unsigned long) = nullptr;
 };
 
-/// Opens libHD: in $OH_SDK_BASE, below /opt/OpenHaptics, or where the system looks. Errors: those of VendorLibrary.
+/// Opens libHD, from $OH_SDK_BASE, below /opt/OpenHaptics, or where the system searches. Errors: those of
+/// VendorLibrary.
 Result<HdApi> loadHdApi();
 
 } // namespace burin::openhaptics

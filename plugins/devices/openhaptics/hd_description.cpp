@@ -10,10 +10,10 @@
 namespace burin::openhaptics {
 namespace {
 
-constexpr double perMetre = 1000.0;      // of a figure per mm
-constexpr int translationsOfSpace = 3;   // the first ones of a device's freedoms
-constexpr int penButtons = 2;            // of the Touch's pen; libHD does not tell
-constexpr double largestRadius = 1000.0; // mm: a desktop device
+constexpr double perMetre = 1000.0;      // conversion of values per mm
+constexpr int translationsOfSpace = 3;   // these come first in a device's degrees of freedom
+constexpr int penButtons = 2;            // of the Touch's pen; libHD does not report them
+constexpr double largestRadius = 1000.0; // mm: limit for a desktop device
 constexpr const char* told = BURIN_TEXT("Device", "the device itself").text;
 constexpr const char* torqueSource = BURIN_TEXT("Device", "CHAI3D 3.3, table of devices: Premium 6DOF").text;
 
@@ -34,7 +34,7 @@ Freedoms freedomsOf(int count) noexcept {
     return {std::min(bounded, translationsOfSpace), std::max(bounded - translationsOfSpace, 0)};
 }
 
-/// mm: half of the shortest side of the workspace.
+/// The workspace radius, mm: half of the shortest side of the workspace.
 double radiusOf(const HdApi& api) noexcept {
     std::array<double, 6> box{};
     api.getDoublev(hdUsableWorkspace, box.data());
@@ -42,7 +42,7 @@ double radiusOf(const HdApi& api) noexcept {
     return radius > 0.0 && radius <= largestRadius ? radius : 0.0;
 }
 
-/// A Figure where there is a value.
+/// Sets a Figure if the value is known.
 template <class Known>
 void state(Known& figure, double value) {
     if (value > 0.0) figure = {value, told};
@@ -60,7 +60,8 @@ Result<StylusDescription> describeCurrent(const HdApi& api, const std::string& n
     stylus.name = model != nullptr && *model != '\0' ? std::string(model) + " (" + name + ")" : name;
     stylus.sensed = freedomsOf(wholeNumberOf(api, hdInputFreedoms));
     stylus.actuated = freedomsOf(wholeNumberOf(api, hdOutputFreedoms));
-    if (stylus.actuated.rotations > 0) { // HDAPI does not tell these; of the Premium 6DOF, the only one with torque
+    // HDAPI does not report these values; they are those of the Premium 6DOF, the only device with torque
+    if (stylus.actuated.rotations > 0) {
         stylus.maximumTorque = {188.0, torqueSource};
         stylus.maximumTurningStiffness = {300.0, torqueSource};
     }
@@ -71,7 +72,7 @@ Result<StylusDescription> describeCurrent(const HdApi& api, const std::string& n
     state(stylus.maximumStiffness, perMetre * number(api, hdNominalStiffness));
     state(stylus.maximumDamping, perMetre * number(api, hdNominalDamping));
     state(stylus.workspaceRadius, radiusOf(api));
-    stylus.carriesHandle = true; // by springs and weights of its own
+    stylus.carriesHandle = true; // by its own springs and weights
     if (Result<void> checked = checkDescription(stylus); !checked)
         return Error{ErrorCode::deviceFault, name, {}, BURIN_TEXT("DeviceReason", "its limits are out of range").text};
     return stylus;
@@ -83,7 +84,8 @@ Pose poseOf(const std::array<double, 16>& transform) noexcept {
     };
     Pose pose;
     pose.position = column(3);
-    // The library's matrix is not quite a rotation: the pen's axis is kept, the rest made square to it.
+    // The library's matrix is not exactly a rotation: the pen's axis is kept, the other axes are made perpendicular to
+    // it.
     const glm::dvec3 axis = glm::normalize(column(2));
     const glm::dvec3 side = glm::normalize(column(0) - glm::dot(column(0), axis) * axis);
     pose.rotation = glm::quat_cast(glm::dmat3(side, glm::cross(axis, side), axis));

@@ -10,14 +10,14 @@
 
 namespace burin::openhaptics {
 
-/// What the current device says of itself. @param name of the device, for messages. Errors: deviceFault (its limits are
-/// not numbers that a force could be scaled by).
+/// The description that the current device gives of itself. @param name name of the device, for messages. Errors:
+/// deviceFault (its limits are not values that a force could be scaled by).
 Result<StylusDescription> describeCurrent(const HdApi& api, const std::string& name);
 
-/// The pose of a transform of libHD (16 numbers by columns, mm; x right, y up, z towards the user; the pen's own z from
-/// its tip backwards) in Burin's device frame. Not valid numbers give a pose that is not finite.
+/// Converts a transform of libHD (16 numbers in column order, mm; x right, y up, z towards the user; the pen's own z
+/// from its tip backwards) to a pose in Burin's device frame. Invalid numbers give a pose that is not finite.
 Pose poseOf(const std::array<double, 16>& transform) noexcept;
-/// A force or torque of Burin's device frame, as libHD takes it.
+/// Converts a force or torque from Burin's device frame to libHD's.
 std::array<double, 3> toHd(const glm::dvec3& vector) noexcept;
 
 } // namespace burin::openhaptics

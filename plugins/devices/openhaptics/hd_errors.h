@@ -9,13 +9,14 @@
 
 namespace burin::openhaptics {
 
-/// Sorts the library's errors by device: it keeps one stack of them for all. Thread: the scheduler's. No allocation.
+/// Sorts the library's errors by device, because the library keeps one stack of errors for all devices. Called on the
+/// scheduler's thread. No allocation.
 class HdErrors {
 public:
     explicit HdErrors(const HdApi& api) noexcept : api_(api) {}
 
-    /// Takes errors off the stack, and hands those over that are of a device, or of none in particular.
-    /// @param each called with the number of each
+    /// Removes errors from the stack, and passes on those of one device, or of no particular device.
+    /// @param each called with the code of each error
     template <class Each>
     void take(HdHandle device, Each each) noexcept {
         for (std::size_t i = 0; i < mostAtOnce; ++i) {
@@ -37,10 +38,10 @@ public:
     }
 
 private:
-    static constexpr std::size_t mostAtOnce = 16; // the rest in the next frame
+    static constexpr std::size_t mostAtOnce = 16; // the remaining ones are taken in the next frame
 
     const HdApi& api_;
-    std::array<HdError, 32> waiting_{}; ///< of other devices, until their next frame
+    std::array<HdError, 32> waiting_{}; ///< errors of other devices, kept until their next frame
     std::size_t count_ = 0;
 };
 

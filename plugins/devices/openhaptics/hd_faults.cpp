@@ -5,7 +5,7 @@
 namespace burin::openhaptics {
 namespace {
 
-// Numbers of HDAPI's errors.
+// Error codes of HDAPI.
 constexpr unsigned int warmMotors = 0x0200, maximumForce = 0x0201, forceImpulse = 0x0202, maximumVelocity = 0x0203,
                        forceError = 0x0204, deviceFault = 0x0300, alreadyInitiated = 0x0301, communication = 0x0302,
                        communicationSetting = 0x0303, licence = 0x0600;
@@ -40,7 +40,7 @@ Error connectionError(unsigned int code, const std::string& name) {
         return {ErrorCode::deviceFault, name, {}, BURIN_TEXT("DeviceReason", "OpenHaptics has no licence").text};
     case deviceFault:
         return errorOf(DeviceFault::mechanism, name);
-    default: // no answer: it is not there, or not switched on
+    default: // no answer: it is not connected, or not switched on
         return {ErrorCode::deviceNotFound, name, {}, {}};
     }
 }

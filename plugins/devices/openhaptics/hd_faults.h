@@ -10,11 +10,11 @@
 
 namespace burin::openhaptics {
 
-/// What an error of the servo loop means for the hand; nothing for 0, which is no error. One that is not known counts
-/// as a failed drive: its meaning can't be trusted.
+/// The device fault for an error of the servo loop; empty for 0, which is not an error. An unknown error counts as a
+/// failed drive, because its consequences are not known.
 std::optional<DeviceFault> faultOf(unsigned int code) noexcept;
 
-/// Why a device could not be connected. @param name of the device
+/// The error for a failed connection. @param name name of the device
 Error connectionError(unsigned int code, const std::string& name);
 
 } // namespace burin::openhaptics

@@ -7,15 +7,15 @@
 namespace burin::openhaptics {
 namespace {
 
-constexpr int mostErrors = 64; // on the stack of errors; more would mean that it never empties
+constexpr int mostErrors = 64; // on the stack of errors; limits the loop if the stack never becomes empty
 
-/// Takes all errors off the library's stack. The first of them, which led to the others; 0: none
+/// Removes all errors from the library's stack. Returns the oldest one, which caused the others; 0 if there is none.
 unsigned int takeErrors(const HdApi& api) noexcept {
     unsigned int first = 0;
     for (int i = 0; i < mostErrors; ++i) {
         const unsigned int code = api.getError().code;
         if (code == 0) break;
-        first = code; // the newest comes off first
+        first = code; // the newest is returned first
     }
     return first;
 }
@@ -33,7 +33,7 @@ void HdScheduler::goOn() noexcept {
 Result<HdHandle> HdScheduler::connect(const std::string& name, const std::function<Result<void>()>& prepare) {
     const std::lock_guard lock(mutex_);
     pause();
-    (void)takeErrors(api_); // of others
+    (void)takeErrors(api_); // errors of other calls
     const HdHandle handle = api_.initDevice(name.c_str());
     Result<HdHandle> answer = handle;
     if (const unsigned int code = takeErrors(api_); code != 0 || handle == hdInvalidHandle) {

@@ -11,22 +11,22 @@
 
 namespace burin::openhaptics {
 
-/// The one scheduler of libHD, which serves all devices of the process: its thread calls each device's callback, 1000
-/// times a second. Devices come and go only while it stands, so that another device feels nothing for that moment.
-/// Thread: any but the scheduler's own.
+/// The only scheduler of libHD, which serves all devices of the process: its thread calls each device's callback 1000
+/// times a second. Devices are connected and disconnected only while it is stopped, so that other devices render no
+/// force during that moment. Functions may be called on any thread except the scheduler's own.
 class HdScheduler {
 public:
     static constexpr unsigned long rate = 1000; ///< Hz
 
     explicit HdScheduler(const HdApi& api) : api_(api) {}
 
-    /// Connects a device and makes it the current one. @param prepare called while the scheduler stands, with the
+    /// Connects a device and makes it the current one. @param prepare called while the scheduler is stopped, with the
     /// device as the current one. Errors: those of connectionError, and of `prepare`, which disconnects it again.
     Result<HdHandle> connect(const std::string& name, const std::function<Result<void>()>& prepare);
     void disconnect(HdHandle handle) noexcept;
     /// The first callback starts the scheduler, the last one stops it.
     HdScheduled add(HdCallback callback, void* self) noexcept;
-    /// @param done it has said that it is: the library has dropped it by itself then
+    /// @param done whether the callback has returned hdDone: the library has removed it by itself then
     void remove(HdScheduled scheduled, bool done) noexcept;
 
 private:

@@ -19,7 +19,7 @@ constexpr int framesBetweenHeats = 100;
 constexpr std::chrono::milliseconds pollEvery{2};
 constexpr std::chrono::milliseconds reconnectPoll{20};
 
-/// The library's own guards, beside ours. The force itself is switched on by the first frame.
+/// Enables the library's own protections, in addition to Burin's. The force itself is switched on by the first frame.
 void guardCurrent(const HdApi& api) noexcept {
     for (const unsigned int capability : {hdMaximumForceClamping, hdForceRamping}) api.enable(capability);
 }
@@ -30,7 +30,7 @@ Result<void> calibrateCurrent(const HdApi& api, const std::string& name) {
     if (api.checkCalibration() == hdCalibrationNeedsUpdate) {
         int styles = 0;
         api.getIntegerv(hdCalibrationStyles, &styles);
-        // An encoder reset takes the pose of this moment for the rest position: never without the user's word.
+        // An encoder reset takes the current pose as the rest position: never without the user's consent.
         if ((static_cast<unsigned int>(styles) & hdAuto) != 0) api.updateCalibration(hdAuto);
         if ((static_cast<unsigned int>(styles) & hdInkwell) != 0) api.updateCalibration(hdInkwell);
     }
@@ -115,7 +115,7 @@ void HdStylus::stop() noexcept {
     const double until = steadySeconds() + stopWithin;
     while (!ended_.load(std::memory_order_acquire) && steadySeconds() < until) std::this_thread::sleep_for(pollEvery);
     const bool ended = ended_.load(std::memory_order_acquire);
-    if (!ended) cutMotors(); // it had no last frame
+    if (!ended) cutMotors(); // there was no last frame
     library_->scheduler.remove(scheduled_, ended);
     client_ = nullptr;
 }
@@ -131,7 +131,7 @@ unsigned int HdStylus::called(void* self) noexcept {
     return static_cast<HdStylus*>(self)->frame() ? hdContinue : hdDone;
 }
 
-/// False: it was the last one.
+/// Returns false if this was the last frame.
 bool HdStylus::frame() noexcept {
     if (stops()) {
         finish();
@@ -153,7 +153,7 @@ bool HdStylus::frame() noexcept {
     api_.beginFrame(handle);
     const StylusState state = read(time);
     const Wrench wrench = client_->tick(state);
-    api_.makeCurrentDevice(handle); // `cutMotors` of another device may have been here
+    api_.makeCurrentDevice(handle); // `cutMotors` of another device may have changed it
     drive(state.valid ? wrench : Wrench{}, cutsBefore);
     api_.endFrame(handle);
     takeErrors(time);
@@ -205,14 +205,14 @@ StylusState HdStylus::read(double time) noexcept {
     return state;
 }
 
-/// @param cutsBefore of when the pose was read: what answers an older one goes out as nothing
+/// @param cutsBefore number of cuts when the pose was read: the answer to an older pose is sent as zero
 void HdStylus::drive(const Wrench& wrench, unsigned int cutsBefore) noexcept {
     const bool cut = cuts_.load(std::memory_order_acquire) != cutsBefore;
     const Wrench rendered = cut ? Wrench{} : wrench;
     const std::array<double, 3> force = toHd(rendered.force);
     api_.setDoublev(hdCurrentForce, force.data());
     if (description_.actuated.rotations > 0) {
-        const std::array<double, 3> torque = toHd(rendered.torque); // N·mm is mN·m
+        const std::array<double, 3> torque = toHd(rendered.torque); // N·mm equals mN·m
         api_.setDoublev(hdCurrentTorque, torque.data());
     }
     if (forcesOff_ && !cut) api_.enable(hdForceOutput);
@@ -229,7 +229,7 @@ void HdStylus::takeErrors(double time) noexcept {
     });
 }
 
-/// The reconnecting thread: while the device is lost, connects it every half second.
+/// The reconnecting thread: while the device is lost, tries to connect it every half second.
 void HdStylus::reconnectWhenLost() noexcept {
     blockSignals();
     double lookedAt = steadySeconds();
@@ -258,7 +258,7 @@ void HdStylus::reconnect() noexcept {
         handle_.store(*handle);
         forcesOff_ = true;
         lost_.store(false, std::memory_order_release);
-    } catch (const std::bad_alloc&) { // the next look has another try
+    } catch (const std::bad_alloc&) { // retried at the next attempt
     }
 }
 

@@ -15,7 +15,7 @@
 
 namespace burin::openhaptics {
 
-/// libHD and what of it is one in a process; outlives all styluses.
+/// libHD and its objects that exist once per process; outlives all styluses.
 struct HdLibrary {
     explicit HdLibrary(const HdApi& functions) : api(functions), scheduler(api), errors(api) {}
     HdApi api;
@@ -24,20 +24,21 @@ struct HdLibrary {
 };
 
 /// A device of 3D Systems. The library's scheduler calls it: each call is one frame of the device, in which the pose is
-/// read, the client asked, and the force set, so that no time passes between them but the client's own.
+/// read, the client is called, and the force is set, so that the only delay between them is the client's own.
 ///
-/// An error of the library takes the force away (the reading is not valid) until none has come for a while; a device
-/// that was unplugged is looked for twice a second by a thread that only does that. Thread: as SelfPacedStylus says.
+/// An error of the library switches the force off (the readings are not valid) until no error has occurred for some
+/// time. A device that was unplugged is searched for twice a second by a separate thread. Threads as for
+/// SelfPacedStylus.
 class HdStylus final : public SelfPacedStylus {
 public:
-    static constexpr double calmAfter = 0.1;  ///< s without an error until readings are valid again
-    static constexpr double lookEvery = 0.5;  ///< s
-    static constexpr double stopWithin = 1.0; ///< s that the scheduler has for a last frame
+    static constexpr double calmAfter = 0.1;  ///< s without an error after which readings are valid again
+    static constexpr double lookEvery = 0.5;  ///< s, interval of the searches
+    static constexpr double stopWithin = 1.0; ///< s for the scheduler to call a last frame
 
-    /// Connects it. Errors: those of HdScheduler::connect and describeCurrent.
+    /// Connects a device. Errors: those of HdScheduler::connect and describeCurrent.
     static Result<std::unique_ptr<SelfPacedStylus>> connect(std::shared_ptr<HdLibrary> library,
                                                             const std::string& name);
-    /// @param calibrated what calibrateCurrent said
+    /// @param calibrated result of calibrateCurrent
     HdStylus(std::shared_ptr<HdLibrary> library, std::string name, HdHandle handle, StylusDescription description,
              Result<void> calibrated);
     ~HdStylus() override;
@@ -45,14 +46,14 @@ public:
     HdStylus& operator=(const HdStylus&) = delete;
 
     StylusDescription description() const override { return description_; }
-    /// Errors: deviceFault (its pose means nothing until the pen was in its inkwell).
+    /// Errors: deviceFault (its pose is not meaningful until the pen was in its inkwell).
     Result<void> open() override { return calibrated_; }
     void close() noexcept override { stop(); }
     std::optional<Error> takeFault() override;
     DeviceHealth health() const noexcept override;
-    /// Switches the device's forces off. Its frame that is under way, if there is one, ends with none.
+    /// Switches the device's forces off. If a frame is in progress, it ends without a force.
     void cutMotors() noexcept override;
-    /// Errors: argumentInvalid (it was started already), outOfMemory.
+    /// Errors: argumentInvalid (already started), outOfMemory.
     Result<void> start(StylusClient& client) override;
     void stop() noexcept override;
 
@@ -81,19 +82,19 @@ private:
     std::atomic<bool> lost_{false}, stop_{false}, ended_{false};
     std::atomic<unsigned int> cuts_{0};
 
-    StylusClient* client_ = nullptr; // from here on the scheduler's thread, while it calls
+    StylusClient* client_ = nullptr; // this member and the following belong to the scheduler's thread while it calls
     bool begun_ = false;
-    bool forcesOff_ = true; ///< and to be switched on by the next answer
+    bool forcesOff_ = true; ///< forces have to be switched on by the next answer
     double startedAt_ = 0.0, calmFrom_ = 0.0;
     int frames_ = 0;
 
     HdScheduled scheduled_ = 0;
     std::thread reconnecting_;
-    bool uncalibratedTold_ = false; ///< the reconnecting thread's
+    bool uncalibratedTold_ = false; ///< belongs to the reconnecting thread
 };
 
-/// Brings the current device to where its pose means something, where that needs no hand. Errors: deviceFault (it
-/// does). @param name for messages
+/// Calibrates the current device if that is possible without the user's hand. Errors: deviceFault (the hand is needed).
+/// @param name for messages
 Result<void> calibrateCurrent(const HdApi& api, const std::string& name);
 
 } // namespace burin::openhaptics

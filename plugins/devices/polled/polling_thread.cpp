@@ -10,7 +10,7 @@
 namespace burin::polled {
 namespace {
 
-constexpr int waitMilliseconds = 20; // so long `stop` may have to wait
+constexpr int waitMilliseconds = 20; // longest time that `stop` may have to wait
 
 } // namespace
 
@@ -59,7 +59,7 @@ void PollingThread::run() noexcept {
     device_.disconnect();
 }
 
-/// Until the device is gone, or nobody wants it any more.
+/// Receives until the device is gone, or the thread has to stop.
 void PollingThread::receive() noexcept {
     while (runs()) {
         const PolledDevice::Heard heard = device_.receive(waitMilliseconds);

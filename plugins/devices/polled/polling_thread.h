@@ -14,39 +14,39 @@
 
 namespace burin::polled {
 
-/// A device that is read by waiting for it. All calls come from one thread, the polling thread's.
+/// A device that is read by waiting for data. All calls come from the polling thread.
 class PolledDevice {
 public:
     enum class Heard : std::uint8_t { nothing, news, gone };
     virtual ~PolledDevice() = default;
-    /// Looks for the device and opens it. True: it is open, also when it was before.
+    /// Searches for the device and opens it. Returns true if it is open, also if it was open before.
     virtual bool connect() noexcept = 0;
-    /// Waits for news, a while at most, and hands them to whoever reads the device.
+    /// Waits for data, up to a time limit, and passes it on to the users of the device.
     virtual Heard receive(int milliseconds) noexcept = 0;
-    /// Also when it is not connected.
+    /// May also be called when it is not connected.
     virtual void disconnect() noexcept = 0;
-    /// It was lost: nothing is pressed or pushed any more.
+    /// Called when the device was lost: resets all inputs to rest.
     virtual void rest() noexcept = 0;
 };
 
-/// Reads a device in a thread of its own, and finds it again after it was unplugged. Thread: start, stop, takeFault the
-/// owner's; the rest any.
+/// Reads a device in a thread of its own, and finds it again after it was unplugged. start, stop and takeFault are
+/// called on the owner's thread, all others on any thread.
 class PollingThread {
 public:
-    static constexpr double lookEvery = 0.5; ///< s
+    static constexpr double lookEvery = 0.5; ///< s, interval of the searches
 
-    /// @param device outlives the object; it is connected. @param name of it, for faults
+    /// @param device outlives the object; already connected. @param name name of the device, for faults
     PollingThread(PolledDevice& device, std::string name) : device_(device), name_(std::move(name)) {}
     ~PollingThread() { stop(); }
     PollingThread(const PollingThread&) = delete;
     PollingThread& operator=(const PollingThread&) = delete;
 
-    /// Errors: argumentInvalid (it runs), outOfMemory.
+    /// Errors: argumentInvalid (already running), outOfMemory.
     Result<void> start();
     void stop() noexcept;
     std::optional<Error> takeFault();
     bool connected() const noexcept { return connected_.load(std::memory_order_relaxed); }
-    /// Connected or not, and how often it was heard.
+    /// Connection state, and the number of readings received.
     DeviceHealth health() const noexcept;
 
 private:

@@ -9,7 +9,7 @@
 namespace burin::spacemouse {
 
 /// Finds 3D mice on a bus; modes "rate" and "position". The bus lives as long as the driver, and the driver outlives
-/// what it makes.
+/// the styluses that it makes.
 std::unique_ptr<DeviceDriver> makeDriver(std::unique_ptr<hid::Bus> bus);
 
 } // namespace burin::spacemouse

@@ -36,8 +36,8 @@ constexpr std::array models{
     Model{connexion, 0xc652, "3Dconnexion Universal Receiver", 32, true},
 };
 
-/// Mice and keyboards of the same vendor, which show a multi-axis interface on some receivers. c641 is left to its
-/// usage: the two sources disagree about it.
+/// Mice and keyboards of the same vendor, which show a multi-axis interface on some receivers. c641 is not listed, so
+/// that its usage decides: the two sources disagree about it.
 constexpr std::array<std::uint16_t, 11> others{0xc62c, 0xc650, 0xc651, 0xc654, 0xc655, 0xc656,
                                                0xc657, 0xc658, 0xc664, 0xc665, 0xc668};
 

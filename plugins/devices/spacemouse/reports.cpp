@@ -65,7 +65,7 @@ void ReportReader::takeAxes(Bytes bytes, std::size_t first, std::size_t count) n
     for (std::size_t i = 0; i < count; ++i) controls_.axes[first + i] = static_cast<std::int16_t>(u16(bytes, 2 * i));
 }
 
-/// An array of pressed buttons, as its descriptor says: usages of the page of buttons, which count from 1.
+/// An array of pressed buttons, as described by the descriptor: usages of the button page, which count from 1.
 void ReportReader::takeKeys(Bytes bytes) noexcept {
     keyBits_ = 0;
     controls_.keys = {};

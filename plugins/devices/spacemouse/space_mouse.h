@@ -11,17 +11,17 @@
 
 namespace burin::spacemouse {
 
-/// Whether an interface is a 3D mouse's.
+/// Whether an interface belongs to a 3D mouse.
 bool isSpaceMouse(const hid::DeviceInfo& device);
 
 /// Reads the reports of a 3D mouse, and lights its LED while it is connected.
 class SpaceMouse final : public cap::ControlSource {
 public:
-    /// s without a report of motion; from then on the cap is at rest. A held cap reports 60 times a second and more;
-    /// one that was let go reports zero, unless the report is lost.
+    /// Time in s without a report of motion after which the cap counts as at rest. A held cap reports at least 60 times
+    /// a second; a cap that was released reports zero, unless that report is lost.
     static constexpr double staleAfter = 0.1;
 
-    /// @param port connected already; @param id of idOf, by which it is found again
+    /// @param port already connected; @param id from idOf, used to find the device again
     SpaceMouse(hid::Bus& bus, std::unique_ptr<hid::Port> port, std::string id)
         : bus_(bus), port_(std::move(port)), id_(std::move(id)) {}
 

@@ -35,7 +35,7 @@ bool DaemonSocket::connect() noexcept {
         std::copy(file.begin(), file.end(), address.sun_path);
         const int made = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
         if (made < 0) return false;
-        // POSIX hands addresses of every kind over as a sockaddr.
+        // In POSIX, addresses of every kind are passed as a sockaddr.
         if (::connect(made, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
             ::close(made);
             return false;
@@ -50,7 +50,7 @@ bool DaemonSocket::connect() noexcept {
 cap::ControlSource::Heard DaemonSocket::receive(cap::Controls& controls, int milliseconds) noexcept {
     if (unread_.empty() && !fetch(milliseconds)) return Heard::gone;
     Heard heard = Heard::nothing;
-    while (!unread_.empty() && heard == Heard::nothing) { // one packet a call, so that no button is overtaken
+    while (!unread_.empty() && heard == Heard::nothing) { // one packet per call, so that no button event is lost
         const EventReader::Kind kind = reader_.take(unread_);
         if (kind == EventReader::Kind::motion) heard = Heard::motion;
         if (kind == EventReader::Kind::button) heard = Heard::other;
@@ -59,7 +59,7 @@ cap::ControlSource::Heard DaemonSocket::receive(cap::Controls& controls, int mil
     return heard;
 }
 
-/// Waits for bytes. False: the daemon is gone.
+/// Waits for data. Returns false if the daemon is gone.
 bool DaemonSocket::fetch(int milliseconds) noexcept {
     pollfd waiting{socket_, POLLIN, 0};
     const int ready = poll(&waiting, 1, milliseconds);

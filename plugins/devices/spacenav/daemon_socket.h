@@ -10,12 +10,12 @@
 
 namespace burin::spacenav {
 
-/// The daemon's socket: $SPNAV_SOCKET, or /var/run/spnav.sock.
+/// Path of the daemon's socket: $SPNAV_SOCKET, or /var/run/spnav.sock.
 std::string daemonSocket();
-/// Whether a socket is there; nobody is connected to it.
+/// Whether the socket exists; does not connect to it.
 bool daemonRuns();
 
-/// Reads what the daemon sends.
+/// Reads the messages of the daemon.
 class DaemonSocket final : public cap::ControlSource {
 public:
     DaemonSocket() = default;
@@ -33,7 +33,7 @@ private:
     int socket_ = -1;
     EventReader reader_;
     std::array<std::uint8_t, 4096> buffer_{};
-    std::span<const std::uint8_t> unread_; ///< in it
+    std::span<const std::uint8_t> unread_; ///< part of buffer_
 };
 
 } // namespace burin::spacenav

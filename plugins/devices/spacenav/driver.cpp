@@ -10,7 +10,7 @@ namespace burin::spacenav {
 namespace {
 
 constexpr const char* daemonId = "daemon";
-constexpr int buttons = 32; // the daemon does not tell which there are before one is pressed
+constexpr int buttons = 32; // the daemon does not report which buttons exist before one is pressed
 
 class Driver final : public DeviceDriver {
 public:

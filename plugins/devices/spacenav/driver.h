@@ -8,7 +8,7 @@
 
 namespace burin::spacenav {
 
-/// Finds the free daemon of 3D mice, spacenavd, where it runs, and makes a stylus of what it reads.
+/// Finds spacenavd, the free daemon for 3D mice, if it runs, and makes a stylus for its data.
 std::unique_ptr<DeviceDriver> makeDriver();
 
 } // namespace burin::spacenav

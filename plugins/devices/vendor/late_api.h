@@ -9,8 +9,8 @@
 
 namespace burin::vendor {
 
-/// The functions of a maker's library, loaded when they are first needed. One that is missing is looked for again, so
-/// that it may be installed while Burin runs, but not at each look for devices. Thread: one at a time.
+/// The functions of a vendor's library, loaded when they are first needed. If the library is missing, loading is tried
+/// again, so that it can be installed while Burin runs, but not at each search for devices. One thread at a time.
 /// @tparam Api the functions, as a plain struct
 template <class Api>
 class LateApi {
@@ -19,7 +19,7 @@ public:
     static constexpr std::chrono::seconds lookEvery{5};
 
     explicit LateApi(Load load) : load_(load) {}
-    /// The functions, which stay where they are. Errors: those of the loading.
+    /// The functions; the pointer remains valid. Errors: those of the loading.
     Result<const Api*> get() {
         const auto now = std::chrono::steady_clock::now();
         if (!api_ && (!fault_ || now - lookedAt_ >= lookEvery)) {

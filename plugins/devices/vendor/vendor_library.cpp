@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file of a library in a folder: with its plain name, else the highest of its versions. Empty: neither is there.
+/// Finds the file of a library in a folder: the one with its plain name, otherwise its highest version. Empty if there
+/// is neither.
 fs::path libraryIn(const fs::path& folder, const std::string& name) {
     std::error_code fault;
     fs::path best;
@@ -27,13 +28,14 @@ fs::path libraryIn(const fs::path& folder, const std::string& name) {
     return best;
 }
 
-/// Where Debian and its kin, and makers' own installers, put libraries; the loader's cache is asked by the plain name.
+/// The library folders of Debian and related systems, and of vendors' installers; the loader's cache is searched by the
+/// plain name.
 std::vector<fs::path> systemFolders() {
     return {"/usr/local/lib", "/usr/lib/x86_64-linux-gnu", "/usr/lib", "/usr/lib64"};
 }
 
 void* load(const std::string& file) {
-    // GLOBAL: libHD looks for what it loads itself among the symbols that are there.
+    // GLOBAL: libHD searches the symbols already loaded for the libraries that it loads itself.
     return dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL | RTLD_NODELETE);
 }
 

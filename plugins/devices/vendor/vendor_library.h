@@ -10,38 +10,39 @@
 
 namespace burin::vendor {
 
-/// A library that the maker of a device ships, and how it is found.
+/// A library that is shipped by the vendor of a device, and how it is found.
 struct LibrarySearch {
-    std::string maker;   ///< whose devices need it: "3D Systems"
-    std::string package; ///< what it comes with: "OpenHaptics 3.4 or later"
-    std::string name;    ///< "libHD.so"; where that is not there, the highest version of it, "libHD.so.3.4", is taken
-    std::vector<std::filesystem::path> folders; ///< looked in first, then where the system looks
+    std::string maker;   ///< vendor of the devices that need it: "3D Systems"
+    std::string package; ///< package that contains it: "OpenHaptics 3.4 or later"
+    std::string name;    ///< "libHD.so"; if that does not exist, its highest version, "libHD.so.3.4", is used
+    std::vector<std::filesystem::path> folders; ///< searched first, then where the system searches
 };
 
-/// Where the maker's own environment variable says that its things are; empty where it does not.
+/// The installation folder given by the vendor's environment variable; empty if it is not set.
 std::filesystem::path folderFrom(const char* variable);
 
-/// A maker's library, opened at run time, so that nobody needs it to build Burin. It stays for the life of the process:
-/// such libraries keep threads. A copy means the same library. Thread: any; opening may take a second.
+/// A vendor's library, opened at run time, so that it is not needed to build Burin. It stays loaded until the process
+/// ends, because such libraries keep threads. A copy refers to the same library. Thread-safe; opening may take a
+/// second.
 class VendorLibrary {
 public:
-    /// Errors: deviceLibraryMissing, deviceLibraryUnfit (it is there and does not load).
+    /// Errors: deviceLibraryMissing, deviceLibraryUnfit (found, but it can't be loaded).
     static Result<VendorLibrary> open(const LibrarySearch& search);
 
-    /// Fills in a function. The types are the caller's word: a C library does not tell them. Errors: deviceLibraryUnfit
-    /// (it has none of that name).
+    /// Sets a pointer to a function. The caller is responsible for its type, which a C library does not state. Errors:
+    /// deviceLibraryUnfit (no function with that name).
     template <class Function>
     Result<void> bind(Function*& function, const char* name) const {
-        function = reinterpret_cast<Function*>(find(name)); // POSIX: dlsym gives functions as void*
+        function = reinterpret_cast<Function*>(find(name)); // POSIX: dlsym returns functions as void*
         if (function == nullptr) return unfit(name);
         return {};
     }
-    /// The same for one that not every version has; null then.
+    /// The same for a function that some versions do not have; null then.
     template <class Function>
     void bindIfThere(Function*& function, const char* name) const {
         function = reinterpret_cast<Function*>(find(name));
     }
-    /// The error that it is not what Burin needs. @param sign what shows it: a function's name, a version
+    /// The error that the library can't be used by Burin. @param sign the reason: a function's name, a version
     Error unfit(std::string sign) const { return {ErrorCode::deviceLibraryUnfit, file_, std::move(sign), package_}; }
 
 private:

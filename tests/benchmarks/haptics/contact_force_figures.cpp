@@ -11,8 +11,9 @@ namespace {
 
 using test::period;
 
-/// A push of so many newtons against the floor, as the spring that is felt and as its stretch says: the larger share
-/// that one of them is off by. The handle rests when the force on it is the push, so the push is the oracle.
+/// The relative error of the contact force for a push against the floor, N: the larger one of the errors of the
+/// device's force and of stiffness times stretch. The handle is at rest when the force on it equals the push, so the
+/// push is the oracle.
 double pressError(double push, double stiffness, double scale) {
     constexpr int settling = 4000, looking = 1000; // ticks
     HeldFloor floor({stiffness, 4.0, 100.0, scale}, {0.15, 5.0, 0.0}, {0.08, 0.5, 0.02, 0}, 1.0);
@@ -37,7 +38,8 @@ void pressFigures(Session& session) {
     session.add(figure("press.force_error", worst, "1", 0.01));
 }
 
-/// A hand that wanders fast above the floor, up to half a millimetre near it, spindle turning.
+/// The largest force, N, while a hand moves fast above the floor, down to half a millimetre from it, with the spindle
+/// on.
 double largestFreeForce() {
     constexpr int ticks = 60'000;
     test::Rig rig(test::Rig::settings(), test::ballTool(), test::stockOnPart(0, false));

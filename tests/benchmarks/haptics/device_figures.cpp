@@ -17,7 +17,7 @@ namespace {
 
 const std::string tests = BURIN_SOURCE_DIRECTORY "/tests/hid/", work = BURIN_BUILD_DIRECTORY "/hid-guest";
 constexpr long hostileReports = 1'000'000;
-/// A tick at 1 kHz: what comes back later is a sample late, and a third of the stiffness is gone.
+/// The period at 1 kHz: an answer that takes longer is a sample late, which costs a third of the stiffness.
 constexpr double longestRoundTrip = 1000.0; // us
 
 struct ClosePipe {
@@ -30,7 +30,7 @@ bool succeeds(const std::string& command) {
     return pipe != nullptr && ::pclose(pipe) == 0;
 }
 
-/// What the virtual machine lacks, in words; nothing where all is there.
+/// What the virtual machine lacks, in words; nullopt if nothing is missing.
 std::optional<std::string> missing() {
     if (!std::filesystem::exists(tests + "boot")) return "Burin's sources are not where it was built from";
     for (const char* program : {"qemu-system-x86_64", "busybox"})
@@ -52,7 +52,7 @@ Figure withLimit(const std::string& name, double value, const std::string& unit)
     return plain;
 }
 
-/// One line of what the virtual machine says. True for a figure.
+/// Handles one line of the virtual machine's output. Returns true for a figure.
 bool take(Session& session, const std::string& line) {
     std::istringstream words(line);
     std::string hid, kind, name, unit;
@@ -66,8 +66,8 @@ bool take(Session& session, const std::string& line) {
 
 } // namespace
 
-/// The virtual machine of the hid tests tells its figures itself, a line each: "hid figure NAME VALUE UNIT". All of it
-/// is emulated in software, so that times are an upper bound of any real machine's.
+/// The virtual machine of the hid tests prints its own figures, one per line: "hid figure NAME VALUE UNIT". It is
+/// emulated in software, so its times are an upper bound for any real machine.
 void deviceFigures(Session& session) {
     if (!session.wants("hid.")) return;
     const bool hostile = session.wants("hid.hostile.");

@@ -13,7 +13,7 @@ namespace burin::benchmarks {
 namespace {
 
 constexpr double handSpeed = 100.0;      // mm/s
-constexpr double maximumAllowance = 2.0; // mm, as the window has it
+constexpr double maximumAllowance = 2.0; // mm, as in the window
 constexpr int mostTicks = 30'000;
 
 using Clock = std::chrono::steady_clock;

@@ -9,7 +9,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// A bumpy freeform part of 100,000 triangles, 100 × 100 × 25 mm, in a stock that is so many voxels wide.
+/// A bumpy freeform part of 100,000 triangles, 100 × 100 × 25 mm, in a stock of the given width in voxels.
 MillingContext millingOf(int voxels) {
     constexpr double side = 100.0, flatness = 0.25, margin = 2.0;
     Body body;

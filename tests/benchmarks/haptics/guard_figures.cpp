@@ -9,7 +9,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// What a force must keep to, from the stylus' own figures: recomputed here, not asked of the loop.
+/// The limits of a force, recomputed here from the stylus' own values instead of being read from the loop.
 struct Bounds {
     double largest, rise, fall; ///< N, N per tick, N per tick
 };
@@ -34,7 +34,7 @@ bool broken(const Sample& sample, const glm::dvec3& force, const glm::dvec3& bef
     if (!isFinite(force) || !isFinite(sample.proxy.tip) || !isFinite(sample.cuttingForce)) return true;
     const double size = glm::length(force);
     if (size > bounds.largest + rounding) return true;
-    if (size == 0.0) return false; // letting go is never unsafe
+    if (size == 0.0) return false; // releasing the force is always safe
     return glm::length(force - before) > bounds.fall + rounding || size - glm::length(before) > bounds.rise + rounding;
 }
 

@@ -8,7 +8,7 @@ namespace burin::benchmarks {
 
 void tickFigures(Session& session);         ///< tick.*: what a tick costs
 void pushBackFigures(Session& session);     ///< proxy.*
-void peerFigures(Session& session);         ///< peer.*: the proxy beside a god-object on the mesh and a point shell
+void peerFigures(Session& session);         ///< peer.*: the proxy against a god-object on the mesh and a point shell
 void slotFigures(Session& session);         ///< slot.*
 void shankFigures(Session& session);        ///< shank.*
 void contactForceFigures(Session& session); ///< press.*, free.*
@@ -16,6 +16,6 @@ void stabilityFigures(Session& session);    ///< energy.*, nohand.*, noise.*
 void guardFigures(Session& session);        ///< guards.*
 void stopFigures(Session& session);         ///< stop.*
 void deviceFigures(Session& session);       ///< hid.*
-void firstCutFigures(Session& session);     ///< first_cut.*: from the wish to mill, without the hand's own time
+void firstCutFigures(Session& session);     ///< first_cut.*: from the request to mill, without the hand's own time
 
 } // namespace burin::benchmarks

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// burin-rig-haptics: the figures of the haptic loop. `burin rig haptics` starts it.
+// burin-bench-haptics: the figures of the haptic loop. `burin bench haptics` starts it.
 #include "tests/benchmarks/haptics/haptic_groups.h"
 #include "tests/benchmarks/measure/program.h"
 

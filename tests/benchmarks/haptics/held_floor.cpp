@@ -9,7 +9,8 @@ HapticSettings HeldFloor::settingsFor(const Device& device, const test::Simulate
     settings.mapping.scale = device.scale;
     const double delay = static_cast<double>(mechanism.delay); // ticks
     settings.stylus.delay.value = delay * settings.tickPeriod;
-    // A loop is to lower its stiffness by the delay; here it shall not, so that it has what is asked for.
+    // The loop lowers its stiffness according to the delay; this compensates for it, so that the stiffness is the
+    // requested one.
     settings.stylus.maximumStiffness.value = device.stiffness * (1.0 + 2.0 * delay) / settings.couplingShare;
     settings.stylus.maximumDamping.value = device.damping;
     settings.stylus.maximumForce.value = device.force;

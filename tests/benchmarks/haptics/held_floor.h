@@ -7,21 +7,22 @@
 
 namespace burin::benchmarks {
 
-/// A device in a hand above the floor of a part, without stock: what every figure of contact is taken from.
-/// The coupling has exactly the stiffness that is asked for, whatever the device's figures would make of it.
+/// A device held in a hand above the floor of a part, without stock, on which all contact figures are measured. The
+/// coupling has exactly the given stiffness, whatever the device's values would imply.
 class HeldFloor {
 public:
     struct Device {
         double stiffness = 400.0; ///< N/m, of the coupling
-        double damping = 4.0;     ///< N·s/m, the device's figure
-        double force = 100.0;     ///< N, the device's figure: large, so that no clamp hides what the loop does
+        double damping = 4.0;     ///< N·s/m, value of the device
+        double force = 100.0;     ///< N, value of the device: large, so that no clamp hides the behaviour of the loop
         double scale = 1.0;       ///< mm of setup per mm of device
     };
 
     HeldFloor(const Device& device, const test::SimulatedGrip& grip, const test::SimulatedMechanism& mechanism,
               double startHeight);
 
-    /// One tick of device and loop. @param intent mm above the floor (device frame); @param push N, down positive
+    /// Runs one tick of device and loop. @param intent  mm above the floor (device frame); @param push  N, positive
+    /// downwards
     Sample tick(double intent, double push = 0.0);
 
     const test::SimulatedHandle& handle() const noexcept { return handle_; }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Burin's proxy beside a god-object on the mesh and a point shell in voxels: the same hand, the same parts, one run.
+// Burin's proxy compared with a god-object on the mesh and a point shell in voxels: the same hand and parts, in one
+// run.
 #include "core/base/units.h"
 #include "tests/benchmarks/haptics/haptic_groups.h"
 #include "tests/benchmarks/measure/replay.h"
@@ -22,7 +23,7 @@ constexpr double radius = 3.0;    // mm, of the ball
 constexpr double voxel = 0.25;    // mm
 constexpr double stiffness = 1.0; // N/mm, from the ball to the hand
 constexpr double stride = 0.03;   // mm a tick: 30 mm/s
-constexpr double press = 0.5;     // mm that the hand is below where it touches
+constexpr double press = 0.5;     // mm of the hand below the contact position
 
 /// Follows a hand with the centre of a ball.
 class Follower {
@@ -71,7 +72,7 @@ private:
 /// A part, and a hand that presses a ball against it.
 struct PressedBall {
     TriangleMesh mesh;
-    Box region; ///< of the centre, with room, mm
+    Box region; ///< of the centre, with a margin, mm
     glm::dvec3 begin{0.0};
     std::vector<glm::dvec3> goals;
 };
@@ -94,7 +95,7 @@ Followed follow(Follower& follower, const PressedBall& ball) {
     return followed;
 }
 
-/// Where a ball that comes down from above touches.
+/// The centre of a ball that touches the part when it comes down from above.
 glm::dvec3 touchedFromAbove(const MeshDistance& part, glm::dvec3 centre) {
     for (int i = 0; i < 1000; ++i) {
         const double gap = part.closest(centre).signedDistance - radius;
@@ -104,7 +105,7 @@ glm::dvec3 touchedFromAbove(const MeshDistance& part, glm::dvec3 centre) {
     return centre;
 }
 
-/// Round a circle on the top of a bumpy part of 60,000 triangles.
+/// Moves in a circle on the top of a bumpy part of 60,000 triangles.
 PressedBall onBumps() {
     PressedBall ball;
     ball.mesh = bumpyPart(100.0, 6e4);
@@ -120,7 +121,7 @@ PressedBall onBumps() {
     return ball;
 }
 
-/// Along the edge of a block, pressed towards it from both of its faces alike: an ideal ball stays beside it.
+/// Moves along the edge of a block, pressed equally towards both of its faces: an ideal ball stays beside the edge.
 PressedBall alongEdge() {
     PressedBall ball;
     ball.mesh = shapes::box({0.0, 0.0, 0.0}, {40.0, 40.0, 20.0});
@@ -133,7 +134,7 @@ PressedBall alongEdge() {
     return ball;
 }
 
-/// Against a wall of 0.4 mm and through it, by 3 mm.
+/// Moves against a wall of 0.4 mm and through it, by 3 mm.
 PressedBall atThinWall() {
     PressedBall ball;
     ball.mesh = shapes::box({0.0, -20.0, 0.0}, {0.4, 20.0, 20.0});
@@ -151,14 +152,14 @@ double gougeOf(const MeshDistance& part, const Followed& followed) {
     return worst;
 }
 
-/// mm, between ball and part, in the mean: what is felt as the surface is so much before it.
+/// The mean distance between ball and part, mm, by which the surface is felt too early.
 double gapOf(const MeshDistance& part, const Followed& followed) {
     double sum = 0.0;
     for (const glm::dvec3& centre : followed.centres) sum += std::abs(part.closest(centre).signedDistance - radius);
     return sum / static_cast<double>(followed.centres.size());
 }
 
-/// N, root of the mean square of what a force differs from the mean of its neighbours.
+/// The root mean square of the difference between a force and the mean of its neighbours, N.
 double noiseOf(const PressedBall& ball, const Followed& followed) {
     const auto force = [&](std::size_t tick) { return stiffness * (ball.goals[tick] - followed.centres[tick]); };
     double sum = 0.0;
@@ -169,7 +170,7 @@ double noiseOf(const PressedBall& ball, const Followed& followed) {
     return std::sqrt(sum / static_cast<double>(ball.goals.size() - 2));
 }
 
-/// mm, from beside the edge.
+/// The largest distance from the ideal position beside the edge, mm.
 double strayOf(const Followed& followed) {
     const glm::dvec3 ideal = glm::dvec3(0.0, 0.0, 20.0) + radius * glm::normalize(glm::dvec3(-1.0, 0.0, 1.0));
     double worst = 0.0;
@@ -178,7 +179,7 @@ double strayOf(const Followed& followed) {
     return worst;
 }
 
-/// mm, beyond where the wall holds the ball.
+/// How far the ball gets beyond the position where the wall holds it, mm.
 double passedWall(const Followed& followed) {
     double farthest = 0.0;
     for (const glm::dvec3& centre : followed.centres) farthest = std::max(farthest, centre.x + radius);
@@ -190,7 +191,7 @@ struct Measured {
     double gouge = 0.0, gap = 0.0, noise = 0.0, stray = 0.0, passed = 0.0;
 };
 
-/// @param make a follower for a part and a region
+/// @param make  makes a follower for a part and a region
 template <class Make>
 Measured measured(Session& session, const std::string& name, const Make& make) {
     Measured result;

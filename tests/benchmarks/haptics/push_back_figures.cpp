@@ -20,7 +20,7 @@ oracles::PushBackScene partScene(const std::string& file) {
     return oracles::partPushBackScene(file, mesh);
 }
 
-/// What a tick's tool takes with a free axis, whose boundary is the part's mesh itself.
+/// The cost of a tick's tool with a free axis, whose boundary is the part's mesh itself.
 void freeAxisFigures(Session& session, const std::vector<oracles::PushBackScene>& parts) {
     constexpr double voxel = 0.5, noAllowance = 0.0; // mm
     for (const bool pressing : {true, false}) {

@@ -12,21 +12,21 @@ namespace {
 constexpr double fluteLength = 5.0, share = 0.95;
 
 struct Braking {
-    int ticks = 0;        ///< the longest that flag or brake force came late
-    double removed = 0.0; ///< mm³, in ticks that brake
+    int ticks = 0;        ///< largest delay of the flag or of the braking force
+    double removed = 0.0; ///< mm³, in ticks with braking
 };
 
-/// A hand that drives a shank, wider than its flutes, straight down into the stock. The shank's face is flat and so is
-/// the stock's top, at 0: they meet at a tip of -fluteLength, and what they overlap by from there on is the hand's
-/// depth.
+/// A hand drives a shank that is wider than its flutes straight down into the stock. The shank's face and the top of
+/// the stock at 0 are flat: they meet at a tip of -fluteLength, and their overlap from there on is the depth of the
+/// hand.
 Braking brakeOf(double speed, double stiffness) {
     HapticSettings settings = test::Rig::settings();
     settings.stylus.maximumStiffness.value = stiffness;
     test::Rig rig(settings, test::ballTool(fluteLength, 12.0));
     const double spring = settings.couplingShare * stiffness, most = settings.maximumForce(); // N/m, N
-    constexpr double unseen = 0.25 * test::voxel; // mm of overlap that is not looked at
+    constexpr double unseen = 0.25 * test::voxel; // mm of overlap that is not checked
     rig.begin({0.0, 0.0, 3.0});
-    std::vector<double> wanted, felt; // N, of each tick since contact
+    std::vector<double> wanted, felt; // N, in each tick since contact
     Braking braking;
     int contact = -1, flagged = -1, tick = 0;
     rig.onTick = [&](const Sample& sample) {

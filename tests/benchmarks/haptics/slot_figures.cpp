@@ -7,7 +7,8 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// Cutters, directions to the scanlines, speeds, encoders, hands, one material and two.
+/// Combinations of cutters, directions relative to the scanlines, speeds, encoders and hands, with one material and
+/// with two.
 std::vector<test::SlotCase> slotCases() {
     std::vector<test::SlotCase> cases;
     for (const CutterType cutter : {CutterType::flat, CutterType::ball, CutterType::bullNose})

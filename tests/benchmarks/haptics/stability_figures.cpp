@@ -11,7 +11,7 @@ namespace {
 
 using test::period;
 
-/// Called with each combination that stability is judged at.
+/// Calls `visit` with each combination for which stability is assessed.
 template <class Visit>
 void forEachHand(const Visit& visit) {
     for (const test::SimulatedGrip& grip : {test::lightGrip, test::middleGrip, test::firmGrip})
@@ -23,8 +23,8 @@ void forEachHand(const Visit& visit) {
                 }
 }
 
-/// What one contact gives to the hand, mJ, the worst of ten: the hand goes 5 mm into the floor and 5 mm above it once a
-/// second. In the air nothing is stored, so that what is left over came out of the loop.
+/// The energy that one contact gives to the hand, mJ, the worst of ten: once a second the hand moves 5 mm into the
+/// floor and 5 mm above it. In the air no energy is stored, so any surplus comes from the loop.
 double energyOfContact(const test::SimulatedGrip& grip, double stiffness, const test::SimulatedMechanism& mechanism) {
     constexpr int cycle = 1000, cycles = 10; // ticks
     constexpr double reach = 5.0;            // mm
@@ -49,8 +49,8 @@ void energyFigures(Session& session) {
     session.add(figure("energy.cycle_mj", worst, "mJ", 0.02));
 }
 
-/// Nobody holds the handle, a newton presses it down: how fast it still moves in the last of five seconds, mm/s, root
-/// mean square.
+/// The speed of a handle that nobody holds and that is pressed down with 1 N: root mean square over the last of five
+/// seconds, mm/s.
 double restlessness(double stiffness, double encoder) {
     constexpr int ticks = 5000, judged = 1000;
     HeldFloor floor({stiffness}, test::noGrip, {0.08, 0.5, encoder, 0}, 1.0);
@@ -65,7 +65,7 @@ double restlessness(double stiffness, double encoder) {
 void nobodyFigures(Session& session) {
     if (!session.wants("nohand.")) return;
     session.stage("nohand.rms_mm_s");
-    // Stiffer than this a sampled spring feeds the bare handle: twice its damping over the period.
+    // With a higher stiffness, twice the damping over the period, a sampled spring feeds energy into the bare handle.
     constexpr double limit = 2.0 * test::SimulatedMechanism{}.damping / period; // N/m
     double worst = 0.0;
     for (const double times : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0})
@@ -74,10 +74,10 @@ void nobodyFigures(Session& session) {
 }
 
 struct Noise {
-    double rms = 0.0, largest = 0.0; ///< N from tick to tick
+    double rms = 0.0, largest = 0.0; ///< N, from tick to tick
 };
 
-/// A hand that rests 3 mm within the floor.
+/// The noise of the force for a hand that rests 3 mm within the floor.
 Noise noiseOfContact(const test::SimulatedGrip& grip, double stiffness, const test::SimulatedMechanism& mechanism) {
     constexpr int ticks = 3000, judged = 1000;
     HeldFloor floor({stiffness}, grip, mechanism, 1.0);

@@ -9,17 +9,18 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// Samples go nowhere.
+/// Discards samples.
 class NoSink final : public TickSink {
 public:
     AtEdge edge() noexcept override { return AtEdge::tick; }
     void tick(const Sample&, const TickTiming&) noexcept override {}
 };
 
-/// A loop at 1 kHz whose hand presses is stopped in the middle of a tick: from then until the motors are off, ms.
+/// The time from stopping a loop at 1 kHz in the middle of a tick, while its hand presses, until the motors are off,
+/// ms.
 double stopTime() {
     constexpr double longEnough = 0.3; // s that the tick hangs
-    constexpr double patience = 20.0;  // s until the figure is given up
+    constexpr double patience = 20.0;  // s until the measurement is abandoned
     test::BlockingField field;
     field.seconds = longEnough;
     RunVolume volume = test::stockOnPart();

@@ -22,10 +22,10 @@ namespace fs = std::filesystem;
 
 constexpr double paperRate = 900.0;     // Hz (paper, 4.3.5)
 constexpr std::size_t ticks = 60'000;   // 60 s of the hand at 1 kHz
-constexpr std::size_t passTicks = 6000; // the workpiece is made whole again then: a milled block is soon all air
+constexpr std::size_t passTicks = 6000; // the workpiece is restored then: a milled block is soon all air
 constexpr int replays = 4;
 
-/// A project in a folder of its own that goes with it.
+/// A project in its own folder, which is deleted with the object.
 class TemporaryProject {
 public:
     TemporaryProject() : folder_(fs::temp_directory_path() / ("burin-bench-haptics-" + std::to_string(::getpid()))) {
@@ -46,7 +46,7 @@ private:
     std::optional<Project> project_;
 };
 
-/// What goes on beside a loop: its samples go to the disk, what it cuts is meshed.
+/// Work alongside the loop: its samples are written to the disk, its cuts are meshed.
 struct Beside {
     explicit Beside(Project& project, const Tool& tool) : ring(16384) {
         if (const Result<void> kept = project.setTool(tool); !kept) throw std::runtime_error(kept.error().subject);
@@ -65,13 +65,13 @@ struct TickCosts {
     std::size_t onBoundary = 0, cutting = 0; ///< ticks of one replay
 };
 
-/// One pass of the hand over a whole workpiece.
+/// One pass of the hand over an uncut workpiece.
 class Pass {
 public:
     Pass(TickScene& scene, Beside* beside)
         : scene_(scene), beside_(beside), step_(scene.workpiece, *scene.field, scene.tool, scene.settings) {}
 
-    /// From reading the hand to handing the sample over.
+    /// From reading the hand to delivering the sample.
     Sample tick(std::size_t i) noexcept {
         state_.time = 0.001 * static_cast<double>(i);
         state_.pose.position = scene_.hand[i];
@@ -82,11 +82,11 @@ public:
         if (beside_ != nullptr) handOver(sample, i);
         return sample;
     }
-    /// Between two ticks, and not timed: the disk is let come up.
+    /// Called between two ticks, not timed: lets the disk catch up.
     void waitForDisk() const {
         while (beside_ != nullptr && 2 * beside_->ring.size() > beside_->ring.capacity()) ::usleep(1000);
     }
-    /// How many properties lost something else than the samples say.
+    /// The number of properties whose loss differs from what the samples report.
     std::size_t mismatches(const RunAmounts& before) {
         step_.settle();
         const RunAmounts after = scene_.workpiece.snapshot().amounts();
@@ -115,8 +115,8 @@ private:
     bool offered_ = true;
 };
 
-/// Mills for 60 s of the hand's time as fast as it goes; processor time of the loop's thread alone. Intrinsic: every
-/// pass is replayed, and the least that each tick took is kept.
+/// Mills for 60 s of the hand's time as fast as possible; processor time of the loop's thread only. Intrinsic: every
+/// pass is replayed, and the least time of each tick is kept.
 TickCosts costsOf(TickScene& scene, Beside* beside, Session& session) {
     TickCosts costs;
     const VolumeSnapshot whole = scene.workpiece.snapshot();
@@ -139,7 +139,7 @@ TickCosts costsOf(TickScene& scene, Beside* beside, Session& session) {
     return costs;
 }
 
-/// What a pass asks of the system, from its second tick on.
+/// The system resources that a pass uses from its second tick on.
 tests::SystemUse demandsOf(TickScene& scene) {
     const VolumeSnapshot whole = scene.workpiece.snapshot();
     makeCodeResident(); // as the loop does before its first tick
@@ -199,7 +199,7 @@ void tickFigures(Session& session) {
         addCosts(session, stem, costsOf(scene, beside, session));
     };
     session.stage("tick.cpu_us");
-    measure("tick", paperBlock(5.0, ticks), nullptr); // the paper's 0.5 as half a millimetre in voxels of 0.1
+    measure("tick", paperBlock(5.0, ticks), nullptr); // the paper's 0.5 taken as half a millimetre in voxels of 0.1
     for (const std::int32_t side : {512, 1024})
         for (const int radius : {25, 50}) {
             const std::string stem = "tick." + std::to_string(side) + ".r" + std::to_string(radius);

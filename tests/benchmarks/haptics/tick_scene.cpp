@@ -12,7 +12,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-constexpr double speed = 0.2; // voxels a tick: 50 mm/s where a voxel is a quarter of a millimetre
+constexpr double speed = 0.2; // voxels per tick: 50 mm/s with a voxel of a quarter of a millimetre
 
 Tool toolOf(double radius) {
     Tool tool;

@@ -12,7 +12,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// Four digits are more than a shared machine repeats.
+/// Four digits are more than a shared machine can reproduce.
 std::string shortText(double value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.4g", value);

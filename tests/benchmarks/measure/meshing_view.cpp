@@ -10,7 +10,7 @@ namespace burin::benchmarks {
 bool MeshingView::offer(VolumeSnapshot& snapshot) noexcept {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock) return false;
-    std::swap(newest_, snapshot); // the caller lets the other one go
+    std::swap(newest_, snapshot); // the caller releases the other one
     fresh_ = true;
     return true;
 }

@@ -12,7 +12,7 @@
 
 namespace burin::benchmarks {
 
-/// Meshes what changed, on a thread of its own, as the window does: the newest snapshot counts, older ones are skipped.
+/// Meshes changes in a thread of its own, as the window does: only the newest snapshot is used, older ones are skipped.
 /// Brick by brick, at full detail.
 class MeshingView {
 public:
@@ -21,10 +21,12 @@ public:
     MeshingView(const MeshingView&) = delete;
     MeshingView& operator=(const MeshingView&) = delete;
 
-    /// From the loop: never waits. False when the view is just taking the one before; offer it again next tick.
+    /// Called by the loop, never blocks. Returns false if the view is just taking the previous snapshot; then offer it
+    /// again in the next tick.
     bool offer(VolumeSnapshot& snapshot) noexcept;
     void wake() noexcept { wake_.notify_one(); }
-    /// What each picture took, µs: which bricks changed, and their surface. Once the loop is over.
+    /// The time for each picture, µs: finding the changed bricks and making their surface. To be called after the loop
+    /// has ended.
     const std::vector<double>& pictures() const noexcept { return pictures_; }
     std::size_t bricks() const noexcept { return bricks_; }
     /// Waits for the picture that is being made.
@@ -37,9 +39,9 @@ private:
     std::condition_variable wake_;
     VolumeSnapshot newest_;
     bool fresh_ = false, ended_ = false;
-    std::vector<double> pictures_; ///< the thread's own until it ended
+    std::vector<double> pictures_; ///< owned by the thread until it has ended
     std::size_t bricks_ = 0;
-    std::thread thread_; // last: it uses the others
+    std::thread thread_; // last, as it uses the other members
 };
 
 } // namespace burin::benchmarks

@@ -10,30 +10,31 @@
 
 namespace burin::benchmarks {
 
-/// Mills a workpiece as the haptic loop does: a cut a tick, its runs written later (deferred), and a snapshot every 16
-/// ticks for a view at 60 Hz, which then gives the one before it back. Whatever it cuts is counted and compared with a
+/// Mills a workpiece as the haptic loop does: one cut per tick, whose runs are written later (deferred), and a snapshot
+/// every 16 ticks for a view at 60 Hz, which then releases the previous one. All cuts are counted and compared with a
 /// recount of the whole volume.
 class Milling {
 public:
-    /// The workpiece as it is now is where every replay begins.
+    /// Every replay starts from the current state of the workpiece.
     Milling(RunVolume& workpiece, const Cutter& cutter);
 
-    /// Back to the start state with the tool at a pose: first contact made, runs written. Counts the cuts before it.
+    /// Restores the start state with the tool at a pose: first contact made, runs written. Counts the cuts before it.
     void restart(Session& session, const ToolPose& pose);
-    /// The same, but the tool hangs in the air and nothing is cut yet.
+    /// The same, but the tool is in the air and nothing has been cut.
     void restartInAir(Session& session);
     /// One tick of the loop.
     CutResult tick(const ToolPose& from, const ToolPose& to) noexcept;
-    /// Between ticks: lets the view's old snapshot go, as the view does on its own thread.
+    /// Called between ticks: releases the view's old snapshot, as the view does in its own thread.
     void giveBackView() noexcept { oldView_ = VolumeSnapshot(); }
-    /// Writes what is pending and compares the counts with a recount: properties that differ go to the run.
+    /// Writes pending runs and compares the counts with a recount: the number of properties that differ is reported to
+    /// the session.
     void finish(Session& session);
 
-    /// Intrinsic time of every move of a path, µs, start and first contact left out. Counts what must not happen in a
+    /// Intrinsic times of all moves of a path, µs, without start and first contact. Counts what must not happen in a
     /// tick, and recounts the volume after every replay.
     std::vector<double> leastTicks(Session& session, std::span<const ToolPose> path, const ReplayRule& rule = {});
 
-    std::uint64_t removedUnits() const noexcept; ///< since the last restart, its first contact left out
+    std::uint64_t removedUnits() const noexcept; ///< since the last restart, without its first contact
     RunVolume& workpiece() noexcept { return workpiece_; }
     MaterialRemoval& removal() noexcept { return removal_; }
 

@@ -16,7 +16,7 @@ struct Program {
     std::vector<std::function<void(Session&)>> groups;
 };
 
-/// The command line that all benchmarks share: --json, --only PREFIX. @return exit status (README.md)
+/// The command line that all benchmarks share: --json, --only PREFIX. @return  exit status (README.md)
 int run(const Program& program, int argc, char** argv);
 
 } // namespace burin::benchmarks

@@ -26,14 +26,14 @@ inline double seconds(Clock::duration time) noexcept {
     return 1e-6 * microseconds(time);
 }
 
-/// Processor time of the calling thread since it began: what others do on its processor does not count.
+/// Processor time that the calling thread has used: time of other programs on the same processor does not count.
 inline double processorMicroseconds() noexcept {
     std::timespec now{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-/// Nearest rank: the least value that at least `share` of all are not above.
+/// Percentile by nearest rank: the least value for which at least `share` of all values are not above it.
 inline double percentile(std::vector<double> values, double share) {
     if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
     const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
@@ -42,18 +42,18 @@ inline double percentile(std::vector<double> values, double share) {
     return *place;
 }
 
-/// How often a path is replayed: at least so often, and more while little time has passed.
+/// How often a path is replayed: at least so many times, and more often while little time has passed.
 struct ReplayRule {
     int least = 5;
     int most = 12;
-    double enough = 0.8; ///< s: no further replay is begun after so long
+    double enough = 0.8; ///< s: after this time no further replay is started
 };
 
-/// Intrinsic times of ticks, µs: the same path is replayed from the same state, and the least that each tick ever took
-/// is kept, so that what other programs take from a shared machine drops out.
-/// @param restart back to the start state, not timed
-/// @param tick    work of tick i
-/// @param between what others do after it, not timed
+/// Intrinsic times of ticks, µs: the same path is replayed from the same state, and the least time of each tick is
+/// kept, which eliminates the time that other programs take on a shared machine.
+/// @param restart  restores the start state, not timed
+/// @param tick     work of tick i
+/// @param between  work of others after it, not timed
 /// Throws Cancelled.
 template <class Restart, class Tick, class Between>
 std::vector<double> leastOfReplays(std::size_t ticks, const Restart& restart, const Tick& tick, const Between& between,
@@ -80,8 +80,8 @@ std::vector<double> leastOfReplays(std::size_t ticks, const Restart& restart, co
         ticks, restart, tick, [] {}, rule);
 }
 
-/// The least time of some runs of a longer work, s.
-/// @param prepare not timed
+/// The least time of several runs of a longer work, s.
+/// @param prepare  not timed
 template <class Prepare, class Work>
 double leastSeconds(int runs, const Prepare& prepare, const Work& work) {
     double least = std::numeric_limits<double>::infinity();

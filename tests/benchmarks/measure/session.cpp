@@ -11,7 +11,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-volatile std::sig_atomic_t stopWanted = 0; // a signal handler can reach nothing else
+volatile std::sig_atomic_t stopWanted = 0; // a signal handler may access nothing else
 
 extern "C" void wantStop(int) {
     stopWanted = 1;
@@ -89,7 +89,7 @@ void Session::countInterruptions(std::size_t allocations, std::size_t pageFaults
 
 void Session::finish() {
     clearLine();
-    // Whatever was asked for, these say whether its ticks were sound.
+    // Whichever figures were requested, these say whether the ticks were correct.
     if (recounted_)
         figures_.push_back(figure("recount.mismatches", static_cast<double>(mismatches_), "properties", 0.0));
     check(mismatches_ == 0, "removed volume per property equals a full recount");

@@ -18,36 +18,38 @@ struct Cancelled : std::runtime_error {
     Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// What a run of the benchmark has found out so far, which figures it is asked for, and the wish to stop it.
-/// Thread: the main thread, but for `cancelled`.
+/// The results of a benchmark run so far, the figures that are requested, and the request to cancel it. To be used on
+/// the main thread only, except `cancelled`.
 class Session {
 public:
-    /// @param only figures whose names begin so; empty: all
+    /// @param only  prefix of the names of requested figures; empty: all figures
     explicit Session(std::string only);
 
-    /// Whether any figure whose name begins with `stem` is asked for.
+    /// Whether any figure whose name begins with `stem` is requested.
     bool wants(std::string_view stem) const noexcept;
-    /// Names what is measured now, on a terminal. Throws Cancelled when the user wants to stop.
+    /// Shows on a terminal what is being measured. Throws Cancelled if the user cancelled the run.
     void stage(const std::string& title);
-    /// Kept when it is asked for; in the place of one of that name, from an earlier round.
+    /// Keeps the figure if it is requested; replaces one of that name from an earlier round.
     void add(Figure figure);
-    /// All is measured again. Rounds lie apart by minutes, so that a time in which others had the machine spoils one.
+    /// Everything is measured again. Rounds are minutes apart, so that a period in which the machine was busy spoils
+    /// only one.
     void beginRound() noexcept { ++round_; }
     int round() const noexcept { return round_; } ///< from 1
-    /// Of an intrinsic time and what was given under that name in the rounds before, the least; of ticks each by
-    /// itself.
+    /// The least of an intrinsic time and the times given under that name in earlier rounds; for ticks, of each tick
+    /// separately.
     double least(const std::string& name, double time);
     std::vector<double> least(const std::string& name, std::vector<double> times);
-    /// A fact that has to hold for the figures to mean anything. One that fails ends the program with status 1.
+    /// Records a fact without which the figures would be meaningless. If one does not hold, the program ends with
+    /// status 1.
     void check(bool holds, const std::string& fact);
-    /// Says something that the figures can't, on standard error.
+    /// Prints on standard error what the figures cannot express.
     void note(const std::string& text);
-    /// What the last ticks' sums and the recount of the volume disagree in, in properties.
+    /// The number of properties for which the sums over the last ticks differ from the recount of the volume.
     void countMismatches(std::size_t properties) noexcept;
-    /// Heap calls and page faults within ticks.
+    /// Heap calls and page faults during ticks.
     void countInterruptions(std::size_t allocations, std::size_t pageFaults) noexcept;
 
-    /// Adds recount.mismatches and tick.*, as far as they were counted.
+    /// Adds recount.mismatches and tick.*, if they were counted.
     void finish();
     const std::vector<Figure>& figures() const noexcept { return figures_; }
     bool allChecksHold() const noexcept { return failed_ == 0; }
@@ -67,7 +69,7 @@ private:
     bool recounted_ = false, watched_ = false;
 };
 
-/// The value, or an exception with the error's words.
+/// The value, or an exception with the text of the error.
 template <class T>
 T require(Result<T> result, const char* what) {
     if (!result)

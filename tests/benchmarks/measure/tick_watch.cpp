@@ -17,7 +17,7 @@ void TickWatch::end() noexcept {
     if (!counting_) return;
     counting_ = false;
     const tests::SystemUse use = watch_.end();
-    allocations_ += use.allocations + use.releases; // giving back takes as long
+    allocations_ += use.allocations + use.releases; // releasing takes as long
     pageFaults_ += use.pageFaults;
 }
 

@@ -8,17 +8,18 @@
 
 namespace burin::benchmarks {
 
-/// Counts what must not happen in a tick, on the calling thread: calls of the malloc family (operator new ends there
-/// too) and page faults, minor and major. For many stretches in turn, with the same counting as in tests (SystemWatch).
+/// Counts what must not happen in a tick, on the calling thread: calls of the malloc family (which operator new uses as
+/// well) and page faults, minor and major. For many intervals in turn, with the same counting as in tests
+/// (SystemWatch).
 class TickWatch {
 public:
     void begin() noexcept;
-    /// Forgets what was counted.
+    /// Resets the counts.
     void restart() noexcept {
         allocations_ = pageFaults_ = 0;
         counting_ = false;
     }
-    void end() noexcept; ///< without a `begin` nothing
+    void end() noexcept; ///< does nothing without a preceding `begin`
     std::size_t allocations() const noexcept { return allocations_; }
     std::size_t pageFaults() const noexcept { return pageFaults_; }
     /// False under a sanitizer, which needs malloc for itself.

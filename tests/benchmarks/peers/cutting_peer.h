@@ -16,15 +16,15 @@ namespace burin::benchmarks {
 /// Removed voxels by property.
 using VoxelCounts = std::array<std::uint64_t, 256>;
 
-/// Another way to mill whole voxels of 1 mm, axis +Z, runs along z: the same job that MaterialRemoval is timed at. All
-/// of them take poses less than a voxel apart (the pose that the move starts at is cut already), a voxel goes when its
-/// centre lies in the tool at one of them, and they count what goes by property.
+/// Another method to mill whole voxels of 1 mm, axis +Z, runs along z: the same job for which MaterialRemoval is timed.
+/// All peers use poses less than a voxel apart (the start pose of the move is cut already), remove a voxel if its
+/// centre is inside the tool at one of them, and count removed voxels by property.
 class CuttingPeer {
 public:
     virtual ~CuttingPeer() = default;
-    /// Begins a replay: the state that the peer was made with, tool at a tip where nothing is cut yet.
+    /// Starts a replay: the state with which the peer was made, tool at a tip where nothing is cut yet.
     virtual void restart() = 0;
-    /// Work of one tick. @param removed is added to
+    /// The work of one tick. @param removed  is increased
     virtual void cut(const glm::dvec3& from, const glm::dvec3& to, VoxelCounts& removed) = 0;
     virtual PropertyIndex at(VoxelIndex voxel) const = 0;
 };
@@ -38,13 +38,13 @@ struct LineBlock {
 };
 LineBlock blockOf(std::span<const glm::dvec3> tips, double radius, const Grid& grid);
 
-/// The paper's way: union of the voxelised tool at all poses as a list of runs for each line, its intersection with
-/// the workpiece's runs, and their removal; runs of a line in a vector of its own.
+/// The paper's method: the union of the voxelised tool at all poses as a list of runs for each line, its intersection
+/// with the workpiece's runs, and their removal; each line has a vector of its own for its runs.
 std::unique_ptr<CuttingPeer> paperCutter(const VolumeSnapshot& workpiece, const LineBlock& block, const EndMill& tool);
-/// A byte a voxel, lines along z; only what the pose before did not reach is looked at.
+/// One byte per voxel, lines along z; only voxels that the previous pose did not reach are examined.
 std::unique_ptr<CuttingPeer> denseByteCutter(const VolumeSnapshot& workpiece, const LineBlock& block,
                                              const EndMill& tool);
-/// A bit a voxel, 64 at a time, likewise. Knows no materials: everything counts as property 1.
+/// The same with one bit per voxel, 64 at a time. Has no materials: everything counts as property 1.
 std::unique_ptr<CuttingPeer> denseBitCutter(const VolumeSnapshot& workpiece, const LineBlock& block,
                                             const EndMill& tool);
 

@@ -11,8 +11,8 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// A block of lines, `perLine` elements each, with a copy to begin again from. Lines beyond the block are never cut, so
-/// they need no memory here; a line lies as far from its neighbour as in the whole grid's array would.
+/// A block of lines, `perLine` elements each, with a copy to restart from. Lines outside the block are never cut, so
+/// they need no memory here; the distance between neighbouring lines is as in the array of the whole grid.
 template <class Element>
 class LineArray {
 public:
@@ -38,7 +38,7 @@ private:
     std::vector<Element> elements_, start_;
 };
 
-/// Walks the poses and hands each line's newly covered voxels to the storage.
+/// Goes through the poses and passes each line's newly covered voxels to the storage.
 template <class Storage>
 class DeltaCutter final : public CuttingPeer {
 public:
@@ -64,7 +64,7 @@ private:
     Grid grid_;
     VoxelTool tool_;
     Storage storage_;
-    bool fresh_ = true; ///< no pose was cut yet
+    bool fresh_ = true; ///< no pose has been cut yet
 };
 
 template <class Visit>
@@ -88,7 +88,7 @@ public:
     void clear(LineIndex line, VoxelSpan part, VoxelCounts& removed) noexcept {
         PropertyIndex* const voxels = array_.line(line);
         for (std::int32_t k = part.first; k < part.end; ++k) {
-            ++removed[voxels[k]]; // air has an entry too, which nobody reads
+            ++removed[voxels[k]]; // air has an entry too, which is never read
             voxels[k] = airProperty;
         }
     }

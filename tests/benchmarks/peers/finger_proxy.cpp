@@ -9,12 +9,12 @@ namespace burin::benchmarks {
 
 namespace {
 
-constexpr double skin = 1e-4; // mm kept from what was touched
+constexpr double skin = 1e-4; // mm of distance kept from what was touched
 constexpr double nearlyNone = 1e-12;
 
-/// The least root of a t² + 2 b t + c = 0 where the sphere comes in; nothing: it never does.
+/// The least root of a t² + 2 b t + c = 0, at which the sphere enters; nullopt if it never does.
 std::optional<double> entry(double a, double b, double c) {
-    if (!(a > nearlyNone) || b >= 0.0) return std::nullopt; // it goes away
+    if (!(a > nearlyNone) || b >= 0.0) return std::nullopt; // it moves away
     const double discriminant = b * b - a * c;
     if (discriminant < 0.0) return std::nullopt;
     return (-b - std::sqrt(discriminant)) / a;
@@ -22,11 +22,11 @@ std::optional<double> entry(double a, double b, double c) {
 
 } // namespace
 
-/// Only what it moves against counts; what it has touched already is touched at once.
+/// Only surfaces that it moves against count; a surface that it touches already is contacted at once.
 void FingerProxy::take(double share, const glm::dvec3& normal, const glm::dvec3& way, std::optional<Contact>& first) {
     if (!(share <= 1.0) || glm::dot(normal, way) >= 0.0) return;
     const double length = glm::length(way);
-    if (share * length < -10.0 * skin) return; // it lies behind
+    if (share * length < -10.0 * skin) return; // it is behind the sphere
     const double bounded = std::max(0.0, share);
     if (!first || bounded < first->share) first = Contact{bounded, normal};
 }

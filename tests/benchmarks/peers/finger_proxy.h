@@ -10,21 +10,21 @@
 
 namespace burin::benchmarks {
 
-/// A sphere as a god-object on a mesh: moves towards its goal until it touches, adds the plane it touched, and goes on
-/// for the point of all planes that is nearest to the goal; three times at most. Ruspini, Kolarov & Khatib 1997, in the
-/// steps of CHAI3D's cAlgorithmFingerProxy (three collision tests a tick, a small distance kept from what was touched).
-/// One thread; allocates.
+/// A sphere as a god-object on a mesh. It moves towards its goal until it touches, adds the plane that it touched, and
+/// continues to the point on all planes that is nearest to the goal; three times at most. Ruspini, Kolarov & Khatib
+/// 1997, in the steps of CHAI3D's cAlgorithmFingerProxy (three collision tests a tick, a small distance kept from what
+/// was touched). Single-threaded; allocates.
 class FingerProxy {
 public:
-    /// @param part outlives it. @param radius mm
+    /// @param part  must outlive the object. @param radius  mm
     FingerProxy(const MeshDistance& part, double radius) : part_(part), radius_(radius) {}
     void place(const glm::dvec3& centre) { centre_ = centre; }
-    /// The centre after a tick. @param goal mm, where the hand wants it
+    /// The centre after a tick. @param goal  mm, position commanded by the hand
     const glm::dvec3& advance(const glm::dvec3& goal);
 
 private:
     struct Contact {
-        double share = 1.0; ///< of the way
+        double share = 1.0; ///< of the motion
         glm::dvec3 normal{0.0};
     };
     std::optional<Contact> firstContact(const glm::dvec3& way);

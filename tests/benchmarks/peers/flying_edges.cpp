@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    /// Triangles alone: what a caller pays at least.
+    /// Triangles only: the minimum that a caller pays.
     template <class Edges>
     void setUp(Edges& filter) {
         filter.ComputeNormalsOff();

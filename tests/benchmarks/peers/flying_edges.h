@@ -15,8 +15,8 @@ struct Brick {
     std::int32_t u = 0, v = 0, along = 0;
 };
 
-/// VTK's flying edges on a brick of a volume: material or none as samples at the voxels' centres, those of one more
-/// layer of voxels on all sides included.
+/// VTK's flying edges on a brick of a volume. The samples are material or none at the voxels' centres, including one
+/// more layer of voxels on all sides.
 class FlyingEdges {
 public:
     enum class Kind : std::uint8_t { discrete, continuous }; ///< vtkDiscreteFlyingEdges3D, vtkFlyingEdges3D
@@ -25,9 +25,9 @@ public:
     FlyingEdges(const FlyingEdges&) = delete;
     FlyingEdges& operator=(const FlyingEdges&) = delete;
 
-    /// Runs to samples.
+    /// Converts runs to samples.
     void expand(const VolumeSnapshot& volume, const Brick& brick);
-    /// Samples to triangles. @return how many
+    /// Converts samples to triangles. @return  their number
     std::int64_t mesh();
 
 private:

@@ -9,8 +9,9 @@
 
 namespace burin::benchmarks {
 
-/// s of OpenVDB's meshToLevelSet (half width 3) for the bumpy part of so many triangles in a scene of so many voxels;
-/// it takes many seconds, so it is run once a round and its time serves all figures that stand beside it.
+/// The time, s, of OpenVDB's meshToLevelSet (half width 3) for the bumpy part with a number of triangles in a scene
+/// with a number of voxels. It takes many seconds, so it is run once per round, and its time serves all figures that
+/// are compared with it.
 std::optional<double> meshLevelSetSeconds(Session& session, std::int32_t side, double triangles);
 
 } // namespace burin::benchmarks

@@ -13,7 +13,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// Cubes of one level on a line: up to `end`, all hold `value`.
+/// An interval of cubes of one level on a line: up to `end`, all contain `value`.
 struct Stretch {
     std::int32_t end = 0;
     std::int32_t value = 0;
@@ -49,7 +49,7 @@ Level voxelsOf(const VolumeSnapshot& volume) {
     return level;
 }
 
-/// Four lines beside each other become one of cubes of twice the edge.
+/// Combines four adjacent lines into one of cubes with twice the edge.
 void halveLine(const Level& fine, std::int32_t u, std::int32_t v, Level& coarse) {
     std::array<const Stretch*, 4> at{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -64,8 +64,8 @@ void halveLine(const Level& fine, std::int32_t u, std::int32_t v, Level& coarse)
             to = std::min(to, stretch->end);
             equal = equal && stretch->value == at[0]->value;
         }
-        // The cube that a stretch begins in is mixed where it does not begin with it, and so is the one that it ends
-        // in: the next stretch, or the line's end, says so.
+        // The cube in which an interval begins is mixed unless the interval begins with it, and so is the one in which
+        // it ends: the next interval, or the line's end, appends it.
         const std::int32_t whole = to / 2;
         if (equal) {
             coarse.append((from + 1) / 2, mixed);
@@ -106,7 +106,7 @@ std::uint64_t mixedCubes(const Level& level) {
 
 std::uint64_t octreeBytes(const VolumeSnapshot& volume) {
     assert(volume.grid().lineCountU() == volume.grid().voxelsPerLine());
-    Level level = halved(voxelsOf(volume)); // cubes of two voxels: mixed ones hold their voxels themselves
+    Level level = halved(voxelsOf(volume)); // cubes of two voxels: mixed ones contain their voxels themselves
     std::uint64_t nodes = 1;
     while (level.side > 1) {
         level = halved(level);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Built in place of openvdb_*.cpp where OpenVDB was not found.
+// Built instead of openvdb_*.cpp if OpenVDB was not found.
 #include "tests/benchmarks/peers/openvdb.h"
 
 namespace burin::benchmarks {

@@ -69,7 +69,7 @@ private:
             k += end - first;
         }
     }
-    /// Nothing where there is only air. Looked up once a column.
+    /// Null where there is only air. Looked up once per column.
     Leaf* leafAt(LineIndex line, std::int32_t k) {
         const auto place = static_cast<std::size_t>(k) / 8;
         Known& known = leaves_[place];
@@ -92,7 +92,7 @@ private:
     std::unique_ptr<Access> access_;
     std::vector<Known> leaves_; ///< of the column that is being cut
     std::vector<std::size_t> known_;
-    bool fresh_ = true; ///< no pose was cut yet
+    bool fresh_ = true; ///< no pose has been cut yet
 };
 
 } // namespace

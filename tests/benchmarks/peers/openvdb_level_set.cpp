@@ -20,7 +20,7 @@ namespace {
 
 using openvdb::FloatGrid;
 
-/// OpenVDB wants to be initialised before the first grid is made.
+/// OpenVDB has to be initialised before the first grid is made.
 void initialise() {
     static const bool done = (openvdb::initialize(), true);
     (void)done;
@@ -45,8 +45,8 @@ double boxDistance(const Box& box, const glm::dvec3& place) {
     return glm::length(glm::max(beyond, glm::dvec3(0.0))) + std::min(0.0, std::max({beyond.x, beyond.y, beyond.z}));
 }
 
-/// A level set of voxels of 1 mm, half bandwidth 3, leaf by leaf: createLevelSetBox takes half a minute for 1024
-/// voxels.
+/// A level set with voxels of 1 mm and half bandwidth 3, made leaf by leaf, as createLevelSetBox takes half a minute
+/// for 1024 voxels.
 FloatGrid::Ptr boxLevelSet(const Box& box) {
     initialise();
     constexpr float halfWidth = 3.0F;
@@ -81,7 +81,7 @@ FloatGrid::Ptr boxLevelSet(const Box& box) {
     return grid;
 }
 
-/// Takes a level-set sphere that stands on its tip out of a workpiece of voxels of 1 mm, half bandwidth 3.
+/// Subtracts a level-set sphere that stands on its tip from a workpiece with voxels of 1 mm and half bandwidth 3.
 void takeSphere(FloatGrid& workpiece, const glm::dvec3& tip, double radius) {
     const openvdb::Vec3f centre(openvdb::Vec3d(tip.x, tip.y, tip.z + radius));
     const FloatGrid::Ptr tool =
@@ -94,7 +94,7 @@ void takeSphere(FloatGrid& workpiece, const glm::dvec3& tip, double radius) {
 std::optional<std::vector<double>> csgDifferenceTimes(double side, double radius, const std::vector<glm::dvec3>& tips) {
     const FloatGrid::Ptr block = boxLevelSet({glm::dvec3(0.03 * side), glm::dvec3(0.97 * side)});
     FloatGrid::Ptr workpiece;
-    tbb::task_arena one(1); // as ours cuts
+    tbb::task_arena one(1); // as Burin cuts
     constexpr ReplayRule fourReplays{4, 4, 0.0};
     return leastOfReplays(
         tips.size(), [&] { workpiece = block->deepCopy(); },
@@ -127,7 +127,7 @@ std::optional<double> levelSetQueryNanoseconds(const TriangleMesh& mesh, const s
             sum += value;
         }
     });
-    volatile float kept = sum; // the work has to be done
+    volatile float kept = sum; // so that the work is not optimised away
     (void)kept;
     return 1e9 * spent / static_cast<double>(places.size());
 }

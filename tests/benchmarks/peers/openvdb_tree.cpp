@@ -17,14 +17,14 @@ namespace {
 constexpr std::int32_t leafSide = 8;
 constexpr std::size_t linesPerLeaf = 64;
 
-/// Eight voxels of one line as they lie in a leaf's buffer.
+/// Eight voxels of one line in the layout of a leaf's buffer.
 std::uint64_t eightVoxels(const PropertyIndex* voxels) noexcept {
     std::uint64_t word = 0;
     std::memcpy(&word, voxels, sizeof word);
     return word;
 }
 
-/// The voxels of 8 × 8 lines, u slowest, as a leaf orders them.
+/// The voxels of 8 × 8 lines, u slowest, in the order of a leaf.
 class LeafColumn {
 public:
     explicit LeafColumn(std::int32_t length)
@@ -38,7 +38,7 @@ public:
                     std::memset(line + run.first, run.property, static_cast<std::size_t>(run.last - run.first + 1));
                 });
     }
-    /// Whether the leaf from `k` on holds one property.
+    /// Whether the leaf that starts at `k` contains a single property.
     bool isUniform(std::int32_t k) const noexcept {
         const PropertyIndex* voxels = voxels_.data() + k;
         const std::uint64_t expected = 0x0101010101010101U * *voxels;

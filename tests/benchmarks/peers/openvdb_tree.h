@@ -8,10 +8,10 @@
 
 namespace burin::benchmarks {
 
-/// A property a voxel; air is inactive background. x, y, z of the tree are u, v and the place along the runs.
+/// One property per voxel; air is inactive background. x, y, z of the tree are u, v and the position along the runs.
 using PropertyTree = openvdb::tree::Tree4<std::int8_t, 5, 4, 3>::Type;
 
-/// The whole-voxel view of a volume; equal cubes of all sizes are tiles. The grid's counts are multiples of 8.
+/// The whole-voxel view of a volume; uniform cubes of all sizes are tiles. The grid's counts must be multiples of 8.
 PropertyTree::Ptr propertyTree(const VolumeSnapshot& volume);
 
 } // namespace burin::benchmarks

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double layersBefore = 2.0; // voxels
 
-/// Evenly spread over the lower half of the unit sphere: Fibonacci's lattice.
+/// Directions spread evenly over the lower half of the unit sphere: Fibonacci lattice.
 std::vector<glm::dvec3> lowerHalf(int count) {
     const double golden = pi * (3.0 - std::sqrt(5.0));
     std::vector<glm::dvec3> points;
@@ -66,7 +66,7 @@ const glm::dvec3& PointShell::advance(const glm::dvec3& goal) {
         const std::uint8_t layer = layerAt(voxel);
         if (layer == 0) continue;
         const glm::dvec3 middle = low_ + settings_.voxel * (glm::dvec3(voxel) + 0.5);
-        // Deeper layers go on where the one before ends, so that nothing is lost there.
+        // Deeper layers start where the previous one ends, so that the force is continuous there.
         const double depth = glm::dot(point - middle, outward) + settings_.voxel * (layer - 0.5);
         if (!(depth > 0.0)) continue;
         force -= settings_.stiffness * depth * outward;

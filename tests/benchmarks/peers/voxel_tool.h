@@ -10,7 +10,7 @@
 
 namespace burin::benchmarks {
 
-/// Voxels first … end - 1 of a line along z; none when end <= first.
+/// Voxels first … end - 1 of a line along z; empty if end <= first.
 struct VoxelSpan {
     std::int32_t first = 0, end = 0;
     bool empty() const noexcept { return end <= first; }
@@ -27,7 +27,7 @@ inline EndMill endMillOf(const Cutter& cutter) {
 }
 
 /// A cutter with a ball, flat or bull-nosed end as whole voxels of 1 mm at any pose with axis +Z. A voxel belongs to it
-/// when its centre lies inside.
+/// if its centre is inside.
 class VoxelTool {
 public:
     VoxelTool(const EndMill& tool, const Grid& grid)
@@ -40,7 +40,7 @@ public:
 
     double radius() const noexcept { return radius_; }
 
-    /// Calls visit(line, span) for every line that meets the tool with its tip at a place.
+    /// Calls visit(line, span) for every line that meets the tool with its tip at a position.
     template <class Visit>
     void forEachLine(const glm::dvec3& tip, Visit&& visit) const {
         const VoxelSpan rows = within(tip.y, radius_, countV_);
@@ -75,14 +75,14 @@ private:
     static VoxelSpan within(double middle, double half, std::int32_t count) noexcept {
         return {std::max(0, up(middle - half)), std::min(count, up(middle + half))};
     }
-    /// The first voxel whose centre is not below a place: half-open, so that a tie is decided once.
+    /// The first voxel whose centre is not below a position. Half-open, so that a tie is decided once.
     static std::int32_t up(double place) noexcept { return static_cast<std::int32_t>(std::ceil(place - 0.5)); }
 
     double radius_, corner_, fluteLength_;
     std::int32_t countU_, countV_, length_;
 };
 
-/// Calls visit(tip, tipBefore) for the poses of a move less than a voxel apart (paper, eqs. 6-8), its start left out.
+/// Calls visit(tip, tipBefore) for the poses of a move, less than a voxel apart (paper, eqs. 6-8), without its start.
 template <class Visit>
 void forEachPose(const glm::dvec3& from, const glm::dvec3& to, Visit&& visit) {
     const int poses = static_cast<int>(std::floor(glm::length(to - from))) + 1;
@@ -94,7 +94,7 @@ void forEachPose(const glm::dvec3& from, const glm::dvec3& to, Visit&& visit) {
     }
 }
 
-/// Calls visit(part) for what of `now` is not in `before`: at most two spans.
+/// Calls visit(part) for the parts of `now` that are not in `before`: at most two spans.
 template <class Visit>
 void forEachNew(VoxelSpan now, VoxelSpan before, Visit&& visit) {
     if (now.empty()) return;

@@ -14,7 +14,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// A relief that is finished in more and more rows: the length that is milled grows as the blocks do.
+/// A relief that is finished with an increasing number of rows: the milled length grows with the number of blocks.
 class Programs {
 public:
     const ReliefScene& scene(std::size_t step) {

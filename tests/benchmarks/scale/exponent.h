@@ -6,7 +6,7 @@
 
 namespace burin::benchmarks {
 
-/// How a cost grows with a size: as the size to this power, between two sizes.
+/// The exponent of a cost's growth with a size, between two sizes: the cost grows as the size to this power.
 inline double exponentBetween(double size, double cost, double largerSize, double costOfLarger) noexcept {
     return std::log(costOfLarger / cost) / std::log(largerSize / size);
 }

@@ -16,7 +16,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// A hand that follows a program over a relief, tick by tick, longer and longer.
+/// A hand that follows a program over a relief, tick by tick, with increasing length.
 class Paths {
 public:
     static std::size_t points(int step) { return std::size_t{50000} << step; }

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr double side = 120.0, height = 20.0; // mm, of the block
 
-/// A folder that goes with the object.
+/// A folder that is deleted with the object.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -45,8 +45,8 @@ private:
     fs::path path_;
 };
 
-/// Rows there and back through the block, 2 mm apart and 2 mm deep, at 40 mm/s with a tremor: as long as there are
-/// ticks each of them cuts as the others do.
+/// Rows back and forth through the block, 2 mm apart and 2 mm deep, at 40 mm/s with a tremor, so that throughout the
+/// recording each tick cuts as much as the others.
 glm::dvec3 tipAt(std::size_t tick) {
     constexpr double step = 0.04, row = 100.0, stepOver = 2.0; // mm
     const double way = step * static_cast<double>(tick), number = std::floor(way / row);
@@ -57,12 +57,12 @@ glm::dvec3 tipAt(std::size_t tick) {
     return glm::dvec3(10.0 + (back ? row - along : along), 8.0 + stepOver * number, height - 2.0) + tremor;
 }
 
-/// Recordings of a block that is milled with one trace, longer and longer.
+/// Recordings of increasing length of a block that is milled with one trace.
 class Recordings {
 public:
     static std::size_t ticks(int step) { return std::size_t{30000} << step; }
 
-    /// Makes what `mill` needs.
+    /// Prepares what `mill` needs.
     void begin(int step) {
         end();
         milling_.emplace(milling());
@@ -94,7 +94,7 @@ public:
         return require(recordTake(*project_, *milling_, *bounds_, stylus, request, stop), "milling");
     }
     void save() { keep(project_->save()); }
-    /// As the window does it: file, stock, and the recording cut again.
+    /// As in the window: file, stock, and the recording replayed.
     double open() {
         Progress progress;
         const Project project = require(Project::open(folder_.file("milled.burin")), "opening");

@@ -18,14 +18,14 @@ namespace {
 
 constexpr int runs = 3, sizes = 3;
 
-/// s of all threads.
+/// CPU time of all threads, s.
 double cpuTime() {
     timespec spent{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &spent);
     return static_cast<double>(spent.tv_sec) + 1e-9 * static_cast<double>(spent.tv_nsec);
 }
 
-/// B, of a line of /proc/self/status (proc(5)).
+/// The value of a line of /proc/self/status (proc(5)), B.
 double statusBytes(const std::string& line) {
     std::ifstream status("/proc/self/status");
     for (std::string name; status >> name;) {
@@ -46,8 +46,8 @@ Cost costOf(const ScaledWork& work, int step) {
     for (int run = 0; run < runs; ++run) {
         Session::throwIfCancelled();
         if (work.prepare) work.prepare(step);
-        malloc_trim(0);                              // what earlier works left would hide what this one takes
-        std::ofstream("/proc/self/clear_refs") << 5; // the highest resident size begins anew
+        malloc_trim(0);                              // memory left by earlier works would hide what this one takes
+        std::ofstream("/proc/self/clear_refs") << 5; // resets the peak resident size
         const double before = statusBytes("VmRSS:"), start = cpuTime();
         work.work(step);
         least.cpu = std::min(least.cpu, cpuTime() - start);

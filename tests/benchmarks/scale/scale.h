@@ -9,21 +9,21 @@
 
 namespace burin::benchmarks {
 
-/// One work, made of three sizes.
+/// One work that is done at three sizes.
 struct ScaledWork {
-    std::string name;                        ///< "samples.mill": what is counted, and what is done with it
-    double limit = 1.2;                      ///< that the exponent of its CPU time may reach
-    std::function<double(int step)> size{};  ///< that step 0, 1 or 2 really has: samples, blocks, voxels, …
-    std::function<void(int step)> prepare{}; ///< makes what the work needs, uncounted, each time; may be empty
+    std::string name;                        ///< "samples.mill": what is counted and what is done with it
+    double limit = 1.2;                      ///< for the exponent of its CPU time
+    std::function<double(int step)> size{};  ///< actual size of step 0, 1 or 2: samples, blocks, voxels, …
+    std::function<void(int step)> prepare{}; ///< makes what the work needs, each time, not counted; may be empty
     std::function<void(int step)> work{};
 };
 
-/// Adds of each size `scale.NAME.SIZE.cpu` (s, of all threads, the least of three runs) and `.peak` (MB, what the work
-/// took at most on top of what there was), and `scale.NAME.exponent` of the CPU time from the smallest size to the
-/// largest, with `.exponent.lower` and `.exponent.upper` of the two steps.
+/// Adds for each size `scale.NAME.SIZE.cpu` (s, of all threads, the least of three runs) and `.peak` (MB, the most that
+/// the work took in addition to the memory in use before), and `scale.NAME.exponent` of the CPU time from the smallest
+/// size to the largest, with `.exponent.lower` and `.exponent.upper` of the two steps.
 void scaleFigures(Session& session, const ScaledWork& work);
 
-// What is measured, each in a file of its own.
+// The measured works, each in a file of its own.
 void sampleScale(Session& session);
 void blockScale(Session& session);
 void pointScale(Session& session);

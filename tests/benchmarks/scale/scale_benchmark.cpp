@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// burin-rig-scale: what works cost at three sizes, and how that grows. `burin rig scale` starts it.
+// burin-bench-scale: the cost of works at three sizes, and its growth. `burin bench scale` starts it.
 #include "tests/benchmarks/measure/program.h"
 #include "tests/benchmarks/scale/scale.h"
 

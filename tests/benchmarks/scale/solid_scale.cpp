@@ -13,7 +13,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// A relief in its stock at one voxel size with one mesh.
+/// A relief in its stock with one voxel size and one mesh.
 struct Solid {
     explicit Solid(const ReliefJob& job) : scene(job) {}
 
@@ -27,7 +27,7 @@ struct Solid {
         Progress progress;
         (void)require(burin::embed(scene.model, scene.request.setup, {}, progress), "stock");
     }
-    /// What a tool's tip moves in.
+    /// Makes the boundary for a tool's tip.
     void boundary() const {
         ToolFieldRequest request;
         request.tool = pieces(scene.request.tool.cutter);
@@ -52,7 +52,7 @@ ScaledWork workOn(const Solids& solids, std::string name, double limit, double (
     return scaled;
 }
 
-/// @param voxel mm, of the first one @param grow what makes the next one larger
+/// @param voxel  mm, of the first one @param grow  makes the next one larger
 template <class Grow>
 Solids solidsOf(double voxel, const Grow& grow) {
     ReliefJob job;
@@ -72,7 +72,8 @@ void solidScale(Session& session) {
     constexpr double linear = 1.2;
     if (session.wants("scale.voxels")) {
         const Solids solids = solidsOf(0.8, [](ReliefJob& job) { job.voxel /= 2.0; });
-        // The surface has the number of voxels to the power of 2/3, and so has what is done at it.
+        // The surface has as many voxels as the solid to the power of 2/3, and so has the work that is done at the
+        // surface.
         scaleFigures(session, workOn(solids, "voxels.embed", linear, &Solid::voxels, &Solid::embed));
         scaleFigures(session, workOn(solids, "voxels.boundary", linear, &Solid::voxels, &Solid::boundary));
     }

@@ -17,15 +17,15 @@ namespace {
 
 constexpr PropertyIndex partProperty = materialCount;
 
-/// Content of one line, from shares of the grid's side to segments.
+/// The content of one line, converted from shares of the grid's side to segments.
 class LineMaker {
 public:
     explicit LineMaker(const Grid& grid) : lineEnd_(grid.lineEnd()) {}
 
     void clear() { segments_.clear(); }
-    /// Makes shares of the side that much longer.
+    /// Multiplies shares of the side by a factor.
     void stretch(double by) noexcept { stretch_ = by; }
-    /// Material up to a place; places below the last one add nothing.
+    /// Material up to a position; positions below the last one add nothing.
     void upTo(double share, PropertyIndex property) {
         const double units = std::clamp(share * stretch_, 0.0, 1.0) * lineEnd_;
         const auto end = static_cast<RunPosition>(std::lround(units));
@@ -43,12 +43,12 @@ private:
     double stretch_ = 1.0;
 };
 
-/// Fills every line of a volume; `make(x, y, line)` gets the line's place as shares of the sides.
+/// Fills every line of a volume; `make(x, y, line)` gets the line's position as shares of the sides.
 template <class Make>
 RunVolume volumeOfLines(const Grid& grid, std::size_t reserve, const Make& make) {
     RunVolume volume = require(RunVolume::make(grid, sceneMaterials(), reserve), "a benchmark's volume");
     const std::int32_t countU = grid.lineCountU(), countV = grid.lineCountV();
-    constexpr std::int32_t rowsAtOnce = 32; // made side by side, set by the one writer
+    constexpr std::int32_t rowsAtOnce = 32; // made in parallel, written by the single writer
     std::vector<LineMaker> lines(static_cast<std::size_t>(rowsAtOnce * countU), LineMaker(grid));
     for (std::int32_t first = 0; first < countV; first += rowsAtOnce) {
         Session::throwIfCancelled();
@@ -73,7 +73,7 @@ bool inMargin(double x, double y) {
     return x < margin || y < margin || x > 1.0 - margin || y > 1.0 - margin;
 }
 
-/// Two faces of the part over a place: a bumpy ball that is flattened a little.
+/// The two faces of the part above a point: a slightly flattened bumpy ball.
 struct PartFaces {
     double low = 0.5, high = 0.5;
 };
@@ -82,12 +82,12 @@ PartFaces partFaces(double x, double y) {
     const double square = 0.32 * 0.32 - dx * dx - dy * dy;
     if (square <= 0.0) return {};
     const double half = 0.8 * std::sqrt(square);
-    const double fade = std::min(1.0, half / 0.05); // bumps end with the part
+    const double fade = std::min(1.0, half / 0.05); // bumps fade out at the border of the part
     const double bump = 0.012 * fade * std::sin(40.0 * x) * std::cos(36.0 * y);
     return {0.5 - half - bump, 0.5 + half + bump};
 }
 
-/// Layers and part up to `top`, a share of the line.
+/// Layers and part up to `top`, which is a share of the line.
 void layeredLine(double x, double y, double top, LineMaker& line) {
     if (inMargin(x, y)) return;
     const PartFaces part = partFaces(x, y);
@@ -103,7 +103,7 @@ void layeredLine(double x, double y, double top, LineMaker& line) {
     layersUpTo(1.0);
 }
 
-/// The freeform face with the scallops that a ball of 25 voxels leaves between rows 8 voxels apart.
+/// The freeform face with the scallops of a ball of 25 voxels, rows 8 voxels apart.
 double freeformHeight(double x, double y, double side) {
     const double smooth = 0.62 + 0.10 * std::sin(3.1 * x + 0.4) * std::cos(2.7 * y) + 0.05 * std::sin(7.0 * x * y);
     constexpr double radius = 25.0, stepOver = 8.0;
@@ -133,7 +133,7 @@ RunVolume layeredBlock(std::int32_t side, RunAxis axis) {
 }
 
 RunVolume halfBlock(std::int32_t side) {
-    constexpr double half = 0.53; // where the walks' depths have layers and part about them
+    constexpr double half = 0.53; // at this height the walks' depths pass through layers and part
     return volumeOfLines(sceneGrid(side), 0, [](double x, double y, LineMaker& line) {
         line.stretch(1.0 / half);
         layeredLine(x, y, half, line);
@@ -190,7 +190,7 @@ RunVolume plainBlock(const glm::ivec3& extent) {
 
 RunVolume slotStock(const SlotStock& stock) {
     const Grid grid = require(Grid::make(glm::dvec3(0.0), stock.edge, stock.extent, stock.axis), "a benchmark's grid");
-    constexpr std::size_t reserve = 8U << 20U; // bytes: many are made one after another
+    constexpr std::size_t reserve = 8U << 20U; // bytes: many volumes are made one after another
     // x and y are shares of u and v: of x and y for runs along z, of y and z for runs along x.
     if (stock.axis == RunAxis::z)
         return volumeOfLines(grid, reserve, [&](double x, double y, LineMaker& line) {

@@ -11,7 +11,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-/// -1 … 1, the same on every machine (the distributions of the standard library are not).
+/// A number from -1 to 1, the same on every machine (the distributions of the standard library are not).
 double draw(std::mt19937& random) {
     return static_cast<double>(random()) / 2147483647.5 - 1.0;
 }
@@ -32,7 +32,7 @@ Cutter cutterOf(CutterType type, double radius, double length) {
 
 namespace {
 
-/// @param room about the middle
+/// @param room  half extents about the middle
 std::vector<glm::dvec3> walkIn(const glm::dvec3& middle, const glm::dvec3& room, double reach, double step,
                                std::size_t ticks, unsigned seed) {
     std::mt19937 random(seed);
@@ -41,7 +41,7 @@ std::vector<glm::dvec3> walkIn(const glm::dvec3& middle, const glm::dvec3& room,
     glm::dvec3 turning(0.0);
     std::vector<glm::dvec3> tips{place};
     while (tips.size() <= ticks) {
-        // The way bends over lengths of about a reach, whatever the step.
+        // The walk bends over lengths of about `reach`, whatever the step.
         const double share = std::min(1.0, step / reach);
         turning += share * (glm::dvec3(draw(random), draw(random), draw(random)) * 4.0 - turning);
         const glm::dvec3 out = (place - middle) / room;
@@ -54,7 +54,7 @@ std::vector<glm::dvec3> walkIn(const glm::dvec3& middle, const glm::dvec3& room,
     return tips;
 }
 
-/// Of the tips: the tool stands on them.
+/// The middle of the tips, on which the tool stands.
 glm::dvec3 middleOf(double side, double reach) {
     return glm::dvec3(0.5 * side) - glm::dvec3(0.0, 0.0, reach);
 }

@@ -12,7 +12,7 @@ namespace burin::benchmarks {
 
 namespace {
 
-constexpr double waveX = 35.0, waveY = 28.0, amplitude = 3.0; // mm: no radius of curvature below 4 mm
+constexpr double waveX = 35.0, waveY = 28.0, amplitude = 3.0; // mm: no radius of curvature is below 4 mm
 
 double heightAt(const ReliefJob& job, double x, double y) {
     return job.base + amplitude * std::sin(2.0 * pi * x / waveX) * std::cos(2.0 * pi * y / waveY);
@@ -26,7 +26,7 @@ glm::dvec3 normalAt(double x, double y) {
     return glm::normalize(glm::dvec3(-alongX, -alongY, 1.0));
 }
 
-/// Top, underside and four walls; closed, outward.
+/// Top, underside and four walls; closed, normals pointing outwards.
 TriangleMesh meshOf(const ReliefJob& job) {
     const auto n = static_cast<std::uint32_t>(job.meshCells);
     TriangleMesh mesh;
@@ -46,7 +46,7 @@ TriangleMesh meshOf(const ReliefJob& job) {
             mesh.triangles.push_back({under + a, under + c, under + b});
             mesh.triangles.push_back({under + a, under + d, under + c});
         }
-    const auto wall = [&](std::uint32_t a, std::uint32_t b) { // seen from outside from left to right
+    const auto wall = [&](std::uint32_t a, std::uint32_t b) { // seen from outside, from left to right
         mesh.triangles.push_back({under + a, under + b, b});
         mesh.triangles.push_back({under + a, b, a});
     };
@@ -69,7 +69,7 @@ Model modelOf(const ReliefJob& job) {
     return model;
 }
 
-/// Rows there and back, the tip of the ball that touches the relief; one rapid down to it and one away.
+/// Rows back and forth, with the tip of the ball that touches the relief; one rapid down to it and one away.
 std::string programOf(const ReliefJob& job, const glm::dvec3& zero) {
     std::string text = "G21 G90 G17 G54\nT1 M6\nS18000 M3\n";
     const auto move = [&](const char* words, const glm::dvec3& place) {

@@ -8,8 +8,8 @@
 
 namespace burin::benchmarks {
 
-/// Four slots, each milled in three passes with a flat end mill into a plate, with the volume that they have in closed
-/// form. No place of it lies on a voxel's border. Owns all of it; must not be moved.
+/// Four slots, each milled in three passes with a flat end mill into a plate, and their volume in closed form. None of
+/// its points is on the border of a voxel. Owns all of it; must not be moved.
 struct SlotPlate {
     SlotPlate();
     SlotPlate(const SlotPlate&) = delete;

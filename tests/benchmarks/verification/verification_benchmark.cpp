@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// burin-rig-verify: what it takes to read a program back and judge it on its part. `burin rig verify` starts it.
+// burin-bench-verify: the time to read a program back and check it on its part. `burin bench verify` starts it.
 #include "core/setup/setup.h"
 #include "core/verify/excess.h"
 #include "core/verify/gouge.h"
@@ -20,12 +20,12 @@ struct Task {
     std::string name;
     ReliefJob job;
     double limit = 0.0; ///< s
-    double peer = 0.0;  ///< s, CAMotics on such a relief; 0: not measured
+    double peer = 0.0;  ///< s, CAMotics on a comparable relief; 0: not measured
     glm::ivec3 voxels{0};
-    int replays = 8; ///< the least of them is the figure: what it takes by itself
+    int replays = 8; ///< the figure is the least of them: the intrinsic time
 };
 
-/// Where the time goes: each part by itself, as `verify` calls it.
+/// The share of each part of verification: each part by itself, as `verify` calls it.
 void splitFigures(Session& session, const std::string& name, ReliefScene& scene) {
     Progress progress;
     VerifyRequest& request = scene.request;

@@ -15,14 +15,14 @@ namespace burin::tst_background {
 
 namespace {
 
-/// As the system has it, of the calling thread.
+/// Niceness of the calling thread as reported by the system.
 int niceness() {
     return ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()));
 }
 
 } // namespace
 
-/// Long work leaves the cores to what the user sees and feels.
+/// Long computations leave the cores to what the user sees and feels.
 class TestBackground : public QObject {
     Q_OBJECT
 private slots:

@@ -13,7 +13,7 @@ namespace burin::tst_compression {
 
 namespace {
 
-bool noContext = false, noTables = false; ///< what Zstandard finds no memory for
+bool noContext = false, noTables = false; ///< allocations of Zstandard that fail
 
 template <class Function>
 Function* next(const char* name) {
@@ -22,7 +22,7 @@ Function* next(const char* name) {
 
 } // namespace
 
-// The program's own stand before the library's.
+// The program's own definitions take precedence over the library's.
 extern "C" ZSTD_CCtx* ZSTD_createCCtx() {
     return noContext ? nullptr : next<decltype(ZSTD_createCCtx)>("ZSTD_createCCtx")();
 }
@@ -46,7 +46,7 @@ private slots:
         QVERIFY(compress(std::string(100'000, 'x')).size() < 1'000);
     }
 
-    /// What is even packs ten thousand times; it must come back all the same where a reader has bounds.
+    /// Uniform data are compressed ten thousand times; they must be readable even by a reader with limits.
     void whatIsEvenStaysWithinTheBoundsOfReading() {
         for (const std::size_t size : {std::size_t{100'000}, std::size_t{1} << 20U, std::size_t{64} << 20U}) {
             const std::string bytes(size, 'x'), frame = compress(bytes);
@@ -71,7 +71,7 @@ private slots:
         QVERIFY(!decompress(frame, 100));
     }
 
-    /// Writers of files answer for std::bad_alloc, and for nothing else.
+    /// Writers of files handle std::bad_alloc, and no other exception.
     void aLackOfMemoryIsThrown() {
         noContext = true;
         QVERIFY_EXCEPTION_THROWN((void)compress("bytes"), std::bad_alloc);

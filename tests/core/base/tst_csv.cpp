@@ -10,7 +10,7 @@ namespace burin::tst_csv {
 
 namespace {
 
-/// As RFC 4180 writes a field that may hold anything but a line's end.
+/// Quotes a field as RFC 4180 does; it may contain anything except line ends.
 std::string quoted(const std::string& field) {
     std::string text = "\"";
     for (const char c : field) text += c == '"' ? std::string("\"\"") : std::string(1, c);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr uid_t nobody = 65534;
 
-/// While it lives, a test that root runs, whom no rights stop, is one of the user nobody.
+/// While it exists, a test run by root, whom no permissions stop, runs as the user nobody.
 class WithoutRoot {
 public:
     WithoutRoot() : isRoot_(::geteuid() == 0), done_(!isRoot_ || ::seteuid(nobody) == 0) {}
@@ -36,7 +36,7 @@ private:
     bool isRoot_, done_;
 };
 
-/// A folder's rights, given back at the end so that it can be removed.
+/// Sets a folder's permissions, and restores them in the end so that it can be removed.
 class WithRights {
 public:
     WithRights(std::filesystem::path folder, std::filesystem::perms rights) : folder_(std::move(folder)) {
@@ -72,7 +72,7 @@ private slots:
         QCOMPARE(*readFile(path("a")), std::string("shorter"));
         QVERIFY(writeFileAtomically(path("empty"), ""));
         QCOMPARE(*readFile(path("empty")), std::string());
-        QCOMPARE(files(), (QStringList{"a", "empty"})); // nothing is left beside them
+        QCOMPARE(files(), (QStringList{"a", "empty"})); // no other file is left
     }
 
     void missingFilesAndFoldersAreErrors() {
@@ -82,7 +82,7 @@ private slots:
         QVERIFY(readFile(path("a") / "b").error().code == ErrorCode::fileNotFound);
     }
 
-    /// The user is to look at the rights, not at the name.
+    /// The error must direct the user to the permissions, not to the name.
     void whatMayNotBeReachedIsNotMissing() {
         std::filesystem::create_directory(path("closed"));
         QVERIFY(writeFileAtomically(path("closed/a"), "content"));
@@ -106,7 +106,7 @@ private slots:
 
     void aFaultWhileReadingIsTold() {
         if (!std::filesystem::exists("/proc/self/mem")) QSKIP("no /proc/self/mem");
-        const Result<std::string> found = readFile("/proc/self/mem"); // nothing is at address 0
+        const Result<std::string> found = readFile("/proc/self/mem"); // address 0 is never mapped
         QVERIFY(!found);
         QCOMPARE(found.error().code, ErrorCode::fileNotReadable);
     }
@@ -167,7 +167,7 @@ private slots:
         QCOMPARE(*readFile(path("a")), std::string("new"));
     }
 
-    /// Such a folder can't be flushed, but what was renamed stands there.
+    /// Such a folder can't be flushed, but the renamed file is in it.
     void aFolderThatOneMayNotReadTakesFiles() {
         std::filesystem::create_directory(path("inbox"));
         QVERIFY(::geteuid() != 0 || (::chown(path("inbox").c_str(), nobody, nobody) == 0 &&
@@ -202,7 +202,7 @@ private slots:
         QCOMPARE(*readFile(path("a")), std::string("old"));
     }
 
-    /// As a shell's redirection does: the link stays, whether there is something at its end or not.
+    /// As with a shell's redirection the link stays, whether its target exists or not.
     void linksAreFollowed() {
         QVERIFY(writeFileAtomically(path("target"), "old"));
         std::filesystem::create_symlink("target", path("link"));
@@ -277,7 +277,7 @@ private slots:
         ::waitpid(child, &status, 0);
         QCOMPARE(status, 0);
         QCOMPARE(files().size(), qsizetype{1});
-        const Result<StagedFile> other = StagedFile::containing(path("a"), "under way"); // is not disturbed by the next
+        const Result<StagedFile> other = StagedFile::containing(path("a"), "under way"); // is not affected by the next
         QVERIFY(writeFileAtomically(path("a"), "content"));
         QCOMPARE(files().size(), qsizetype{2});
     }

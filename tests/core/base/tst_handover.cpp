@@ -17,7 +17,7 @@ namespace burin::tst_handover {
 
 namespace {
 
-/// A value that shows when half of it is from another one.
+/// A value that reveals when half of it comes from another one.
 struct Whole {
     std::array<std::uint64_t, 16> copies{};
     static Whole of(std::uint64_t value) {
@@ -105,7 +105,7 @@ private slots:
         QCOMPARE(wrong, std::uint64_t{0});
     }
 
-    /// What owns memory goes from thread to thread whole, in order, and stays with nobody in between.
+    /// Values that own memory pass from thread to thread complete and in order, and no copy remains in between.
     void aHandoverBetweenThreadsLosesNothing() {
         Handover<std::shared_ptr<std::uint64_t>, 3> handover;
         constexpr std::uint64_t last = 100000;

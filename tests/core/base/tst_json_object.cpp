@@ -51,7 +51,7 @@ private slots:
         QVERIFY(object->finish().hasValue());
     }
 
-    /// Whatever a file of 1 MB holds, it is read within a minute; this one takes a fraction of a second.
+    /// Any file of 1 MB must be read within a minute; this one takes a fraction of a second.
     void aLongListEndsInTime() {
         std::string text = R"({"list": [{})";
         std::size_t expected = 1, count = 0;
@@ -122,7 +122,7 @@ private slots:
         QCOMPARE(found, fits ? number.toInt() : -5);
     }
 
-    /// Where the decimal point is a comma, files still have a point.
+    /// In locales with a decimal comma, files still use a point.
     void numbersDoNotDependOnTheLocale() {
         for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
             if (std::setlocale(LC_ALL, name) != nullptr) break;

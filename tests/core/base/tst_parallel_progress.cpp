@@ -13,7 +13,7 @@ class TestParallelProgress : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Progress has one writer; its own state may be written by that thread alone.
+    /// Progress has one writer; only that thread may write its state.
     void othersCountAndTheWorksThreadReports() {
         Progress progress;
         {
@@ -26,7 +26,7 @@ private slots:
             byAnother(6);
             QCOMPARE(progress.fraction(), 0.2 + 0.5 * 4 / 10);
         }
-        QCOMPARE(progress.fraction(), 0.7); // none is forgotten
+        QCOMPARE(progress.fraction(), 0.7); // every share is counted
     }
 
     void noPieceIsLostAmongThreads() {

@@ -37,7 +37,7 @@ inline Result<Model> import(const std::filesystem::path& file) {
     return importModel(file, options(), progress);
 }
 
-/// For the message of a failing check.
+/// Text for the message of a failing check.
 inline std::string describe(const Error& error) {
     return "error " + std::to_string(static_cast<int>(error.code)) + ": " + error.subject + " | " + error.place +
            " | " + error.detail;
@@ -49,14 +49,14 @@ inline bool hasNote(const Model& model, ImportNote::Kind kind) {
     return false;
 }
 
-/// A model of a B-rep alone.
+/// A model that consists of a B-rep only.
 inline Model withBrep(std::string brep) {
     Model model;
     model.brep = std::move(brep);
     return model;
 }
 
-/// Exact signed distances from a model, mm; none where that failed.
+/// Exact signed distances from a model, mm; empty if that failed.
 inline std::vector<double> distances(const Model& model, const std::vector<glm::dvec3>& points) {
     Progress progress;
     Result<std::vector<double>> result = exactSignedDistances(model, points, options(), progress);

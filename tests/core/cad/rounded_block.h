@@ -20,8 +20,8 @@ inline TopoDS_Shape roundedBlock() {
     return fillet.Shape();
 }
 
-// By Steiner's formula, from the block of 28 × 24 × 48 mm that lies 6 mm within: faces, quarters of cylinders, eighths
-// of balls.
+// By Steiner's formula, from the block of 28 × 24 × 48 mm that is offset 6 mm inwards: faces, quarters of cylinders,
+// eighths of balls.
 inline constexpr double innerFaces = 28.0 * 24.0 + 24.0 * 48.0 + 48.0 * 28.0, innerEdges = 28.0 + 24.0 + 48.0;
 inline constexpr double roundedVolume =
     28.0 * 24.0 * 48.0 + 2.0 * 6.0 * innerFaces + pi * 36.0 * innerEdges + 4.0 / 3.0 * pi * 216.0;      // mm³

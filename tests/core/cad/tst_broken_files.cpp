@@ -49,7 +49,7 @@ private slots:
         verifyRefused(folder, {ErrorCode::fileNotReadable});
         const fs::path pipe = fs::path(folder_.path().toStdString()) / "pipe.step";
         QCOMPARE(::mkfifo(pipe.c_str(), 0600), 0);
-        verifyRefused(pipe, {ErrorCode::fileNotReadable}); // would wait for ever
+        verifyRefused(pipe, {ErrorCode::fileNotReadable}); // would block for ever
     }
 
     void unreadableFile() {
@@ -111,7 +111,7 @@ private slots:
                 QTest::newRow(qPrintable(QString("%1, seed %2").arg(file).arg(seed))) << QString(file) << seed;
     }
     void damagedInTheMiddle() {
-        // Whatever OpenCASCADE makes of it, and be it a crash or a hang: the caller gets a model or an error.
+        // Whatever OpenCASCADE does with it, even a crash or a hang: the caller gets a model or an error.
         QFETCH(QString, file);
         QFETCH(int, seed);
         std::string content = contentOf(file.toStdString());
@@ -128,7 +128,7 @@ private slots:
     }
 
     void partsOfNoSensibleSize_data() {
-        QTest::addColumn<QString>("side"); // of a tetrahedron, as the file has it
+        QTest::addColumn<QString>("side"); // of a tetrahedron, as written in the file
         QTest::addColumn<bool>("refused");
         QTest::addColumn<QString>("said");
         QTest::newRow("beyond any figure") << "1e300" << true << "1e+300 mm";
@@ -202,7 +202,7 @@ private slots:
     }
 
     void binaryBrepIsRead() {
-        // Model::brep is OpenCASCADE's binary form: written as a file it is a model again.
+        // Model::brep is OpenCASCADE's binary form: written to a file it can be imported again.
         const Result<Model> first = import(modelFile("lower-leg-fork.step"));
         QVERIFY(first);
         const Result<Model> again = import(write("again.brep", first->brep));
@@ -212,8 +212,8 @@ private slots:
     }
 
     void wiresAloneAreNoSolid() {
-        // The last line of a BREP file names the root among its numbered shapes: another number makes one of its
-        // wires, edges or vertices the whole model.
+        // The last line of a BREP file names the root among its numbered shapes: with another number one of its wires,
+        // edges or vertices becomes the whole model.
         const std::string content = contentOf("cube.brep");
         const std::size_t tail = content.rfind("\n+");
         QVERIFY(tail != std::string::npos);

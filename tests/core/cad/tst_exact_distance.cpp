@@ -75,11 +75,11 @@ private slots:
         QFETCH(int, count);
         Progress progress;
         ImportOptions coarse = options();
-        coarse.meshChord = 0.5; // the mesh is not asked
+        coarse.meshChord = 0.5; // the mesh is not used
         const Result<Model> model = importModel(file.toStdString(), coarse, progress);
         QVERIFY(model);
         const TopoDS_Shape shape = shapeOf(*model);
-        // A boundary is certain within the tolerance of its edges: there either answer may be the nearer one.
+        // A boundary is known only within the tolerance of its edges: there either answer may be the nearer one.
         const double agreement = std::max(1e-6, BRep_Tool::MaxTolerance(shape, TopAbs_EDGE));
         const std::vector<glm::dvec3> points = pointsAround(model->box(), 5.0, static_cast<std::size_t>(count));
         const std::vector<double> measured = distances(*model, points);
@@ -88,7 +88,7 @@ private slots:
             const gp_Pnt point(points[i].x, points[i].y, points[i].z);
             double nearest = 1e300;
             bool inside = false;
-            // Solid by solid, surface alone: from inside a solid OpenCASCADE's distance to it is zero.
+            // Solid by solid, using only the surface: OpenCASCADE's distance to a solid is zero inside it.
             for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next()) {
                 for (TopExp_Explorer shells(solids.Current(), TopAbs_SHELL); shells.More(); shells.Next())
                     nearest = std::min(

@@ -30,7 +30,7 @@ Model plateWithBoss() {
         const double angle = 2.0 * pi * i / count;
         return glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), z);
     };
-    const auto border = [&](int i, double z) { // where a ray meets the rectangle
+    const auto border = [&](int i, double z) { // point where a ray meets the rectangle
         const glm::dvec3 out = on(i, 1.0, 0.0);
         const double far = std::min(20.0 / std::max(std::abs(out.x), 1e-9), 15.0 / std::max(std::abs(out.y), 1e-9));
         return glm::dvec3(far * out.x, far * out.y, z);
@@ -54,7 +54,8 @@ class FaceAreaTest final : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Round the boss there is the plate without a disc; on the boss the disc: areas of polygons of 96 corners.
+    /// Around the boss the face is the plate without a disc; on the boss it is the disc: areas of polygons of 96
+    /// corners.
     void facesEndAtSharpEdges() {
         const Model model = plateWithBoss();
         const double disc = 0.5 * 96 * 64.0 * std::sin(2.0 * pi / 96);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Files that other programs write and that were refused, or read without a word.
+// Files of other programs that used to be refused, or were read without any message.
 #include "cad_test.h"
 
 #include "core/base/file.h"
@@ -57,7 +57,7 @@ private slots:
         QVERIFY2(std::abs(model->volume() / volume - 1.0) < 1e-6, std::to_string(model->volume()).c_str());
     }
 
-    /// Its seam is off by 1e-15.
+    /// Its seam has an error of 1e-15.
     void aValidWasherIsMeshed() {
         const Result<Model> model = import(given("t15-1-turned-washer-seam-noise.stp"));
         QVERIFY2(model, model ? "" : describe(model.error()).c_str());
@@ -96,7 +96,7 @@ private slots:
         QVERIFY(speck && warns(*speck, "unit") && !warns(*speck, "no volume"));
     }
 
-    /// The file holds a box and one face more.
+    /// The file contains a box and one additional face.
     void facesOutsideOfASolidAreCounted() {
         const Result<Model> model = import(given("loose-faces-box.igs"));
         QVERIFY(model && model->bodies.size() == 1);

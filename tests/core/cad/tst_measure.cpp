@@ -22,7 +22,7 @@ TopoDS_Shape asSplines(const TopoDS_Shape& shape) {
     return BRepBuilderAPI_NurbsConvert(shape).Shape();
 }
 
-/// A ball that looks out of the block on one side, by 2 mm at (20, 18, 62).
+/// A ball that protrudes from one side of the block, by 2 mm at (20, 18, 62).
 TopoDS_Shape blockWithBall() {
     TopoDS_Compound both;
     BRep_Builder builder;
@@ -38,7 +38,7 @@ class TestMeasure : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Neither poles of splines nor tolerances widen it, and no face is left out that reaches beyond the others.
+    /// Neither poles of splines nor tolerances widen it, and no face that extends beyond the others is left out.
     void theBoxIsTight_data() {
         QTest::addColumn<TopoDS_Shape>("shape");
         QTest::addColumn<double>("lowX");

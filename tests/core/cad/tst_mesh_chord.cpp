@@ -15,7 +15,7 @@ using namespace burin::test;
 
 namespace {
 
-/// Centres and edge middles of random triangles.
+/// Centres and midpoints of edges of random triangles.
 std::vector<glm::dvec3> pointsOnMesh(const TriangleMesh& mesh, std::size_t count) {
     std::mt19937 random(5);
     std::vector<glm::dvec3> points;
@@ -39,13 +39,13 @@ private slots:
         QTest::newRow("the sample part") << QString::fromStdString(sampleFile().string()) << 0.005;
         if (testing::longRun())
             QTest::newRow("fillets") << QString::fromStdString(modelFile("lower-leg-fork.step").string()) << 0.005;
-        // This file's faces meet with gaps of up to 0.024 mm, which importing says.
+        // This file's faces meet with gaps of up to 0.024 mm, which the import reports.
         QTest::newRow("freeform cover") << QString::fromStdString(modelFile("mouse-cover.step").string()) << 0.0075;
         if (testing::longRun())
             QTest::newRow("prismatic part") << QString::fromStdString(modelFile("featuretype.step").string()) << 0.005;
     }
     void meshesHoldTheirChord() {
-        // Gouges are judged on this mesh. OpenCASCADE's own is off by up to 0.03 mm here.
+        // Gouges are judged on this mesh. OpenCASCADE's own mesh deviates by up to 0.03 mm here.
         QFETCH(QString, file);
         QFETCH(double, limit);
         const Result<Model> model = import(file.toStdString());

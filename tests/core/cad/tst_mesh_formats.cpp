@@ -96,7 +96,7 @@ QByteArray boxAmf(const char* unit) {
            xmlMesh("vertex", "triangle", true) + "</volume></mesh></object></amf>\n";
 }
 
-/// One object that stands twice: as it is, and turned by 90° about z and moved by 100 along x.
+/// One object with two instances: unchanged, and rotated by 90° about z and moved by 100 along x.
 QByteArray model3mf(const char* unit) {
     return QByteArray("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model") + unit +
            " xml:lang=\"en-US\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources>"
@@ -135,7 +135,8 @@ QByteArray zipped(const QByteArray& content, const char* name) {
 
 } // namespace
 
-/// Meshes of other programs. Boxes, so that the oracle is a closed formula: 10 × 20 × 30, or 1 × 2 × 3 of a unit.
+/// Meshes written by other programs. Boxes, so that the oracle is a closed formula: 10 × 20 × 30, or 1 × 2 × 3 of a
+/// unit.
 class MeshFormats : public QObject {
     Q_OBJECT
 
@@ -163,7 +164,7 @@ private slots:
                                        << "inch" << QList<double>{25.4, 50.8, 76.2} << 1;
         QTest::newRow("packed AMF") << zipped(boxAmf(" unit='feet'"), "part.amf") << "AMF"
                                     << "foot" << QList<double>{304.8, 609.6, 914.4} << 1;
-        // The second one lies from 98 to 100 along x and from 0 to 1 along y.
+        // The second one extends from 98 to 100 along x and from 0 to 1 along y.
         QTest::newRow("3MF") << zipped(model3mf(" unit=\"millimeter\""), "3D/3dmodel.model") << "3MF"
                              << "mm" << QList<double>{100.0, 2.0, 3.0} << 2;
         QTest::newRow("3MF in inches") << zipped(model3mf(" unit=\"inch\""), "3D/3dmodel.model") << "3MF"
@@ -209,7 +210,7 @@ private slots:
             QVERIFY(model && std::abs(model->box().size().z - 762.0) < 1e-3);
         }
         const Result<Model> stated = read(boxAmf(" unit=\"millimeter\""), asked);
-        QVERIFY(stated && std::abs(stated->box().size().z - 3.0) < 1e-6); // the file says it
+        QVERIFY(stated && std::abs(stated->box().size().z - 3.0) < 1e-6); // the unit is stated in the file
     }
 
     void whatIsDamagedIsRefused_data() {

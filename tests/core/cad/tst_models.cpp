@@ -17,7 +17,7 @@ using namespace burin::test;
 
 namespace {
 
-/// What tests/fixtures/models/README.md states of a file; lengths in mm for B-rep files, in the file's unit for STL.
+/// The values of tests/fixtures/models/README.md for a file; lengths in mm for B-rep files, in the file's unit for STL.
 struct Expected {
     const char* file;
     const char* format;
@@ -83,7 +83,7 @@ const std::vector<Expected> table{
 
 constexpr std::string_view freeformCover = "mouse-cover.step";
 
-/// Imported once, since that takes seconds.
+/// Imported only once, because that takes seconds.
 const Result<Model>& importedFreeformCover() {
     static const Result<Model> model = import(modelFile(std::string(freeformCover)));
     return model;
@@ -106,7 +106,7 @@ class Models : public QObject {
     Q_OBJECT
 
 private slots:
-    /// What the file dialog offers and what can be read are the same.
+    /// The formats in the file dialog are exactly those that can be read.
     void everyFormatIsOfferedAndRead() {
         const std::vector<std::string_view> offered = importSuffixes();
         for (const Expected& expected : table) {
@@ -116,7 +116,7 @@ private slots:
         }
         std::apply(
             [](auto... formats) {
-                // Those that tst_mesh_formats.cpp writes and reads, in all their kinds.
+                // The formats that tst_mesh_formats.cpp writes and reads, in all variants.
                 static constexpr std::array<std::string_view, 5> written{"3MF", "AMF", "PLY", "OFF", "OBJ"};
                 const auto isRead = [](std::string_view name) {
                     return std::ranges::find(written, name) != written.end() ||
@@ -170,8 +170,8 @@ private slots:
     }
 
     void facesThatTheMesherLeavesOutAreFilled() {
-        // The plane faces that OpenCASCADE 7.6 leaves empty lie at z = 1.1 and 3.6 (README, Traps): the mesh's volume
-        // would lack them. The CAD system's own mesh of this part is the witness.
+        // The plane faces that OpenCASCADE 7.6 leaves empty are at z = 1.1 and 3.6 (README, Traps): without them the
+        // mesh's volume would be too small. The CAD system's own mesh of this part is the reference.
         const Result<Model>& model = importedFreeformCover();
         const Result<Model> witness = import(modelFile("mouse-cover.stl"));
         QVERIFY(model && witness);
@@ -193,7 +193,7 @@ private slots:
     }
 
     void placementsOfAnAssemblyAreApplied() {
-        // Part 3 is the shape of Part 2 at another place: half a ball of radius 3, less a shaft.
+        // Part 3 is the shape of Part 2 at another location: half a ball of radius 3, minus a shaft.
         const Result<Model> model = import(modelFile("mayo-332.stp"));
         QVERIFY(model);
         const Body &second = bodyNamed(*model, "Part 2"), &third = bodyNamed(*model, "Part 3");
@@ -207,7 +207,7 @@ private slots:
         QVERIFY(model);
         QCOMPARE(model->bodies.size(), std::size_t{2});
         QVERIFY(apart(model->box().size(), {0.636, 1.088, 0.340}) < 2e-3);
-        // Their triangles disagree about the outside: they are turned, and said to have been.
+        // The orientations of their triangles are inconsistent: they are corrected, and that is reported.
         QVERIFY(hasNote(*model, ImportNote::Kind::healing));
         for (const Body& body : model->bodies) {
             QCOMPARE(body.openEdges, std::size_t{0});

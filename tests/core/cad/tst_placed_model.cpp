@@ -33,7 +33,7 @@ const Placement tilted = combined(turnedAbout({0.3, -0.5, 0.8}, 1.1, {1.0, 2.0, 
 
 } // namespace
 
-/// A model as it lies in another frame is the same body there: its mesh, its box, its exact surface and its edges.
+/// A model placed in another frame is the same body there: its mesh, its box, its exact surface and its edges.
 class PlacedModel : public QObject {
     Q_OBJECT
 
@@ -64,7 +64,7 @@ private slots:
         }
     }
 
-    /// OpenCASCADE measures the same from a place as from where that came from.
+    /// OpenCASCADE measures the same from a transformed point to the placed model as from the original point.
     void exactDistancesGoWithThePlacement() {
         const auto model = shared("featuretype.step");
         QVERIFY(model);
@@ -99,7 +99,7 @@ private slots:
         }
     }
 
-    /// A cube of 10 mm: six planes, each with its own normal, wherever it lies.
+    /// A cube of 10 mm: six planes, each with its own normal, wherever it is placed.
     void facesOfACubeArePlanes() {
         const auto model = shared("cube.brep");
         QVERIFY(model);
@@ -126,7 +126,7 @@ private slots:
         const auto cylinder = std::ranges::find_if(model->bodies, [](const Body& body) { return body.faceCount == 3; });
         QVERIFY(cylinder != model->bodies.end());
         const glm::dvec3 size = cylinder->box.size(), centre = cylinder->box.centre();
-        int along = 2; // the side that differs from the two equal ones
+        int along = 2; // the dimension that differs from the two equal ones
         for (int axis = 0; axis < 3; ++axis)
             if (std::abs(size[(axis + 1) % 3] - size[(axis + 2) % 3]) < 1e-3) along = axis;
         glm::dvec3 beside(0.0), above(0.0);
@@ -137,7 +137,7 @@ private slots:
         QVERIFY(end && end->kind == PartFace::Kind::plane && std::abs(end->direction[along] - 1.0) < 1e-9);
     }
 
-    /// A hand that points near a vertex means that; in the middle of an edge, its middle.
+    /// Pointing near a vertex selects the vertex; in the middle of an edge it selects the midpoint.
     void cornersOfACubeAreItsVerticesAndTheMiddlesOfItsEdges() {
         const auto model = shared("cube.brep");
         QVERIFY(model);
@@ -156,7 +156,7 @@ private slots:
         }
     }
 
-    /// Nobody can point at the middle of a bore: its rim stands for it.
+    /// Nobody can point at the centre of a bore: pointing at its rim selects it.
     void theRimOfACircleMeansItsCentre() {
         const auto model = shared("red-cube-blue-cylinder.step");
         const auto cylinder = std::ranges::find_if(model->bodies, [](const Body& body) { return body.faceCount == 3; });
@@ -174,7 +174,7 @@ private slots:
                  qPrintable(QString::number(glm::distance(end->corner, centre + above))));
     }
 
-    /// Triangles are all that there is of a mesh file.
+    /// A mesh file contains nothing but triangles.
     void aMeshHasItsTriangles() {
         const auto model = shared("featuretype.stl");
         QVERIFY(model && model->brep.empty());

@@ -36,7 +36,8 @@ double area(const Loop& loop) {
     return 0.5 * twice;
 }
 
-/// Uses of each directed edge by the triangles, less those of the opposite direction: exactly the loops' edges remain.
+/// Number of uses of each directed edge by the triangles, minus those of the opposite direction: exactly the loops'
+/// edges remain.
 bool boundsTheLoops(const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Loop>& loops) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
     const auto use = [&](std::uint32_t from, std::uint32_t to, int times) {

@@ -15,7 +15,7 @@ namespace burin::tst_preview {
 
 namespace {
 
-constexpr double chord = 0.005; // mm, of the mesh that follows
+constexpr double chord = 0.005; // mm, of the mesh made afterwards
 
 NamedSolid named(const TopoDS_Shape& shape, const char* name) {
     return {TopoDS::Solid(TopExp_Explorer(shape, TopAbs_SOLID).Current()), name, std::nullopt};
@@ -34,7 +34,7 @@ class TestPreview : public QObject {
     Q_OBJECT
 
 private slots:
-    /// A ball's triangles lie as near to it as one sees, and the solid is meshed as if nobody had looked.
+    /// A ball's triangles look smooth, and the preview has no effect on the final mesh of the solid.
     void aBallLooksLikeOne() {
         std::vector<NamedSolid> solids{named(BRepPrimAPI_MakeSphere(30.0).Shape(), "ball"), named(roundedBlock(), "")};
         solids.front().colour = {{10, 20, 30}};
@@ -53,7 +53,7 @@ private slots:
         }
         for (const NamedSolid& solid : solids) QVERIFY(!hasTriangles(solid.solid));
     }
-    /// The mesh itself is there in no time.
+    /// Their mesh takes no noticeable time.
     void planeAndTinyPartsNeedNone() {
         const std::vector<NamedSolid> plane{named(BRepPrimAPI_MakeBox(100.0, 50.0, 20.0).Shape(), "plate")};
         QVERIFY(!previewOf(plane, chord));

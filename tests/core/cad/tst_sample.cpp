@@ -41,7 +41,7 @@ private slots:
         QVERIFY(std::abs(box.centre().x) < 0.1 && std::abs(box.centre().y) < 0.5);
     }
     void canBeMilledFromAbove() {
-        // No face looks down but the bottom: then each vertical line meets one piece that starts at z = 0.
+        // No face points down except the bottom: then each vertical line meets one piece that starts at z = 0.
         QVERIFY(model_);
         const TriangleMesh& mesh = model_->bodies[0].mesh;
         for (const auto& [a, b, c] : mesh.triangles) {

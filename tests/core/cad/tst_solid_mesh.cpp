@@ -49,7 +49,7 @@ class TestSolidMesh : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Seams, poles and an apex are no holes, and each face is covered once.
+    /// Seams, poles and an apex are not holes, and each face is covered once.
     void soundSolidsAreMeshedOnce_data() {
         QTest::addColumn<TopoDS_Shape>("solid");
         QTest::addColumn<double>("volume"); // mm³
@@ -73,8 +73,8 @@ private slots:
         QVERIFY(std::abs(surfaceArea(mesh.mesh) / area - 1.0) < 0.02);
     }
 
-    /// Where three rounded edges meet there is a corner with a pole; OpenCASCADE's own way of bringing its triangles
-    /// within the chord didn't end there.
+    /// Where three rounded edges meet there is a corner with a pole; OpenCASCADE's own refinement of triangles to the
+    /// chord did not terminate there.
     void roundedCornersAreMeshed_data() {
         QTest::addColumn<TopoDS_Shape>("solid");
         const TopoDS_Shape block = roundedBlock();
@@ -89,12 +89,12 @@ private slots:
         QCOMPARE(mesh.openEdges, std::size_t{0});
         QVERIFY(mesh.torn.IsNull());
         QVERIFY(std::abs(signedVolume(mesh.mesh) - roundedVolume) < fine * roundedArea);
-        // Both ways round a corner: 8 segments of 0.15 rad and 0.005 mm make a quarter of 6 mm; ten times that is
-        // ample.
+        // In both directions around a corner 8 segments of 0.15 rad and 0.005 mm make a quarter of 6 mm; ten times that
+        // is ample.
         QVERIFY(mesh.mesh.triangles.size() < 100'000);
     }
 
-    /// No mesh closes what the shape leaves open, and a large one takes many seconds each time.
+    /// No mesh can close a gap of the shape, and each attempt on a large one takes many seconds.
     void aGapOfTheShapeIsMeshedOnce() {
         const SolidMesh mesh = meshed(openBox());
         QCOMPARE(mesh.openEdges, std::size_t{4});

@@ -15,7 +15,8 @@ class TestSolids : public QObject {
     Q_OBJECT
 
 private slots:
-    /// As in a sample file of OpenCASCADE: a shell was deleted, and its solid stayed. The rest of the model is usable.
+    /// As in a sample file of OpenCASCADE: a shell was deleted, but its solid was kept. The rest of the model is
+    /// usable.
     void aSolidWithoutFacesIsLeftOut() {
         TopoDS_Solid empty;
         BRep_Builder().MakeSolid(empty);

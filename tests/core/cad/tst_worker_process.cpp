@@ -27,7 +27,7 @@ class WorkerProcesses : public QObject {
 private:
     QTemporaryDir folder_;
 
-    /// Options that start a shell script in place of the import program.
+    /// Options that start a shell script instead of the import program.
     ImportOptions scripted(const std::string& commands) {
         static int number = 0;
         const fs::path script = fs::path(folder_.path().toStdString()) / ("worker-" + std::to_string(++number));
@@ -53,7 +53,7 @@ private slots:
         QCOMPARE(error.place, std::string("0.3 s"));
         QVERIFY(error.subject.find("cube.brep") != std::string::npos);
     }
-    /// As under a high load: it waits for its turn far longer than it works.
+    /// As under a high load: the process waits for the processor far longer than it works.
     void waitingIsNoWork() {
         ImportOptions options = scripted("sleep 1; exit 3");
         options.limits.seconds = 0.5;
@@ -67,14 +67,14 @@ private slots:
         QCOMPARE(error.place, std::string("0.3 s"));
         QVERIFY(error.detail.empty());
     }
-    /// The system counts by itself, and on a busy machine it may be the first to find the time used up.
+    /// The system has a limit of its own, and on a busy machine it may be the first to report that the time is used up.
     void theSystemsOwnLimitIsATimeOutToo() {
         ImportOptions options = scripted("while :; do :; done");
         options.limits.seconds = 0.3;
         Result<WorkerProcess> worker = WorkerProcess::start(ReadRequest{}, options, "a part");
         QVERIFY(worker);
         pollfd end{worker->output(), POLLIN, 0};
-        constexpr int longest = 60'000; // ms; it takes two seconds of a processor
+        constexpr int longest = 60'000; // ms; the limit is two seconds of processor time
         QCOMPARE(::poll(&end, 1, longest), 1);
         QTRY_VERIFY((worker->advance(), worker->finished()));
         const WorkerAnswer answer = worker->takeAnswer();
@@ -115,7 +115,7 @@ private slots:
         QVERIFY2(error.code == ErrorCode::importCrashed, describe(error).c_str());
         QVERIFY2(error.detail.find(detail.toStdString()) != std::string::npos, error.detail.c_str());
     }
-    /// The faster mesher may crash on a face; the file is read again without it.
+    /// The faster mesher may crash on a face; the file is then read again without it.
     void aCrashIsTriedAgain() {
         const fs::path crashed = fs::path(folder_.path().toStdString()) / "crashed";
         ImportOptions again = scripted("[ -e " + crashed.string() + " ] && exec " + options().worker.string() +
@@ -177,11 +177,11 @@ private slots:
         QVERIFY(errorOf(wrong).code == ErrorCode::argumentInvalid);
     }
     void fileThatHangsCostsNothingElse() {
-        // After every fault above the next import works.
+        // After each of the faults above the next import works.
         QVERIFY(import(modelFile("cube.brep")));
     }
 
-    /// It comes before the model, looks like it, and is asked for.
+    /// It arrives before the model, resembles it, and is sent only on request.
     void aPreviewComesFirst() {
         Progress progress;
         std::vector<ModelPreview> previews;
@@ -214,7 +214,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT((process->advance(), process->finished()), 30000);
         QVERIFY(!process->takePreview());
     }
-    /// However many the program sends: whoever shows them would drown.
+    /// However many the program sends: more would overload the display.
     void onePreviewIsTaken() {
         const fs::path frames = fs::path(folder_.path().toStdString()) / "frames";
         std::string bytes;
@@ -249,9 +249,9 @@ private slots:
         for (std::size_t i = 0; i < frame.size(); ++i) {
             std::string broken = frame;
             broken[i] = static_cast<char>(broken[i] ^ 0x55);
-            QVERIFY(!read(broken) || (i >= 12 && i < 16)); // the reserved word alone may change unnoticed
+            QVERIFY(!read(broken) || (i >= 12 && i < 16)); // only the reserved word may change undetected
         }
-        // Sound bytes that say something wrong.
+        // Intact bytes with invalid contents.
         ModelPreview outside = preview, nowhere = preview;
         outside.bodies[0].mesh.triangles = {{0, 1, 3}};
         nowhere.bodies[0].mesh.vertices[1].y = std::numeric_limits<float>::quiet_NaN();
@@ -278,7 +278,7 @@ private slots:
             FrameReader reader;
             reader.append(broken);
             const std::optional<WorkerFrame> got = reader.next();
-            // The reserved word alone may change unnoticed; a longer length waits for bytes that never come.
+            // Only the reserved word may change undetected; a greater length waits for bytes that never arrive.
             QVERIFY(!got || (i >= 12 && i < 16));
         }
     }

@@ -8,8 +8,9 @@
 
 namespace burin::tests {
 
-/// Eq. 4 of the paper by looking at every voxel: surface voxels of a workpiece that are surface voxels of what `holds`
-/// (asked by i, j, k, also one voxel beside the grid), by scanlines, then along them.
+/// Eq. 4 of the paper by examining every voxel: surface voxels of a workpiece that are also surface voxels of the body
+/// that `holds` describes (called with i, j, k, also for one voxel around the grid), ordered by scanlines, then along
+/// them.
 template <class Holds>
 std::vector<VoxelIndex> commonSurface(const RunVolume& workpiece, const Holds& holds) {
     const Grid& grid = workpiece.grid();

@@ -10,7 +10,7 @@
 
 namespace burin::tests {
 
-/// Noise that is the same with every standard library.
+/// Noise that is identical with every standard library.
 class Noise {
 public:
     explicit Noise(std::uint64_t seed) : generator_(seed) {}
@@ -43,12 +43,12 @@ inline double tangentialForce(const ForceRecord& record, double specificEnergy) 
     return specificEnergy * rate / (edgeSpeed / 1000.0);
 }
 
-/// A material with edge force: N/mm², N/mm (shear and edge coefficients as Altintas has them).
+/// A material with edge forces: N/mm², N/mm (shear and edge coefficients as defined by Altintas).
 struct ShearAndEdge {
     double tangentialShear = 0.0, tangentialEdge = 0.0, radialShear = 0.0, radialEdge = 0.0;
 };
 
-/// Mean force on the tool over a turn, tooth by tooth in small steps of time: straight teeth, clockwise spindle.
+/// Mean force on the tool over a revolution, tooth by tooth in small steps of time: straight teeth, clockwise spindle.
 inline glm::dvec3 forceOfTurningTeeth(const ForceRecord& record, const ShearAndEdge& of) {
     const int steps = 20'000;
     const glm::dvec3 feed = record.feedDirection, axis = record.axis;
@@ -57,11 +57,12 @@ inline glm::dvec3 forceOfTurningTeeth(const ForceRecord& record, const ShearAndE
     for (int step = 0; step < steps; ++step)
         for (int tooth = 0; tooth < record.teeth; ++tooth) {
             const double angle = -2.0 * pi * ((step + 0.5) / steps + static_cast<double>(tooth) / record.teeth);
-            // Turned about the axis; a negative angle is clockwise, seen from the holder.
+            // Rotated about the axis; a negative angle is clockwise, seen from the holder.
             const glm::dvec3 out = std::cos(angle) * feed + std::sin(angle) * glm::cross(axis, feed);
             const glm::dvec3 velocity = -glm::cross(axis, out);
             const double ahead = glm::dot(out, feed), side = glm::dot(out, glm::cross(axis, feed)) * radius;
-            // Ahead of the axis lies material: all of it, or a band on the left (up) or the right (down).
+            // There is material ahead of the axis: over the whole width, or in a band on the left (up) or the right
+            // (down).
             const double depthFromLeft = radius - side, depthFromRight = radius + side;
             const bool inBand = record.immersion == Immersion::down ? depthFromRight <= record.radialDepth
                                                                     : depthFromLeft <= record.radialDepth;

@@ -9,9 +9,9 @@
 
 namespace burin::tests {
 
-/// What a volume lost between two moments, read from its runs alone.
+/// The material that a volume lost between two moments, computed from its runs alone.
 struct RunLoss {
-    bool onlyMachinable = true; ///< every stretch is what it was, or was machinable and is air
+    bool onlyMachinable = true; ///< every interval is unchanged, or was machinable and is now air
     RunAmounts amounts;         ///< run units
     double units = 0.0;         ///< of all properties
     glm::dvec3 moment{0.0};     ///< run units times mm, setup frame
@@ -19,7 +19,7 @@ struct RunLoss {
     glm::dvec3 centroid() const { return moment / units; }
 };
 
-/// Both show moments of one volume.
+/// Both snapshots are of the same volume.
 inline RunLoss lossBetween(const VolumeSnapshot& before, const VolumeSnapshot& after) {
     RunLoss loss;
     const Grid& grid = before.grid();

@@ -23,7 +23,8 @@ inline double real(double low, double high) {
 
 using testing::holds;
 
-/// Oblique layers of both stocks, a protected block with stock behind it, and caves. False: it does not fit.
+/// Oblique layers of both stocks, a protected block with stock behind it, and caves. False if the volume's memory is
+/// too small.
 inline bool fillMotley(RunVolume& volume) {
     const Grid& grid = volume.grid();
     const RunPosition end = grid.lineEnd();
@@ -47,8 +48,8 @@ inline RunVolume motleyWorkpiece(const Grid& grid) {
     return volume;
 }
 
-/// The scalar cutter: the same spans line by line, over the whole grid each taken from the volume at once. Runs along
-/// any axis, the tool's along them.
+/// The scalar cutter: removes the same spans line by line, over the whole grid, each directly from the volume. For any
+/// run axis, with the tool axis along the runs.
 class ScalarCutter {
 public:
     ScalarCutter(const Cutter& cutter, const Grid& grid)
@@ -105,7 +106,7 @@ bool sameLines(const First& a, const Second& b) {
     return true;
 }
 
-/// Every line without gaps to its end, ends rising, neighbours unlike, and the amounts those of a recount.
+/// Whether every line has no gaps up to its end, rising ends and unequal neighbours, and the amounts equal a recount.
 inline bool isValid(const RunVolume& volume) {
     const Grid& grid = volume.grid();
     RunAmounts recounted;

@@ -12,8 +12,8 @@
 
 namespace burin::tests {
 
-/// Takes what pieces sweep on a straight step out of a volume: line by line over the whole grid, so that nothing but
-/// the spans themselves is under test.
+/// Removes the volume swept by pieces on a straight step: line by line over the whole grid, so that only the spans
+/// themselves are under test.
 inline void sweep(RunVolume& volume, std::span<const RevolvedPiece> pieces, const PoseStep& step, RunAmounts& removed) {
     const Grid& grid = volume.grid();
     for (const RevolvedPiece& piece : pieces) {

@@ -19,14 +19,14 @@ inline RevolvedPiece grown(const RevolvedPiece& piece, double by) {
             piece.cornerRadius == 0.0 ? 0.0 : piece.cornerRadius + by};
 }
 
-/// Stretches of every scanline of a grid, run units.
+/// Intervals of every scanline of a grid, run units.
 class Stretches {
 public:
     explicit Stretches(const Grid& grid)
         : grid_(grid)
         , lines_(static_cast<std::size_t>(grid.lineCountU()) * static_cast<std::size_t>(grid.lineCountV())) {}
 
-    /// What a piece sweeps, by its exact spans, each end moved outwards by `slack` run units.
+    /// Adds the volume swept by a piece, by its exact spans, with each end moved outwards by `slack` run units.
     void addSweep(const RevolvedPiece& piece, const ToolPose& from, const glm::dvec3& toTip, double slack) {
         const glm::dvec3 start = inLineFrame(grid_, from.tip), end = inLineFrame(grid_, toTip);
         const SweptPiece swept(piece, start, end, inLineFrame(grid_, from.axis));
@@ -43,7 +43,7 @@ public:
                 if (units.low < units.high) at(line).push_back(units);
             }
     }
-    /// Joins what overlaps or touches.
+    /// Joins intervals that overlap or touch.
     void merge() {
         for (std::vector<Span>& line : lines_) {
             std::ranges::sort(line, {}, &Span::low);
@@ -79,7 +79,8 @@ std::vector<Span> airOf(const Segments& segments) {
     return air;
 }
 
-/// The part of `inner` within 0 … `end` that no stretch of `outer` (merged) holds, run units; 0: all is held.
+/// The largest part of `inner` within 0 … `end` that no interval of `outer` (merged) contains, run units; 0: all is
+/// contained.
 inline double notHeld(const std::vector<Span>& inner, const std::vector<Span>& outer, double end) {
     double most = 0.0;
     for (const Span& span : inner) {

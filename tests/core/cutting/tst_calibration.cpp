@@ -15,9 +15,9 @@ using namespace burin::tests;
 
 namespace {
 
-constexpr double axial = 0.35; // Kr of what is made up here
+constexpr double axial = 0.35; // Kr of the generated records
 
-/// Records as eq. 15 reads them: against the feed Ft, along the axis Kr Ft.
+/// Records as eq. 15 interprets them: Ft against the feed, Kr Ft along the axis.
 std::vector<ForceRecord> measured(std::size_t count, double deviation, std::uint64_t seed,
                                   const std::function<double(const ForceRecord&)>& energy) {
     Noise noise(seed);
@@ -40,12 +40,12 @@ CalibrationOptions with(ChipLaw law, ForceProjection projection = ForceProjectio
     return options;
 }
 
-/// Of a slot, by hand: half a turn, fz sin of the angle, whose mean is 2 / pi.
+/// Mean chip thickness of a slot, by hand: half a revolution, fz times the sine of the angle, whose mean is 2 / pi.
 double slotChip(const ForceRecord& record) {
     return 2.0 / pi * record.feed / (record.spindleSpeed * record.teeth);
 }
 
-/// How often intervals held the truth, of so many; about 95 % of 2000 means 0.95 ± 0.005.
+/// Number of intervals that contained the true value, out of a total; about 95 % of 2000 means 0.95 ± 0.005.
 struct Coverage {
     int total = 0, energy = 0, ratio = 0, force = 0, exponent = 0;
     static bool good(int held, int total) {
@@ -110,7 +110,7 @@ private slots:
     }
 
     /// 6061-T6 in the review of cutting force coefficients (Chinese Journal of Mechanical Engineering 2021, table 5),
-    /// its shear part: forces of turning teeth, step by step, in slots and on either side.
+    /// the shear coefficients: forces of rotating teeth, step by step, in slots and on either side.
     void aPublishedShearSetComesBackFromTurningTeeth() {
         Noise noise(5);
         std::vector<ForceRecord> records;
@@ -134,8 +134,9 @@ private slots:
         QVERIFY(std::abs(found->radialRatio.value / (113.5 / 243.8) - 1.0) < 0.01);
     }
 
-    /// The same with its edge part, at one feed. The power of a slot has K = Ktc + pi / 2 Kte / fz in it, but what
-    /// shows across the feed is 4 / pi: the edge's part of K comes out a fifth too small, as the header says.
+    /// The same with its edge coefficients, at one feed. The power of a slot corresponds to K = Ktc + pi / 2 Kte / fz,
+    /// but the force perpendicular to the feed shows 4 / pi: the edge's part of K comes out a fifth too small, as the
+    /// header says.
     void anEdgeForceCountsAFifthLessThanItsPower() {
         std::vector<ForceRecord> records;
         for (std::size_t i = 0; i < 6; ++i) {
@@ -152,7 +153,7 @@ private slots:
                  qPrintable(QString::number(found->specificEnergy.value)));
     }
 
-    /// The whole set comes back where the edge is fitted: slots and both sides, noise, and one record far off.
+    /// The whole set is recovered if the edge is fitted: slots and both sides, noise, and one outlier.
     void aPublishedSetWithItsEdgeComesBack() {
         Noise noise(11);
         std::vector<ForceRecord> records;
@@ -183,12 +184,12 @@ private slots:
         const Property material = calibratedMaterial(basis, *found, "forces.csv");
         QCOMPARE(material.valueOr(tangentialEdgeForce, 0.0), found->edgeForce.value);
         QVERIFY(!material.values.contains(kienzleForce));
-        // Another law has the edge's force in its K.
+        // A different law includes the edge force in its K.
         const auto constant =
             calibrate(records, "test", with(ChipLaw::constant, ForceProjection::turningTeeth), "forces.csv");
         QVERIFY(!calibratedMaterial(material, *constant, "forces.csv").values.contains(tangentialEdgeForce));
     }
-    /// 95 % of the intervals hold the truth.
+    /// 95 % of the intervals contain the true value.
     void confidenceOfTheEdgeIsWhatItSays() {
         std::vector<ForceRecord> records;
         for (std::size_t i = 0; i < 12; ++i) {
@@ -227,7 +228,7 @@ private slots:
         QCOMPARE(onWorkpiece->radialRatio.high, onTool->radialRatio.high);
     }
 
-    /// 95 % of the intervals hold the truth, whatever the number of records and the noise.
+    /// 95 % of the intervals contain the true value, whatever the number of records and the noise.
     void confidenceIsWhatItSays_data() {
         QTest::addColumn<int>("count");
         QTest::addColumn<double>("noise"); // N; forces are 3 to 60 N
@@ -264,7 +265,7 @@ private slots:
         QVERIFY2(!kienzle || Coverage::good(coverage.exponent, coverage.total), said);
     }
 
-    /// An air cut, a broken sensor and a slip of the pen in thirty records.
+    /// An air cut, a broken sensor and a typing error in thirty records.
     void whatIsFarOffIsLeftOutAndNamed_data() {
         QTest::addColumn<bool>("kienzle");
         QTest::newRow("constant K") << false;
@@ -343,7 +344,7 @@ private slots:
         QCOMPARE(material.valueOr(specificCuttingEnergy, 0.0), constant->specificEnergy.value);
         QCOMPARE(material.valueOr(radialForceRatio, 0.0), constant->radialRatio.value);
         QCOMPARE(material.valueOr(density, 0.0), 2.7);
-        QVERIFY(!material.values.contains(kienzleForce)); // an old law would stand before the new K
+        QVERIFY(!material.values.contains(kienzleForce)); // an old law would take precedence over the new K
         const NamedValue& value = material.values.find(specificCuttingEnergy)->second;
         QVERIFY(!value.estimate);
         QVERIFY(value.source.find("forces.csv, 2026-01-31") != std::string::npos);

@@ -43,8 +43,8 @@ private slots:
         QVERIFY(record.feedDirection == glm::dvec3(1.0, 0.0, 0.0));
         QCOMPARE(record.teeth, 2);
         QVERIFY(record.immersion == Immersion::unknown);
-        // By hand: 1.5 · 3 · 900 / 60 mm³/s; pi · 6 · 200 mm/s; 900 / 24,000 mm; half immersion is a quarter turn,
-        // whose mean chip is 2 / pi of the feed per tooth.
+        // By hand: 1.5 · 3 · 900 / 60 mm³/s; pi · 6 · 200 mm/s; 900 / 24,000 mm; half immersion is a quarter of a
+        // revolution, whose mean chip is 2 / pi of the feed per tooth.
         QCOMPARE(record.removalRate(), 67.5);
         QCOMPARE(record.toolEdgeSpeed(), 3.14159265358979323846 * 1200.0);
         QCOMPARE(record.feedPerTooth(), 0.0375);
@@ -80,7 +80,7 @@ private slots:
         QVERIFY(mixed.error().detail.find("line 2") != std::string::npos);
     }
 
-    /// Every broken table names its line and column and says what to write.
+    /// Errors of every broken table name the line and column and say what to write.
     void whatIsBrokenIsNamed_data() {
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("place");

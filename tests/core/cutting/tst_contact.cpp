@@ -24,7 +24,7 @@ namespace {
 constexpr double edge = 0.25;
 constexpr int partLayers = 40; // along z, from below
 
-/// Stock with a part in its lower half, in a grid with any axis of its runs.
+/// Stock with a part in its lower half, in a grid with any run axis.
 RunVolume workpiece(RunAxis runs) {
     RunVolume volume = solid({-15.0, -15.0, -20.0}, edge, {120, 120, 80}, runs);
     const Grid& grid = volume.grid();
@@ -49,11 +49,11 @@ bool same(const ShankContact& a, const ShankContact& b) {
     return equal && glm::length(a.place - b.place) < 1e-9;
 }
 
-/// Shank and holder as their drawing has them.
+/// Shank and holder as in their drawing.
 struct Frustum {
     double bottom, top, lower, upper; ///< mm: heights above the tip, radii
 
-    /// Below 0 inside, and convex along any straight line: the largest of the distances from its three faces.
+    /// Negative inside, and convex along any straight line: the largest of the distances from its three faces.
     double beyond(const ToolPose& pose, const glm::dvec3& place) const {
         const glm::dvec3 q = place - pose.tip;
         const double height = glm::dot(q, pose.axis), radius = glm::length(q - height * pose.axis);
@@ -80,12 +80,12 @@ bool guardedHolds(const std::vector<Frustum>& guarded, const ToolPose& pose, con
     return std::ranges::any_of(guarded, [&](const Frustum& piece) { return piece.beyond(pose, place) <= 0.0; });
 }
 
-/// What a frustum covers of a straight line, in voxels along it, by search.
+/// The interval of a straight line that a frustum covers, in voxels along it, by search.
 std::optional<Span> searched(const Frustum& piece, const ToolPose& pose, const glm::dvec3& start,
                              const glm::dvec3& step, double count) {
     const auto beyond = [&](double t) { return piece.beyond(pose, start + t * step); };
     double low = 0.0, high = count, inside = 0.5 * count;
-    while (beyond(inside) >= 0.0) { // towards the deepest place; no distance changes faster than the way along the line
+    while (beyond(inside) >= 0.0) { // towards the deepest point; no distance has a slope above 1
         if (beyond(inside) > 0.5 * (high - low) * glm::length(step) || high - low < 1e-7) return std::nullopt;
         const double third = (high - low) / 3.0;
         if (beyond(low + third) < beyond(high - third))
@@ -103,15 +103,15 @@ std::optional<Span> searched(const Frustum& piece, const ToolPose& pose, const g
     return Span{end(inside, 0.0), end(inside, count)};
 }
 
-/// What `workpiece` has to show of a contact, line by line, in run units: ends of stretches are rounded by Grid's one
-/// rule. What the search leaves open of that is the room.
+/// The contact expected for `workpiece`, line by line, in run units: ends of intervals are rounded by Grid's single
+/// rule. The uncertainty that the search leaves is the tolerance `room`.
 struct SearchedContact {
-    static constexpr double tolerance = 0.25 * unitsPerVoxel; ///< of a line, that a piece may overlap
+    static constexpr double tolerance = 0.25 * unitsPerVoxel; ///< of a line, permitted overlap of a piece
 
     std::array<double, 4> units{};  ///< by property
     std::vector<double> byPiece;    ///< units
-    double room = 0.0;              ///< units, by which any of these may be off
-    std::array<bool, 4> possible{}; ///< by property: touched, or perhaps
+    double room = 0.0;              ///< units, uncertainty of any of these
+    std::array<bool, 4> possible{}; ///< by property: touched, or perhaps touched
     glm::dvec3 moment{0.0};         ///< mm times units
 
     SearchedContact(const RunVolume& workpiece, const std::vector<Frustum>& guarded, const ToolPose& pose)
@@ -136,7 +136,7 @@ private:
         const glm::dvec3 step = inSetupFrame(grid, {0.0, 0.0, edge});
         const std::optional<Span> span = searched(piece, pose, start, step, grid.voxelsPerLine());
         if (!span) return;
-        double open = 0.0; // ends that the search can't tell which way they are rounded
+        double open = 0.0; // ends whose rounding direction the search cannot determine
         const auto rounded = [&](double along) {
             const double exact = along * unitsPerVoxel, whole = std::floor(exact + 0.5);
             if (std::abs(exact + 0.5 - std::round(exact + 0.5)) < 1e-3) open += 1.0;
@@ -146,7 +146,7 @@ private:
         if (high - low + open <= tolerance) return;
         const bool counts = high - low - open > tolerance;
         room += counts ? open : high - low + open;
-        // The part's border: a place on lines along z, and one side of it for all the others.
+        // The part's border: a position on lines along z; all other lines are on one side of it.
         const bool withinPart = grid.axis() != RunAxis::z && grid.voxel(line, 0).k < partLayers;
         const double border = grid.axis() == RunAxis::z ? partLayers * unitsPerVoxel : withinPart ? grid.lineEnd() : 0;
         for (const PropertyIndex property : {part, softStock}) {
@@ -171,9 +171,9 @@ class ContactTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Volume, centre, piece and properties of a contact against what a search along every scanline finds of shank and
-    /// holder as they are drawn, any axis of tool and runs, run unit by run unit: a tool that is clear touches nothing,
-    /// and nothing that is touched is missed.
+    /// Volume, centre, piece and properties of a contact are compared with a search along every scanline for shank and
+    /// holder as drawn, for any axis of tool and runs, run unit by run unit: a tool without contact touches nothing,
+    /// and no contact is missed.
     void agreesWithASearchAlongEveryLine() {
         int touching = 0, clear = 0, both = 0;
         const bool held = rc::check("every line", [&] {
@@ -203,7 +203,7 @@ private slots:
                 if (!wanted.possible[property]) RC_ASSERT(!named);
             }
             if (contact.touches && wanted.all() > 10.0 * wanted.room) {
-                const double share = wanted.room / wanted.all(); // of the contact, that may lie up to 40 mm away
+                const double share = wanted.room / wanted.all(); // of the contact, whose distance may be up to 40 mm
                 RC_ASSERT(glm::length(contact.place - wanted.moment / wanted.all()) <= 40.0 * share + 1e-6);
                 const double most = *std::ranges::max_element(wanted.byPiece);
                 RC_ASSERT(contact.piece >= flutes);
@@ -217,7 +217,7 @@ private slots:
                  qPrintable(QStringLiteral("%1, %2, %3").arg(touching).arg(clear).arg(both)));
     }
 
-    /// A tool that cuts its way through the stock: the check that remembers bricks never differs from one that looks at
+    /// While a tool cuts through the stock, the check that remembers bricks gives the same results as one that examines
     /// every scanline.
     void rememberedBricksChangeNothing() {
         int free = 0, touching = 0;
@@ -238,10 +238,10 @@ private slots:
                 pose.tip = next;
                 const ShankContact found = check.at(volume, tool, flutes, pose);
                 RC_ASSERT(same(found, shankContact(volume, tool, flutes, pose)));
-                RC_ASSERT(same(found, check.at(volume, tool, flutes, pose))); // what it has seen now changes nothing
+                RC_ASSERT(same(found, check.at(volume, tool, flutes, pose))); // its memory changes nothing
                 (found.touches ? touching : free) += 1;
             }
-            volume.restore(whole); // undo: stock stands again where bricks were empty
+            volume.restore(whole); // undo: stock is back where bricks were empty
             check.forget();
             RC_ASSERT(volume.amounts() == before);
             RC_ASSERT(same(check.at(volume, tool, flutes, pose), shankContact(volume, tool, flutes, pose)));
@@ -289,7 +289,7 @@ private slots:
             sweep(volume, std::span(tool).first(flutes), {pose.tip, pose.tip, pose.axis}, removed);
             const Grid& grid = volume.grid();
             const std::vector<Frustum> guarded = guardedOf(cutter);
-            std::array<std::array<std::array<bool, side + 2>, side + 2>, side + 2> tools{}; // and one more all around
+            std::array<std::array<std::array<bool, side + 2>, side + 2>, side + 2> tools{}; // plus one voxel around
             for (int i = -1; i <= side; ++i)
                 for (int j = -1; j <= side; ++j)
                     for (int k = -1; k <= side; ++k)

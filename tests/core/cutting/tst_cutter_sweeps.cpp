@@ -20,12 +20,12 @@ using random::real;
 
 namespace {
 
-/// Least distance beyond the drawn flutes, roughly: exact in the radius, which is what a drawing gives. A point within
-/// `margin` of the drawing counts as neither in nor out.
+/// Whether the drawn flutes contain a point, with a rough margin: exact in the radius, which is what a drawing
+/// specifies. A point within `margin` of the drawing counts as neither inside nor outside.
 bool drawnHolds(const Cutter& cutter, const glm::dvec3& q, const glm::dvec3& axis, double margin) {
     const double height = glm::dot(q, axis), out = glm::length(q - height * axis);
     if (height < margin * -1.0 || height > cutter.fluteLength + margin) return false;
-    // Shoulders make the radius jump, so a margin along the axis is looked at as well.
+    // The radius jumps at shoulders, so a margin along the axis is checked as well.
     double radius = margin > 0.0 ? 0.0 : 1e9;
     for (const double shift : {-std::abs(margin), 0.0, std::abs(margin)}) {
         const double at = cutters::drawnRadius(cutter, std::clamp(height + shift, 0.0, cutter.fluteLength));
@@ -85,7 +85,7 @@ private slots:
                 const auto position = static_cast<RunPosition>(*rc::gen::inRange(0, 36 * 256));
                 const glm::dvec3 place =
                     inSetupFrame(grid, {grid.lineCentre(line), grid.toMillimetres(position) + 0.5 * grid.edge() / 256});
-                const double margin = 0.02; // sampling the way leaves less than that
+                const double margin = 0.02; // the error of sampling the motion is smaller
                 if (sweptHolds(cutter, step, place, -margin)) {
                     RC_ASSERT(isAir(volume, line, position));
                     ++inside;
@@ -96,10 +96,11 @@ private slots:
             }
         });
         QVERIFY(held);
-        QVERIFY(inside > 5 && outside > 5); // there was something to judge
+        QVERIFY(inside > 5 && outside > 5); // the test was not empty
     }
 
-    /// What mills takes exactly that, counts it, and leaves what is protected; a tool that stands still takes nothing.
+    /// Removal takes exactly the swept volume, counts it, and leaves protected material; a stationary tool removes
+    /// nothing.
     void materialRemovalTakesTheSweep_data() { rowForEveryType(); }
     void materialRemovalTakesTheSweep() {
         QFETCH(int, index);
@@ -126,7 +127,8 @@ private slots:
         }));
     }
 
-    /// An axis that turns on the way: what is gone lies within the stated eighth of a voxel of the true motion's sweep.
+    /// With an axis that rotates during the motion, the removed volume agrees with the true motion's sweep within the
+    /// stated eighth of a voxel.
     void aTurningAxisSweepsItsMotion_data() { rowForEveryType(); }
     void aTurningAxisSweepsItsMotion() {
         QFETCH(int, index);
@@ -155,8 +157,8 @@ private slots:
         }));
     }
 
-    /// The paper's interpolation of voxel tools and the analytic sweep remove the same, within what voxels can say:
-    /// half a voxel's diagonal for the tool's own voxels, half a step between two poses.
+    /// The paper's interpolation of voxel tools and the analytic sweep remove the same, within the resolution of
+    /// voxels: half a voxel's diagonal for the tool's own voxels, half a step between two poses.
     void thePapersInterpolationRemovesTheSame_data() { rowForEveryType(); }
     void thePapersInterpolationRemovesTheSame() {
         QFETCH(int, index);
@@ -171,8 +173,8 @@ private slots:
             RunVolume papers = solid({-9.0, -9.0, -9.0}, edge, {36, 36, 36}, runs);
             const VoxelCut cut = tool.cut(papers, poseOf(from, axis), poseOf(to, axis));
             RC_ASSERT(!cut.outOfMemory && cut.poses == tool.posesFor(poseOf(from, axis), poseOf(to, axis)));
-            // What the paper's way removes lies in the analytic sweep of the tool grown by the bound, and the other way
-            // round for the tool shrunk by it, judged at the voxels' centres.
+            // The volume removed by the paper's method lies in the analytic sweep of the tool grown by the bound, and
+            // contains that of the tool shrunk by it, judged at the voxels' centres.
             const double bound = 0.5 * std::sqrt(3.0) * edge + 0.5 * edge;
             const Grid& grid = papers.grid();
             for (int point = 0; point < 150; ++point) {
@@ -195,7 +197,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// Both ways remove the same volume to the first order of the voxel.
+    /// Both methods remove the same volume to first order in the voxel.
     void volumesOfBothWaysConverge() {
         const Cutter cutter = cutters::taperBall();
         const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
@@ -218,10 +220,10 @@ private slots:
         QVERIFY(errors[0] < 0.2 && errors[2] < 0.05);
     }
 
-    /// The paper's slot (eq. 5): an end mill that moves evenly removes depth times width times feed times time, to the
-    /// last unit where all of them are whole voxels; the analytic sweep and the paper's interpolation alike.
+    /// The paper's slot (eq. 5): an end mill that moves evenly removes depth times width times feed times time, exactly
+    /// to the unit where all of them are whole voxels; with the analytic sweep and with the paper's interpolation.
     void theSlotIsDepthTimesWidthTimesFeedTimesTime() {
-        const double edge = 0.25, depth = 2.0, feed = 10.0, cycle = 0.025; // mm, mm/s, s: a voxel a cycle
+        const double edge = 0.25, depth = 2.0, feed = 10.0, cycle = 0.025; // mm, mm/s, s: a voxel per cycle
         const Cutter cutter = cutters::make(CutterType::flat, 6.0, 0.0, 12.0);
         const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
         const VoxelTool voxels = VoxelTool::ofPieces(flutes, 1, edge).value();
@@ -236,7 +238,8 @@ private slots:
                 if (step == 0) continue; // the plunge
                 const double wanted = depth * cutter.diameter * feed * cycle;
                 const double unit = ours.grid().unitVolume();
-                // Across the runs the half circle in front is a sum over scanlines: its ends round to the unit.
+                // If the runs are not parallel to the tool, the half circle in front is a sum over scanlines: its ends
+                // are rounded to the unit.
                 const double slack =
                     runs == RunAxis::z ? 0.0 : 1.0 * unit * 2.0 * (depth / edge) * (cutter.diameter / edge);
                 QVERIFY2(std::abs(static_cast<double>(totalOf(swept)) * unit - wanted) <= slack + 1e-9,

@@ -33,7 +33,7 @@ Property withValues(double speed, double chipLoad, double plunge) {
     return property;
 }
 
-/// A cut of one tick: 6 mm tool, two teeth, upright unless told.
+/// The force of a cut of one tick: 6 mm tool, two teeth, upright unless stated.
 CuttingForce forceOf(const CutResult& cut, const glm::dvec3& motion, const glm::dvec3& tip, double edgeSpeed,
                      const glm::dvec3& axis = {0.0, 0.0, 1.0},
                      const CuttingCoefficients& coefficients = cuttingCoefficients(materials(), 6.0)) {
@@ -68,13 +68,13 @@ private slots:
         QCOMPARE(force.radial, 0.3 * 0.4 + 0.5 * 0.4);
         // Against the motion along x, and away from material at larger y.
         QVERIFY(glm::length(force.force - glm::dvec3(-0.8, -0.32, 0.0)) < 1e-12);
-        // What is felt: 0.005 mm³ over 0.02 mm; 4/5 of K = 0.5 and 1/5 of K = 2.
+        // The force that is felt: 0.005 mm³ over 0.02 mm; 4/5 of K = 0.5 and 1/5 of K = 2.
         QCOMPARE(force.area, 0.25);
         QCOMPARE(force.energy, 0.8);
         QCOMPARE(force.radialRatio, (0.4 * 0.3 + 0.4 * 0.5) / 0.8);
     }
 
-    /// However tool, motion and material are turned together, the force turns with them.
+    /// If tool, motion and material are rotated together, the force rotates with them.
     void anyAxisIsAsGoodAsUpright() {
         const CuttingForce upright = forceOf(twoMaterials(), {0.01, 0.005, -0.01}, {10.0, 0.5, 0.0}, 5000.0);
         for (const glm::dvec3& about : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(1, 2, -3)}) {
@@ -89,7 +89,7 @@ private slots:
         }
     }
 
-    /// A tool that turns about its tip cuts as well: against the way of the place where it does.
+    /// A tool that rotates about its tip cuts as well: the force acts against the motion of the point of removal.
     void aTurningAxisIsFelt() {
         CutResult cut = twoMaterials();
         cut.reportedCentroid = {0.0, 3.0, 10.0};
@@ -103,7 +103,7 @@ private slots:
         QVERIFY(force.force.y < -0.7);
     }
 
-    /// Plunging, the place of removal wanders about the axis: the push along it must not jump to the side.
+    /// When plunging, the point of removal moves about the axis: the force along it must not jump sideways.
     void aPlungingToolIsPushedAlongItsAxis() {
         glm::dvec3 before(0.0);
         for (double x = -2.0; x <= 2.0; x += 0.01) {
@@ -119,7 +119,7 @@ private slots:
     }
 
     /// K(h) = kc1.1 h^-mc / 1000. A slot of 6 mm, 2 deep, 20 mm/s, v 5 m/s, two teeth: 530.5 teeth/s, so fz = 0.0377
-    /// mm, and the mean chip over the half turn is 2 / pi of it.
+    /// mm, and the mean chip over half a revolution is 2 / pi of it.
     void kienzlesLawGivesThinChipsMoreEnergy() {
         PropertyList list;
         Property aluminium = material("aluminium", 0.9, 0.4);
@@ -242,7 +242,8 @@ private slots:
         QCOMPARE(found.error().place, std::string(chipLoadPerDiameter));
     }
 
-    /// A drill at 120 m/min and 0.01 of its diameter a tooth, whatever end mills do; all its feed is plunging.
+    /// A drill at 120 m/min and 0.01 of its diameter per tooth, whatever the values for end mills; all its feed is
+    /// plunging.
     void valuesOfACutterStandBeforeThoseForAll() {
         Property material = withValues(300.0, 0.008, 0.3);
         material.values["surface_speed_drill"] = {120.0, "m/min", "test", false};
@@ -275,7 +276,7 @@ private slots:
             for (const std::string& tool : toolIds()) {
                 const Result<CuttingConditions> found = cuttingConditions(*loadTool(tool), *material, 24000.0, 4000.0);
                 QVERIFY(found.hasValue());
-                // The hardest at the largest drill: 24 m/min at 12 mm are 637 1/min.
+                // The hardest material with the largest drill: 24 m/min at 12 mm are 637 1/min.
                 QVERIFY(found->spindleSpeed > 600.0 && found->spindleSpeed <= 24000.0);
                 QVERIFY(found->feed > 20.0 && found->feed <= 4000.0);
                 QVERIFY(found->plungeFeed > 0.0 && found->plungeFeed <= found->feed);

@@ -15,8 +15,8 @@ class DeferredCuttingTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Every line and every sum, as a cutter gives them that takes each span from the volume at once; whatever the
-    /// tool, the moves, the materials; with snapshots, restarts and jumps in between.
+    /// Every line and every sum equals that of a cutter which removes each span directly from the volume; for any tool,
+    /// moves and materials; with snapshots, restarts and jumps in between.
     void equalsTheScalarCutter() {
         const bool held = rc::check("random walks", [] {
             const int side = *rc::gen::inRange(40, 130);
@@ -36,7 +36,7 @@ private slots:
                 way = 0.8 * way + 0.4 * glm::dvec3(real(-1, 1), real(-1, 1), real(-1, 0.8));
                 if (tick % 7 == 6) way.z = 0.0;
                 glm::dvec3 next = tip + way * (step * fine.edge() / std::max(glm::length(way), 0.1));
-                if (*rc::gen::inRange(0, 60) == 0) tip = somewhere(), next = tip; // taken elsewhere
+                if (*rc::gen::inRange(0, 60) == 0) tip = somewhere(), next = tip; // a jump to another position
                 const CutResult cut = removal.cut(workpiece, tip, next);
                 const RunAmounts taken = scalar.cut(expected, tip, next);
                 RC_ASSERT(!cut.putOff && !cut.outOfMemory);
@@ -58,7 +58,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// The same for large tools, whose first contact may be more than one tick takes.
+    /// The same for large tools, whose first contact may exceed the work of one tick.
     void equalsTheScalarCutterForLargeTools() {
         const bool held = holds("short walks", 25, [] {
             const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {150, 137, 90});

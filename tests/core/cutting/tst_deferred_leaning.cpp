@@ -24,17 +24,17 @@ std::ostream& operator<<(std::ostream& out, const glm::dvec3& v) {
     return out << "{" << v.x << ", " << v.y << ", " << v.z << "}";
 }
 
-/// Any direction, and those along, across and nearly along or across the grid's axes.
+/// Any direction, and directions parallel, perpendicular and nearly parallel or perpendicular to the grid's axes.
 glm::dvec3 anyAxis() {
     const glm::dvec3 any(real(-1.0, 1.0), real(-1.0, 1.0), real(-1.0, 1.0));
     glm::dvec3 axis = any;
     const int first = *rc::gen::inRange(0, 3), second = (first + 1) % 3;
     switch (*rc::gen::inRange(0, 8)) {
     case 0:
-        axis[first] = 0.0; // across
+        axis[first] = 0.0; // perpendicular
         break;
     case 1:
-        axis[first] = axis[second] = 0.0; // along
+        axis[first] = axis[second] = 0.0; // parallel
         break;
     case 2:
         axis[first] *= 1e-5;
@@ -49,7 +49,7 @@ glm::dvec3 anyAxis() {
     return glm::length(axis) > 1e-3 ? glm::normalize(axis) : glm::dvec3(0.0, 0.0, -1.0);
 }
 
-/// Any, along the axis and square to it, along and square to one of the grid's.
+/// Any direction, parallel and perpendicular to the axis, and parallel and perpendicular to one of the grid's axes.
 glm::dvec3 anyWay(const glm::dvec3& axis) {
     const glm::dvec3 any(real(-1.0, 1.0), real(-1.0, 1.0), real(-1.0, 1.0));
     glm::dvec3 along(0.0);
@@ -86,7 +86,7 @@ RunAxis anyRunAxis() {
     return *rc::gen::element(RunAxis::x, RunAxis::y, RunAxis::z);
 }
 
-/// Half of the places lie in the grid's whole voxels, as a program's often do.
+/// Half of the points lie at whole voxels of the grid, as a program's often do.
 glm::dvec3 placeIn(const Grid& grid) {
     const glm::dvec3 low = grid.box().low, size = grid.box().high - low;
     const glm::dvec3 share(real(0.0, 1.0), real(0.0, 1.0), real(0.0, 1.0));
@@ -94,20 +94,20 @@ glm::dvec3 placeIn(const Grid& grid) {
     return low + grid.edge() * (glm::floor(size * share / grid.edge()) + 0.5);
 }
 
-/// The nearest place a quarter of a voxel or a whole number of them from the grid's corner.
+/// The nearest point at a multiple of a quarter of a voxel, or of a whole voxel, from the grid's corner.
 glm::dvec3 quartered(const Grid& grid, const glm::dvec3& place) {
     const double quarter = 0.25 * grid.edge();
     return grid.low() + quarter * glm::round((place - grid.low()) / quarter);
 }
 
-/// Along one of the grid's axes.
+/// Parallel to one of the grid's axes.
 glm::dvec3 squareAxis() {
     glm::dvec3 axis(0.0);
     axis[*rc::gen::inRange(0, 3)] = *rc::gen::element(-1.0, 1.0);
     return axis;
 }
 
-/// Voxels: lines across, and along the runs.
+/// In voxels: two coordinates perpendicular to the lines, and one along the runs.
 glm::dvec3 inLines(const Grid& grid, const glm::dvec3& place) {
     return inLineFrame(grid, (place - grid.low()) / grid.edge()) - glm::dvec3(0.5, 0.5, 0.0);
 }
@@ -118,10 +118,10 @@ class DeferredLeaningTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// With an axis that stands, whichever way it points, line by line against exact spans: all is gone that a piece
-    /// sweeps whose faces lie further in by the stated bound, nothing that one does not sweep whose faces lie further
-    /// out, to the stated error of an end. The sums are what the lines lost. Some walks keep to round numbers, as
-    /// programs do: ends of ways, axes and outlines then lie on lines exactly.
+    /// With a fixed axis of any direction, line by line against exact spans: everything is removed that is swept by a
+    /// piece whose faces are offset inwards by the stated bound, and nothing that is not swept by a piece whose faces
+    /// are offset outwards, within the stated error of an end. The sums equal the loss of the lines. Some walks use
+    /// round numbers, as programs do: ends of moves, axes and outlines then lie exactly on lines.
     void takesWhatExactSpansSay() {
         const bool held = holds("leaning walks", 2000, [] {
             const int side = *rc::gen::inRange(30, 60);
@@ -162,7 +162,7 @@ private slots:
                 all.addSweep(grown(piece, outline * fine.edge()), pose, next, slack);
                 pose.tip = next;
                 if (tick % 3 == 1) (void)workpiece.snapshot();
-                if (*rc::gen::inRange(0, 6) == 0) pose = somewhere(); // taken up anew
+                if (*rc::gen::inRange(0, 6) == 0) pose = somewhere(); // a new start at another pose
             }
             RC_ASSERT(removal.settle(workpiece).volume == 0.0);
             RC_ASSERT(isValid(workpiece));
@@ -182,8 +182,8 @@ private slots:
         QVERIFY(held);
     }
 
-    /// With a turning axis: what lies deeper in the tool, at any moment of the motion, than the stated bound is gone;
-    /// what stays farther off than that all the time is there.
+    /// With a rotating axis: everything deeper in the tool than the stated bound, at any moment of the motion, is
+    /// removed; everything that stays farther away than that is kept.
     void turningTakesWhatTheMotionCovers() {
         int gone = 0, left = 0;
         const bool held = holds("turns", 2000, [&] {
@@ -192,13 +192,13 @@ private slots:
             const RevolvedPiece piece = flutes(cutter);
             const double reach = reachOf({{piece}}), step = *rc::gen::element(0.05, 0.3, 1.0, 5.0, 20.0, 40.0);
             const glm::dvec3 upright = inSetupFrame(fine, {0.0, 0.0, 1.0});
-            const bool rocks = *rc::gen::inRange(0, 4) == 0; // about upright
+            const bool rocks = *rc::gen::inRange(0, 4) == 0; // about the upright axis
             ToolPose pose{placeIn(fine), rocks ? glm::normalize(upright + 0.003 * anyAxis()) : anyAxis()};
             RunVolume workpiece = block(fine);
             MaterialRemoval removal(cutter, fine, Writing::deferred);
             std::vector<ToolPose> poses;
             std::uint64_t taken = 0;
-            constexpr double spacing = 0.1; // voxels, that no point of the tool moves farther between two samples
+            constexpr double spacing = 0.1; // voxels, largest movement of any point of the tool between two samples
             for (int tick = 0; tick < 3; ++tick) {
                 const double turn = *rc::gen::element(0.0, 0.001, 0.05, 0.5);
                 const glm::dvec3 turned = glm::normalize(pose.axis + turn * anyAxis());
@@ -219,7 +219,7 @@ private slots:
             RC_ASSERT(isValid(workpiece));
             const double tolerance = fine.edge() * (0.1 + SpanRows::leaningWayError + 0.5 * spacing + 2.0 / 256.0);
             for (int i = 0; i < 150; ++i) {
-                // About the tool at some moment, on the nearest line.
+                // Near the tool at some moment, on the nearest line.
                 const ToolPose& moment = poses[*rc::gen::inRange<std::size_t>(0, poses.size())];
                 const double radius = piece.bottomRadius + fine.edge(),
                              height = real(-fine.edge(), piece.top + fine.edge());
@@ -252,8 +252,8 @@ private slots:
         QVERIFY(left > 1000);
     }
 
-    /// A tool that stands still where it arrived, whatever its axis, finds nothing. Flutes shorter than a voxel may
-    /// pass between two rows of lines and find nothing on the way either: most must.
+    /// A tool that stands still where it arrived, with any axis, removes nothing. Flutes shorter than a voxel may pass
+    /// between two rows of lines and remove nothing during the motion either: most must.
     void standingStillTakesNothing() {
         int taken = 0;
         const bool held = holds("stands", 300, [&] {
@@ -268,7 +268,7 @@ private slots:
             RC_ASSERT(removal.cut(workpiece, to, to).volume == 0.0);
             removal.settle(workpiece);
             RC_ASSERT(removal.cut(workpiece, to, to).volume == 0.0);
-            removal.reset(); // and one that comes anew finds as little
+            removal.reset(); // a new cutter removes nothing either
             RC_ASSERT(removal.cut(workpiece, to, to).volume == 0.0);
         });
         QVERIFY(held);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array stocks{softStock, hardStock};
 
-/// What cuts say they took, added up.
+/// Sum of the amounts that cuts report as removed.
 struct Taken {
     RunAmounts amounts;
     void add(const CutResult& cut) {
@@ -27,7 +27,7 @@ struct Taken {
     }
 };
 
-/// A hand that moves on and on in about one direction.
+/// A hand that keeps moving in roughly one direction.
 struct Walk {
     glm::dvec3 low, size, tip, way;
     double step;
@@ -43,11 +43,11 @@ struct Walk {
     }
 };
 
-/// Takes all memory that a volume has left, until it is given back.
+/// Allocates all the memory that a volume has left, until it is released.
 class Ballast {
 public:
     explicit Ballast(RunVolume& volume) : volume_(&volume) { rooms_.reserve(100000); }
-    /// All but what `left` bricks take.
+    /// Allocates all but the memory of `left` bricks.
     void take(std::size_t left) {
         const Grid& grid = volume_->grid();
         for (LineIndex line; rooms_.size() < rooms_.capacity();
@@ -71,7 +71,7 @@ private:
     std::vector<BrickRoom> rooms_;
 };
 
-/// Two stocks over each other and a protected block: bricks that take next to no memory.
+/// Two stocks on top of each other and a protected block: bricks that need very little memory.
 bool fillLayers(RunVolume& volume) {
     const Grid& grid = volume.grid();
     const LineIndex low{0, 0}, high{grid.lineCountU(), grid.lineCountV()};
@@ -80,7 +80,7 @@ bool fillLayers(RunVolume& volume) {
            volume.fillBlock({8, 8}, {16, 12}, end / 4, end / 3, part);
 }
 
-/// Snapshots, and what each showed when it was taken.
+/// Snapshots, and the contents of each when it was taken.
 struct Kept {
     std::vector<std::pair<VolumeSnapshot, RunAmounts>> snapshots;
     void take(RunVolume& volume) {
@@ -92,7 +92,7 @@ struct Kept {
     }
 };
 
-/// As CutResult promises: those that lost something first, by property.
+/// As CutResult promises: entries with a loss come first, by property.
 bool holdsNoEmptyEntryBeforeAnother(const CutResult& cut) {
     PropertyIndex last = airProperty;
     for (const MaterialVolume& material : cut.removed) {
@@ -115,7 +115,8 @@ class DeferredLimitsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Whenever memory runs out, what was counted is what is gone; once there is room the same moves finish the work.
+    /// Whenever memory runs out, the counted removal equals the actual one; once there is room the same moves complete
+    /// the work.
     void goesOnWhenThereIsRoomAgain() {
         int ranOut = 0, finished = 0;
         const bool held = rc::check("walks without room", [&] {
@@ -145,14 +146,14 @@ private slots:
                     if (*rc::gen::inRange(0, 2) == 0) {
                         const CutResult rest = removal.settle(workpiece);
                         taken.add(rest);
-                        // What was counted had its memory beforehand.
+                        // The memory for counted removal was reserved beforehand.
                         RC_ASSERT(!rest.outOfMemory);
                         RC_ASSERT(removal.settled());
                         RC_ASSERT(accounts(before, workpiece, taken));
                         RC_ASSERT(isValid(workpiece));
                     }
                     RC_ASSERT(kept.stand());
-                    // All is given back, but in pieces that are too small: this walk can not be finished.
+                    // All memory is released, but in pieces that are too small: this walk cannot be completed.
                     if (kept.snapshots.empty() && ballast.empty()) {
                         taken.add(removal.settle(workpiece));
                         RC_ASSERT(removal.settled() && accounts(before, workpiece, taken) && isValid(workpiece));
@@ -177,11 +178,11 @@ private slots:
             finished += 1;
         });
         QVERIFY(held);
-        QVERIFY(ranOut > 100); // or nothing was tested
+        QVERIFY(ranOut > 100); // otherwise nothing was tested
         QVERIFY(finished > 50);
     }
 
-    /// The same with next to no reserve from the beginning, where even the tables of a snapshot are dear.
+    /// The same with almost no reserve from the beginning, where even the tables of a snapshot are expensive.
     void losesNothingWithATinyReserve() {
         int ranOut = 0, wentOn = 0;
         const bool held = holds("tiny reserves", 900, [&] {
@@ -228,8 +229,8 @@ private slots:
         QVERIFY(wentOn > 10);
     }
 
-    /// Memory that a cut set aside comes back, whether anything was there to cut or not: hours of work and undo, with
-    /// one tool after another, end with as much to spare as a minute.
+    /// Memory that a cut reserves is returned, whether there was material to cut or not: after hours of work and undo,
+    /// with one tool after another, as much is free as after a minute.
     void settlingGivesBackAllThatWasSetAside() {
         const Grid fine = grid({0.0, 0.0, 0.0}, 0.5, {96, 96, 40});
         RunVolume workpiece = block(fine);
@@ -250,7 +251,7 @@ private slots:
         }
     }
 
-    /// Ticks do not allocate, whatever the tool and however it leans or turns, while snapshots are taken.
+    /// Ticks do not allocate, whatever the tool and however it tilts or rotates, while snapshots are taken.
     void noTickAllocates_data() {
         QTest::addColumn<int>("kind");
         QTest::addColumn<double>("lean");
@@ -271,7 +272,7 @@ private slots:
         const Grid fine = grid({0.0, 0.0, 0.0}, 0.5, {140, 140, 60});
         RunVolume workpiece = RunVolume::make(fine, materials()).value();
         QVERIFY(fillMotley(workpiece));
-        QVERIFY(allocationCount > first); // they are counted
+        QVERIFY(allocationCount > first); // the counter works
         MaterialRemoval removal(cutterOf(kind, 6.0), fine, Writing::deferred);
         std::vector<VolumeSnapshot> kept(8);
         const auto poseAt = [&](int tick) {
@@ -299,9 +300,10 @@ private slots:
         QVERIFY(taken > 1000000);
     }
 
-    /// A large tool that stands in the stock is more than one tick takes; the next ones, or settling, take the rest.
+    /// A large tool in the middle of the stock exceeds the work of one tick; the next ticks, or settling, remove the
+    /// rest.
     void putsOffWhatATickCanNotTake() {
-        int firsts = 0, putOffs = 0; // first contacts, and those that a tick could not take
+        int firsts = 0, putOffs = 0; // first contacts, and those that exceeded one tick
         const bool held = holds("first contacts", 15, [&firsts, &putOffs] {
             const Grid fine = grid({-1.0, 2.0, -3.0}, 0.5, {580, 573, 60});
             const double radius = real(60.0, 100.0);
@@ -323,7 +325,7 @@ private slots:
                 firsts += tick == 0 ? 1 : 0;
                 putOffs += tick == 0 && cut.putOff ? 1 : 0;
                 putOff = putOff || cut.putOff;
-                // Of what is put off there may be nothing to take: rows where a flat end rises, say.
+                // The deferred part may contain nothing to remove, for example rows where a flat end rises.
                 RC_ASSERT(cut.putOff || taken.amounts == expectedTaken.amounts);
                 RC_ASSERT(!putOff || !removal.settled());
                 tip = next;
@@ -338,11 +340,11 @@ private slots:
             RC_ASSERT(isValid(workpiece));
         });
         QVERIFY(held);
-        // The smallest of these tools, high in the stock, may be taken in one tick: rarely.
+        // The smallest of these tools, high in the stock, may be completed in one tick, but rarely.
         QVERIFY2(10 * putOffs >= 8 * firsts, qPrintable(QStringLiteral("%1 of %2").arg(putOffs).arg(firsts)));
     }
 
-    /// Approaching cuts nothing, and spares the first cut: in stock of one material nothing is put off any more.
+    /// Approaching cuts nothing, and prepares the first cut: in stock of one material nothing is deferred any more.
     void approachingSparesTheFirstCut_data() {
         QTest::addColumn<int>("kind");
         QTest::addColumn<double>("radius");

@@ -16,7 +16,8 @@ using namespace burin::tests;
 namespace {
 
 constexpr double edge = 0.2, radius = 3.0; // mm
-// A patch at each end of the arc and half a voxel, and a ring's height, for these tools: what Engagement states.
+// A patch at each end of the arc plus half a voxel, and a ring's height, for these tools: the accuracy stated by
+// Engagement.
 constexpr double arcTolerance = 0.4, depthTolerance = 0.15; // rad, mm
 
 /// Solid below z = 0.
@@ -24,7 +25,7 @@ Grid gridOf(RunAxis axis) {
     return Grid::make({-15.0, -15.0, -10.0}, edge, {150, 150, 50}, axis).value();
 }
 
-/// One short move that ends at `tip`, the tool being in the stock already and having come by 6 mm.
+/// One short move that ends at `tip`; the tool has been in the stock since 6 mm before.
 CutResult millTo(RunVolume& workpiece, const Cutter& cutter, const glm::dvec3& tip, const glm::dvec3& direction,
                  const glm::dvec3& axis = {0.0, 0.0, 1.0}, double step = 0.01) {
     MaterialRemoval removal(cutter, workpiece.grid());
@@ -74,7 +75,7 @@ private slots:
         const glm::dvec3 direction(std::cos(degrees * pi / 180.0), std::sin(degrees * pi / 180.0), 0.0);
         RunVolume workpiece = block(gridOf(static_cast<RunAxis>(runs)));
         clearAbove(workpiece, 0.0);
-        // A first slot, a radius aside, leaves half the width to the second.
+        // A first slot, offset by a radius, leaves half the width to the second.
         const glm::dvec3 aside = radius * glm::dvec3(-direction.y, direction.x, 0.0);
         MaterialRemoval first(flat(6.0, 20.0), workpiece.grid());
         const glm::dvec3 down(0.0, 0.0, -2.0), upright(0.0, 0.0, 1.0);
@@ -84,7 +85,7 @@ private slots:
         QVERIFY2(near(cut.engagement.depth, 2.0, depthTolerance), qPrintable(QString::number(cut.engagement.depth)));
     }
 
-    /// Straight down, bottom and all around.
+    /// Straight down, the bottom and all around.
     void aPlungeIsTheWholeCircle() {
         for (const int runs : {0, 1, 2}) {
             RunVolume workpiece = block(gridOf(static_cast<RunAxis>(runs)));
@@ -95,14 +96,14 @@ private slots:
         }
     }
 
-    /// In solid stock all that faces the motion cuts: of a sphere its front half.
+    /// In solid stock everything that faces the motion cuts: the front half of a sphere.
     void aBallThatLeansMeetsHalfOfItself() {
         for (const int runs : {0, 1, 2}) {
             RunVolume workpiece = block(gridOf(static_cast<RunAxis>(runs)));
             const glm::dvec3 axis = glm::normalize(glm::dvec3(0.3, -0.4, 0.87));
             const glm::dvec3 direction = glm::normalize(glm::cross(axis, glm::dvec3(0.3, 0.8, 0.1)));
             const glm::dvec3 tip = glm::dvec3(0.0, 0.0, -6.0);
-            // Flutes no longer than the ball: nothing but the sphere.
+            // Flutes no longer than the ball: only the sphere.
             const Engagement met = millTo(workpiece, ball(6.0, 3.0), tip, direction, axis).engagement;
             QVERIFY2(near(met.arc, pi, arcTolerance), qPrintable(QString::number(met.arc)));
             QVERIFY2(near(met.depth, radius, 2.0 * depthTolerance), qPrintable(QString::number(met.depth)));
@@ -111,7 +112,7 @@ private slots:
         }
     }
 
-    /// Half the side of a cone, as deep as it stands in the stock: pi / 2 (R + r) s with the side's length s.
+    /// Half the lateral area of a cone up to its depth in the stock: pi / 2 (R + r) s with the side's length s.
     void aConeInASlotMeetsHalfItsSide() {
         for (const int runs : {0, 1, 2}) {
             RunVolume workpiece = block(gridOf(static_cast<RunAxis>(runs)));
@@ -126,7 +127,7 @@ private slots:
         }
     }
 
-    /// Steps of a drawing that are level but for rounding are shoulders: a plunge meets the whole disc.
+    /// Steps of a drawing that are level except for rounding are shoulders: a plunge engages the whole disc.
     void aShoulderThatIsNextToLevelIsOne() {
         const double rounded = std::nextafter(0.3, 1.0);
         for (const double height : {0.3, rounded, 0.3 + 5e-14, 0.3 + 1e-5, 0.3 + 1e-3}) {
@@ -139,7 +140,7 @@ private slots:
         }
     }
 
-    /// Half a sphere between its foot and its neck: pi R h.
+    /// Half a sphere between its bottom and its neck: pi R h.
     void aLollipopUnderCutsWithHalfItsSphere() {
         for (const int runs : {0, 1, 2}) {
             RunVolume workpiece = block(gridOf(static_cast<RunAxis>(runs)));
@@ -152,7 +153,7 @@ private slots:
         }
     }
 
-    /// Asked for, it is known of a long move as well, and of large balls: a slot's, whatever the step.
+    /// On request, engagement is known for a long move and for large balls as well: that of a slot, whatever the step.
     void aLongMoveMeetsWhatAShortOneDoes() {
         for (const int runs : {0, 1, 2})
             for (const Cutter& cutter : {flat(6.0, 20.0), ball(14.0, 20.0)}) {
@@ -169,7 +170,7 @@ private slots:
             }
     }
 
-    /// Every cut that takes anything says how the flutes stand: also large balls, and steps too long for the flux.
+    /// Every cut that removes anything reports the engagement: also large balls, and steps too long for the flux.
     void everyCutKnowsItsEngagement_data() {
         QTest::addColumn<double>("diameter");
         QTest::addColumn<double>("step");
@@ -186,7 +187,8 @@ private slots:
         const auto cutTo = [&](const glm::dvec3& from, const glm::dvec3& to) {
             return removal.cut(workpiece, from, to);
         };
-        // A slot 2 mm deep from the stock's side, and once more 0.6 mm beside: the other side's front alone cuts then.
+        // A slot 2 mm deep starting at the stock's side, and another one offset by 0.6 mm: then only the front on the
+        // other side cuts.
         glm::dvec3 tip(-15.0 - diameter, 0.03, -2.0);
         int unknown = 0;
         const auto mill = [&](double toX) {
@@ -194,7 +196,7 @@ private slots:
             for (; tip.x < toX; tip.x += step) {
                 const CutResult cut = cutTo(tip, tip + glm::dvec3(step, 0.0, 0.0));
                 if (cut.volume <= 0.0) continue;
-                const bool inside = tip.x > -15.0; // not only just touching
+                const bool inside = tip.x > -15.0; // not merely touching
                 unknown += inside && !(cut.engagement.arc > 0.0 && cut.engagement.area > 0.0) ? 1 : 0;
                 last = cut;
             }
@@ -215,7 +217,7 @@ private slots:
         QVERIFY2(share < 0.7 && share > 0.25, qPrintable(QString::number(share)));
     }
 
-    /// The look that a fast cut goes by is no older than 16 cuts, whether those were fast or slow.
+    /// The engagement that a fast cut uses was measured at most 16 cuts ago, whether those were fast or slow.
     void slowCutsBetweenFastOnesCount() {
         RunVolume workpiece = block(gridOf(RunAxis::z));
         clearAbove(workpiece, 0.0);

@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::int32_t side = 8; // bricks, of the window
 
-/// A row of bricks with spans to be taken, as random as they come: known and unknown gaps, neighbours of three
-/// materials or none, bricks that are ready and some that are not, rows of lines that are asked for here and there.
+/// A row of bricks with random spans to be removed: known and unknown gaps, neighbours of three materials or none,
+/// bricks that are ready and some that are not, rows of lines that are requested in various places.
 struct Scene {
     std::vector<GapWindow::Gaps> gaps = std::vector<GapWindow::Gaps>(side);
     std::vector<GapWindow::Brick> bricks = std::vector<GapWindow::Brick>(side);
@@ -92,12 +92,12 @@ struct Moments {
     double units = 0.0, momentU = 0.0, momentV = 0.0, momentAlong = 0.0; ///< momentAlong doubled
 };
 
-/// What the kernel says in words, for one line. @return whether its gap grew
+/// Specification of the kernel for one line. @return whether its gap grew
 bool takeSpan(GapWindow::LineGap& gap, int low, int high, const glm::dvec2& uv, int alongOrigin,
               std::array<std::int64_t, 256>& lost, Moments& moments) {
     const bool below = low<gap.low, above = high> gap.high;
     if (low >= high || (!below && !above)) return false;
-    // Apart from the gap, or farther than its neighbours reach.
+    // Separate from the gap, or extending beyond its neighbours.
     if (low > gap.high || high < gap.low) return false;
     if (below && low < std::min(gap.low, int(gap.left >> 8))) return false;
     if (above && high > std::max(gap.high, int(gap.right >> 8))) return false;
@@ -121,7 +121,7 @@ class GapWindowKernelsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// What a cut takes, and what it is counted as, does not depend on the machine, to the last bit.
+    /// The removal of a cut and its counts are bitwise identical on every machine.
     void cutsTheSameOnEveryProcessor() {
         const bool held = rc::check("rows", [] {
             Scene here = drawScene(), elsewhere = here;
@@ -149,8 +149,8 @@ private slots:
         QVERIFY(held);
     }
 
-    /// Each line loses what its span takes of its gap's neighbours, or is left to the volume as it was; the sums are
-    /// those of the lines one by one.
+    /// Each line loses the part of its gap's neighbours that its span covers, or is left unchanged for the volume to
+    /// cut; the sums are those of the lines one by one.
     void takesAndCountsLineByLine() {
         const bool held = rc::check("lines", [] {
             Scene scene = drawScene();

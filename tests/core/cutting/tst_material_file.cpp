@@ -80,7 +80,7 @@ private slots:
         QVERIFY(std::abs(valueOf(*read, specificCuttingEnergy) - 1.6495) < 1e-3);
         QVERIFY(read->material.values.at(std::string(kienzleForce)).source.find("A. Miller") != std::string::npos);
         QVERIFY(!read->material.values.at(std::string(kienzleForce)).estimate);
-        // The card states neither: filled and told.
+        // The card contains neither: default values are used and reported.
         for (const std::string_view name : {radialForceRatio, chipLoadPerDiameter, plungeFeedRatio}) {
             QVERIFY(read->material.values.at(std::string(name)).estimate);
             QVERIFY(std::ranges::any_of(read->notes,

@@ -34,7 +34,7 @@ private slots:
         qputenv("XDG_DATA_HOME", folder_.path().toUtf8());
     }
 
-    /// What issue and README promise.
+    /// The materials promised by the issue and README.
     void theStarterLibraryHoldsWhatIsPromised() {
         const std::vector<std::string> ids = materialIds();
         for (const char* id : {"aluminium-2007", "aluminium-6061", "aluminium-7075", "steel-s235jr", "steel-1045",
@@ -43,7 +43,7 @@ private slots:
             QVERIFY2(std::ranges::find(ids, id) != ids.end(), id);
     }
 
-    /// A file that could not be read again would be a material lost.
+    /// A file that could not be read again would lose the material.
     void whatCouldNotBeReadAgainIsNotWritten() {
         Property material = copyOf(loadMaterial("oak").value(), "our-oak", "Our oak");
         QVERIFY(saveMaterial(material, false));
@@ -71,7 +71,7 @@ private slots:
         }
     }
 
-    /// Where a material states both, K is what Kienzle's law gives at some chip from 0.02 to 0.3 mm.
+    /// Where a material states both, K is the value of Kienzle's law at some chip thickness from 0.02 to 0.3 mm.
     void energyAndKienzleAgree_data() { everyNumberHasItsSource_data(); }
     void energyAndKienzleAgree() {
         QFETCH(QString, id);
@@ -85,7 +85,7 @@ private slots:
         QVERIFY2(energy <= 1.01 * law(0.02) && energy >= 0.75 * law(0.3), qPrintable(QString::number(energy)));
     }
 
-    /// Ranks that no workshop disputes.
+    /// An order that is generally accepted in workshops.
     void harderToCutComesBehind() {
         double before = 0.0;
         for (const char* id :

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double side = 24.0; ///< mm, of the workpiece about the origin; no move leaves it
 
-/// Two moves that go on from each other, the axis turning on the second, any way and any axes.
+/// Two consecutive moves, the axis rotating on the second, in any direction and with any axes.
 std::array<Pose, 3> someMoves(unsigned seed) {
     std::mt19937 random(seed);
     const auto direction = [&] {
@@ -39,13 +39,15 @@ std::array<Pose, 3> someMoves(unsigned seed) {
     std::array<Pose, 3> poses;
     poses[0] = {-5.0 * axis, glm::rotation(glm::dvec3(0.0, 0.0, 1.0), axis)};
     poses[1] = {poses[0].position + 2.5 * direction(), poses[0].rotation};
-    // About a line across the axis: a tool that does not spin turns its axis the shortest way, as the sweep does.
+    // About a line perpendicular to the axis: a tool that does not spin rotates its axis the shortest way, as the sweep
+    // does.
     const glm::dquat turn = glm::angleAxis(0.2, glm::normalize(glm::cross(axis, direction())));
     poses[2] = {poses[1].position + 2.5 * direction(), turn * poses[1].rotation};
     return poses;
 }
 
-/// What the same moves leave of a block: cut by analytic sweeps, and by the paper's interpolation of a voxel tool.
+/// The remains of a block after the same moves: cut by analytic sweeps, and by the paper's interpolation of a voxel
+/// tool.
 struct Cuts {
     RunVolume analytic, papers;
 
@@ -59,7 +61,7 @@ struct Cuts {
             (void)tool.cut(papers, poses[i - 1], poses[i]);
         }
     }
-    /// mm³, that the paper's way removes more.
+    /// mm³, volume that the paper's method removes in addition.
     double difference() const {
         return (static_cast<double>(analytic.amounts().units[softStock]) -
                 static_cast<double>(papers.amounts().units[softStock])) *
@@ -74,7 +76,7 @@ private:
     }
 };
 
-/// Looks at all voxels that the two ways judge differently. @return how many; nothing: one lies beyond the bounds
+/// Examines all voxels on which the two methods differ. @return their number; empty: one lies beyond the bounds
 std::optional<int> differingVoxels(const Cuts& cuts, const Cutter& cutter, const std::array<Pose, 3>& poses) {
     const Grid& grid = cuts.analytic.grid();
     const double halfDiagonal = 0.5 * std::sqrt(3.0) * grid.edge(), halfStep = 0.5 * grid.edge(),
@@ -100,16 +102,16 @@ std::optional<int> differingVoxels(const Cuts& cuts, const Cutter& cutter, const
     return differing;
 }
 
-/// Root mean squares over trials, mm³, at three finenesses, each voxel half as large as the one before.
+/// Root mean squares over trials, mm³, at three resolutions, each voxel half as large as the previous one.
 struct Errors {
     std::array<double, 3> net{};    ///< of the difference of volumes
-    std::array<double, 3> either{}; ///< of what one way took and the other did not
+    std::array<double, 3> either{}; ///< of the volume that one method removed and the other did not
 
-    /// Of convergence, over both halvings.
+    /// Order of convergence, over both halvings.
     static double order(const std::array<double, 3>& errors) { return 0.5 * std::log2(errors[0] / errors[2]); }
 };
 
-/// Nothing: a voxel lies beyond the bounds.
+/// Empty: a voxel lies beyond the bounds.
 std::optional<Errors> errorsOf(const Cutter& cutter) {
     constexpr int trials = 6;
     Errors squares;
@@ -134,19 +136,19 @@ std::optional<Errors> errorsOf(const Cutter& cutter) {
 
 } // namespace
 
-/// The analytic sweep against the paper's interpolation (eqs. 3, 6–10): the same moves cut in both ways.
+/// Compares the analytic sweep with the paper's interpolation (eqs. 3, 6–10): the same moves cut with both methods.
 ///
-/// A voxel of the workpiece is taken at a pose when its centre, in the tool's frame, lies in a voxel whose own centre
-/// lies in the tool: half a voxel's diagonal away at most. So
-/// - what the paper's way takes has its centre no farther than that outside the swept tool;
-/// - between two poses no point moves a whole voxel (eq. 8), so at the nearer of them none is farther than half a voxel
-///   from where it is at any moment: what the paper's way leaves has its centre no deeper in the swept tool than half
-///   the diagonal and half a voxel.
-/// So the voxels that only one way takes are a layer of some part of a voxel on the swept surface: first order in the
-/// voxel, for every cutter. So is the difference of the volumes, which is what is left of both signs: of some poses
-/// that pass a place on a wall the one takes a voxel whose voxels of the tool stand out most, and how the tool's own
-/// sizes fall among its voxels is luck, from -1/2 to 1/2 voxel an end. That evens out over edges from one to one and a
-/// half of the finest and over the cutters.
+/// A voxel of the workpiece is removed at a pose if its centre, in the tool's frame, lies in a voxel whose own centre
+/// lies in the tool: at most half a voxel's diagonal away. So
+/// - a voxel removed by the paper's method has its centre at most that far outside the swept tool;
+/// - between two poses no point moves a whole voxel (eq. 8), so at the nearer of them no point is farther than half a
+/// voxel from its position at any moment: a voxel left by the paper's method has its centre no deeper in the swept tool
+/// than half the diagonal plus half a voxel.
+/// So the voxels that only one method removes form a layer, a fraction of a voxel thick, on the swept surface: first
+/// order in the voxel, for every cutter. So does the difference of the volumes, in which both signs partly cancel: of
+/// several poses that pass a point on a wall, the pose whose tool voxels protrude most removes the voxel, and how the
+/// tool's dimensions relate to its voxels is random, from -1/2 to 1/2 voxel at each end. That averages out over edges
+/// from one to one and a half times the finest one and over the cutters.
 class PaperInterpolationTest : public QObject {
     Q_OBJECT
 

@@ -17,7 +17,7 @@ ToolPose randomPose() {
     return {{real(-9.0, 9.0), real(-9.0, 9.0), real(-9.0, 9.0)}, random::axis()};
 }
 
-/// Turns `axis` by `angle` rad about a line square to it.
+/// Rotates `axis` by `angle` rad about a line perpendicular to it.
 glm::dvec3 leaned(const glm::dvec3& axis, double angle) {
     const glm::dvec3 any(real(-1.0, 1.0), real(-1.0, 1.0), real(-1.0, 1.0));
     const glm::dvec3 across = any - glm::dot(any, axis) * axis;
@@ -25,8 +25,8 @@ glm::dvec3 leaned(const glm::dvec3& axis, double angle) {
     return std::cos(angle) * axis + std::sin(angle) * glm::normalize(across);
 }
 
-/// The point of a tool at a pose that a turn about its own axis does not move, and one that it does: how the axis alone
-/// carries points along is by the least turn from where it was.
+/// The position at a pose of a point of the tool: the tool does not spin about its own axis, so points are carried
+/// along with the axis by the smallest rotation from its previous direction.
 glm::dvec3 carried(const ToolPose& from, const ToolPose& to, const glm::dvec3& point) {
     const glm::dvec3 turn = glm::cross(from.axis, to.axis);
     const double sine = glm::length(turn), cosine = glm::dot(from.axis, to.axis);
@@ -61,7 +61,7 @@ private slots:
         for (std::int32_t k = 0; k < steps.count(); ++k) QCOMPARE(glm::length(steps.step(k).axis), 1.0);
     }
 
-    /// Ends to the last bit and joints without a gap: nothing is left standing between two steps or two ticks.
+    /// Ends are bitwise equal and joints have no gap: no material is left between two steps or two ticks.
     void stepsJoin() {
         QVERIFY(rc::check("joints", [] {
             const ToolPose from = randomPose();
@@ -75,7 +75,7 @@ private slots:
         }));
     }
 
-    /// The bound: at every moment each point of the tool is within the tolerance of where the true motion has it.
+    /// The bound: at every moment each point of the tool is within the tolerance of its position in the true motion.
     void noPointStraysFartherThanTheTolerance() {
         QVERIFY(rc::check("deviation", [] {
             const double reach = real(1.0, 60.0), tolerance = real(0.001, 0.2);
@@ -88,7 +88,7 @@ private slots:
                 const auto k = static_cast<std::int32_t>(std::lround(place));
                 const PoseStep step = steps.step(k);
                 const ToolPose truly = steps.poseAt(part);
-                // The step runs over the time k - 1/2 … k + 1/2, cut off at both ends of the motion.
+                // The step covers the time k - 1/2 … k + 1/2, truncated at both ends of the motion.
                 const double begin = std::max(k - 0.5, 0.0), end = std::min(k + 0.5, steps.count() - 1.0);
                 const glm::dvec3 tip = step.fromTip + (place - begin) / (end - begin) * (step.toTip - step.fromTip);
                 glm::dvec3 q(real(-1.0, 1.0), real(-1.0, 1.0), real(-1.0, 1.0));
@@ -101,7 +101,7 @@ private slots:
         }));
     }
 
-    /// It is no wild overestimate either: twice the tolerance would not have been held by half as many steps.
+    /// The count is no gross overestimate either: half as many steps would not have kept twice the tolerance.
     void stepsAreNotMoreThanTheBoundNeeds() {
         QVERIFY(rc::check("count", [] {
             const double reach = real(5.0, 60.0), tolerance = real(0.001, 0.01), angle = real(0.05, 1.0);

@@ -51,10 +51,10 @@ struct Move {
     bool turns() const { return from.axis != to.axis; }
 };
 
-/// A workpiece and what is cut out of it.
+/// A workpiece and the moves that cut it.
 struct Job {
     Grid grid;
-    RunPosition phase = 0; ///< unit of every voxel that is looked at
+    RunPosition phase = 0; ///< the unit of each voxel that is examined
     std::vector<Block> blocks;
     std::vector<Move> moves;
 };
@@ -88,7 +88,7 @@ Block anyBlock(const Grid& grid) {
             *rc::gen::element(airProperty, hardStock, part, brass, clamp)};
 }
 
-/// Along the runs, nearly so, or any.
+/// Parallel to the runs, nearly parallel, or in any direction.
 glm::dvec3 anyAxis(const Grid& grid) {
     glm::dvec3 axis(0.0);
     axis[grid.axisOfRuns()] = 1.0;
@@ -102,7 +102,7 @@ glm::dvec3 anyAxis(const Grid& grid) {
     }
 }
 
-/// Some place of the flutes somewhere in the grid.
+/// A pose with some point of the flutes in the grid.
 ToolPose anyPose(const Grid& grid, const Cutter& cutter) {
     const glm::dvec3 axis = anyAxis(grid), share(real(0.0, 1.0), real(0.0, 1.0), real(0.0, 1.0));
     const glm::dvec3 place = grid.low() + share * (grid.box().high - grid.low());
@@ -117,7 +117,7 @@ Move anyMove(const Grid& grid, const ToolPose& from) {
     return {from, {from.tip + voxels * grid.edge() * way, axis}, *rc::gen::inRange(0, 3) == 0};
 }
 
-/// Moves that go on from each other, most of them.
+/// Moves most of which continue from the previous one.
 Job anyJob(const Cutter& cutter) {
     const auto runs = *rc::gen::element(RunAxis::x, RunAxis::y, RunAxis::z);
     Job job{
@@ -143,8 +143,8 @@ bool usesWindow(const std::vector<RevolvedPiece>& flutes) {
     return flutes.size() == 1 && WindowCutter::serves(flutes.front());
 }
 
-/// How far off what is gone may be, mm: as the ways of cutting state it. A unit of a line is gone when its middle is
-/// swept, which the tests ask, so that rounding to units adds nothing.
+/// Largest error of the removed volume, mm, as stated for each way of cutting. A unit of a line is removed when its
+/// centre is swept, and the tests check centres, so that rounding to units adds nothing.
 double marginOf(const std::vector<RevolvedPiece>& flutes, Writing writing, const Move& move, const Grid& grid) {
     constexpr double arithmetic = 1e-6; // mm
     if (writing == Writing::everyCut || !usesWindow(flutes))
@@ -155,12 +155,12 @@ double marginOf(const std::vector<RevolvedPiece>& flutes, Writing writing, const
     return grid.edge() * (spans + (move.turns() ? WindowCutter::turnTolerance : 0.0));
 }
 
-/// How far off a centroid may be, mm. The window sums places in single precision, from near the tool.
+/// Largest error of a centroid, mm. The cache sums positions in single precision, relative to a point near the tool.
 double centroidErrorOf(bool windowed, const Grid& grid) {
     return windowed ? std::numeric_limits<float>::epsilon() * glm::length(grid.box().size()) : 1e-9;
 }
 
-/// Sums of cuts, as they were reported.
+/// Sums of the reported cuts.
 struct Reported {
     RunAmounts amounts;
     double volume = 0.0;
@@ -177,10 +177,10 @@ struct Reported {
 struct Judged {
     int gone = 0, left = 0, near = 0;
     int centroids = 0;
-    double farthest = 0.0; ///< mm, of a centroid
+    double farthest = 0.0; ///< mm, largest error of a centroid
 };
 
-/// What cuts said they took is what the runs lost, property by property, to the unit, and where.
+/// The removal reported by the cuts equals the loss of the runs, property by property, to the unit, and in position.
 void checkSums(const VolumeSnapshot& before, const VolumeSnapshot& after, const Reported& reported, double tolerance,
                Judged& judged) {
     const RunLoss loss = lossBetween(before, after);
@@ -195,7 +195,7 @@ void checkSums(const VolumeSnapshot& before, const VolumeSnapshot& after, const 
     RC_ASSERT(off < tolerance);
 }
 
-/// A unit of every voxel of the grid: gone where any move sweeps it and it may go, else as it was.
+/// Checks one unit of every voxel of the grid: removed if any move sweeps it and it is machinable, otherwise unchanged.
 void checkPlaces(const Job& job, const VolumeSnapshot& before, const VolumeSnapshot& after,
                  const std::vector<SweptCutter>& sweeps, Judged& judged) {
     const Grid& grid = job.grid;
@@ -203,7 +203,7 @@ void checkPlaces(const Job& job, const VolumeSnapshot& before, const VolumeSnaps
         for (line.u = 0; line.u < grid.lineCountU(); ++line.u)
             for (RunPosition unit = job.phase; unit < grid.lineEnd(); unit += unitsPerVoxel) {
                 const PropertyIndex was = propertyAt(before.line(line), unit), is = propertyAt(after.line(line), unit);
-                if (was == airProperty || before.properties().isProtected(was)) continue; // checked with the sums
+                if (was == airProperty || before.properties().isProtected(was)) continue; // compared with the sums
                 const glm::dvec3 place = placeOn(grid, line, unit + 0.5);
                 auto verdict = Verdict::outside;
                 for (const SweptCutter& sweep : sweeps) {
@@ -259,8 +259,8 @@ void checkJob(const Job& job, const Cutter& cutter, Writing writing, Judged& jud
 
 } // namespace
 
-/// Random jobs of successive cuts, with every cutter, in both ways of writing, in a workpiece of several materials,
-/// gaps and protected bodies, along all axes of the runs; against samples of the moved cutter.
+/// Random jobs of successive cuts, with every cutter, in both modes of writing, in a workpiece of several materials,
+/// gaps and protected bodies, along all run axes; compared with samples of the moved cutter.
 class RandomCutsTest : public QObject {
     Q_OBJECT
 
@@ -279,11 +279,11 @@ private slots:
         QFETCH(const bool, deferred);
         const Cutter cutter = cutters::all()[static_cast<std::size_t>(index)].cutter;
         const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
-        // What the window does not serve is written at once in either mode.
+        // Cuts that the cache does not serve are written at once in either mode.
         const int percent = !deferred ? 8 : usesWindow(flutes) ? 22 : 3;
         Judged judged;
         const bool held = holds("random cuts", percent, [&] {
-            // Places and sizes have no small cases that come first.
+            // Positions and lengths have no small cases to try first.
             const Job job = *rc::gen::resize(rc::kNominalSize, rc::gen::exec([&] { return anyJob(cutter); }));
             checkJob(job, cutter, deferred ? Writing::deferred : Writing::everyCut, judged);
         });

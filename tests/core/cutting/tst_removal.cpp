@@ -56,7 +56,7 @@ std::array<std::uint64_t, 4> unitsWithin(std::span<const Segment> segments, RunP
     return units;
 }
 
-/// Volume of the flutes of a ball or flat end, mm³, and what they present to a horizontal move, mm².
+/// Volume of the flutes of a ball or flat end, mm³, and their projected area in a horizontal move, mm².
 double volumeOf(const Cutter& cutter) {
     const double radius = cutter.radius(), corner = cutter.cornerRadius;
     const double end = corner == 0.0 ? 0.0 : 2.0 / 3.0 * pi * radius * radius * radius;
@@ -73,7 +73,8 @@ class RemovalTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Every scanline loses what the sampled sweep covers of it, to one run unit at each end, protected runs apart.
+    /// Every scanline loses the interval that the sampled sweep covers, to one run unit at each end, except protected
+    /// runs.
     void eachScanlineLosesWhatTheSweepCovers() {
         const bool held = testing::holdsInShare("lines after a cut", [] {
             const Grid small = grid({-3.0, -2.5, -2.0}, 0.5, {13, 11, 10});
@@ -104,8 +105,8 @@ private slots:
         QVERIFY(held);
     }
 
-    /// The paper's way, eqs. 6–10: the union of the tool at interpolated poses, voxel by voxel. The swept cut takes all
-    /// of it and, as the poses come closer, nothing else.
+    /// The paper's method, eqs. 6–10: the union of the tool at interpolated poses, voxel by voxel. The swept cut
+    /// removes all of it and, as the poses come closer, nothing else.
     void equalsTheUnionOfInterpolatedPoses() {
         const bool held = testing::holdsInShare("poses", [] {
             const Grid small = grid({-5.0, -5.0, -5.0}, 0.5, {20, 20, 20});
@@ -131,7 +132,7 @@ private slots:
                             close = close || depth > -0.05;
                         }
                         const bool removed = !workpiece.belongs({i, j, k});
-                        // Within a run unit of the surface, rounding decides; between poses the sweep reaches farther.
+                        // Within a run unit of the surface, rounding decides; between poses the sweep covers more.
                         if (inside && !removed) ++missed;
                         if (!inside && removed && !close) ++beyond;
                     }
@@ -141,7 +142,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// What the cuts report as removed is the drop of the volume's amounts, exactly, over a whole walk.
+    /// The units that the cuts report as removed equal the decrease of the volume's amounts exactly, over a whole walk.
     void removedUnitsAreTheDropOfTheAmounts() {
         const bool held = testing::holdsInShare("amounts", [] {
             const Grid small = grid({-3.0, -2.5, -2.0}, 0.25, {26, 22, 20});
@@ -189,7 +190,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// A floor on a rounding tie, gone over a hundred times, stays where it is.
+    /// A floor on a rounding tie, cut over a hundred times, keeps its height.
     void aFloorDoesNotSink() {
         const Grid fine = grid({0.0, 0.0, 0.0}, 0.2, {100, 50, 30});
         RunVolume workpiece = block(fine);
@@ -207,8 +208,8 @@ private slots:
         QVERIFY(workpiece.amounts() == after);
     }
 
-    /// Paper, eq. 5: VR = depth · width · feed · time for plain end milling. Width and way are whole voxels here, the
-    /// depth whole run units, so that the formula holds exactly.
+    /// Paper, eq. 5: VR = depth · width · feed · time for plain end milling. Width and distance are whole voxels here,
+    /// the depth whole run units, so that the formula holds exactly.
     void slotOfAnEndMillFollowsThePapersFormula() {
         const double edge = 0.25, depth = 1.5, width = 4.0, feed = 25.0; // mm, mm/s
         const Grid fine = grid({0.0, 0.0, 0.0}, edge, {160, 40, 16});
@@ -274,7 +275,7 @@ private slots:
         QVERIFY(workpiece.amounts() == before);
     }
 
-    /// When the reserve is used up the cut stops and says so, and still accounts for all that it took.
+    /// When the reserve is used up the cut stops and reports it, and still counts everything that it removed.
     void anExhaustedReserveStopsTheCut() {
         const Grid fine = grid({0.0, 0.0, 0.0}, 0.1, {160, 160, 60});
         RunVolume workpiece = RunVolume::make(fine, materials(), 40000).value();
@@ -295,7 +296,7 @@ private slots:
         bool touched = false;
         const std::size_t before = allocationCount.load();
         for (int tick = 0; tick < 400; ++tick) {
-            const double step = tick < 200 ? 0.01 : 0.1; // with the flux, and without
+            const double step = tick < 200 ? 0.01 : 0.1; // with and without the flux
             const glm::dvec3 next = tip + glm::dvec3(step, 0.3 * step, -0.2 * step);
             removal.cut(workpiece, tip, next);
             touched = shankContact(workpiece, stack, next + glm::dvec3(0.0, 8.0, -11.0)).touches || touched;
@@ -303,7 +304,7 @@ private slots:
         }
         QCOMPARE(allocationCount.load() - before, std::size_t{0});
         QVERIFY(touched);
-        QVERIFY(allocationCount.load() > 0); // the counter counts
+        QVERIFY(allocationCount.load() > 0); // the counter works
     }
 };
 

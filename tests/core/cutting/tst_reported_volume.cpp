@@ -20,7 +20,7 @@ namespace {
 
 constexpr double edge = 0.2, radius = 3.0; // mm
 
-/// Standard deviation over mean, the straight trend taken out.
+/// Coefficient of variation: standard deviation divided by the mean, after removing the linear trend.
 double variation(const std::vector<double>& values) {
     const auto count = static_cast<double>(values.size());
     const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
@@ -46,7 +46,7 @@ struct Series {
     std::vector<double> reported, exact;
 };
 
-/// Takes away all stock on the side of a plane through the origin that its normal points away from.
+/// Removes all stock on the side of a plane through the origin opposite to its normal.
 void clearSide(RunVolume& workpiece, const glm::dvec3& normal) {
     const Grid& all = workpiece.grid();
     const double slope = normal[all.axisOfRuns()];
@@ -63,8 +63,8 @@ void clearSide(RunVolume& workpiece, const glm::dvec3& normal) {
         }
 }
 
-/// A slot through solid stock, or along the edge of stock that stands on one side of the path only.
-/// @param phase voxels, of the way against the scanlines
+/// Mills a slot through solid stock, or along the edge of stock that is on one side of the path only.
+/// @param phase voxels, offset of the path from the scanlines
 Series mill(const Cutter& cutter, bool half, const glm::dvec3& direction, double depth, double step,
             RunAxis axis = RunAxis::z, const glm::dvec3& phase = {0.17, 0.31, 0.0},
             const glm::dvec3& spindle = {0.0, 0.0, 1.0}) {
@@ -75,9 +75,9 @@ Series mill(const Cutter& cutter, bool half, const glm::dvec3& direction, double
     MaterialRemoval removal(cutter, fine);
     glm::dvec3 tip = phase * edge + glm::dvec3(0.0, 0.0, -depth) - direction * 6.0;
     removal.cut(workpiece, {tip + 8.0 * spindle, spindle}, {tip, spindle});
-    removal.reset(); // the plunge is not to be reported on the way
+    removal.reset(); // the plunge must not be reported during the motion
     Series series;
-    const int ticks = std::min(900, static_cast<int>(15.0 / step)); // the end of the grid stays out of reach
+    const int ticks = std::min(900, static_cast<int>(15.0 / step)); // stays away from the end of the grid
     for (int tick = 0; tick < ticks; ++tick) {
         const glm::dvec3 next = tip + direction * step;
         const CutResult cut = removal.cut(workpiece, {tip, spindle}, {next, spindle});
@@ -124,8 +124,8 @@ private slots:
         QVERIFY2(std::abs(reported / exact - 1.0) < 0.03, qPrintable(QString::number(reported / exact)));
     }
 
-    /// Scanlines across the spindle, within what core/cutting/README.md states: the worst of phases of the motion
-    /// against them.
+    /// With scanlines perpendicular to the spindle, the variation is within the limits of core/cutting/README.md: the
+    /// worst of several phases of the motion relative to them.
     void itDoesNotRattleAcrossTheRuns_data() {
         QTest::addColumn<QString>("cutter");
         QTest::addColumn<bool>("half");
@@ -146,7 +146,7 @@ private slots:
                                                phase * glm::dvec3(1.0, 0.618, 0.0));
                     const double found = variation(series.reported);
                     QVERIFY2(found <= (cutter == "ball" ? 0.05 : 0.16), qPrintable(QString::number(found)));
-                    // A ramp's layer of scanlines goes in one tick and is reported over some hundred.
+                    // A ramp's layer of scanlines is removed in one tick and reported over some hundred.
                     if (direction.z != 0.0) continue;
                     const double reported = std::accumulate(series.reported.begin(), series.reported.end(), 0.0);
                     const double exact = std::accumulate(series.exact.begin(), series.exact.end(), 0.0);
@@ -154,7 +154,7 @@ private slots:
                 }
     }
 
-    /// A tool that leans, over runs along each axis.
+    /// A tilted tool, with runs along each axis.
     void aLeaningToolDoesNotRattle_data() { itDoesNotRattleAcrossTheRuns_data(); }
     void aLeaningToolDoesNotRattle() {
         QFETCH(QString, cutter);
@@ -172,8 +172,8 @@ private slots:
             }
     }
 
-    /// Every other form: as smooth as a flat end at least, and far smoother than the runs where those rattle; sums
-    /// agree.
+    /// Every other form: at least as smooth as a flat end, and far smoother than the runs where those vary strongly;
+    /// the sums agree.
     void noFormOfCutterRattles_data() {
         QTest::addColumn<QString>("name");
         for (const cutters::Named& named : cutters::all()) QTest::addRow("%s", named.name) << QString(named.name);
@@ -195,7 +195,7 @@ private slots:
         }
     }
 
-    /// Above the flux's range the volume itself is reported, and what was pending with it: sums agree.
+    /// Above the flux's range the volume itself is reported, together with the pending one: the sums agree.
     void longStepsReportTheVolumeItself() {
         const Series series = mill(cutterCalled("ball"), false, {1.0, 0.0, 0.0}, 1.5, 0.05);
         const Series small = mill(cutterCalled("ball"), false, {1.0, 0.0, 0.0}, 1.5, 0.01);
@@ -206,7 +206,7 @@ private slots:
         }
     }
 
-    /// In the long run nothing is lost: after the cut, moves in air report what was still pending.
+    /// In the long run nothing is lost: after the cut, moves in air report the volume that was still pending.
     void whatIsPendingComesOutInTheEnd() {
         const Grid fine = grid({-15.0, -15.0, -7.0}, edge, {150, 150, 35});
         RunVolume workpiece = block(fine);
@@ -250,7 +250,7 @@ private slots:
         QVERIFY2(std::abs(sum[softStock] / 144.0 - 1.0) < 0.03, qPrintable(QString::number(sum[softStock])));
     }
 
-    /// Sliding along a wall that stands reports next to nothing: no phantom force in a finishing pass.
+    /// Sliding along a finished wall reports next to nothing: no phantom force in a finishing pass.
     void slidingAlongAWallReportsNothing() {
         const Grid fine = grid({-15.0, -15.0, -7.0}, edge, {150, 150, 35});
         RunVolume workpiece = block(fine);
@@ -277,7 +277,7 @@ private slots:
             const glm::dvec3 next = tip + glm::dvec3(0.01, 0.0, 0.0);
             const CutResult cut = removal.cut(workpiece, tip, next);
             const glm::dvec3 place = cut.reportedCentroid - next;
-            // Flux over the front half circle: its mean lies at pi R / 4 ahead, at half the depth.
+            // Flux over the front half circle: its mean position is pi R / 4 ahead, at half the depth.
             if (tick > 100)
                 QVERIFY2(glm::length(place - glm::dvec3(0.785398 * radius, 0.0, 1.0)) < 0.1,
                          qPrintable(QString::number(place.x)));

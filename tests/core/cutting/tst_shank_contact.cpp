@@ -22,7 +22,7 @@ std::vector<RevolvedPiece> tool() {
     return pieces(cutter);
 }
 
-/// A block with a shaft of 10 × 10 mm right through it about the origin.
+/// A block with a through shaft of 10 × 10 mm about the origin.
 RunVolume shaft(const Grid& grid) {
     RunVolume volume = block(grid);
     for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
@@ -85,8 +85,8 @@ private slots:
         QVERIFY(shankContact(workpiece, tool(), {0.0, 0.0, -20.0 - 0.27 * 0.25}).touches);
     }
 
-    /// A holder drawn in many short steps is the holder drawn in one: the tolerance is the stack's. All pieces have
-    /// numbers, however many there are.
+    /// A holder drawn in many short steps equals the holder drawn in one: the tolerance applies to the whole stack. All
+    /// pieces have numbers, however many there are.
     void shortStepsOfAHolderTouchAsOneDoes() {
         const RunVolume workpiece = shaft(workGrid());
         const glm::dvec3 tip(0.0, 0.0, -21.0); // holder 1 mm below the rim
@@ -103,19 +103,19 @@ private slots:
             }
             const ShankContact contact = shankContact(workpiece, stepped, tip);
             QVERIFY(contact.touches);
-            QVERIFY(std::abs(contact.volume / whole.volume - 1.0) < 0.02); // ends are rounded step by step
+            QVERIFY(std::abs(contact.volume / whole.volume - 1.0) < 0.02); // ends are rounded at each step
             QVERIFY(glm::length(contact.place - whole.place) < 0.02);
             QVERIFY(contact.piece >= 2 && contact.piece < stepped.size());
-            QVERIFY(stepped[contact.piece].bottom < holder.bottom + 1.0); // of what hangs below the rim
+            QVERIFY(stepped[contact.piece].bottom < holder.bottom + 1.0); // a piece below the rim
         }
         std::vector<RevolvedPiece> many = tool();
         while (many.size() < 300) many.insert(many.begin() + 1, RevolvedPiece{8.0, 8.001, 3.0, 3.0, 0.0});
         const ShankContact contact = shankContact(workpiece, many, tip);
         QVERIFY(contact.touches);
-        QCOMPARE(many[contact.piece].bottom, 20.0); // the holder, not what its number would be in eight bits
+        QCOMPARE(many[contact.piece].bottom, 20.0); // the holder, not the piece of its number truncated to eight bits
     }
 
-    /// Cuts that are still owed to the workpiece are gone: a shank that follows its flutes down touches nothing.
+    /// Cuts with pending writes count as removed: a shank that follows its flutes down touches nothing.
     void whatIsOwedIsNotTouched() {
         RunVolume workpiece = block(workGrid());
         Cutter cutter = ball(6.0, 8.0);
@@ -135,10 +135,10 @@ private slots:
             QVERIFY(!check.at(workpiece, all, flutes, pose, removal.window()).touches);
             shown += ContactCheck(workGrid()).at(workpiece, all, flutes, pose).touches ? 1 : 0;
         }
-        QVERIFY(shown > 0); // by what it shows itself, it did
+        QVERIFY(shown > 0); // in the volume as it is, it touched something
     }
 
-    /// The part is touched as stock is; what is touched most is named.
+    /// The part can be touched like stock; the piece with the largest contact is named.
     void namesWhatIsTouchedMost() {
         RunVolume workpiece = shaft(workGrid());
         const Grid& grid = workGrid();
@@ -152,7 +152,8 @@ private slots:
         QVERIFY(contact.place.x > 5.0 && contact.place.x < 6.0);
     }
 
-    /// A volume may hold fixtures as materials of their own: what is touched of each is told apart from stock and part.
+    /// A volume may contain fixtures as materials of their own: contacts with each are distinguished from stock and
+    /// part.
     void stockPartAndFixtureAreToldApart() {
         PropertyList properties = materials();
         const PropertyIndex fixture = properties.add(material("fixture", 1.0, 0.4, Machinability::isProtected)).value();
@@ -167,7 +168,7 @@ private slots:
                 const PropertyIndex property = centre.x < 0.0 ? softStock : centre.y > 0.0 ? part : fixture;
                 QVERIFY(workpiece.fillSpan(line, 0, heightOf(property == fixture ? -0.5 : -1.0), property));
             }
-        const glm::dvec3 tip(0.0, 0.0, -22.0); // the holder's face, a disc of radius 10, at -2
+        const glm::dvec3 tip(0.0, 0.0, -22.0); // the holder's end face, a disc of radius 10, at -2
         const double quarter = 0.25 * (pi * 100.0 - 100.0);
         const auto touched = [&](const ShankContact& contact, PropertyIndex property) {
             for (const TouchedProperty& entry : contact.touched)
@@ -183,7 +184,7 @@ private slots:
         QVERIFY(!touched(contact, softStock).isProtected);
         QVERIFY(touched(contact, fixture).isProtected && touched(contact, part).isProtected);
         QCOMPARE(int(touched(contact, hardStock).property), int(airProperty));
-        // Above stock and part the fixture alone, and above that nothing.
+        // Above stock and part only the fixture, and above that nothing.
         const ShankContact above = shankContact(workpiece, tool(), tip + glm::dvec3(0.0, 0.0, 1.25));
         QVERIFY(above.touches && !above.touchesStock && above.touchesProtected);
         QCOMPARE(int(above.property), int(fixture));
@@ -191,7 +192,7 @@ private slots:
         QVERIFY(!shankContact(workpiece, tool(), tip + glm::dvec3(0.0, 0.0, 1.51)).touches);
     }
 
-    /// A cone is met where it is wide enough: dense sampling of its overlap gives the same volume.
+    /// A cone touches where it is wide enough: dense sampling of its overlap gives the same volume.
     void aConicalHolderIsMetExactly() {
         const RunVolume workpiece = shaft(workGrid());
         const glm::dvec3 tip(0.0, 0.0, -38.0); // cone from r 10 at -8 to r 15 at 2: both holder pieces in

@@ -23,19 +23,19 @@ namespace {
 
 using Moves = std::vector<std::pair<ToolPose, ToolPose>>;
 
-/// What a cutter takes on some moves, with closed formulas.
+/// The body that a cutter removes by some moves, with closed formulas.
 struct Body {
     const char* name = "";
     Cutter cutter;
     Moves moves;                        ///< about the origin
     double volume = 0.0, surface = 0.0; ///< mm³, mm²
-    int trials = 0;                     ///< flat faces and straight edges are lucky at most turns
+    int trials = 0;                     ///< flat faces and straight edges: small errors at most orientations
 };
 
 constexpr double radius = 2.0, ring = 3.0, tube = 1.5, length = 3.0; // mm
 constexpr glm::dvec3 up(0.0, 0.0, 1.0);
 
-/// A ball's half, its flutes ending at the equator, on the ways of its centre; then its other half.
+/// One half of a ball, with its flutes ending at the equator, along moves of its centre; then its other half.
 Moves bothHalves(double ballRadius, const std::vector<glm::dvec3>& centres) {
     Moves moves;
     for (const glm::dvec3& axis : {up, -up}) {
@@ -66,8 +66,8 @@ Body capsule() {
             240};
 }
 
-/// A ball that goes round on the chords of a circle. At each bend, what two cylinders have on its outside up to the
-/// plane between them, 4/3 tube³ tan(turn / 2), is a wedge of the ball instead, 2/3 tube³ turn.
+/// A ball that moves around on the chords of a circle. At each bend the outer part of two cylinders up to the plane
+/// between them, 4/3 tube³ tan(turn / 2), is replaced by a wedge of the ball, 2/3 tube³ turn.
 Body torus() {
     constexpr int chords = 48;
     constexpr double turn = 2.0 * pi / chords;
@@ -111,7 +111,7 @@ std::vector<Body> bodies() {
     return {sphere(), capsule(), torus(), cone(), cylinder(), barrel()};
 }
 
-/// Of what cutting the body removes more than its volume, at places and turns that have nothing to do with the grid.
+/// Excess of the removed volume over the body's volume, at positions and orientations unrelated to the grid.
 /// @param finest mm, edge of a voxel; others are up to a fifth larger, as the radii in voxels count as well
 oracles::Scatter scatterOf(const Body& body, double finest, Writing writing) {
     std::mt19937 random(static_cast<unsigned>(1.0 / finest));
@@ -145,9 +145,10 @@ oracles::Scatter scatterOf(const Body& body, double finest, Writing writing) {
 
 } // namespace
 
-/// What moves remove against closed formulas, at places and turns at random. An exact sweep errs by nothing but its
-/// lines: 0 in the mean, second order and of a known size in its deviation (line_scatter.h). Deferred cuts leave some
-/// of the way of a leaning piece, no deeper than they state: their mean is first order, their deviation the same.
+/// The volume removed by moves is compared with closed formulas, at random positions and orientations. An exact sweep
+/// has no error except that of its lines: zero mean, and a deviation of second order and known magnitude
+/// (line_scatter.h). Deferred cuts leave some of the sweep of a tilted piece, no deeper than stated: the mean is of
+/// first order, the deviation is the same.
 class SweptVolumeTest : public QObject {
     Q_OBJECT
 

@@ -31,7 +31,7 @@ struct ToolCubes {
     glm::ivec3 count{1};
     std::vector<Cube> cubes;
 
-    /// A few blocks of flutes and of shank wherever they come to lie, some of them apart.
+    /// A few blocks of flutes and of shank at random positions, some of them separate.
     static ToolCubes any() {
         ToolCubes tool;
         tool.low = {real(-3.0, -0.5), real(-3.0, -0.5), real(-2.0, 1.0)};
@@ -70,8 +70,8 @@ private:
     }
 };
 
-/// The cubes of a tool in the voxels of a workpiece, and in one more all around it: cube by cube, carried to where the
-/// pose takes it, and laid over all voxel centres that it may hold.
+/// The cubes of a tool in the voxels of a workpiece, and in one more voxel all around it: each cube is moved by the
+/// pose and compared with all voxel centres that it may contain.
 class PlacedCubes {
 public:
     PlacedCubes(const Grid& grid, const ToolCubes& tool, const Pose& pose)
@@ -129,7 +129,7 @@ Pose anyPose() {
     return {{real(-2.0, 2.0), real(-2.0, 2.0), real(-2.0, 2.0)}, glm::angleAxis(real(0.01, 3.1), glm::normalize(axis))};
 }
 
-/// A move of a few voxels, a turn, both or neither.
+/// A move of a few voxels, a rotation, both or neither.
 Pose after(const Pose& pose) {
     const glm::dvec3 move(real(-1.5, 1.5), real(-1.5, 1.5), real(-1.5, 1.5));
     const glm::dvec3 axis(real(-1.0, 1.0), real(-1.0, 1.0), real(0.1, 1.0));
@@ -138,7 +138,7 @@ Pose after(const Pose& pose) {
             turns ? pose.rotation * glm::angleAxis(real(-0.8, 0.8), glm::normalize(axis)) : pose.rotation};
 }
 
-/// The pose after a share of the way: the tip goes straight, the turn between the ends grows evenly.
+/// The pose after a part of the motion: the tip moves straight, the rotation between the ends grows evenly.
 Pose between(const Pose& from, const Pose& to, double share) {
     glm::dquat turn = glm::conjugate(from.rotation) * to.rotation;
     if (turn.w < 0.0) turn = -turn;
@@ -147,7 +147,7 @@ Pose between(const Pose& from, const Pose& to, double share) {
     return {glm::mix(from.position, to.position, share), from.rotation * part};
 }
 
-/// What a cut has to come to, counted unit by unit.
+/// The expected result of a cut, counted unit by unit.
 struct CountedCut {
     RunAmounts removed, touched;
     glm::dvec3 moment{0.0}; ///< mm times units
@@ -199,7 +199,8 @@ class VoxelToolTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Volume of each material, centroid, what the shank touched and what is left, against cubes carried one by one.
+    /// Volume of each material, centroid, shank contact and the remaining material, compared with cubes moved one by
+    /// one.
     void aCutIsWhatItsCubesCount() {
         int removing = 0, touching = 0, several = 0;
         const bool held = rc::check("cubes, one by one", [&] {
@@ -265,7 +266,7 @@ private slots:
     }
 
     /// Eq. 8, from the poses themselves: no voxel of the tool moves a whole voxel from one to the next, whatever the
-    /// move and the turn; the first and the last are the motion's ends.
+    /// move and the rotation; the first and the last are the motion's ends.
     void noVoxelMovesAWholeVoxelBetweenTwoPoses() {
         double most = 0.0;
         const bool held = rc::check("poses in between", [&] {
@@ -273,7 +274,7 @@ private slots:
             const VoxelTool tool = cubes.voxelTool(RunAxis::z);
             const Pose from = anyPose();
             Pose to = after(from);
-            if (*rc::gen::inRange(0, 3) == 0) to.rotation = -anyPose().rotation; // far, and named the other way round
+            if (*rc::gen::inRange(0, 3) == 0) to.rotation = -anyPose().rotation; // far, and with the quaternion negated
             const std::int32_t poses = tool.posesFor(from, to);
             RC_ASSERT(poses == tool.posesFor(from, {to.position, -to.rotation}));
             const auto placeOf = [&](const ToolCubes::Cube& cube, std::int32_t k) {
@@ -291,10 +292,10 @@ private slots:
             }
         });
         QVERIFY(held);
-        QVERIFY(most > 0.9 * edge); // and not many more poses than that takes
+        QVERIFY(most > 0.9 * edge); // and not many more poses than necessary
     }
 
-    /// Eq. 8, in figures.
+    /// Eq. 8, with numbers.
     void thereAreAsManyPosesAsTheWayHasVoxels() {
         const std::vector<RevolvedPiece> flutes = flutePieces(cutters::flat());
         const VoxelTool tool = VoxelTool::ofPieces(flutes, 1, 0.5).value();
@@ -303,12 +304,12 @@ private slots:
         QCOMPARE(tool.posesFor(still, {{0.49, 0.0, 0.0}, {}}), 2);
         QCOMPARE(tool.posesFor(still, {{0.5, 0.0, 0.0}, {}}), 3);
         QCOMPARE(tool.posesFor(still, {{5.2, 0.0, 0.0}, {}}), 12);
-        // A turn by 0.2 rad about the tip moves the farthest voxel, 12 mm up and 3 aside, by some 2.4 mm.
+        // A rotation by 0.2 rad about the tip moves the farthest voxel, 12 mm up and 3 to the side, by some 2.4 mm.
         const std::int32_t poses = tool.posesFor(still, {{}, glm::angleAxis(0.2, glm::dvec3(1.0, 0.0, 0.0))});
         QVERIFY(poses >= 6 && poses <= 7);
     }
 
-    /// A tool that is no solid of revolution: a square bar, turned about its own axis, leaves a round hole.
+    /// A tool that is no solid of revolution: a square bar, rotated about its own axis, leaves a round hole.
     void aSquareToolTurnedLeavesARoundHole() {
         const double fine = 0.25;
         RunVolume shape =
@@ -330,7 +331,7 @@ private slots:
         const double volume = static_cast<double>(totalOf(removed)) * workpiece.grid().unitVolume();
         const double round = pi * 8.0 * 2.0; // radius² = 2² + 2², height 2
         QVERIFY2(std::abs(volume / round - 1.0) < 0.06, qPrintable(QString::number(volume / round)));
-        QVERIFY(touched.units[softStock] > 0); // the shank stands in stock that it does not cut
+        QVERIFY(touched.units[softStock] > 0); // the shank overlaps stock that it does not cut
         QCOMPARE(totalOf(workpiece.amounts()) + totalOf(removed), std::uint64_t{40} * 40 * 40 * 256);
     }
 

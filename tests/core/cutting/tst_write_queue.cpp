@@ -29,17 +29,19 @@ std::uint64_t takenBy(const CutResult& cut) {
 
 } // namespace
 
-/// What a cut took shows in the workpiece within 16 ticks: alone, and as the haptic loop cuts.
+/// The removal of a cut appears in the workpiece within 16 ticks: for the queue alone, and with cuts as in the haptic
+/// loop.
 class WriteQueueTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Bricks come, leave out of turn and are written: none waits for more than 16 ticks, and the oldest goes first.
+    /// Bricks arrive, leave out of order and are written: none waits for more than 16 ticks, and the oldest is written
+    /// first.
     void noneWaitsLonger() {
         const bool held = rc::check("none waits longer", [] {
             constexpr std::uint32_t bricks = 40;
             WriteQueue queue(bricks);
-            std::deque<std::uint32_t> order;      // first come, first written
+            std::deque<std::uint32_t> order;      // first in, first out
             std::map<std::uint32_t, int> arrived; // tick
             const auto leave = [&](std::uint32_t brick) {
                 queue.remove(brick);
@@ -72,7 +74,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// A first contact's bricks are written evenly: no tick takes more than its 16th, rounded up.
+    /// A first contact's bricks are written evenly: no tick writes more than a 16th of them, rounded up.
     void aBurstIsSpreadEvenly() {
         for (const std::uint32_t bricks : {1U, 15U, 16U, 17U, 1000U}) {
             WriteQueue queue(bricks);
@@ -87,8 +89,8 @@ private slots:
         }
     }
 
-    /// A hand that darts about, so that bricks lose their places before they are written, and then rests: in material
-    /// (it goes on cutting) or with the spindle off (it only approaches).
+    /// A hand that jumps about, so that bricks leave the cache before they are written, and then rests: in material (it
+    /// continues to cut) or with the spindle off (it only approaches).
     void whatWasCutShowsWithinSixteenTicks() {
         const bool held = holds("shows within sixteen ticks", 20, [] {
             const Grid fine = grid({0.0, 0.0, 0.0}, 0.5, {200, 90, 40});
@@ -125,7 +127,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// A jump over miles costs no more than one over the stock, and takes the same.
+    /// A very long jump costs no more than one over the stock, and removes the same.
     void aJumpOverMilesTakesWhatOneOverTheStockDoes() {
         const Grid fine = grid({0.0, 0.0, 0.0}, 0.5, {100, 90, 40});
         for (const double lean : {0.0, 0.3}) {

@@ -41,7 +41,7 @@ inline RunVolume block(const Grid& grid, PropertyIndex property = softStock) {
     return volume;
 }
 
-/// A place on a scanline, mm, setup frame. @param units from the line's low end
+/// A point on a scanline, mm, setup frame. @param units from the line's low end
 inline glm::dvec3 placeOn(const Grid& grid, LineIndex line, double units) {
     const VoxelIndex voxel = grid.voxel(line, 0);
     glm::dvec3 index(voxel.i + 0.5, voxel.j + 0.5, voxel.k + 0.5);

@@ -6,7 +6,7 @@
 
 namespace burin::test {
 
-/// A desktop device with round figures: what a test does not state otherwise.
+/// A desktop device with round values: the default of tests.
 inline StylusDescription desktopStylus() {
     StylusDescription stylus;
     stylus.name = "desktop";

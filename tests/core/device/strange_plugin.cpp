@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-// A plugin as one is that was built with other headers than it says: a reading is shorter in it.
+// A plugin that was built with other headers than it claims: its reading is shorter.
 
 extern "C" [[gnu::visibility("default")]] const burin::TypeLayout* burinDeviceLayout(std::uint32_t* count) {
     static auto layout = burin::deviceLayout;
@@ -15,5 +15,5 @@ extern "C" [[gnu::visibility("default")]] const burin::TypeLayout* burinDeviceLa
 }
 
 extern "C" [[gnu::visibility("default")]] burin::DeviceDriver* burinCreateDeviceDriver(burin::DeviceHost& /*host*/) {
-    std::abort(); // none of its code may run but for the layout
+    std::abort(); // none of its code except the layout may run
 }

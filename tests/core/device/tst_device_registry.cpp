@@ -40,7 +40,7 @@ private:
     StylusDescription description_;
 };
 
-/// Whatever a test plugs in. Any thread.
+/// A driver with the devices that a test plugs in. Thread-safe.
 class Shelf final : public DeviceDriver {
 public:
     std::vector<FoundDevice> find() override {
@@ -121,7 +121,7 @@ private slots:
         QVERIFY(called != nullptr && dynamic_cast<SimulatedStylus*>(called->get()) != nullptr);
         QVERIFY((*called)->open());
         QVERIFY((*called)->read(0.0).valid);
-        QVERIFY(registry.takeFaults().empty()); // no folder of plugins is no fault
+        QVERIFY(registry.takeFaults().empty()); // a missing folder of plugins is no fault
     }
 
     void devicesAreNamedAfterTheirDriver() {
@@ -208,7 +208,7 @@ private slots:
         for (const Error& fault : registry.takeFaults()) QFAIL(fault.detail.c_str());
         std::vector<std::string> ids;
         for (const DriverState& driver : registry.drivers()) ids.push_back(driver.id);
-        QVERIFY(ids.size() >= 2 && ids[1] == "spacenav"); // before those of the build, and once
+        QVERIFY(ids.size() >= 2 && ids[1] == "spacenav"); // before those of the build, and only once
         QCOMPARE(std::ranges::count(ids, std::string("spacenav")), 1);
         qunsetenv("XDG_DATA_HOME");
     }
@@ -216,7 +216,7 @@ private slots:
     void thePluginsOfThisBuildLoad() {
         DeviceRegistry registry(fs::path(BURIN_BUILD_DIRECTORY) / "plugins/devices");
         for (const Error& fault : registry.takeFaults()) qWarning("%s", fault.detail.c_str());
-        // Two drivers more than the simulated one answer for themselves, not as unknown ids.
+        // Two more drivers than the simulated one handle their own ids, which are not reported as unknown.
         QCOMPARE(registry.make("spacemouse:nothing").error().subject, std::string("nothing"));
         QCOMPARE(registry.make("open_stylus:nothing").error().subject, std::string("nothing"));
     }

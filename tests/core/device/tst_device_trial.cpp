@@ -14,7 +14,7 @@ using namespace burin::test;
 
 namespace {
 
-/// A hand that moves 0.5 mm a reading, to and fro, and holds the button in the middle of the trial.
+/// A hand that moves back and forth by 0.5 mm per reading, and holds the button in the middle of the trial.
 class MovedStylus final : public Stylus {
 public:
     StylusDescription description() const override { return told; }
@@ -62,7 +62,7 @@ private slots:
         settings.report = [&](const TrialFigures&) { ++told; };
         const Result<TrialFigures> figures = tryDevice(StylusHandle(stylus), settings, progress);
         QVERIFY(figures);
-        // As many intervals as readings but one; however the machine is loaded, none is asked for before its time.
+        // One interval less than readings; no reading is requested too early, however high the machine's load.
         QVERIFY(std::abs(figures->rate * figures->seconds - (stylus.readings - 1)) < 1e-6);
         QVERIFY2(figures->rate < 1010.0, qPrintable(QString::number(figures->rate)));
         QVERIFY(figures->medianInterval > 0.0 && figures->medianInterval <= figures->maximumInterval + 1e-5);
@@ -92,7 +92,7 @@ private slots:
         double before = 0.0;
         for (const glm::dvec3& force : stylus.forces) {
             QVERIFY(force.x == 0.0 && force.y == 0.0 && force.z >= 0.0 && force.z <= 0.6 * 0.8 + 0.05);
-            // A pause of the machine is a longer step; without one a thousandth of it a reading.
+            // A pause of the machine causes a longer step; otherwise the step is a thousandth per reading.
             QVERIFY(force.z - before <= 0.8 * (figures->maximumInterval + 0.002));
             before = force.z;
         }

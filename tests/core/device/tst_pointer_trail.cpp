@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Strokes of a pointer that tells whole pixels alone, as the simulated stylus makes motions of them.
+// Strokes of a pointer that reports whole pixels only, and the motions that the simulated stylus makes of them.
 #include "core/device/simulated_stylus.h"
 #include "tests/test_program.h"
 
@@ -17,18 +17,18 @@ constexpr double limit = 200.0;  // mm/s, of the tool
 constexpr double level = -2.0;   // mm, z of the strokes
 constexpr double pi = 3.14159265358979323846;
 
-/// Where a hand has led the pointer after some millimetres.
+/// Position of the pointer after a number of millimetres of hand movement.
 using Shape = std::function<glm::dvec2(double)>;
 
 struct Pointer {
     double pixel = 0.15; ///< mm
-    int rate = 1000;     ///< reports a second
+    int rate = 1000;     ///< reports per second
     double speed = 0.0;  ///< mm/s
 };
 
 struct Stroke {
     std::vector<glm::dvec3> goals;
-    std::vector<glm::dvec3> tool; ///< of each tick since the tool was down, until it came to the end
+    std::vector<glm::dvec3> tool; ///< position at each tick from when the tool was down until it came to the end
 };
 
 glm::dvec2 heading(double degrees) {
@@ -39,7 +39,7 @@ glm::dvec3 reported(const glm::dvec2& place, double pixel) {
     return {pixel * std::floor(place.x / pixel), pixel * std::floor(place.y / pixel), level};
 }
 
-/// The whole of a stroke: down, along the shape as the pointer reports it, to its end.
+/// A complete stroke: down, along the shape as the pointer reports it, to its end.
 Stroke draw(const Shape& shape, double length, const Pointer& pointer) {
     SimulatedStylus stylus({0.0, 0.0, 20.0});
     (void)stylus.open();
@@ -109,14 +109,14 @@ class TestPointerTrail : public QObject {
     Q_OBJECT
 
 private slots:
-    /// A pointer that is faster than the tool may be: the tool is as fast as it may be, whatever the heading.
+    /// If the pointer is faster than the tool may be, the tool moves at its speed limit, whatever the heading.
     void aSlantedSweepGoesAtTheLimit_data() { addPointers(); }
     void aSlantedSweepGoesAtTheLimit() {
         QFETCH(double, pixel);
         QFETCH(int, rate);
         for (double degrees = 0.0; degrees < 360.0; degrees += 13.3) {
             const glm::dvec2 along = heading(degrees);
-            const glm::dvec2 from(0.013, 0.027); // of a pixel's corner
+            const glm::dvec2 from(0.013, 0.027); // offset from a pixel's corner
             const Stroke stroke =
                 draw([&](double way) { return from + way * along; }, 80.0, {pixel, rate, 1.3 * limit});
             const auto progress = [&](const glm::dvec3& tip) { return glm::dot(glm::dvec2(tip) - from, along); };
@@ -141,7 +141,7 @@ private slots:
         }
     }
 
-    /// Between straight legs, slow and fast: what turns by more than pixels explain is no place to cut across.
+    /// Between straight legs, slow and fast: a change of direction that pixels cannot explain must not be cut short.
     void cornersAreKept_data() { addPointers(); }
     void cornersAreKept() {
         QFETCH(double, pixel);
@@ -155,7 +155,7 @@ private slots:
                     const Stroke stroke = draw(shape, 2.0 * leg, {pixel, rate, speed});
                     const double off = farthestFrom(stroke.goals, stroke);
                     const glm::dvec3 tip = *std::ranges::max_element(stroke.goals, {}, [&](const glm::dvec3& goal) {
-                        return glm::dot(glm::dvec2(goal) - corner, in - out); // the goal that stands out most
+                        return glm::dot(glm::dvec2(goal) - corner, in - out); // the goal that protrudes most
                     });
                     const double before = distanceTo(tip, stroke.tool);
                     const QString where = QString("%1 mm off, %2 mm before the corner at %3°, turn %4°, %5 mm/s")
@@ -171,7 +171,7 @@ private slots:
                 }
     }
 
-    /// As fast as a hand is on a circle, it becomes round: within a pixel of what was reported.
+    /// At the speed of a hand on a circle the path becomes round: within a pixel of the reported one.
     void aCircleStaysWhereItIs_data() { addPointers(); }
     void aCircleStaysWhereItIs() {
         QFETCH(double, pixel);
@@ -185,7 +185,7 @@ private slots:
             const QString figures = QString("radius %1 mm: %2 mm off").arg(radius).arg(off);
             QVERIFY2(off <= std::max(pixel, TrailFollower::tolerance), qPrintable(figures));
             const double time = period * static_cast<double>(stroke.tool.size());
-            if (radius > 30.0) QVERIFY(2.0 * pi * radius / time > 0.6 * limit); // getting fast and slow included
+            if (radius > 30.0) QVERIFY(2.0 * pi * radius / time > 0.6 * limit); // including acceleration and braking
             checkBounds(stroke);
         }
     }

@@ -45,7 +45,7 @@ double aside(const glm::dvec3& a, const glm::dvec3& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-/// Distance to a line of points; slow and obvious.
+/// Distance to a polyline; slow and obvious.
 double distanceTo(const glm::dvec3& point, const std::vector<glm::dvec3>& line) {
     double nearest = glm::distance(point, line.front());
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -56,7 +56,7 @@ double distanceTo(const glm::dvec3& point, const std::vector<glm::dvec3>& line) 
     return nearest;
 }
 
-/// Targets of a wild user: jumps, pauses, strokes, changing speeds. Every `n`-th tick has one.
+/// Targets of an erratic user: jumps, pauses, strokes, changing speeds, at every `n`-th tick.
 std::vector<std::pair<int, StylusTarget>> wildTargets(unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> place(-80.0, 80.0), speed(1.0, 900.0);
@@ -102,7 +102,7 @@ private slots:
             for (const Tick& tick : way) {
                 const glm::dvec3 velocity = (tick.tip - last) / period;
                 QVERIFY(glm::length(velocity) <= SimulatedStylus::maximumSpeed * 1.000001);
-                // 0.5 µm and 0.1 mm/s may go at once when the tip comes to rest.
+                // The last 0.5 µm and 0.1 mm/s may vanish at once when the tip comes to rest.
                 QVERIFY(glm::length(velocity - before) <= SimulatedStylus::acceleration * period + 0.6);
                 before = velocity;
                 last = tick.tip;
@@ -165,7 +165,7 @@ private slots:
         Hand hand({0.0, 0.0, 20.0});
         hand.stylus.wish({.tip = start, .cutting = true});
         hand.now();
-        hand.stylus.wish({.tip = end, .cutting = true}); // the pointer is quicker than the tool
+        hand.stylus.wish({.tip = end, .cutting = true}); // the pointer is faster than the tool
         bool reachedStart = false;
         for (const Tick& tick : hand.run(1500)) {
             reachedStart = reachedStart || glm::distance(tick.tip, start) < 0.03;
@@ -196,7 +196,8 @@ private slots:
         QCOMPARE(hand.now().tip, glm::dvec3(30.0, 0.0, 20.0));
     }
 
-    /// A pointer that jumps from goal to goal, quicker than the tool: the tool goes along all of its trail, not across.
+    /// A pointer that jumps from goal to goal, faster than the tool: the tool follows the entire trail without
+    /// shortcuts.
     void aStrokeGoesAlongThePointersTrailToItsEnd() {
         for (unsigned seed = 1; seed <= 20; ++seed) {
             std::mt19937 random(seed);
@@ -226,12 +227,12 @@ private slots:
             for (const glm::dvec3& corner : trail) {
                 double nearest = 1e9;
                 for (const glm::dvec3& tip : cut) nearest = std::min(nearest, glm::distance(tip, corner));
-                QVERIFY(nearest <= 0.15 + TrailFollower::tolerance); // a tick at 150 mm/s, and what a corner is cut by
+                QVERIFY(nearest <= 0.15 + TrailFollower::tolerance); // a tick at 150 mm/s, and the corner cut
             }
         }
     }
 
-    /// Sixty jumps a second become one even motion: a sweep at constant speed is recorded as one.
+    /// Sixty jumps a second become one even motion: a sweep at constant speed is recorded with constant speed.
     void evenlySpacedGoalsBecomeAnEvenMotion() {
         Hand hand({0.0, 0.0, 20.0});
         hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .cutting = true});
@@ -251,7 +252,7 @@ private slots:
         QVERIFY2(slowest > 85.0 && fastest < 115.0, qPrintable(QStringLiteral("%1 %2").arg(slowest).arg(fastest)));
     }
 
-    /// The next stroke begins where it is asked for once the trail of the one before is finished.
+    /// The next stroke begins at its requested position once the trail of the previous one is finished.
     void aPressDuringTheTailWaits() {
         Hand hand({0.0, 0.0, 20.0});
         hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .maximumSpeed = 50.0, .cutting = true});
@@ -269,7 +270,8 @@ private slots:
         QVERIFY(reachedNext);
     }
 
-    /// Esc holds for all that waits: a tail, a stroke that was pressed during it, and more points than the tool keeps.
+    /// Esc cancels everything that is pending: a tail, a stroke that was pressed during it, and more points than the
+    /// tool keeps.
     void givingUpOvertakesWhatWaits() {
         Hand hand({0.0, 0.0, 20.0});
         hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .maximumSpeed = 20.0, .cutting = true});
@@ -285,7 +287,7 @@ private slots:
         QCOMPARE(hand.now().tip, glm::dvec3(0.0, 0.0, 20.0));
     }
 
-    /// However much waits, and though nobody reads meanwhile: the end of a stroke is never lost.
+    /// However many points are pending, and even if nobody reads meanwhile: the end of a stroke is never lost.
     void theEndOfAStrokeAlwaysHasRoom() {
         Hand hand({0.0, 0.0, 20.0});
         bool full = false;
@@ -305,7 +307,7 @@ private slots:
         for (const Tick& tick : hand.run(1500)) QVERIFY(!tick.cutting);
     }
 
-    /// What judges every reading must never take this stylus for faulty, late ticks included.
+    /// The guard that judges every reading must never take this stylus for faulty, not even with late ticks.
     void theReadingGuardTrustsIt() {
         SimulatedStylus stylus({0.0, 0.0, 30.0});
         ReadingGuard guard(stylus.description(), period);

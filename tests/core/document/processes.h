@@ -19,7 +19,7 @@
 
 namespace burin::fixture {
 
-/// Runs `work` in a child process. What `work` gives (0 … 125) is the result; -1: it died of a signal. Work that calls
+/// Runs `work` in a child process. The result of `work` (0 … 125) is returned; -1: it died of a signal. Work that calls
 /// _exit itself leaves everything as a kill does.
 template <class Work>
 int inAnotherProcess(Work work) {
@@ -40,8 +40,8 @@ void killedAfter(unsigned microseconds, Work work) {
     ::waitpid(child, nullptr, 0);
 }
 
-/// From now on a file of this process that would grow beyond `bytes` meets EFBIG, as a full disk does. RLIM_INFINITY
-/// frees the space again.
+/// From now on a file of this process that would grow beyond `bytes` fails with EFBIG, as with a full disk.
+/// RLIM_INFINITY frees the space again.
 inline void limitFileSize(rlim_t bytes) {
     ::signal(SIGXFSZ, SIG_IGN);
     rlimit limit{};
@@ -50,7 +50,7 @@ inline void limitFileSize(rlim_t bytes) {
     ::setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-/// Root may write everywhere: for a test of missing rights, become nobody, who owns `folder` from now on.
+/// Root may write everywhere: for a test of missing rights, becomes the user nobody, who owns `folder` from now on.
 inline void loseRights(const char* folder) {
     constexpr unsigned nobody = 65534;
     if (::geteuid() != 0) return;

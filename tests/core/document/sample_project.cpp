@@ -10,7 +10,7 @@ namespace burin::fixture {
 
 namespace {
 
-/// Noise from -1 to 1 that depends on its seed alone.
+/// Noise from -1 to 1 that depends only on its seed.
 double noise(std::uint64_t seed) {
     std::uint64_t word = (seed + 1) * 0x9E3779B97F4A7C15u;
     word ^= word >> 32;
@@ -314,7 +314,7 @@ KeptGuides guides() {
 }
 
 bool identical(const KeptGuides& one, const KeptGuides& other) {
-    constexpr double rounding = 1e-15; // of a tangent that is made to unit length again
+    constexpr double rounding = 1e-15; // of a tangent that is normalised again
     const auto near = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) <= rounding; };
     const auto sameGuide = [&](Guide a, Guide b) {
         const GuideCurve *first = std::exchange(a.curve, nullptr), *second = std::exchange(b.curve, nullptr);

@@ -20,11 +20,11 @@ namespace burin::tst_companions {
 using namespace burin::fixture;
 namespace fs = std::filesystem;
 
-/// Files that Burin keeps beside a project, changes that are all or nothing, and looking without changing.
+/// Files that Burin keeps next to a project, atomic changes, and reading without changes.
 class TestCompanions : public QObject {
     Q_OBJECT
 private slots:
-    /// What stands where Burin keeps its own files is nobody's to be truncated, followed or removed.
+    /// A file of someone else at the name of one of Burin's own files must not be truncated, followed or removed.
     void filesOfOthersInTheWayStayAsTheyAre_data() {
         QTest::addColumn<QString>("companion");
         QTest::addColumn<bool>("symbolic");
@@ -45,7 +45,7 @@ private slots:
             fs::create_symlink(notes, inTheWay);
         else
             fs::create_hard_link(notes, inTheWay);
-        static_cast<void>(Project::open(file)); // with whatever outcome
+        static_cast<void>(Project::open(file)); // whatever the outcome
         static_cast<void>(Project::create(file));
         QCOMPARE(*readFile(notes), std::string("somebody's"));
     }
@@ -60,7 +60,7 @@ private slots:
             QVERIFY(project && project->recovered() && project->readOnly());
             QCOMPARE(nameIn(*project), std::string("unsaved"));
         }
-        { // two at once, and one who goes on with it meanwhile
+        { // two readers at once, and another session that continues with it meanwhile
             const Result<Project> one = Project::openForReading(file), other = Project::openForReading(file);
             QVERIFY(one && other && other->recovered());
             QCOMPARE(nameIn(*other), std::string("unsaved"));
@@ -106,10 +106,10 @@ private slots:
             QVERIFY(change && (*change)->setModel(modelNamed("given up")));
         }
         QCOMPARE(namesIn(folder), QStringList{"p.burin"});
-        QCOMPARE(nameInFile(file), std::string("unsaved")); // what was there before the change is kept, in the file
+        QCOMPARE(nameInFile(file), std::string("unsaved")); // the content before the change is kept, in the file
     }
 
-    /// The file that goes with a change is put in its place with it, or stays as it was.
+    /// The output file of a change is put in place together with it, or stays unchanged.
     void aChangeAndItsOutputAreAllOrNone() {
         const QTemporaryDir folder;
         const fs::path file = fileIn(folder), output = fileIn(folder, "program.ngc");
@@ -121,7 +121,7 @@ private slots:
             outputs.push_back(std::move(*StagedFile::containing(output, "new")));
             QVERIFY(change && (*change)->setModel(modelNamed("new")));
             fs::rename(file, fileIn(folder, "elsewhere.burin"));
-            fs::create_directories(file / "in the way"); // the project can't be put in its place
+            fs::create_directories(file / "in the way"); // the project can't be put in place
             QVERIFY(!change->save(outputs));
         }
         QCOMPARE(*readFile(output), std::string("old"));
@@ -140,7 +140,7 @@ private slots:
         QCOMPARE(nameInFile(file), std::string("saved again"));
     }
 
-    /// An older Burin named its files after the whole name, where that was possible at all.
+    /// An older Burin named its files after the whole name, where that was possible.
     void workUnderAnOlderNameIsTakenUp() {
         const QTemporaryDir folder;
         const std::string name = std::string(230, 'n') + ".burin";
@@ -158,7 +158,7 @@ private slots:
         QVERIFY(Project::open(file));
     }
 
-    /// What a full disk left of a copy is not worth a name of its own.
+    /// A copy that a full disk left incomplete is not kept under a name of its own.
     void aCopyWithoutContentGoes() {
         const QTemporaryDir folder;
         const fs::path file = fileIn(folder);
@@ -168,7 +168,7 @@ private slots:
         QCOMPARE(namesIn(folder), QStringList{"p.burin"});
     }
 
-    /// Tables that are not the version's, which a question to them could make endless, are never asked.
+    /// Tables that differ from the version's schema, whose queries might never end, are never queried.
     void aForeignSchemaIsRefused_data() {
         QTest::addColumn<QString>("sql");
         QTest::newRow("an index over an expression") << "CREATE INDEX i ON take(length(hex(zeroblob(id))))";

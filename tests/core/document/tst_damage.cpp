@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// All that these projects hold.
+/// Everything that these projects contain.
 struct Content {
     Model model;
     Take take;
@@ -95,7 +95,8 @@ private slots:
         QVERIFY(content && isTheOriginal(*content));
     }
 
-    /// Whatever single byte is damaged: the content is the original, or the error is clear. Never other numbers.
+    /// Whatever single byte is damaged: the content is the original, or there is a clear error, but never different
+    /// values.
     void aFlippedByteNeverPassesForAnotherValue_data() {
         QTest::addColumn<std::size_t>("low");
         QTest::addColumn<std::size_t>("high");
@@ -195,7 +196,7 @@ private slots:
         QCOMPARE(read.error().code, ErrorCode::fileDamaged);
     }
 
-    /// A recording with a hole is not passed off as a shorter one.
+    /// A recording with a gap is not presented as a shorter one.
     void aMissingStretchOfARecordingIsNamed() {
         const fs::path file = placed(whole_);
         QVERIFY(Database::open(file, "", Database::Access::write)
@@ -206,7 +207,7 @@ private slots:
         QCOMPARE(read.error().place, std::string("take 1, sample 100"));
     }
 
-    /// A session has room for eight, and copies what it gets.
+    /// A session has room for eight guides, and copies what it gets.
     void moreGuidesThanASessionHasAreRefused() {
         const fs::path file =
             filledAndChanged("INSERT INTO guide SELECT setup, position + 100, json, curve FROM guide");
@@ -224,11 +225,11 @@ private slots:
         QVERIFY(project);
         const Result<std::vector<TakeInfo>> takes = project->takes();
         QVERIFY(takes);
-        QCOMPARE(takes->front().undoneCount, fixture::offInFixture.count); // what is switched off is another table's
+        QCOMPARE(takes->front().undoneCount, fixture::offInFixture.count); // switched-off samples are in another table
         QCOMPARE(takes->back().undoneCount, std::uint64_t{0});
     }
 
-    /// Distances from there overflow: a path crashed on it.
+    /// Distances from there overflow; a path used to crash on it.
     void aToolWhereNoMachineReachesIsDamage_data() {
         QTest::addColumn<double>("x");
         QTest::addColumn<double>("upright");
@@ -254,7 +255,7 @@ private slots:
         QCOMPARE(read.error().place, std::string("take 1, sample 107"));
     }
 
-    /// 64 MiB in 2 kB, as nothing packs that describes a part.
+    /// 64 MiB in 2 kB, a ratio that no description of a part reaches.
     void aPartThatClaimsMuchIsRefused() {
         const std::string packed = frameOfZeros(512);
         QVERIFY(decompress(packed, std::size_t{64} << 20U) == std::string(std::size_t{64} << 20U, '\0'));
@@ -268,7 +269,7 @@ private slots:
         QCOMPARE(project->model().error().code, ErrorCode::fileDamaged);
     }
 
-    /// A project from anybody may bring triggers along; they never run.
+    /// A project from someone else may contain triggers; they never run.
     void foreignTriggersNeverRun() {
         const fs::path file = placed(whole_);
         QVERIFY(Database::open(file, "", Database::Access::write)
@@ -279,14 +280,14 @@ private slots:
     }
 
 private:
-    /// `content` as a project file of its own.
+    /// Writes `content` to a project file of its own.
     fs::path placed(const std::string& content) {
         fs::path file = folder_.filePath(QString::number(++number_) + ".burin").toStdString();
         write(file, content);
         return file;
     }
 
-    /// A project with all that there is, changed by hand.
+    /// A project with everything in it, changed by SQL.
     fs::path filledAndChanged(const std::string& sql) {
         fs::path file = folder_.filePath(QString::number(++number_) + ".burin").toStdString();
         if (!fixture::fillProject(file) || !Database::open(file, "", Database::Access::write)

@@ -14,7 +14,7 @@
 
 namespace burin::tst_file_kind {
 
-/// What lies in a folder of the user is told apart by its content.
+/// Files in a folder of the user are distinguished by their content.
 class TestFileKind : public QObject {
     Q_OBJECT
 
@@ -104,7 +104,7 @@ private slots:
         const QByteArray pipe = folder_.filePath("pipe.burin").toLocal8Bit();
         QCOMPARE(::mkfifo(pipe.constData(), 0600), 0);
         QCOMPARE(errorOf(pipe.toStdString()), ErrorCode::fileNotReadable); // and does not wait for a writer
-        // Work that was never saved has no file, but a copy beside its name.
+        // Work that was never saved has no file, but a copy next to its name.
         const Result<FileKind> unsaved = fileKind(folder_.filePath("none.burin").toStdString());
         QVERIFY(unsaved);
         QCOMPARE(*unsaved, FileKind::project);

@@ -28,7 +28,7 @@ fs::path fileIn(const QTemporaryDir& folder, const char* name = "p.burin") {
     return folder.filePath(name).toStdString();
 }
 
-/// As text: equal exactly when the stored forms are. What the forms themselves keep is tested where they are made.
+/// As text: equal exactly if the stored forms are. The content of the forms themselves is tested where they are made.
 template <class Value>
 std::vector<std::string> texts(const std::vector<Value>& values) {
     std::vector<std::string> result;
@@ -41,7 +41,7 @@ std::vector<std::string> texts(const std::vector<Value>& values) {
 class TestProject : public QObject {
     Q_OBJECT
 private slots:
-    /// Everything that a project holds comes back from a second program's point of view: saved, closed, opened.
+    /// Everything that a project contains is read back by a second program: saved, closed, opened.
     void everythingComesBack() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));
@@ -50,7 +50,7 @@ private slots:
         QVERIFY(fixture::holdsFixture(*project));
     }
 
-    /// Files that each version wrote, kept in the repository.
+    /// Files written by each version, kept in the repository.
     void aProjectOfEachVersionOpens_data() {
         QTest::addColumn<int>("version");
         QTest::newRow("first") << 1;
@@ -74,22 +74,22 @@ private slots:
         Result<Project> project = Project::open(fileIn(folder));
         QVERIFY(project);
         QVERIFY(fixture::holdsFixture(*project, version));
-        // And takes what only today's version knows.
+        // And accepts data that only today's version knows.
         const std::int64_t take = project->takes()->front().id;
         QVERIFY(project->undoStretch(take, {400, 10}) && project->setObstacles(fixture::obstacles()) &&
                 project->save());
         QCOMPARE(project->take(take)->undone.back(), (SampleRange{400, 10}));
         QVERIFY(*project->obstacles() == fixture::obstacles());
-        // The file as it was is there for who still has the version that wrote it.
+        // The original file is kept for users who still have the version that wrote it.
         const fs::path kept = project->keptEarlier();
         QCOMPARE(kept.empty(), version == 11);
         if (!kept.empty()) QCOMPARE(kept.filename().string(), "p.format-" + std::to_string(version) + ".burin");
         if (!kept.empty()) QCOMPARE(contentOf(kept), written);
         QVERIFY(project->setAxisMode({}) && project->save());
-        QVERIFY(project->keptEarlier().empty()); // once
+        QVERIFY(project->keptEarlier().empty()); // only once
     }
 
-    /// Nothing is stored in a setup that isn't there, and a path's takes are of its own setup.
+    /// Nothing is stored in a setup that does not exist, and a path's takes belong to its own setup.
     void setupsAreKeptApart() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));
@@ -110,7 +110,7 @@ private slots:
         QCOMPARE(project->setup(*project->addSetup("d")).error().code, ErrorCode::projectIncomplete);
     }
 
-    /// What is asked without a setup's id is of the one in use, and so is what is stored.
+    /// Queries without a setup's id refer to the one in use, and so does storing.
     void oneSetupIsInUse() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));
@@ -129,14 +129,14 @@ private slots:
         QCOMPARE(project->addPath({0, "of the back", {{project->takes()->front().id}}, {}}).hasValue(), true);
         QCOMPARE(project->paths()->back().setup, second);
         QVERIFY(project->setObstacles({}) && project->obstacles(firstSetup)->size() == fixture::obstacles().size());
-        // What is done in one setup leaves what another one's program was judged by.
+        // Changes in one setup do not affect the digest by which another one's program was judged.
         QCOMPARE(*project->jobDigest(firstSetup), digest);
         QVERIFY(*project->jobDigest() != digest);
         QVERIFY(project->useSetup(firstSetup) && *project->keptProgram() == "front");
         QCOMPARE(*project->programDraft(), std::string("G0 X1"));
     }
 
-    /// A setup goes when nothing that somebody made would go with it.
+    /// A setup can be removed if no work is lost with it.
     void aSetupIsNamedAndRemoved() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));
@@ -159,13 +159,13 @@ private slots:
             QCOMPARE(project->removeSetup(third).error().code, ErrorCode::argumentInvalid); // has a take
             QVERIFY(project->removeTake(writer->id()));
         }
-        QVERIFY(project->removeSetup(third)); // a deleted take goes with it
+        QVERIFY(project->removeSetup(third)); // a deleted take is removed with it
         QCOMPARE(project->setups()->size(), std::size_t{2});
         QCOMPARE(project->setup(third).error().code, ErrorCode::nameUnknown);
         QVERIFY(project->save() && Project::openForReading(fileIn(folder)));
     }
 
-    /// Each setup's materials are there, whichever was stored last.
+    /// Each setup's materials are available, whichever was stored last.
     void materialsOfOtherSetupsStay() {
         const QTemporaryDir folder;
         Result<Project> project = Project::create(fileIn(folder));
@@ -188,7 +188,7 @@ private slots:
         QCOMPARE(texts(*project->materials()), texts(std::vector{all[0]}));
     }
 
-    /// A placement that does not keep lengths would be another part.
+    /// A placement that does not preserve lengths would be another part.
     void aPlacementComesBackAndIsSound() {
         const QTemporaryDir folder;
         Result<Project> project = Project::create(fileIn(folder));
@@ -209,7 +209,7 @@ private slots:
         QVERIFY(project->setup()->placement != setup.placement);
     }
 
-    /// A mirrored part is stored as such: its exact surface is not the one of the file any more.
+    /// A mirrored part is stored as such: its exact surface is no longer that of the file.
     void aMirroredModelComesBack() {
         const QTemporaryDir folder;
         Result<Project> project = Project::create(fileIn(folder));
@@ -235,7 +235,7 @@ private slots:
         QCOMPARE(project->take(writer->id())->info.seconds, std::optional(0.0025 * 39.0));
     }
 
-    /// Hours of samples are looked at in parts; who looks may break off.
+    /// Hours of samples are visited in parts; the visitor may stop early.
     void aTakeIsVisitedInItsOrder() {
         const QTemporaryDir folder;
         Result<Project> project = Project::create(fileIn(folder));
@@ -272,20 +272,20 @@ private slots:
         QCOMPARE(project->takeOutline(id + 1).error().code, ErrorCode::nameUnknown);
     }
 
-    /// What is taken back stays in the file, is told, and comes again.
+    /// Undone samples stay in the file, are listed, and can be redone.
     void whatIsTakenBackIsKept() {
         const QTemporaryDir folder;
         Result<Project> project = Project::create(fileIn(folder));
         Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("a"));
         const std::int64_t id = writer->id();
         QVERIFY(writer->append(fixture::handSamples(0, 100)));
-        // While it is recorded, and ahead of what the disk has.
+        // During the recording, and ahead of the samples that are on the disk.
         QVERIFY(project->undoStretch(id, {90, 60}) && project->undoStretch(id, {10, 5}));
         QVERIFY(writer->append(fixture::handSamples(100, 30)));
         Result<Take> take = project->take(id);
         QVERIFY(take);
         QCOMPARE(take->samples.size(), std::size_t{130});
-        QCOMPARE(take->undone, (std::vector<SampleRange>{{10, 5}, {90, 40}})); // no more than there is
+        QCOMPARE(take->undone, (std::vector<SampleRange>{{10, 5}, {90, 40}})); // no more than exist
         QCOMPARE(project->takes()->front().undoneCount, std::uint64_t{45});
         QVERIFY(writer->append(fixture::handSamples(130, 70)) && writer->finish() && project->save());
         QCOMPARE(project->take(id)->undone.back(), (SampleRange{90, 60}));
@@ -327,7 +327,7 @@ private slots:
         QCOMPARE(open.error().subject, wrong.front().name);
         QCOMPARE(project->setAxisMode({false, {0.0, 0.0, 2.0}}).error().code, ErrorCode::argumentInvalid);
         KeptGuides guides = fixture::guides();
-        guides.guides.front().lead = std::numeric_limits<double>::infinity(); // a plane has no use for it
+        guides.guides.front().lead = std::numeric_limits<double>::infinity(); // unused for a plane
         QCOMPARE(project->setGuides(guides).error().code, ErrorCode::argumentInvalid);
         QVERIFY(fixture::holdsFixture(*project) && !*project->unsaved());
     }
@@ -413,7 +413,7 @@ private slots:
         QVERIFY(project->programDraft()->empty());
     }
 
-    /// Where the user is goes with a save, and asks for none.
+    /// The user's current position is saved with the project, and does not require saving by itself.
     void whereItWasLeftComesBack() {
         const QTemporaryDir folder;
         const auto file = std::filesystem::path(folder.filePath("left.burin").toStdString());
@@ -425,7 +425,7 @@ private slots:
             QVERIFY(!*project->unsaved());
         }
         {
-            Result<Project> project = Project::open(file); // nothing was to be saved, so nothing was
+            Result<Project> project = Project::open(file); // there was nothing to save
             QVERIFY(project && !project->recovered());
             QCOMPARE(project->leftAt().value(), std::string());
             QVERIFY(project->setLeftAt("{\"step\":\"path\"}") && project->save());
@@ -449,7 +449,7 @@ private slots:
         path.sources = {{used}, {99}};
         QCOMPARE(project->setPath(path).error().code, ErrorCode::nameUnknown);
         QCOMPARE(project->addPath(path).error().place, std::string("99"));
-        QVERIFY(fixture::holdsFixture(*project)); // nothing of all that was kept
+        QVERIFY(fixture::holdsFixture(*project)); // none of the kept data
 
         path.sources.clear();
         path.edits.pop_back();
@@ -462,8 +462,8 @@ private slots:
         QCOMPARE(project->setPath(path).error().subject, std::string("path"));
     }
 
-    /// To the last bit, strokes of several chunks too; a path is made of them as of takes, and they of no path alone
-    /// go.
+    /// Bitwise equal, including strokes of several chunks; a path can be made of them as of takes, and they are removed
+    /// only if no path uses them.
     void whatAPlannerMadeIsKept() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));
@@ -476,7 +476,7 @@ private slots:
             Result<Project> project = Project::open(fileIn(folder));
             const std::int64_t take = project->takes()->front().id;
             id = *project->addGenerated(moves);
-            QVERIFY(id < -1); // the fixture has some
+            QVERIFY(id < -1); // the fixture contains some
             path = *project->addPath({0, "both", {{id}, {take}, {id}}, {}, firstSetup});
             QVERIFY(project->save());
         }
@@ -493,7 +493,7 @@ private slots:
         QCOMPARE(project->generatedMoves(id).error().code, ErrorCode::nameUnknown);
         both.sources = {{id}};
         QCOMPARE(project->setPath(both).error().code, ErrorCode::nameUnknown);
-        QVERIFY(*project->addGenerated(moves) < id); // a number is never given again
+        QVERIFY(*project->addGenerated(moves) < id); // a number is never reused
     }
 
     void movesThatNoPlannerMakesAreRefused() {
@@ -520,7 +520,7 @@ private slots:
         QCOMPARE(project->generated()->size(), before);
     }
 
-    /// With its number, its takes and its edits, so that what names it means it again; the file reads it all back.
+    /// With its number, its takes and its edits, so that references to it are valid again; the file reads it all back.
     void aPathGoesAndComesBackAsItWas() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));
@@ -533,7 +533,7 @@ private slots:
             QCOMPARE(project->removePath(path.id).error().code, ErrorCode::nameUnknown);
             QVERIFY(project->restorePath(path));
             QVERIFY(fixture::holdsFixture(*project));
-            QVERIFY(!project->restorePath(path)); // it is there
+            QVERIFY(!project->restorePath(path)); // it exists
             QVERIFY(project->removePath(path.id));
             const std::int64_t newer = *project->addPath(path);
             QVERIFY(newer > path.id);
@@ -546,7 +546,7 @@ private slots:
         QVERIFY(fixture::holdsFixture(*again));
     }
 
-    /// A take's number is never given again, so that no path and no program can mean another one by it.
+    /// A take's number is never reused, so that no path and no program can refer to another take by it.
     void numbersOfTakesAreNotReused() {
         const QTemporaryDir folder;
         Result<Project> project = Project::create(fileIn(folder));
@@ -574,7 +574,7 @@ private slots:
         const QTemporaryDir folder;
         Result<Project> project = Project::create(fileIn(folder));
         Result<Project::TakeWriter> writer = project->beginTake(fixture::takeInfo("fast"));
-        const std::vector<Sample> hand = fixture::handSamples(0, 40000); // more than a chunk holds
+        const std::vector<Sample> hand = fixture::handSamples(0, 40000); // more than fits into a chunk
         QVERIFY(writer->append(hand) && writer->append({}) && writer->append(std::span(hand).first(1)));
         const Result<Take> take = project->take(writer->id());
         QVERIFY(take);

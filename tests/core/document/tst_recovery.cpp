@@ -87,7 +87,7 @@ private slots:
         QVERIFY(project && !project->recovered());
     }
 
-    /// The user put another version of the file there meanwhile: both survive.
+    /// The user put another version of the file there meanwhile: both are kept.
     void workThatBelongsToAnotherFileIsKeptAside() {
         const QTemporaryDir folder;
         const fs::path file = fileIn(folder), backup = fileIn(folder, "backup.burin");
@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(*readFile(project->keptAside()), std::string(5000, 'x'));
     }
 
-    /// Between the rename of a save and the note of it a kill must not make old work out of new.
+    /// A kill between the rename of a save and its record must not turn new work into old work.
     void aSaveWhoseNoteIsMissingIsUnderstood_data() {
         QTest::addColumn<int>("later");
         QTest::newRow("nothing was changed since") << 0;
@@ -199,7 +199,7 @@ private slots:
             QCOMPARE(second.error().subject, file.string());
             QCOMPARE(second.error().detail, "process " + std::to_string(owner));
         }
-        { // who only looks needs not wait for it, and sees what is saved
+        { // reading needs no waiting, and sees the saved content
             const Result<Project> one = Project::openForReading(file), other = Project::openForReading(file);
             QVERIFY(one && other && one->readOnly() && !one->recovered());
             QCOMPARE(nameIn(*one), std::string("saved"));
@@ -207,7 +207,7 @@ private slots:
         }
         QCOMPARE(::write(toChild[1], &byte, 1), ssize_t{1});
         ::waitpid(owner, nullptr, 0);
-        QCOMPARE(nameInFile(file), std::string("saved")); // its lock died with it
+        QCOMPARE(nameInFile(file), std::string("saved")); // its lock ended with it
         for (const int end : {toChild[0], toChild[1], toParent[0], toParent[1]}) ::close(end);
     }
 

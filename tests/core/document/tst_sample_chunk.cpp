@@ -20,7 +20,7 @@ namespace burin::tst_sample_chunk {
 
 namespace {
 
-/// Any bit pattern, with the awkward numbers more often than chance would have it.
+/// Any bit pattern, with difficult numbers more often than by chance.
 double anyDouble() {
     using Limits = std::numeric_limits<double>;
     return *rc::gen::oneOf(rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),
@@ -87,7 +87,7 @@ private slots:
             char& byte = chunk[*rc::gen::inRange<std::size_t>(0, chunk.size())];
             byte = static_cast<char>(byte ^ *rc::gen::inRange(1, 256));
             const auto read = decodeSamples(chunk, 60);
-            // Zstandard leaves a few bits of its header unused; whatever is read has to be what was written.
+            // Zstandard leaves a few bits of its header unused; whatever is read must be what was written.
             RC_ASSERT(!read || fixture::identical(*read, fixture::handSamples(0, 60)));
         }));
         for (std::size_t size = 0; size < whole.size(); ++size)
@@ -96,7 +96,7 @@ private slots:
         QVERIFY(!decodeSamples(whole, 61));
         QVERIFY(!decodeSamples(whole, std::numeric_limits<std::size_t>::max()));
     }
-    /// 48 bytes a row of six columns: numbers of rows whose bytes are a small number modulo 2^64.
+    /// 48 bytes for a row of six columns: numbers of rows whose byte count is a small number modulo 2^64.
     void countsThatOverflowAreRefused() {
         const std::string frame = compress(std::string(38, '\0'));
         QVERIFY(!decodeColumns(frame, 6, 384'307'168'202'282'326U));
@@ -115,7 +115,7 @@ private slots:
             together[i].proxy.tip = together[i].stylusTip;
             apart[i].proxy.tip = apart[i].stylusTip * 1.01;
         }
-        // Three noisy doubles a sample are at least twelve bytes.
+        // Three noisy doubles per sample take at least twelve bytes.
         QVERIFY(encodeSamples(together).size() + 12 * apart.size() < encodeSamples(apart).size());
     }
     void meshesComeBackBitForBit() {
@@ -135,7 +135,7 @@ private slots:
             RC_ASSERT(fixture::identical(one, other));
         }));
     }
-    /// The most even mesh that there is packs ten thousand times.
+    /// The most regular mesh is compressed ten thousand times.
     void aFinelyMeshedPlateComesBack() {
         constexpr std::uint32_t side = 600;
         TriangleMesh plate;

@@ -41,7 +41,7 @@ private slots:
             QVERIFY(project->saveAs(q));
             QCOMPARE(project->file(), q);
             QCOMPARE(*project->unsaved(), false);
-            QVERIFY(project->setModel(modelNamed("third")) && project->save()); // goes on under the new name
+            QVERIFY(project->setModel(modelNamed("third")) && project->save()); // continues under the new name
         }
         QCOMPARE(nameIn(p), std::string("first"));
         QCOMPARE(nameIn(q), std::string("third"));
@@ -57,8 +57,8 @@ private slots:
         project = Project::create(scratch.filePath("other.burin").toStdString());
         QCOMPARE(nameIn(q), std::string("new"));
     }
-    /// The way out where the project's own disk is full: nothing is written beside the old file. (Whoever holds the
-    /// copy's write lock stands for the full disk.)
+    /// The remedy if the project's own disk is full: nothing is written next to the old file. (A holder of the copy's
+    /// write lock simulates the full disk.)
     void nothingIsWrittenToTheOldWorkingCopy() {
         const QTemporaryDir folder, elsewhere;
         const fs::path p = folder.filePath("p.burin").toStdString(), q = elsewhere.filePath("q.burin").toStdString();
@@ -132,7 +132,7 @@ private slots:
         {
             Result<Project> project = Project::create(p);
             QVERIFY(project && project->setModel(modelNamed("left")));
-            QVERIFY(leftWork(place).left.empty()); // somebody works on it
+            QVERIFY(leftWork(place).left.empty()); // another session works on it
             QVERIFY(leftWork(place).inUse);
         }
         const FoundWork found = leftWork(place);

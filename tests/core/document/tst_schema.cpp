@@ -53,14 +53,14 @@ private slots:
         QVERIFY(upgrade(file, steps)); // nothing is left to do
         QCOMPARE(*file.integer("SELECT colour FROM path"), std::int64_t{14});
     }
-    /// Whatever a crafted file makes a statement do, it ends.
+    /// Whatever a manipulated file makes a statement do, the statement ends.
     void aStatementWithoutEndIsEnded() {
         Database file = projectWithPath();
         const Result<std::int64_t> counted = file.integer(
             "WITH RECURSIVE counted(n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM counted) SELECT count(*) FROM counted");
         QVERIFY(!counted);
         QVERIFY(counted.error().code == ErrorCode::fileDamaged);
-        QCOMPARE(*file.integer("SELECT count(*) FROM path"), std::int64_t{1}); // the next one has a budget of its own
+        QCOMPARE(*file.integer("SELECT count(*) FROM path"), std::int64_t{1}); // the next one has a limit of its own
     }
     void aStepThatFailsTakesAllBack() {
         Database file = projectWithPath();

@@ -6,7 +6,7 @@ namespace burin::fixture {
 
 namespace {
 
-/// Every kind of edit, none with its first parameters.
+/// Every kind of edit, none with its default parameters.
 std::vector<Edit> edits() {
     return {{DropAirCuts{2.5}, true},
             {DropDwells{0.7, 0.2}, false},
@@ -38,7 +38,7 @@ bool same(const StoredProgram& one, const StoredProgram& other) {
            one.text == other.text && one.reportJson == other.reportJson;
 }
 
-/// What stands around the setup and leads the hand, since version 3.
+/// Whether it contains the fixtures, limits and haptic guides, since version 3.
 bool holdsSurroundings(const Project& project, int version) {
     const Result<std::vector<Obstacle>> stored = project.obstacles();
     const Result<AxisMode> axis = project.axisMode();
@@ -75,7 +75,7 @@ bool storeSecondSetup(Project& project) {
            project.addProgram(posted);
 }
 
-/// That it holds what storeSecondSetup stored, or, before version 4, one setup alone.
+/// Whether it contains what storeSecondSetup stored, or, before version 4, a single setup.
 bool holdsSetups(const Project& project, int version) {
     const Result<std::vector<SetupName>> setups = project.setups();
     const Result<std::vector<StoredPath>> paths = project.paths();
@@ -108,7 +108,7 @@ std::vector<TimeMarker> markers(std::int64_t take) {
     return {{{take, 0}, "Anfang"}, {{take, 250}, "Rippe 2"}};
 }
 
-/// The workpiece that is kept since version 10, and the markers.
+/// Whether it contains the workpiece that is kept since version 10, and the markers.
 bool holdsKept(const Project& project, int version) {
     const Result<std::vector<TakeMoment>> moments = project.keptMoments();
     const Result<std::vector<TimeMarker>> marked = project.markers();

@@ -19,7 +19,7 @@ namespace burin::tst_arrays {
 
 namespace {
 
-/// Written byte by byte, as the format's page has it.
+/// Written byte by byte, as the documentation of the format describes.
 std::string header(const std::string& type, const std::string& encoding, const std::string& more = {}) {
     return "NRRD0004\n# a scan\ntype: " + type +
            "\ndimension: 3\nsizes: 4 3 2\nspace directions: (0.5,0,0) (0,0.5,0) "
@@ -27,7 +27,7 @@ std::string header(const std::string& type, const std::string& encoding, const s
            encoding + "\n" + more;
 }
 
-/// 24 values of two bytes, little-endian: each its place times ten.
+/// 24 values of two bytes, little-endian: each is its position times ten.
 std::string shorts() {
     std::string data;
     for (int i = 0; i < 24; ++i) {
@@ -88,7 +88,7 @@ private slots:
             QVERIFY2(array, file.c_str());
             QCOMPARE(array->count, glm::ivec3(4, 3, 2));
             QCOMPARE(array->edge, 0.5);
-            QVERIFY(glm::distance(array->low, glm::dvec3(9.75, 19.75, 29.75)) < 1e-12); // the origin is a middle
+            QVERIFY(glm::distance(array->low, glm::dvec3(9.75, 19.75, 29.75)) < 1e-12); // the origin is a centre
             for (std::size_t i = 0; i < 24; ++i) QCOMPARE(array->at(i), 10.0 * static_cast<double>(i));
         }
     }
@@ -184,8 +184,8 @@ private slots:
                  volume.error().detail.c_str());
     }
 
-    /// Section 2 of the paper, for a user: an array of voxels with a property each comes in, is milled, and goes out;
-    /// what no flute met is what it was.
+    /// Section 2 of the paper from the user's side: an array of voxels with one property each is imported, milled and
+    /// exported; voxels that no flute touched are unchanged.
     void anArrayComesInIsMilledAndGoesOut() {
         constexpr int side = 40;
         std::mt19937 random(3);
@@ -217,7 +217,7 @@ private slots:
                 for (int x = 0; x < side; ++x) {
                     const auto place = static_cast<std::size_t>((z * side + y) * side + x);
                     const glm::dvec3 middle = 0.5 * (glm::dvec3(x, y, z) + 0.5);
-                    const bool cut = middle.z > 12.0 && std::abs(middle.y - 10.0) < 2.0; // the slot goes all the way
+                    const bool cut = middle.z > 12.0 && std::abs(middle.y - 10.0) < 2.0; // the slot has no ends
                     const double expected = cut ? 0.0 : static_cast<unsigned char>(data[place]);
                     if (std::abs(std::abs(middle.y - 10.0) - 2.0) < 1e-9) continue;
                     QCOMPARE(again->at(place), expected);

@@ -11,7 +11,7 @@ namespace burin::tst_drawings {
 
 namespace {
 
-/// A DXF of figures, lines joined by blanks.
+/// A DXF with the given figures, whose lines are joined by blanks.
 std::string dxf(const char* figures, const char* units = "4") {
     std::string text =
         std::string("0 SECTION 2 HEADER 9 $INSUNITS 70 ") + units +
@@ -35,7 +35,7 @@ double signedArea(const PlanRing& ring) {
     return 0.5 * twice;
 }
 
-/// Of borders, which go anticlockwise, less that of holes, which go the other way.
+/// Area of the borders, which run anticlockwise, minus that of the holes, which run clockwise.
 double areaOf(const PlanRegion& region) {
     double area = 0.0;
     for (const PlanPiece& piece : piecesOf(region)) {
@@ -122,17 +122,17 @@ private slots:
         QFETCH(std::string, text);
         QFETCH(double, area);
         const double found = areaIn(text);
-        // Chords within 0.002 mm of a border lose no more than that along it.
+        // Chords within 0.002 mm of a border lose at most that much along it.
         QVERIFY2(std::abs(found - area) < 0.002 * std::sqrt(area) * 8.0,
                  qPrintable(QString("%1, not %2").arg(found).arg(area)));
     }
 
-    /// As exploded outlines are: thousands of lines in any order and direction.
+    /// As in exploded outlines: thousands of lines in any order and direction.
     void linesAreJoinedToAnOutline() {
         constexpr int count = 5000;
         std::string figures;
         for (int i = 0; i < count; ++i) {
-            const int at = i * 1999 % count; // prime to their number: each comes once
+            const int at = i * 1999 % count; // coprime to their number: each occurs once
             const double first = 2.0 * pi * at / count, last = 2.0 * pi * (at + 1) / count;
             const bool back = i % 3 == 0;
             const auto coordinate = [](double value) { return " " + QString::number(value, 'f', 9).toStdString(); };
@@ -184,7 +184,7 @@ private slots:
         QVERIFY(faultOf(svg("<path d=\"M 1\"/>")).contains("wrong numbers"));
         QVERIFY(faultOf(svg("<rect width=\"2mm2\" height=\"2\"/>")).contains("width"));
         QVERIFY(faultOf(svg("<g transform=\"turn(3)\"><rect width=\"2\" height=\"2\"/></g>")).contains("transform"));
-        // One that uses itself ends.
+        // A group that uses itself is expanded only finitely.
         QVERIFY(drawingOf(svg("<rect width=\"1\" height=\"1\"/><g id=\"a\"><use href=\"#a\"/><use href=\"#a\"/></g>"),
                           "drawing"));
         const Result<PlanDrawing> open = drawingOf(dxf("0 LINE 8 0 10 0 20 0 11 5 21 5"), "drawing");

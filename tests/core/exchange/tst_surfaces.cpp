@@ -24,7 +24,7 @@ using namespace burin::test;
 
 namespace {
 
-/// A ball of one material in a block of another, on a grid that it does not fit.
+/// A ball of one material in a block of another, on a grid that is not aligned with it.
 RunVolume ballInBlock() {
     PropertyList list;
     Property wax, steel;
@@ -60,7 +60,7 @@ private slots:
         QVERIFY2(std::abs(enclosed / exact - 1.0) < 0.01, qPrintable(QString::number(enclosed / exact)));
     }
 
-    /// As whoever prints it reads it.
+    /// Read back by an independent reader.
     void stlIsReadBackByOpenCascade() {
         RunVolume volume = ballInBlock();
         Progress progress;
@@ -96,10 +96,10 @@ private slots:
         QVERIFY(!other && other.error().code == ErrorCode::notSupported);
         QVERIFY(!writeSurfaceFile("/no/such/folder/a.stl", *surface, volume.properties()));
         QVERIFY(!writeSurfaceFile("/no/such/folder/a.3mf", *surface, volume.properties()));
-        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 3); // nothing is left beside them
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 3); // no other file is left
     }
 
-    /// Each material is a mesh of its own, in its colour; together they are the surface.
+    /// Each material has a mesh of its own, in its colour; together they form the surface.
     void threeMfKeepsMaterialsApart() {
         RunVolume volume = ballInBlock();
         Progress progress;

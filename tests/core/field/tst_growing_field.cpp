@@ -28,7 +28,7 @@ std::vector<RevolvedPiece> tool(double corner) {
     return {{0.0, 12.0, 2.0, 2.0, corner}, {12.0, 24.0, 1.9, 1.9, 0.0}, {24.0, 40.0, 8.0, 12.0, 0.0}};
 }
 
-/// A block with a pocket: sharp edges outside, hollow corners inside, and a floor that the holder is near to.
+/// A block with a pocket: sharp edges outside, concave corners inside, and a floor close to the holder.
 std::shared_ptr<const MeshDistance> pocketPart() {
     TriangleMesh mesh = shapes::pocket(11.0, 12.0, 6.0, 7.0);
     for (glm::dvec3& vertex : mesh.vertices) vertex.z += 12.0;
@@ -58,7 +58,7 @@ glm::dvec3 randomIn(const Box& box) {
             test::randomNumber(box.low.z, box.high.z)};
 }
 
-/// On a face between two tiles, or a hair beside it.
+/// A point on a face between two tiles, or very close to it.
 glm::dvec3 onJoint(const TileLayout& layout) {
     glm::dvec3 tip = randomIn(layout.tips);
     const int axis = *rc::gen::inRange(0, 3);
@@ -68,7 +68,7 @@ glm::dvec3 onJoint(const TileLayout& layout) {
     return glm::clamp(tip, layout.tips.low, layout.tips.high);
 }
 
-/// Sees to it that all is there without a background.
+/// Makes all tiles, without a background thread.
 void makeAll(GrowingField& field) {
     for (std::uint32_t tile = 0; tile < field.layout().count(); ++tile)
         if (!make(field, tile)) std::abort(); // the test's own set-up
@@ -91,10 +91,10 @@ private slots:
     void refusesWhatMakesNoField();
 };
 
-/// Tiles come in random order; after each of them tips are asked, on joints above all. The mesh is the judge.
+/// Tiles arrive in random order; after each of them the field is queried, mainly on joints. The mesh is the reference.
 void GrowingFieldTest::noAnswerIsAboveItsBoundWhateverHasCome() {
     const std::shared_ptr<const MeshDistance> part = pocketPart();
-    int fine = 0; // in all of them
+    int fine = 0; // with all tiles
     const bool held = testing::holdsInShare("ball, bull nose and flat end", [&] {
         const double corner = *rc::gen::element(0.0, 0.7, 2.0);
         const ToolFieldRequest request = requestFor(corner);
@@ -109,7 +109,7 @@ void GrowingFieldTest::noAnswerIsAboveItsBoundWhateverHasCome() {
                 const double exact = part->clearance(request.tool, {tip, upright}).clearance;
                 (sample.fine ? fine : outlined) += 1;
                 RC_ASSERT(isFinite(sample.gradient));
-                if (exact < -voxel && sample.clearance < -0.5 * voxel) continue; // there the way out is all that counts
+                if (exact < -voxel && sample.clearance < -0.5 * voxel) continue; // only the exit matters there
                 RC_ASSERT(sample.clearance <= exact + field->errorBoundAt(tip) + 1e-6);
             }
         }
@@ -118,8 +118,8 @@ void GrowingFieldTest::noAnswerIsAboveItsBoundWhateverHasCome() {
     QVERIFY(held && fine > testing::inLongRun(2000, 400));
 }
 
-/// A tool that the outline held, or let be, is not inside the boundary when the tile comes, whatever the allowance: it
-/// is not thrown out of where it stands.
+/// A tool that the outline held, or did not hold, is not inside the boundary when the tile arrives, whatever the
+/// allowance: it is not pushed out of its position.
 void GrowingFieldTest::whatTheOutlineLetsBeStaysOutsideTheBoundary() {
     for (const double corner : {0.0, 2.0}) {
         const ToolFieldRequest request = requestFor(corner);
@@ -144,8 +144,8 @@ void GrowingFieldTest::whatTheOutlineLetsBeStaysOutsideTheBoundary() {
     }
 }
 
-/// Over smooth faces the field states its error, and so do two tiles at their joint: a tool that slides over it meets
-/// no more of a step than anywhere between two bricks.
+/// Over smooth faces the field states its error, and so do two tiles at their joint: a tool that slides over the joint
+/// meets no larger step than between two bricks anywhere.
 void GrowingFieldTest::tilesMeetWithoutAStep() {
     const Box tips{{-16.0, -16.0, 2.0}, {16.0, 16.0, 12.0}};
     const auto field = laid(std::make_shared<const MeshDistance>(shapes::sphere(10.0, 400, 200)),
@@ -173,7 +173,8 @@ void GrowingFieldTest::tilesMeetWithoutAStep() {
     QVERIFY2(largest <= field->errorBound(), qPrintable(QString("%1 mm").arg(largest)));
 }
 
-/// What a tile says depends on its number and the request: a session that is played again meets the same boundary.
+/// The contents of a tile depend only on its number and the request: a session that is replayed meets the same
+/// boundary.
 void GrowingFieldTest::theOrderOfTilesChangesNothing() {
     const auto inOrder = laid(pocketPart(), requestFor(0.7)), background = laid(pocketPart(), requestFor(0.7)),
                atOnce = laid(pocketPart(), requestFor(0.7));
@@ -193,8 +194,8 @@ void GrowingFieldTest::theOrderOfTilesChangesNothing() {
     }
 }
 
-/// As of a field that was made at once: clear by a tenth of a voxel more than the largest allowance, nothing holds it;
-/// also where no tile comes.
+/// As with a field that was made at once: a tool whose clearance exceeds the largest allowance by a tenth of a voxel is
+/// held by nothing; also where no tile arrives.
 void GrowingFieldTest::aToolGoesFreeWhereItIsClear() {
     const ToolFieldRequest request = requestFor(2.0);
     const std::shared_ptr<const MeshDistance> part = pocketPart();
@@ -232,8 +233,8 @@ void GrowingFieldTest::tilesComeInTheOrderOfTheirDistance() {
     QVERIFY2(count >= 8 && before > 5.0, qPrintable(QString("%1 tiles, up to %2 mm").arg(count).arg(before)));
 }
 
-/// A tool goes to and fro with room for a few tiles alone: those around it come, others make room, and what it reads is
-/// there until it has let it go.
+/// A tool moves back and forth with memory for a few tiles only: those around it arrive, others are released, and tiles
+/// that it reads stay until it has let go of them.
 void GrowingFieldTest::aRovingToolFindsItsTilesInBoundedMemory() {
     ToolFieldRequest request = requestFor(2.0, {{-14.0, -14.0, 2.0}, {14.0, 14.0, 16.0}});
     request.voxel = 0.12;
@@ -258,7 +259,7 @@ void GrowingFieldTest::aRovingToolFindsItsTilesInBoundedMemory() {
                 inForce[news.tile] = news.bricks;
             }
         }
-        for (const BrickField* tile : inForce) // all that it has is there to be read
+        for (const BrickField* tile : inForce) // all of its tiles are readable
             if (tile != nullptr && !std::isfinite(tile->sample(tile->tips.centre()).clearance)) return false;
         most = std::max(most, field->memoryBytes());
         return true;
@@ -281,7 +282,7 @@ void GrowingFieldTest::aRovingToolFindsItsTilesInBoundedMemory() {
                                     .arg(let)
                                     .arg(kept)));
         }
-    // How many depends on how far the tiles get while the tool waits; of every five, one is kept.
+    // The number depends on the progress of the tiles while the tool waits; of every five, one is kept.
     QVERIFY2(let >= 5 && kept > 0, qPrintable(QString("%1 let go, %2 kept").arg(let).arg(kept)));
     QVERIFY2(most < limit + all->memoryBytes() / 3, qPrintable(QString("%1 of %2").arg(most).arg(all->memoryBytes())));
 }
@@ -312,7 +313,7 @@ void GrowingFieldTest::canBeCancelled() {
     const Result<void> whole = field->finish(cancelled);
     QVERIFY(!whole && whole.error().code == ErrorCode::cancelled && !field->whole());
     field->grow({0.0, 0.0, 20.0});
-    QVERIFY(!field->waitUntilQuiet(cancelled, 100.0)); // and its end stops what goes on
+    QVERIFY(!field->waitUntilQuiet(cancelled, 100.0)); // and destroying it stops ongoing work
 }
 
 void GrowingFieldTest::refusesWhatMakesNoField() {

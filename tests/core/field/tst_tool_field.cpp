@@ -46,8 +46,8 @@ private:
     std::mt19937_64 engine_{20260102};
 };
 
-/// How far a field is above and below a formula, where it says that it is fine and `counts` agrees; and above it
-/// elsewhere. How far it is above the error that it states for the places, and what that is in the mean.
+/// The deviation of a field above and below a formula, where it is fine according to itself and `counts`; and above it
+/// elsewhere. The excess over the stated error at the points, and the mean of the latter.
 struct Deviation {
     double above = -1e9, below = 1e9, coarseAbove = -1e9;
     double overBound = -1e9, meanBound = 0.0;
@@ -140,7 +140,7 @@ void ToolFieldTest::ballOverTorus() {
         const glm::dvec3 centre = tip + glm::dvec3(0, 0, radius);
         return std::hypot(std::hypot(centre.x, centre.y) - major, centre.z) - minor - radius;
     };
-    // Above the ring's equator the flutes over the ball are never nearer than the ball.
+    // Above the ring's equator the flutes above the ball are never nearer than the ball.
     const auto smooth = [&](const glm::dvec3& tip, double clearance) {
         return tip.z + radius > 0.0 && clearance > -voxel && std::hypot(tip.x, tip.y) > 5.0;
     };
@@ -157,12 +157,12 @@ void ToolFieldTest::ballOverBlock() {
     const MeshDistance part(shapes::box(low, high));
     const Box tips{{-16, -16, -6}, {0, 0, 8}};
     const ToolField field = built(part, {tool(3.0, 3.0)[0]}, tips);
-    const auto formula = [&](const glm::dvec3& tip) { // the flutes reach above the block: lift it to them
+    const auto formula = [&](const glm::dvec3& tip) { // the flutes extend above the block: lift it to them
         const glm::dvec3 centre = tip + glm::dvec3(0, 0, 3.0);
         return shapes::boxDistance(low, high, {centre.x, centre.y, std::max(centre.z, -5.0)}) - 3.0;
     };
     const Deviation d = deviation(field, tips, formula, [](const glm::dvec3&, double c) { return c > -voxel; });
-    QVERIFY(d.above <= 0.05 * voxel); // even at edges and corners: a ball rounds them
+    QVERIFY(d.above <= 0.05 * voxel); // even at edges and corners, which a ball rounds
     QVERIFY(d.below >= -0.5 * voxel);
     QVERIFY(d.coarseAbove <= 0.0);
 }
@@ -172,7 +172,7 @@ void ToolFieldTest::flatOverBlock() {
     const MeshDistance part(shapes::box(low, high));
     const Box tips{{-16, -16, -6}, {0, 0, 8}};
     const ToolField field = built(part, {tool(3.0, 0.0)[0]}, tips);
-    const auto formula = [&](const glm::dvec3& tip) { // across and along the axis, a cylinder against a box
+    const auto formula = [&](const glm::dvec3& tip) { // a cylinder and a box, perpendicular to the axis and along it
         const glm::dvec2 q = glm::abs(glm::dvec2(tip)) - 10.0;
         const double across = glm::length(glm::max(q, 0.0)) + std::min(std::max(q.x, q.y), 0.0) - 3.0;
         const double along = tip.z;
@@ -202,7 +202,7 @@ void ToolFieldTest::sharpEdgesKeepTheBoundOfTheirPlace_data() {
     QTest::newRow("ball end, block tilted") << 3.0 << glm::dvec3(0.3, -0.5, 0.7);
 }
 
-/// A flat end over a sharp edge: there the clearance has an edge, too, and a value between samples is above it.
+/// A flat end over a sharp edge: the clearance has an edge there, too, and an interpolated value is above it.
 void ToolFieldTest::sharpEdgesKeepTheBoundOfTheirPlace() {
     QFETCH(const double, corner);
     QFETCH(const glm::dvec3, turn);
@@ -218,7 +218,7 @@ void ToolFieldTest::sharpEdgesKeepTheBoundOfTheirPlace() {
         field, tips, exact, [](const glm::dvec3&, double c) { return c > -voxel; }, 30000);
     QVERIFY(d.fine > 5000 && d.coarse > 1000);
     QVERIFY(d.overBound <= 1e-6);
-    QVERIFY(d.meanBound <= 0.2 * voxel); // and it is no empty promise
+    QVERIFY(d.meanBound <= 0.2 * voxel); // and the bound is not trivial
 }
 
 void ToolFieldTest::flatInPocket() {
@@ -231,7 +231,7 @@ void ToolFieldTest::flatInPocket() {
     };
     const auto below = [&](const glm::dvec3& tip, double c) { return tip.z < -2.5 && c > -2.0 * voxel; };
     const Deviation d = deviation(field, tips, formula, below);
-    QVERIFY(d.above <= 1e-3 * voxel); // walls and their corners: never too much
+    QVERIFY(d.above <= 1e-3 * voxel); // walls and their corners: never too large
     QVERIFY(d.below >= -0.5 * voxel);
     const auto flank = [&](const glm::dvec3& tip, double c) {
         const double a = inner - radius - std::abs(tip.x), b = inner - radius - std::abs(tip.y), f = tip.z + depth;
@@ -256,7 +256,7 @@ void ToolFieldTest::bullOverTorus() {
 }
 
 void ToolFieldTest::flatOverTorus() {
-    // A rim over a smooth surface: the clearance has a kink at 0, and is gained more slowly inside.
+    // A rim over a smooth surface: the clearance has a kink at 0, and grows more slowly inside.
     const MeshDistance part(shapes::torus(14.0, 5.0, 600, 240));
     const Box tips{{-24, -6, -6}, {-4, 6, 9}};
     const std::vector<RevolvedPiece> flat{{0.0, 20.0, 4.0, 4.0, 0.0}};
@@ -274,7 +274,8 @@ void ToolFieldTest::flatOverTorus() {
 }
 
 void ToolFieldTest::swallowedToolsAreDeep() {
-    // Wholly inside, the deepest point of the axis counts: no thin sheet of shallow tips where the tool just fits in.
+    // Completely inside, the deepest point of the axis counts: no thin sheet of shallow tips where the tool just fits
+    // in.
     const glm::dvec3 half(40.0, 40.0, 36.0);
     const MeshDistance part(shapes::box(-half, half));
     const std::vector<RevolvedPiece> pieces = tool(3.0, 3.0); // 60 long
@@ -297,7 +298,7 @@ void ToolFieldTest::shankAndHolderAreInIt() {
     const MeshDistance part(shapes::box({0, -90, -90}, {90, 90, 90})); // a wall at x = 0
     const Box tips{{-20, -4, -4}, {-4, 4, 4}};
     const ToolField field = built(part, tool(3.0, 3.0), tips);
-    // Clear of the wall by what the holder's upper rim leaves; entering, a sharp rim's depth is another matter.
+    // The clearance from the wall is that of the holder's upper rim; the depth of a sharp rim inside is another matter.
     const Deviation d = deviation(
         field, tips, [](const glm::dvec3& p) { return -p.x - 16.0; },
         [](const glm::dvec3&, double c) { return c > voxel; }, 20000);
@@ -314,7 +315,7 @@ void ToolFieldTest::farTipsAreNeverToldTooMuch() {
         field, tips, exact, [](const glm::dvec3&, double c) { return c > 0.0; }, 20000);
     QVERIFY(d.coarse > 5000);
     QVERIFY(d.coarseAbove <= 0.0);
-    QVERIFY(field.at({0, 0, 45}).clearance > 40.0); // and enough to march
+    QVERIFY(field.at({0, 0, 45}).clearance > 40.0); // and sufficient for large steps
 }
 
 void ToolFieldTest::aToolGoesFreeWhereItIsClear_data() {
@@ -325,8 +326,8 @@ void ToolFieldTest::aToolGoesFreeWhereItIsClear_data() {
             QTest::addRow("voxel %g, corner radius %g", edge, corner) << edge << corner;
 }
 
-/// Where the tool keeps more than the largest allowance from the part, by a tenth of a voxel, no allowance holds it:
-/// the hand would stick to nothing. A plate with a boss, in air above and beside it.
+/// Where the tool's clearance from the part exceeds the largest allowance by a tenth of a voxel, no allowance holds it:
+/// otherwise the hand would stick where there is nothing. A plate with a boss, in air above and beside it.
 void ToolFieldTest::aToolGoesFreeWhereItIsClear() {
     QFETCH(const double, edge);
     QFETCH(const double, corner);
@@ -385,7 +386,7 @@ void ToolFieldTest::outsideTheBoxIsItsNearestPoint() {
 }
 
 void ToolFieldTest::zeroIsOutsideThePart() {
-    // What the proxy stands on: a tip that the field calls clear is clear, to 0.05 voxel.
+    // The proxy relies on this: a tip that the field calls clear is clear, to 0.05 voxel.
     const TriangleMesh bumps = shapes::starShaped(
         240, 120, [](double u, double v) { return 12.0 + 0.8 * std::sin(4.0 * u) * std::cos(v) * std::cos(v); });
     const MeshDistance part(bumps);
@@ -399,7 +400,7 @@ void ToolFieldTest::zeroIsOutsideThePart() {
         glm::dvec3 tip = points.in(tips);
         FieldSample sample = field.at(tip);
         if (!sample.fine || sample.clearance < 0.0) continue;
-        for (int step = 0; step < 30; ++step) { // down onto the surface, from the clear side
+        for (int step = 0; step < 30; ++step) { // down onto the surface, from outside
             const glm::dvec3 next =
                 tip - 0.9 * sample.clearance * sample.gradient / std::max(glm::length(sample.gradient), 1e-9);
             const FieldSample there = field.at(next);
@@ -464,13 +465,13 @@ void ToolFieldTest::refusesWhatMakesNoField() {
     QCOMPARE(code({tool(3.0, 0.0), Box{}, 0.5, 1.0}), ErrorCode::argumentInvalid);
     QCOMPARE(code({tool(3.0, 0.0), {{-1e6, -1e6, -1e6}, {1e6, 1e6, 1e6}}, 1e-3, 1.0}), ErrorCode::outOfMemory);
 
-    // Bricks of 8 samples and some 33 bytes, that many along an axis: one and a half times what there is.
+    // Bricks of 8 samples and some 33 bytes, as many along an axis as take one and a half times the available memory.
     const double bricks = std::cbrt(1.5 * static_cast<double>(availableMemory()) / 33.0), voxel = 0.05;
     const double half = 0.5 * 8.0 * voxel * bricks;
     const ToolFieldRequest large{tool(3.0, 0.0), {glm::dvec3(-half), glm::dvec3(half)}, voxel, 1.0};
     const Result<ToolField> field = ToolField::build(part, large, progress);
     QVERIFY(!field && field.error().code == ErrorCode::outOfMemory);
-    QVERIFY(!field.error().place.empty() || bricks > 990.0); // told before it is taken
+    QVERIFY(!field.error().place.empty() || bricks > 990.0); // reported before memory is allocated
 }
 
 BURIN_TEST(ToolFieldTest, NoApplication)

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-/// Random numbers, points and tools for properties. A thousand steps a unit, so that shrinking ends soon.
+/// Random numbers, points and tools for properties. A thousand steps per unit, so that shrinking ends soon.
 namespace burin::random {
 
 inline double number(double low, double high) {
@@ -50,7 +50,7 @@ inline RevolvedPiece piece() {
     }
 }
 
-/// Two pieces, the second standing on the first.
+/// Two pieces, the second on top of the first.
 inline std::vector<RevolvedPiece> stack() {
     const RevolvedPiece lower = piece();
     RevolvedPiece upper = piece();

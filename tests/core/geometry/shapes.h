@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-/// Closed, outward meshes of shapes whose distance is known by formula. All lengths in mm.
+/// Closed, outward-oriented meshes of shapes whose distance is known by formula. All lengths in mm.
 namespace burin::shapes {
 
 /// Points of a closed grid, `columns` around and `rows` around: a torus-like mesh.
@@ -36,7 +36,7 @@ inline TriangleMesh torus(double major, double minor, std::uint32_t columns, std
     });
 }
 
-/// @param radius of a direction, by longitude and latitude: bumps and all.
+/// @param radius as a function of longitude and latitude, including bumps
 template <class Radius>
 TriangleMesh starShaped(std::uint32_t columns, std::uint32_t rows, const Radius& radius) {
     TriangleMesh mesh;
@@ -68,7 +68,7 @@ inline TriangleMesh sphere(double radius, std::uint32_t columns, std::uint32_t r
     return starShaped(columns, rows, [&](double, double) { return radius; });
 }
 
-/// Solid of squares: the cells of a grid with unequal lines that `filled(i, j, k)` names; inner faces left out.
+/// A solid of boxes: the cells of a non-uniform grid for which `filled(i, j, k)` is true; inner faces are left out.
 template <class Filled>
 TriangleMesh cells(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z,
                    const Filled& filled) {

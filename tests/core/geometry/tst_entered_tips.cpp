@@ -22,8 +22,9 @@ std::vector<RevolvedPiece> toolWith(const RevolvedPiece& flutes) {
             {flutes.top + 4.0, flutes.top + 12.0, 6.0, 9.0, 0.0}};
 }
 
-/// The rule itself: the deepest point of any triangle in any piece, mm, as a positive number. A tool that has no point
-/// deeper than `depth` in it is as deep as can be where its ends and its first piece's middle lie inside.
+/// The definition itself: the deepest point of any triangle in any piece, mm, as a positive number. If no point is
+/// deeper than `depth` in the tool, but its ends and the middle of its first piece lie inside the solid, the depth is
+/// the largest possible.
 double depthOf(const TriangleMesh& mesh, const MeshDistance& distance, std::span<const RevolvedPiece> tool,
                const ToolPose& pose, double depth) {
     double least = 1.0;
@@ -70,7 +71,7 @@ private slots:
     void whatIsNotFiniteEntersNothing();
 };
 
-/// Tips that touch a surface all over, as a finished part is asked about: most neither enter nor are clear by much.
+/// Tips that touch a surface all over, as in queries for a finished part: most neither enter nor have much clearance.
 void EnteredTipsTest::ofATouchingCloud() {
     const std::vector<TriangleMesh> meshes{
         shapes::starShaped(

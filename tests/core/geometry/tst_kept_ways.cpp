@@ -23,7 +23,7 @@ std::vector<RevolvedPiece> toolWith(const RevolvedPiece& flutes) {
             {flutes.top + 6.0, flutes.top + 16.0, 6.0, 9.0, 0.0}};
 }
 
-/// The least clearance at places of a way, each asked by itself.
+/// The least clearance at points of a segment, each queried separately.
 double leastOnWay(const MeshDistance& mesh, std::span<const RevolvedPiece> tool, const glm::dvec3& from,
                   const glm::dvec3& to, int places) {
     double least = std::numeric_limits<double>::infinity();
@@ -57,7 +57,7 @@ void KeptWaysTest::whatIsKeptHoldsEverywhere_data() {
     QTest::newRow("pocket of few triangles") << 2;
 }
 
-/// Ways that graze the surface: from a place where the tool just touches, along any direction.
+/// Segments that graze the surface: from a position where the tool just touches, in any direction.
 void KeptWaysTest::whatIsKeptHoldsEverywhere() {
     QFETCH(int, shape);
     const TriangleMesh mesh = shape == 0   ? shapes::torus(10.0, 4.0, 60, 30)
@@ -69,7 +69,7 @@ void KeptWaysTest::whatIsKeptHoldsEverywhere() {
         const std::vector<RevolvedPiece> tool = toolWith(random::piece());
         ClearanceAsker asker(distance, tool);
         glm::dvec3 from = random::point(14.0);
-        for (int i = 0; i < 3; ++i) // towards the surface, or out of it
+        for (int i = 0; i < 3; ++i) // towards the surface, or away from it
             if (const ToolClearance found = distance.clearance(tool, {from, up}); std::abs(found.clearance) < 50.0)
                 from -= found.clearance * found.away;
         for (int i = 0; i < 4; ++i) {
@@ -85,7 +85,7 @@ void KeptWaysTest::whatIsKeptHoldsEverywhere() {
     QVERIFY2(kept > 30 && refused > 30, qPrintable(QString("%1 %2").arg(kept).arg(refused)));
 }
 
-/// A ball's question is exact, however the surface is bent and wherever the way goes.
+/// For a ball the query is exact, however the surface is curved and wherever the segment leads.
 void KeptWaysTest::aBallBesideASurfaceIsShownToKeep() {
     for (const TriangleMesh& mesh : {shapes::torus(10.0, 4.0, 60, 30), wavyBlock()}) {
         const MeshDistance distance(mesh);
@@ -95,8 +95,8 @@ void KeptWaysTest::aBallBesideASurfaceIsShownToKeep() {
             const glm::dvec3 from = random::point(8.0) + glm::dvec3(0.0, 0.0, 14.0), to = from + random::point(1.0);
             const glm::dvec3 lowering(0.0, 0.0, -leastOnWay(distance, tool, from, to, 50));
             const double least = leastOnWay(distance, tool, from + lowering, to + lowering, 400);
-            RC_PRE(least > -0.5); // else a point of the axis may be what is deepest
-            // Between two of 400 places no clearance falls by more than the half of the way between them.
+            RC_PRE(least > -0.5); // otherwise a point of the axis may be the deepest one
+            // Between two of 400 points no clearance decreases by more than half of the distance between them.
             const double between = 0.5 * glm::length(to - from) / 400.0;
             RC_ASSERT(asker.keeps(from + lowering, to + lowering, least - between - 1e-3));
         }));
@@ -107,9 +107,9 @@ void KeptWaysTest::aToolInTheSolidKeepsNothing() {
     const MeshDistance distance(shapes::torus(14.0, 6.0, 120, 60));
     const std::vector<RevolvedPiece> small{{0.0, 1.0, 0.5, 0.5, 0.0}};
     ClearanceAsker asker(distance, small);
-    QVERIFY(!asker.keeps({14.0, 0.0, -0.5}, {14.0, 0.4, -0.5}, -0.2)); // no point of the mesh is in it
+    QVERIFY(!asker.keeps({14.0, 0.0, -0.5}, {14.0, 0.4, -0.5}, -0.2)); // no point of the mesh is in the tool
     QVERIFY(asker.keeps({0.0, 0.0, -0.5}, {0.0, 0.4, -0.5}, 5.0));     // in the hole
-    QVERIFY(!asker.keeps({0.0, 0.0, -0.5}, {14.0, 0.0, -0.5}, -0.2));  // into it
+    QVERIFY(!asker.keeps({0.0, 0.0, -0.5}, {14.0, 0.0, -0.5}, -0.2));  // into the solid
     const double nan = std::numeric_limits<double>::quiet_NaN();
     QVERIFY(!asker.keeps({0.0, nan, 0.0}, {0.0, 0.0, 0.0}, -0.2));
 }

@@ -20,7 +20,7 @@ namespace burin::tst_mesh_distance {
 
 namespace {
 
-/// Distance to a triangle without a word on Voronoi regions: foot in the plane when it is inside, else the edges.
+/// Distance to a triangle without Voronoi regions: foot point in the plane if it is inside, otherwise the edges.
 double triangleDistance(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& p) {
     const auto edge = [&](const glm::dvec3& from, const glm::dvec3& to) {
         const glm::dvec3 way = to - from;
@@ -57,7 +57,7 @@ double windingNumber(const TriangleMesh& mesh, const glm::dvec3& p) {
     return sum / (4.0 * std::numbers::pi);
 }
 
-/// One triangle after the other, corners at one place merged.
+/// Reads one triangle after the other, merging corners at the same point.
 TriangleMesh binaryStl(const char* file) {
     QFile stl(file);
     if (!stl.open(QIODevice::ReadOnly)) return {};
@@ -150,7 +150,7 @@ void MeshDistanceTest::boxByFormula() {
         const glm::dvec3 p = points(7.0);
         QVERIFY(std::abs(distance.closest(p).signedDistance - shapes::boxDistance(low, high, p)) < 1e-12);
     }
-    // Straight out of edges and corners, where single face normals can't tell.
+    // Straight outwards from edges and corners, where single face normals are ambiguous.
     for (const double x : {-4.0, 1.0, 6.0})
         for (const double y : {0.0, 2.0, 5.0})
             for (const double z : {1.0, 2.5, 4.0}) {
@@ -164,7 +164,7 @@ void MeshDistanceTest::signOfSharpTetrahedra() {
         TriangleMesh mesh;
         for (int i = 0; i < 4; ++i) mesh.vertices.push_back(random::point(4.0));
         mesh.vertices[3] =
-            mesh.vertices[0] + random::number(0.002, 1.0) * (mesh.vertices[3] - mesh.vertices[0]); // flat ones too
+            mesh.vertices[0] + random::number(0.002, 1.0) * (mesh.vertices[3] - mesh.vertices[0]); // also flat ones
         mesh.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
         if (signedVolume(mesh) < 0.0)
             for (auto& t : mesh.triangles) std::swap(t[0], t[1]);
@@ -183,7 +183,7 @@ void MeshDistanceTest::signOfSharpTetrahedra() {
 }
 
 void MeshDistanceTest::splitVerticesAreOneSurface() {
-    // A mesher hands out each face with vertices of its own.
+    // A mesher gives each face vertices of its own.
     const glm::dvec3 low{-1.0}, high{1.0};
     const TriangleMesh joined = shapes::box(low, high);
     TriangleMesh split;
@@ -201,7 +201,7 @@ void MeshDistanceTest::splitVerticesAreOneSurface() {
 }
 
 void MeshDistanceTest::trianglesWithoutAreaDoNotSpoilTheSign() {
-    // A corner of the upper side set on an edge of the front side, with a flat triangle between.
+    // A corner of the upper side placed on an edge of the front side, with a flat triangle between.
     TriangleMesh mesh;
     mesh.vertices = {{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 2}, {2, 0, 0}};
     mesh.triangles = {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 4}, {4, 2, 1}, {0, 4, 1}};
@@ -216,8 +216,8 @@ void MeshDistanceTest::trianglesWithoutAreaDoNotSpoilTheSign() {
     for (double x = 0.5; x < 4.0; x += 0.25) QVERIFY(distance.closest({x, -1.0, -1.0}).signedDistance > 0.0);
 }
 
-/// The mouse's shell has triangles that are lower than the last place of their corners, some of them turned over; none
-/// of the places around them that are outside is told to be inside.
+/// The mouse's shell has triangles whose height is below the last digit of their corners, some of them inverted; none
+/// of the points around them that are outside is reported as inside.
 void MeshDistanceTest::foldsOfRoundedCornersDoNotSpoilTheSign() {
     const TriangleMesh mesh = binaryStl(BURIN_FIXTURES "/models/mouse-shell-top.stl");
     QVERIFY(mesh.triangles.size() > 10000);

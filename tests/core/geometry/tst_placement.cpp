@@ -33,7 +33,7 @@ class TestPlacement : public QObject {
     Q_OBJECT
 
 private slots:
-    /// A quarter turn leaves no part of a millionth: what lay on the grid still does.
+    /// A quarter turn has no rounding errors at all: points on the grid stay on it.
     void quarterTurnsAreExact() {
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 about(0.0), along(0.0), to(0.0);

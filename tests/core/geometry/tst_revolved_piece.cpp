@@ -131,7 +131,8 @@ void RevolvedPieceTest::slopeIsASubgradient() {
     }));
 }
 
-/// What a piece covers at a distance from its axis, and its radius at a height, end where its distance is 0.
+/// The heights that a piece covers at a distance from its axis, and its radius at a height, end where its distance is
+/// 0.
 void RevolvedPieceTest::heightsAndRadiiAgreeWithTheDistance() {
     QVERIFY(rc::check("heights and radii", [] {
         const RevolvedPiece piece = random::piece();

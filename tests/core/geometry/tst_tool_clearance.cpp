@@ -22,7 +22,7 @@ double pieceDistance(const RevolvedPiece& piece, const ToolPose& pose, const glm
     return signedDistance(piece, glm::length(q - height * pose.axis), height);
 }
 
-/// Least value of a convex function of one number in [0, 1], by thirds.
+/// Least value of a convex function of one number in [0, 1], by ternary search.
 template <class Function>
 double leastByThirds(const Function& function) {
     double low = 0.0, high = 1.0;
@@ -36,7 +36,7 @@ double leastByThirds(const Function& function) {
     return function(0.5 * (low + high));
 }
 
-/// Slow and obvious: by thirds across the triangle, and by thirds along each line across. The lines sweep the triangle
+/// Slow and obvious: ternary search across the triangle, and along each line across it. The lines sweep the triangle
 /// from a corner, so that their least values are a convex function too.
 double leastOverTriangle(const RevolvedPiece& piece, const ToolPose& pose, const Triangle& t) {
     return leastByThirds([&](double u) {
@@ -202,7 +202,7 @@ void ToolClearanceTest::aboveAndInABlock() {
         QVERIFY(std::abs(at(piece, {1.0, 2.0, 0.75}) - 0.75) < 1e-8);
         QVERIFY(std::abs(at(piece, {1.0, 2.0, 0.0})) < 1e-8);
         QVERIFY(std::abs(at(piece, {1.0, 2.0, -0.4}) + 0.4) < 1e-8);
-        QVERIFY(std::abs(at(piece, {23.5, 0.0, -5.0}) - 0.5) < 1e-8); // beside
+        QVERIFY(std::abs(at(piece, {23.5, 0.0, -5.0}) - 0.5) < 1e-8); // to the side
     }
     // Over the edge: bottom corner to edge, by formula.
     QVERIFY(std::abs(at(flat(3.0), {24.0, 0.0, 2.0}) - std::hypot(1.0, 2.0)) < 1e-8);
@@ -222,7 +222,7 @@ void ToolClearanceTest::throughAPlate() {
 void ToolClearanceTest::plungedBelowItsRadius() {
     const MeshDistance distance(shapes::box({-20, -20, -30}, {20, 20, 0}));
     const auto found = distance.clearance(wholeTool(flat(0.5)), {{0, 0, -8}, {0, 0, 1}});
-    QVERIFY(std::abs(found.clearance + 8.0) < 1e-8); // a drilled hole is as wrong as it is deep
+    QVERIFY(std::abs(found.clearance + 8.0) < 1e-8); // the error of a drilled hole is its depth
     QVERIFY(glm::length(found.away - glm::dvec3(0, 0, 1)) < 1e-8);
 }
 
@@ -259,7 +259,7 @@ void ToolClearanceTest::awayGainsClearance() {
 void ToolClearanceTest::changesNoFasterThanTheToolMoves() {
     const TriangleMesh mesh = shapes::starShaped(
         26, 14, [](double u, double v) { return 30.0 + 4.0 * std::sin(3.0 * u) * std::cos(v) * std::cos(v); });
-    const MeshDistance distance(mesh); // wide enough to swallow the tool
+    const MeshDistance distance(mesh); // wide enough to contain the tool
     QVERIFY(testing::holdsInShare("two tips near each other", [&] {
         const double flutes = random::number(0.5, 6.0);
         const std::vector<RevolvedPiece> tool{{0.0, 8.0, 2.0, 2.0, random::number(0.0, 2.0)},

@@ -20,7 +20,7 @@ TriangleTree treeOf(const TriangleMesh& mesh) {
     return {mesh, all};
 }
 
-/// Where a ray meets a sphere round the origin first, by the quadratic formula.
+/// The first intersection of a ray with a sphere around the origin, by the quadratic formula.
 std::optional<TriangleHit> hitOnSphere(const Ray& ray, double radius) {
     const double a = glm::dot(ray.direction, ray.direction), b = glm::dot(ray.origin, ray.direction),
                  c = glm::dot(ray.origin, ray.origin) - radius * radius, square = b * b - a * c;
@@ -39,14 +39,14 @@ class TriangleRayTest : public QObject {
 private slots:
     void nothingIsMetInAnEmptyTree() { QVERIFY(!nearestHit({}, treeOf({}))); }
 
-    /// A box, far from the origin and with faces square to the axes, along which many of the rays run.
+    /// A box, far from the origin and with faces perpendicular to the axes; many of the rays are parallel to them.
     void aBoxIsMetAtItsFaces() {
         const glm::dvec3 low{997.0, 1.0, 2.0}, high{1005.0, 4.0, 3.0};
         const TriangleTree tree = treeOf(shapes::box(low, high));
         for (int axis = 0; axis < 3; ++axis)
             for (const double sign : {-1.0, 1.0}) {
                 glm::dvec3 along(0.0);
-                along[axis] = 2.0 * sign; // distances are in its lengths
+                along[axis] = 2.0 * sign; // distances are in units of its length
                 const glm::dvec3 inside(1000.3, 2.4, 2.7);
                 const double wall = sign > 0.0 ? high[axis] : low[axis];
                 const auto out = nearestHit({inside, along}, tree);
@@ -55,9 +55,9 @@ private slots:
                 before[axis] = wall + 5.0 * sign;
                 const auto in = nearestHit({before, -along}, tree);
                 QVERIFY(in && !in->leaving && std::abs(in->distance - 2.5) < 1e-9);
-                QVERIFY(!nearestHit({before, along}, tree)); // it lies behind
+                QVERIFY(!nearestHit({before, along}, tree)); // it is behind
                 before[(axis + 1) % 3] = high[(axis + 1) % 3] + 0.1;
-                QVERIFY(!nearestHit({before, -along}, tree)); // beside
+                QVERIFY(!nearestHit({before, -along}, tree)); // to the side
             }
     }
 

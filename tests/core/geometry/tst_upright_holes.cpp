@@ -13,7 +13,7 @@ namespace burin::tst_upright_holes {
 
 namespace {
 
-/// The upright wall of a regular prism, without its ends; the solid lies outside of it, or inside of a stud.
+/// The upright wall of a regular prism, without its ends; the solid is outside of it, or inside for a stud.
 void addWall(std::vector<Triangle>& triangles, const glm::dvec2& centre, double radius, int corners, double low,
              double high, bool stud = false, double share = 1.0) {
     const auto on = [&](int i, double z) {
@@ -37,7 +37,7 @@ class UprightHolesTest final : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Holes of random places and sizes, shuffled among walls that are none.
+    /// Holes of random positions and sizes, shuffled among walls that are not holes.
     void holesAreFoundAmongOtherWalls() {
         std::mt19937 random(3);
         std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -65,7 +65,7 @@ private slots:
         }
     }
 
-    /// A bore that a cross hole cuts in two is one; a counterbore and the hole in it are two.
+    /// A bore that a cross hole cuts in two is one hole; a counterbore and the hole in it are two.
     void piecesOfOneBoreAreOne() {
         std::vector<Triangle> triangles;
         addWall(triangles, {5.0, 5.0}, 3.0, 48, 0.0, 4.0);

@@ -13,8 +13,8 @@ inline glm::dvec3 up(double z) {
     return {0.0, 0.0, z};
 }
 
-/// A ball's clearance from a solid with a closed formula: the ball of radius R, its tip at a point, keeps
-/// sdf(tip + R z) - R. Beyond `band` the clearance is reported coarse and too small, as a ToolField may.
+/// Clearance of a ball from a solid with a closed formula: for a ball of radius R with its tip at a point it is sdf(tip
+/// + R z) - R. Beyond `band` the clearance is reported as coarse and too small, as a ToolField may.
 template <class Solid>
 class BallField final : public ClearanceField {
 public:
@@ -75,7 +75,7 @@ struct BoxSolid {
     }
 };
 
-/// Everything below z = 0 but for a pocket |x| < half.x, |y| < half.y, z > -depth.
+/// Everything below z = 0 except a pocket |x| < half.x, |y| < half.y, z > -depth.
 struct PocketSolid {
     glm::dvec2 half{8.0, 6.0};
     double depth = 10.0;
@@ -90,7 +90,7 @@ struct PocketSolid {
     }
 };
 
-/// A thin wall |x| < thickness / 2, endless.
+/// An infinite thin wall |x| < thickness / 2.
 struct WallSolid {
     double thickness = 1.0;
     double distance(const glm::dvec3& p) const noexcept { return std::abs(p.x) - 0.5 * thickness; }

@@ -8,9 +8,10 @@
 
 namespace burin::test {
 
-inline constexpr int settled = 150; ///< ticks: longer than a guide fades
+inline constexpr int settled = 150; ///< ticks: longer than the fading of a guide
 
-/// A guide set beside a solid, fed with places of the hand; the tool is wherever the guides want it.
+/// A set of guides next to a solid, fed with positions of the hand; the tool is always at the position that the guides
+/// request.
 template <class Solid = PlaneSolid>
 struct GuideRig {
     explicit GuideRig(Solid solid = {}, double scale = 1.0) : field(solid, 3.0), guides(field, Rig::settings()) {
@@ -71,7 +72,7 @@ inline Guide guideOf(GuideKind kind, double distance = 1.0) {
     return guide;
 }
 
-/// mm: how far the force law draws a hand that is `distance` off a guide that is alone.
+/// mm: pull of the force law on a hand at `distance` from a single guide.
 inline double pullAt(double distance, double strongest) {
     const double fading = 0.6 * 3.0;
     const double most = std::min(strongest, fading);

@@ -79,7 +79,7 @@ struct Rig {
         state.valid = true;
         return step.advance(state, period);
     }
-    /// Moves the hand in a straight line at `speed` (mm/s); the last tick's record.
+    /// Moves the hand in a straight line at `speed` (mm/s). @return the last tick's record
     Sample moveTo(const glm::dvec3& target, double speed) {
         const int ticks = std::max(1, static_cast<int>(std::ceil(glm::length(target - hand) / (speed * period))));
         const glm::dvec3 from = hand;

@@ -7,7 +7,7 @@
 
 namespace burin::test {
 
-/// A hostile hand that strays through what `stockOnPart` holds, deep into the part.
+/// A hostile hand that wanders through the volume of `stockOnPart`, deep into the part.
 inline HostileSettings strayingInTheStock(std::uint64_t seed) {
     HostileSettings settings;
     settings.stylus = desktopStylus();

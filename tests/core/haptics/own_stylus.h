@@ -14,7 +14,7 @@
 
 namespace burin::test {
 
-/// A stylus with a thread and a clock of its own, whose readings and motors are a test's. The clock is that of its
+/// A stylus with a thread and a clock of its own, whose readings and motors a test controls. The clock is that of its
 /// readings, s since `start`.
 class OwnStylus final : public SelfPacedStylus {
 public:
@@ -56,7 +56,7 @@ public:
     }
 
     FaultBox faults;
-    std::atomic<double> battery{-1.0}, heat{-1.0}; ///< 0 … 1; less: it does not tell
+    std::atomic<double> battery{-1.0}, heat{-1.0}; ///< 0 … 1; negative: not reported
 
 private:
     Error unplugged() const { return errorOf(DeviceFault::unplugged, description_.name); }

@@ -15,9 +15,9 @@ inline void waitFor(double seconds) {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-/// Motors that somebody else may cut.
+/// Motors that another thread may cut.
 struct Motors {
-    std::atomic<double> force{0.0};     ///< N, that they render
+    std::atomic<double> force{0.0};     ///< N, rendered
     std::atomic<std::int64_t> cutAt{0}; ///< ns
     std::atomic<int> cuts{0};
     void cut() noexcept {
@@ -27,7 +27,7 @@ struct Motors {
     }
 };
 
-/// The floor of `stockOnPart` as a hand presses into it by a millimetre, all the time.
+/// A hand that always presses a millimetre deep into the floor of `stockOnPart`.
 inline StylusState pressing(double time) {
     StylusState state;
     state.time = time;
@@ -36,7 +36,7 @@ inline StylusState pressing(double time) {
     return state;
 }
 
-/// What a test does at one reading.
+/// The action of a test at one reading.
 struct Trick {
     int at = -1;         ///< reading, from 0
     double blocks = 0.0; ///< s, before the reading
@@ -45,7 +45,7 @@ struct Trick {
     }
 };
 
-/// A stylus that the loop calls.
+/// A stylus that is called by the loop.
 class CalledStylus final : public Stylus {
 public:
     explicit CalledStylus(Motors& motors, Trick trick = {}) : motors_(motors), trick_(trick) {}
@@ -65,7 +65,7 @@ private:
     int readings_ = 0;
 };
 
-/// A field that keeps whoever asks it waiting once.
+/// A field that blocks one of its callers once.
 class BlockingField final : public ClearanceField {
 public:
     FieldSample at(const glm::dvec3& tip) const noexcept override {

@@ -15,9 +15,9 @@
 
 namespace burin::test {
 
-/// How far a session is, for any thread.
+/// Progress of a session. Thread-safe.
 struct TickProgress {
-    std::atomic<std::uint64_t> ticks{0}, cut{0}, invalid{0}; ///< of them, in which stock was cut, without a reading
+    std::atomic<std::uint64_t> ticks{0}, cut{0}, invalid{0}; ///< all, those that cut stock, those without a reading
 };
 
 /// Keeps every tick.
@@ -51,8 +51,8 @@ inline GuideCurve quarterCircle() {
     return std::move(*curve);
 }
 
-/// Tells a step something of every kind at ticks of its own, as the owner of a session may at any time: guides of
-/// several kinds, levels, allowance, scale, turn, clutch, recentring, spindle, takes, layers.
+/// Calls the functions of a step that a session's owner may call at any time, of every kind and at fixed ticks: guides
+/// of several kinds, levels, allowance, scale, turn, clutch, recentring, spindle, takes, layers.
 class ToldInBetween final : public TickSink {
 public:
     ToldInBetween(HapticStep& step, TickSink& next) : step_(step), next_(next) {}
@@ -137,20 +137,20 @@ private:
     std::size_t ticks_ = 0, asked_ = 0;
 };
 
-/// A session on the block of Rig, with its workpiece afterwards.
+/// A session on the block of Rig, including the workpiece afterwards.
 struct RecordedSession {
     std::vector<Sample> samples;
     RunAmounts amounts;
-    std::string fault; ///< empty: it went well
+    std::string fault; ///< empty: no fault
 };
 
-/// What the owner of a session tells its step meanwhile.
+/// What the owner of a session tells its step during the session.
 enum class OwnerTells : std::uint8_t {
-    nothing,   ///< the tool stays where the hand and the stock put it, however late the ticks come
+    nothing,   ///< the tool position depends only on the hand and the stock, however late the ticks are
     everything ///< see ToldInBetween
 };
 
-/// What a session with a stylus does, and the trace that it leaves.
+/// Runs a session with a stylus. @return its samples and the trace that it leaves
 inline RecordedSession recordSession(const StylusHandle& stylus, const HapticSettings& settings,
                                      const std::filesystem::path& file, double seconds,
                                      OwnerTells tells = OwnerTells::everything,
@@ -176,7 +176,7 @@ inline RecordedSession recordSession(const StylusHandle& stylus, const HapticSet
     return {std::move(log.samples), rig.volume.amounts(), {}};
 }
 
-/// The same session, played from its trace without a clock.
+/// The same session, replayed from its trace without a clock.
 inline RecordedSession replaySession(const HapticSettings& settings, const std::filesystem::path& file) {
     const auto trace = readSessionTrace(file);
     if (!trace) return {{}, {}, trace.error().place + " " + trace.error().detail};
@@ -199,8 +199,8 @@ bool sameBits(const T& a, const T& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-/// Whether two ticks are the same to the bit: pose, force, removal, buttons, flags; number and time count on in a
-/// replay. A force that was withheld because it came too late for the hand is computed again.
+/// Whether two ticks are bitwise equal: pose, force, removal, buttons, flags; in a replay number and time continue. A
+/// force that was withheld because it was too late for the hand is computed again.
 inline bool sameTick(const Sample& original, const Sample& again) {
     if (!sameBits(original.proxy.tip, again.proxy.tip) || !sameBits(original.proxy.axis, again.proxy.axis) ||
         !sameBits(original.stylusTip, again.stylusTip) || !sameBits(original.cuttingForce, again.cuttingForce) ||
@@ -214,7 +214,7 @@ inline bool sameTick(const Sample& original, const Sample& again) {
     return sameBits(original.force, again.force) && original.flags == again.flags && original.buttons == again.buttons;
 }
 
-/// What differs between a session and its replay, in words; empty: nothing does.
+/// Describes the differences between a session and its replay; empty if there are none.
 inline std::string differenceOf(const RecordedSession& original, const RecordedSession& again) {
     if (!original.fault.empty()) return "recording: " + original.fault;
     if (!again.fault.empty()) return "replay: " + again.fault;
@@ -226,7 +226,7 @@ inline std::string differenceOf(const RecordedSession& original, const RecordedS
     return {};
 }
 
-/// How much happened in a session: one in which nothing did shows nothing.
+/// Number of events in a session: a session without events would prove nothing.
 struct SessionEvents {
     int cut = 0, held = 0, guided = 0, faults = 0, felt = 0;
 };

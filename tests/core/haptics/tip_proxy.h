@@ -8,7 +8,7 @@
 
 namespace burin::test {
 
-/// A proxy whose axis stands, in a field alone.
+/// A proxy with a fixed axis, in a single field.
 class TipProxy {
 public:
     struct Step {

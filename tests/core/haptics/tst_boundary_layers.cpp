@@ -96,7 +96,7 @@ private slots:
         Stage stage({box({10, -20, 0}, {30, 20, 30}, false)});
         ToolPose pose = stage.follow({{0, 0, 5}, upright}, {{20, 0, 5}, upright});
         stage.layers.switchTo(1, true);
-        // It stays where it is, and moves about in there as if nothing were.
+        // The tool stays where it is, and moves inside as if there were no obstacle.
         const ToolPose inside = stage.follow(pose, pose, 20);
         QCOMPARE(inside.tip, pose.tip);
         QCOMPARE(stage.layers.state(1), BoundaryLayers::State::waiting);
@@ -149,7 +149,7 @@ private slots:
                 atFace = std::min(atFace, std::abs(inside));
             }
         }
-        QVERIFY(atFace < 0.01); // it was pressed against it
+        QVERIFY(atFace < 0.01); // it was pressed against the face
     }
 };
 

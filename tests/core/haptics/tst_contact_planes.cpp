@@ -19,7 +19,8 @@ PoseVector anyVector(double reach) {
     return {random::point(reach), random::point(reach)};
 }
 
-/// Changes that some planes hold exactly, by Gauss' elimination; none where they depend on each other.
+/// The change that lies exactly on the given planes, by Gaussian elimination; none if the planes are linearly
+/// dependent.
 std::optional<PoseVector> heldBy(const std::vector<ContactPlane>& planes, const PoseVector& goal) {
     const std::size_t n = planes.size();
     std::vector<std::vector<double>> rows(n, std::vector<double>(n + 1));
@@ -44,7 +45,7 @@ std::optional<PoseVector> heldBy(const std::vector<ContactPlane>& planes, const 
     return held;
 }
 
-/// By trying every set of planes.
+/// By trying every subset of the planes.
 double leastDistance(const std::vector<ContactPlane>& planes, const PoseVector& goal) {
     double least = length(goal); // the origin is allowed
     for (unsigned set = 0; set < (1U << planes.size()); ++set) {
@@ -61,7 +62,7 @@ double leastDistance(const std::vector<ContactPlane>& planes, const PoseVector& 
     return least;
 }
 
-/// Against every subset of some planes with these normals.
+/// Compares with every subset of some planes with these normals.
 void holdsTheNearest(const std::function<PoseVector()>& normal) {
     ContactPlanes planes;
     std::vector<ContactPlane> held;
@@ -82,7 +83,7 @@ void holdsTheNearest(const std::function<PoseVector()>& normal) {
 class TestContactPlanes : public QObject {
     Q_OBJECT
 private slots:
-    /// Thirty sets of planes a case: of a thousand, one was once given up, and the tool stood still for a tick.
+    /// Thirty sets of planes per case: formerly one in a thousand was given up, and the tool stood still for a tick.
     void theAllowedChangeNearestToTheGoalIsFound() {
         QVERIFY(rc::check("every set of up to seven planes", [] {
             for (int set = 0; set < 30; ++set)
@@ -90,7 +91,7 @@ private slots:
         }));
     }
 
-    /// The faces that a tool with a fixed axis meets: three hold it, and a fourth is spanned by those.
+    /// The faces met by a tool with a fixed axis: three hold it, and a fourth is a combination of them.
     void planesThatSpanEachOtherHoldTogether() {
         QVERIFY(rc::check("faces along a few directions", [] {
             for (int set = 0; set < 30; ++set)
@@ -111,7 +112,8 @@ private slots:
     }
 
     void aTurnIsHeldByContactsOnBothSidesOfTheTool() {
-        // A flat end on a floor, arms of 3 mm to the rim: a turn lifts it, a press does not turn it.
+        // A flat end on a floor, with lever arms of 3 mm to the rim: a rotation lifts it, a pressing force does not
+        // rotate it.
         ContactPlanes planes(0.1);
         for (const glm::dvec3& arm :
              {glm::dvec3(3, 0, 0), glm::dvec3(-3, 0, 0), glm::dvec3(0, 3, 0), glm::dvec3(0, -3, 0)})
@@ -119,7 +121,8 @@ private slots:
         QCOMPARE(planes.size(), 4);
         const PoseVector pressed = planes.nearestTo({{1, 0, -2}, {}});
         QVERIFY(length(pressed - PoseVector{{1, 0, 0}, {}}) < 1e-12);
-        // Least energy: the height h = 3 t of the tip for a turn t, goal t = 1: h² + (t - 1)² least at t = 0.1.
+        // Least energy: the tip's height is h = 3 t for a rotation t, the goal is t = 1: h² + (t - 1)² is least at t =
+        // 0.1.
         const PoseVector turnedUp = planes.nearestTo({{}, {1, 0, 0}});
         QVERIFY(length(turnedUp - PoseVector{{0, 0, 0.3}, {0.1, 0, 0}}) < 1e-12);
     }
@@ -127,7 +130,7 @@ private slots:
     void aFaceThatBentAwayIsForgotten() {
         ContactPlanes planes;
         planes.add({{{0, 0, 1}, {}}, 0.0});
-        planes.moveOrigin({{1, 0, -0.1}, {}}, 0.0); // below the plane, and yet clear
+        planes.moveOrigin({{1, 0, -0.1}, {}}, 0.0); // below the plane, and yet without contact
         QCOMPARE(planes.size(), 0);
     }
 };

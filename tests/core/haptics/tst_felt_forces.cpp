@@ -11,7 +11,7 @@ namespace burin::tst_felt_forces {
 
 using namespace burin::test;
 
-/// What of cutting, sliding and weight reaches the hand.
+/// The share of the forces of cutting, sliding and weight that reaches the hand.
 class FeltForcesTest : public QObject {
     Q_OBJECT
 private slots:
@@ -29,29 +29,29 @@ private slots:
             QVERIFY(glm::length(sample.force) <= 0.6 * 4.0 + 1e-9);
         };
         rig.moveTo({10, 0, -3}, 30.0);
-        // Slot of a ball, 3 mm deep: half a disc of radius 3 moves through the stock. All of it lies ahead, so the
-        // radial part, 0.3 of the tangential one, points back as well. It is the reference cut of its only material:
-        // 0.6 of the 2.4 N that are allowed.
+        // Slot of a ball, 3 mm deep: half a disc of radius 3 moves through the stock. All of it is ahead of the tool,
+        // so the radial part, 0.3 of the tangential one, points back as well. It is the reference cut of its only
+        // material: 0.6 of the permitted 2.4 N.
         const double area = 0.5 * pi * 9.0;
         const double expected = 1.3 * 1000.0 * 0.7 * area * 30.0 / 1000.0;
         QVERIFY2(std::abs(unscaled / ticks - expected) <= 0.05 * expected,
                  qPrintable(QString::number(unscaled / ticks)));
         const double felt = 1.3 * 0.6 * 2.4;
         QVERIFY2(std::abs(rendered / ticks - felt) <= 0.05 * felt, qPrintable(QString::number(rendered / ticks)));
-        // At rest it holds as dry friction does, and neither pushes on nor lets go.
+        // At rest the force holds as dry friction does, and neither pushes the hand nor vanishes.
         rig.onTick = [](const Sample&) {};
         const glm::dvec3 held = rig.rest(50).force;
         QVERIFY(glm::length(rig.rest(300).force - held) < 1e-3);
         QVERIFY(glm::length(held) <= felt * 1.02);
-        // Back in the slot there is nothing to cut, and out of it nothing at all.
+        // Back in the slot there is nothing to cut, and outside of it there is no force at all.
         rig.moveTo({4, 0, -3}, 30.0);
         QVERIFY(glm::length(rig.rest(1).force) < 0.1);
         rig.moveTo({4, 0, 3}, 30.0);
         QVERIFY(glm::length(rig.rest(1).force) < 0.01);
     }
 
-    /// Half immersed, the wall pushes the tool away from it; but a force across the motion of a tool that rests would
-    /// drive the hand, so it goes when the tool does.
+    /// Half immersed, the wall pushes the tool away from it; but a lateral force on a tool at rest would drive the
+    /// hand, so it vanishes when the motion does.
     void aWallPushesAMovingToolAside() {
         Rig rig;
         rig.begin({-30, 0, -3});
@@ -68,8 +68,9 @@ private slots:
             ++ticks;
         };
         rig.moveTo({5, 3, -3}, 30.0);
-        // A cylinder's quarter that meets stock, weighed by its flux, lies 0.785 radius ahead and 0.5 to the left: of
-        // Kr = 0.3 that is 0.16 aside, beside 1 + 0.25 against the motion. A ball's lies a little nearer to its axis.
+        // The centroid, weighted by flux, of the quarter cylinder that is in the stock is 0.785 radius ahead and 0.5 to
+        // the left: with Kr = 0.3 that is 0.16 sideways compared with 1 + 0.25 against the motion. That of a ball is a
+        // little nearer to its axis.
         QVERIFY2(aside > 0.08 * along && aside < 0.16 * along, qPrintable(QString::number(aside / along)));
         rig.onTick = [](const Sample&) {};
         const Sample rest = rig.rest(300);
@@ -77,8 +78,8 @@ private slots:
         QVERIFY(-rest.force.x > 0.8 * along / ticks);
     }
 
-    /// On what it does not cut the tool slides as Coulomb has it: friction times load, against the slide, at rest no
-    /// more than that.
+    /// On material that it does not cut the tool slides with Coulomb friction: friction coefficient times load, against
+    /// the motion, and at rest at most that.
     void slidingOnThePartRubs() {
         HapticSettings settings = Rig::settings();
         settings.felt.friction = 0.2;
@@ -98,7 +99,7 @@ private slots:
         QVERIFY(glm::length(rig.rest(20).force) < 1e-6);
     }
 
-    /// 0.05 kg hang on the hand: 0.49 N up, in the device's frame however it is turned, and nothing of it in the
+    /// A mass of 0.05 kg on the hand: 0.49 N up, in the device's frame however it is turned, and not included in the
     /// record.
     void theMotorsCarryTheHandle_data() {
         QTest::addColumn<double>("mass");
@@ -118,7 +119,7 @@ private slots:
         settings.mapping.rotation = glm::angleAxis(1.0, glm::dvec3(1, 0, 0));
         Rig rig(settings, ballTool(), stockOnPart(0, false));
         rig.begin(settings.mapping.toDevice({0, 0, 3}));
-        // It comes in steps, so that it is no kick after a tick without force.
+        // The force increases in steps, so that there is no kick after a tick without force.
         double before = 0.0;
         rig.onTick = [&](const Sample&) {
             const double sent = glm::length(rig.step.deviceWrench().force);
@@ -129,7 +130,7 @@ private slots:
         const Sample free = rig.rest(30);
         QVERIFY(glm::length(free.force) < 1e-9);
         QVERIFY(glm::length(rig.step.deviceWrench().force - glm::dvec3(0, 0, lift)) < 1e-9);
-        // Pressed hard, lift and contact together stay within what may be sent, and both are there.
+        // Pressed hard, lift and contact force together stay within the permitted force, and both are present.
         rig.onTick = [&](const Sample& sample) {
             const glm::dvec3 sent = rig.step.deviceWrench().force;
             QVERIFY(glm::length(sent) <= 0.6 * 4.0 + 1e-9);
@@ -140,13 +141,13 @@ private slots:
         const Sample pressed = rig.rest(100);
         QVERIFY(pressed.flags & sampleForceSaturated);
         QVERIFY(std::abs(glm::length(pressed.force) - (0.6 * 4.0 - lift)) < 1e-6);
-        // No force with a reading that is none, no lift either.
+        // With an invalid reading there is no force, and no lift either.
         StylusState broken;
         rig.step.advance(broken, period);
         QCOMPARE(rig.step.deviceWrench().force, glm::dvec3(0.0));
     }
 
-    /// The part comes first: what is cut gives way to it, and the record says so.
+    /// The part has priority: the cutting force is reduced in its favour, and the record says so.
     void theCuttingForceGivesWayToWhatHoldsTheTool() {
         QVERIFY(rc::check([] {
             const glm::dvec3 held(randomNumber(-3, 3), randomNumber(-3, 3), randomNumber(-3, 3));
@@ -158,7 +159,7 @@ private slots:
             const double both = glm::length(held + room);
             if (glm::length(held + cutting) <= 2.4) RC_ASSERT(share > 1.0 - 1e-9);
             if (glm::length(held) <= 2.4) RC_ASSERT(both <= 2.4 + 1e-9);
-            // No other share within the maximum is larger, none comes nearer where there is none.
+            // No larger share stays within the maximum; where no share does, none comes nearer.
             for (double other = 0.0; other <= 1.0; other += 0.05) {
                 const double then = glm::length(held + other * cutting);
                 if (then <= 2.4) RC_ASSERT(share >= other - 1e-9);

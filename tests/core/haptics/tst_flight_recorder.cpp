@@ -28,7 +28,7 @@ FlightSettings settingsIn(const QTemporaryDir& folder) {
     return settings;
 }
 
-/// Feeds ticks whose numbers tell which they are.
+/// Feeds ticks whose values identify them.
 void feed(FlightRecorder& recorder, std::uint64_t from, std::uint64_t count, TickFault lastFault = TickFault::none) {
     for (std::uint64_t i = 0; i < count; ++i) {
         Sample sample;
@@ -77,7 +77,7 @@ Record read(const std::filesystem::path& path) {
 
 } // namespace
 
-/// The last two seconds before a fault, on the disk.
+/// The last two seconds before a fault, written to the disk.
 class TestFlightRecorder : public QObject {
     Q_OBJECT
 private slots:
@@ -104,7 +104,7 @@ private slots:
         }
         QCOMPARE(record.at(1999, "fault"), QStringLiteral("too-fast"));
         QCOMPARE(record.at(1998, "fault"), QStringLiteral("none"));
-        QCOMPARE(sink.ticks, 5000); // who is behind it hears all
+        QCOMPARE(sink.ticks, 5000); // the sink behind the recorder receives all
     }
 
     void aDeadLoopLeavesWhatItHad() {
@@ -161,7 +161,7 @@ private slots:
         QCOMPARE(QDir(QString::fromStdString(settings.folder.string())).entryList(QDir::Files).size(), 1);
     }
 
-    /// Ticks go on, at any speed, while records are written: what is in one is in order and whole.
+    /// Ticks continue, at any speed, while records are written: each record is in order and complete.
     void ticksGoOnWhileARecordIsWritten() {
         QTemporaryDir folder;
         Nobody sink;

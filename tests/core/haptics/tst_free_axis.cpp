@@ -32,7 +32,7 @@ glm::dvec3 tilted(double angle) {
     return {std::sin(angle), 0.0, std::cos(angle)};
 }
 
-/// A stylus whose pen points a way.
+/// A reading of a stylus whose pen points in a direction.
 StylusState reading(const glm::dvec3& tip, const glm::dvec3& axis) {
     StylusState state;
     state.pose.position = tip;
@@ -69,7 +69,7 @@ struct FreeRig {
         return settings;
     }
     Sample feed(const glm::dvec3& tip, const glm::dvec3& axis) { return step.advance(reading(tip, axis), period); }
-    /// In a straight line, 0.2 mm a tick.
+    /// Moves in a straight line, 0.2 mm per tick.
     Sample move(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis) {
         const int ticks = static_cast<int>(std::ceil(glm::length(to - from) / 0.2));
         Sample last;
@@ -134,7 +134,7 @@ private slots:
 
     void aStartInsideThePartKeepsForcesOffAndThrowsNothingOut() {
         FreeRig rig;
-        rig.step.releaseSpindle(false); // the part alone
+        rig.step.releaseSpindle(false); // only the part limits the tool
         for (int tick = 0; tick < 50; ++tick) {
             const Sample sample = rig.feed({0, 0, floorHeight - 5.0}, tilted(0.3));
             QCOMPARE(sample.force, glm::dvec3(0.0));
@@ -142,7 +142,7 @@ private slots:
             QVERIFY(!removedAny(sample));
             QVERIFY(!rig.step.started());
         }
-        for (int tick = 0; tick < 100; ++tick) { // pulled out, it starts where it comes clear
+        for (int tick = 0; tick < 100; ++tick) { // once pulled out, it starts where it becomes free of the part
             const Sample sample = rig.feed({0, 0, floorHeight - 5.0 + 0.1 * tick}, tilted(0.3));
             QVERIFY(glm::length(sample.force) < 0.01);
         }
@@ -171,10 +171,10 @@ private slots:
                 if (!rig.step.started()) continue;
                 const bool braked = (sample.flags & sampleShankContact) != 0;
                 QVERIFY(!(braked && removedAny(sample)));
-                // Where the tool is, shank and holder are free, whatever the hand wants.
+                // At the tool's pose, shank and holder do not touch, whatever pose the hand requests.
                 rig.step.settle();
                 QVERIFY(!shankContact(rig.volume, whole, flutes, sample.proxy).touches);
-                // A tool that was with the hand, and a hand that now drives the shank in.
+                // The tool was at the hand's pose, and the hand now drives the shank in.
                 const bool driven = shankContact(rig.volume, whole, flutes, {tip, axis}).touches;
                 if (follows && driven) ++onsets;
                 unbraked = driven && !braked && (follows || unbraked > 0) ? unbraked + 1 : 0;
@@ -196,11 +196,11 @@ private slots:
         flat.cutter.type = CutterType::flat;
         flat.cutter.cornerRadius = 0.0;
         FreeRig rig(torqueStylus(), flat);
-        rig.step.releaseSpindle(false); // the part alone
+        rig.step.releaseSpindle(false); // only the part limits the tool
         rig.feed({0, 0, 15}, tilted(0.0));
         rig.move({0, 0, 15}, {0, 0, floorHeight - 5.0}, tilted(0.0));
         const Sample pressed = rig.rest({0, 0, floorHeight - 5.0}, tilted(0.3), 300);
-        // Pressed flat on the floor it wants to stay upright: the hand is turned back, about +y to -x.
+        // Pressed flat on the floor the tool tends to stay upright: the hand is turned back, about +y to -x.
         const glm::dvec3 torque = rig.step.deviceWrench().torque;
         const glm::dvec3 behind = turnBetween(tilted(0.3), pressed.proxy.axis);
         const TurnCoupling coupling(FreeRig::settings(torqueStylus()));
@@ -208,12 +208,12 @@ private slots:
         QVERIFY(torque.y < -1.0);
         QVERIFY(glm::length(torque - clampLength(coupling.stiffness() * behind, coupling.maximum())) < 1e-6);
         QVERIFY(glm::length(torque) <= coupling.maximum() + 1e-9);
-        QVERIFY(!(pressed.flags & sampleAxisHeld)); // the hand feels it
-        // Free again, nothing turns it.
+        QVERIFY(!(pressed.flags & sampleAxisHeld)); // the hand feels the torque
+        // Free again, there is no torque.
         rig.move({0, 0, floorHeight - 5.0}, {0, 0, 15}, tilted(0.3));
         rig.rest({0, 0, 15}, tilted(0.3), 100);
         QVERIFY(glm::length(rig.step.deviceWrench().torque) < 1e-3);
-        // A fault ends it at once.
+        // A fault ends the torque at once.
         rig.move({0, 0, 15}, {0, 0, floorHeight - 5.0}, tilted(0.3));
         QVERIFY(glm::length(rig.step.deviceWrench().torque) > 1.0);
         StylusState silent;

@@ -30,7 +30,7 @@ TriangleMesh bossedFloor() {
     return mesh;
 }
 
-/// A boundary of which nothing is there, and all its tiles, to be told of one by one.
+/// A boundary of which nothing is there yet, and all its tiles, to be announced one by one.
 struct Growth {
     Growth() {
         Progress progress;
@@ -47,7 +47,7 @@ struct Growth {
         }
     }
     BoundaryLayers layers() const { return BoundaryLayers(std::make_unique<GrowingBoundary>(field, noTurn, made)); }
-    /// Of the tool from the mesh.
+    /// Distance of the tool from the mesh.
     double clearance(const glm::dvec3& tip) const {
         return part->clearance(pieces(ballTool().cutter), {tip, upright}).clearance;
     }
@@ -58,7 +58,7 @@ struct Growth {
     std::vector<std::uint32_t> needed;
 };
 
-/// A step whose boundary grows, and what was seen of it.
+/// A step whose boundary grows, and the values observed.
 struct GrowingSession {
     GrowingSession(const Growth& growing, double allowance)
         : growth(growing)
@@ -86,7 +86,7 @@ struct GrowingSession {
     void note(const Sample& sample) {
         const TileLayout& layout = growth.field->layout();
         const glm::dvec3 tip = sample.proxy.tip;
-        if ((sample.flags & sampleForcesOff) != 0) { // not taken up yet: it is shown, and does nothing
+        if ((sample.flags & sampleForcesOff) != 0) { // not active yet: the tool is shown, and has no effect
             last.reset();
             return;
         }
@@ -108,9 +108,9 @@ struct GrowingSession {
     std::vector<bool> there;
     HapticStep step;
     std::optional<Sample> last;
-    double deepest = 1e9;    ///< mm, the least clearance from the mesh, between ticks too
-    double farthestIn = 1e9; ///< mm, what the outline said of a tip where its tile was not there
-    double steepest = 0.0;   ///< largest change of force in a tick, as a share of what the limiter lets
+    double deepest = 1e9;    ///< mm, the least clearance from the mesh, also between ticks
+    double farthestIn = 1e9; ///< mm, the outline's clearance for a tip where its tile was not there
+    double steepest = 0.0;   ///< largest change of force in a tick, as a share of the limiter's limit
     bool finite = true;
 };
 
@@ -128,11 +128,11 @@ private slots:
     void initTestCase() { growth_ = std::make_unique<Growth>(); }
 
     /// Tiles come and go in random order while a hand roves through part and stock: the tool is never in the part,
-    /// never where its boundary is not known to let it be, and the force stays finite and as slow as it may be.
+    /// never where the known boundary does not permit it, and the force stays finite and within the slew limit.
     void theToolKeepsToWhatIsThere() {
         const Growth& growth = *growth_;
         QVERIFY(growth.needed.size() >= 8);
-        int without = 0; // ticks where the outline held the tool: what this is about
+        int without = 0; // ticks in which the outline held the tool: the subject of this test
         const bool held = rc::check("tiles come and go", [&] {
             const double allowance = *rc::gen::element(0.0, 0.4), seed = randomNumber(0.0, 6.0);
             GrowingSession session(growth, allowance);
@@ -148,15 +148,15 @@ private slots:
             }
             RC_ASSERT(session.finite);
             RC_ASSERT(session.steepest <= 1.0 + 1e-9);
-            RC_ASSERT(session.deepest >= allowance - 0.1 * 0.25 - 0.022); // as push_back has it at edges
+            RC_ASSERT(session.deepest >= allowance - 0.1 * 0.25 - 0.022); // as in push_back at edges
             RC_ASSERT(session.farthestIn >= allowance - 0.02);
         });
         QVERIFY(held);
         QVERIFY(without > 1000);
     }
 
-    /// Held above the part by what is not there yet, with a force that says so; when it comes, the tool goes on to the
-    /// part and the force falls no faster than forces may.
+    /// The tool is held above the part by tiles that are not there yet, and a force indicates that; when they arrive,
+    /// the tool continues to the part and the force falls no faster than the slew limit.
     void whatComesLetsTheToolGoOn() {
         const Growth& growth = *growth_;
         GrowingSession session(growth, 0.0);
@@ -177,7 +177,7 @@ private slots:
         QVERIFY(session.steepest <= 1.0 + 1e-9 && session.finite && session.deepest > -0.03);
     }
 
-    /// The same axis seen from elsewhere: a part and a tool that are turned together are held alike.
+    /// The same axis seen from elsewhere: a part and a tool that are rotated together are held in the same way.
     void aTurnedBoundaryHoldsAlike() {
         const Growth& growth = *growth_;
         const glm::dmat3 turn(glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(-1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, 1.0));
@@ -195,7 +195,7 @@ private slots:
         }
     }
 
-    /// What came of a boundary, and what a session began with, stand in its trace.
+    /// Changes of a boundary's tiles, and its state at the start of a session, are written to its trace.
     void changesOfTilesAreWrittenAndRead() {
         for (const TileChange& told : {TileChange{0, true}, TileChange{70000, false}}) {
             std::string text;

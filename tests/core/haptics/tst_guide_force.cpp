@@ -20,7 +20,7 @@ namespace {
 constexpr int seconds = 1000;        // ticks
 constexpr double guideHeight = 20.0; // mm, far above the stock
 
-/// A step beside a part without stock.
+/// A step with a part but no stock.
 Rig bareMilling(HapticSettings settings = Rig::settings()) {
     return Rig(settings, ballTool(), stockOnPart(0, false));
 }
@@ -31,15 +31,17 @@ GuideSettings guidesOf(std::initializer_list<Guide> wanted) {
     return settings;
 }
 
-/// What a hand feels that goes into guides and out of them again.
+/// Measurements for a hand that moves into guides and out of them again.
 struct Cycles {
-    double worstGain = -1e300;  ///< J that the hand got between two releases, at most: it is as free as it was before
+    double worstGain = -1e300;  ///< J, largest energy that the hand gained between two releases, after which it is as
+                                ///< free as before
     double largestChange = 0.0; ///< N, of the force between two ticks
     double largestForce = 0.0;  ///< N
     int releases = 0;
 };
 
-/// A hand-arm that swings over guides, `amplitude` mm to each side of a height, its place read in encoder steps.
+/// A hand-arm that swings over guides, `amplitude` mm to each side of a height, with its position read in encoder
+/// steps.
 Cycles swing(const HandImpedance& impedance, const GuideSettings& guides, double centre, double amplitude,
              double stiffness, double encoder, double cycleSeconds = 1.0) {
     HapticSettings settings = Rig::settings();
@@ -89,22 +91,23 @@ private slots:
         QFETCH(double, encoder);
         Guide levels = guideOf(GuideKind::levels, 2.0);
         levels.point = up(guideHeight);
-        const double strongest = std::min(0.6 * 3.0e-3 * stiffness, 1.2); // N, of the pull: half of what is ever sent
+        const double strongest = std::min(0.6 * 3.0e-3 * stiffness, 1.2); // N, largest pull: half of any force sent
         for (const HandImpedance& hand : {lightHand, middleHand, firmHand})
             for (const GuideSettings& guides : {guidesOf({planeGuide(up(guideHeight), up(1))}), guidesOf({levels})}) {
-                const double enough = 5.0 + 1.25e3 * strongest / hand.stiffness; // mm, to pull free
+                const double enough = 5.0 + 1.25e3 * strongest / hand.stiffness; // mm, enough to pull free
                 const Cycles cycles = swing(hand, guides, guideHeight, enough, stiffness, encoder);
                 QVERIFY2(cycles.worstGain <= 0.02e-3, qPrintable(QString::number(cycles.worstGain)));
                 QVERIFY(cycles.releases >= 8);
                 QVERIFY(cycles.largestForce > 0.1);
-                // The spring over an encoder step and 0.1 mm of the hand's own way; 0.1 N of the controller's damper.
+                // The spring over an encoder step and 0.1 mm of the hand's own motion; 0.1 N of the controller's
+                // damper.
                 const double most = 1.5e-3 * stiffness * (encoder + 0.1) + 0.1;
                 QVERIFY2(cycles.largestChange <= most, qPrintable(QString::number(cycles.largestChange)));
             }
     }
 
     void aHandThatTurnsBackAtTheEdgeOfAGuideGainsNothingEither() {
-        for (const double amplitude : {0.4, 0.8, 1.2}) // about the places where it is taken and let go
+        for (const double amplitude : {0.4, 0.8, 1.2}) // about the heights at which it is engaged and released
             for (const double cycleSeconds : {0.1, 0.25, 0.7}) {
                 const Cycles cycles = swing(lightHand, guidesOf({planeGuide(up(guideHeight), up(1))}),
                                             guideHeight + 2.5, amplitude, 240.0, 0.02, cycleSeconds);
@@ -130,18 +133,18 @@ private slots:
         double least = 1e300;
         rig.onTick = [&](const Sample& sample) { least = std::min(least, sample.proxy.tip.z); };
         rig.begin(up(floorHeight + 5.0));
-        // Within the guide's reach, above the floor: it draws to the floor, and no farther.
+        // Within the guide's reach, above the floor: the guide pulls to the floor, and no farther.
         rig.moveTo(up(floorHeight + 0.4), 20.0);
         Sample sample = rig.rest(seconds);
         QVERIFY(sample.flags & sampleOnGuide);
         QVERIFY(std::abs(sample.proxy.tip.z - floorHeight) < 1e-3);
         QVERIFY(sample.force.z < 0.0);
         QVERIFY(sample.force.z > -240.0 * 0.4e-3 - 1e-6);
-        // In the floor, before the guide: the contact alone, in full.
+        // In the floor, before reaching the guide: only the contact force, in full.
         rig.moveTo(up(floorHeight - 1.0), 20.0);
         sample = rig.rest(seconds);
         QVERIFY(std::abs(sample.force.z - 0.32) < 0.01 * 0.32);
-        // Beyond the guide both push out, the contact from the guide on.
+        // Beyond the guide both push out, the contact starting from the guide.
         rig.moveTo(up(floorHeight - 2.5), 20.0);
         sample = rig.rest(seconds);
         QVERIFY(std::abs(sample.force.z - (0.32 * 1.5 + 0.24 * 1.0)) < 0.01 * 0.72);
@@ -150,7 +153,7 @@ private slots:
 
     void acrossAContactTheGuideStillHolds() {
         HapticSettings settings = Rig::settings();
-        settings.felt.friction = 0.0; // which would hold the tool across the guide as well
+        settings.felt.friction = 0.0; // which would also hold the tool in the direction perpendicular to the guide
         Rig rig = bareMilling(settings);
         rig.step.setGuides(guidesOf({planeGuide({3, 0, 0}, {1, 0, 0})}));
         rig.begin({3, 0, floorHeight + 1.0});
@@ -205,7 +208,7 @@ private slots:
         rig.rest(200);
         rig.step.advance(StylusState{}, period);
         const Sample sample = rig.rest(1);
-        QVERIFY(std::abs(sample.proxy.tip.z - guideHeight) > 0.99); // taken anew, from nothing
+        QVERIFY(std::abs(sample.proxy.tip.z - guideHeight) > 0.99); // engaged again, starting without force
     }
 
     void switchingGuidesUnderForceNeverKicks() {
@@ -226,7 +229,7 @@ private slots:
             if (round % 5 == 0) rig.step.stepGuides(round % 2 == 0 ? 1 : -1);
             rig.moveTo(up(guideHeight) + 3.0 * glm::dvec3(unit(random), unit(random), unit(random)), 40.0);
         }
-        QVERIFY2(largest <= 0.16 + 1e-9, qPrintable(QString::number(largest))); // the slew
+        QVERIFY2(largest <= 0.16 + 1e-9, qPrintable(QString::number(largest))); // the slew limit
     }
 
     void guidesAllocateNothing() {

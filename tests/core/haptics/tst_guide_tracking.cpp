@@ -51,7 +51,7 @@ private slots:
             PolylineTracker tracker;
             for (int i = 0; i < 5; ++i) {
                 const glm::dvec3 place = randomPoint(12.0);
-                const PolylineFoot& foot = tracker.search(line, place); // fewer segments than it looks at
+                const PolylineFoot& foot = tracker.search(line, place); // fewer segments than it examines
                 RC_ASSERT(std::abs(foot.distance - glm::length(foot.point - place)) < 1e-12);
                 RC_ASSERT(foot.distance <= distanceTo(points, place) + 1e-9);
             }

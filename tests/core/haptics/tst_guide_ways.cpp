@@ -10,7 +10,7 @@ namespace burin::tst_guide_ways {
 
 using namespace burin::test;
 
-/// Guides that follow where the tool went: passes, and the way of its axis.
+/// Guides that follow earlier tool motion: passes, and the direction of the motion for the tool's axis.
 class TestGuideWays : public QObject {
     Q_OBJECT
 private slots:
@@ -29,7 +29,7 @@ private slots:
         rig.cutting = true;
         double worst = 0.0;
         glm::dvec3 pull = rig.last.pull;
-        for (double x = 40.0; x >= 5.0; x -= 0.02) { // back, a trembling hand beside it, at another height
+        for (double x = 40.0; x >= 5.0; x -= 0.02) { // back next to it, with a hand tremor, at another height
             rig.feed({x, wave(x) + 0.7 + 0.2 * std::sin(17.0 * x), 52.0 + 0.1 * x});
             const glm::dvec3 change = rig.last.pull - pull;
             pull = rig.last.pull;
@@ -41,7 +41,7 @@ private slots:
             worst = std::max(worst, std::abs(nearest - stepOver));
         }
         QVERIFY2(worst < 0.01, qPrintable(QString::number(worst)));
-        // That pass is the last one now, and the next goes on beyond it.
+        // That pass is now the last one, and the next continues beyond it.
         rig.cutting = false;
         rig.moveTo({10, rig.last.goal.tip.y + 0.5, 52});
         rig.rest(3 * settled);
@@ -63,7 +63,7 @@ private slots:
             QVERIFY(glm::length(now - before) <= AxisFollower::speed * period + 1e-9);
             before = now;
         }
-        // Going along +x with the normal +z: lead leans towards +x, tilt to the left, which is +y.
+        // Moving along +x with the normal +z: lead inclines towards +x, tilt to the left, which is +y.
         const glm::dvec3 expected(std::cos(axis.tilt) * std::sin(axis.lead), std::sin(axis.tilt),
                                   std::cos(axis.tilt) * std::cos(axis.lead));
         QVERIFY(glm::length(before - expected) < 1e-9);
@@ -85,7 +85,7 @@ private slots:
         const double angle = 0.5;
         const glm::dvec3 normal(std::sin(angle), 0, std::cos(angle)), forward(std::cos(angle), 0, -std::sin(angle));
         const glm::dvec3 expected = std::cos(0.2) * normal + std::sin(0.2) * forward;
-        // The way is seen over 0.5 mm of an arc of 18 mm.
+        // The direction of motion is measured over 0.5 mm of an arc of 18 mm.
         QVERIFY(glm::length(rig.last.goal.axis - expected) < 0.01);
     }
 };

@@ -50,7 +50,7 @@ private slots:
         rig.moveTo({10, 5, 51.9});
         QCOMPARE(rig.rest(settled).held, 1U);
         QVERIFY(glm::length(rig.last.goal.tip - glm::dvec3(10, 5, 50)) < 1e-9);
-        rig.moveTo({20, 5, 52.9}); // farther off than it was taken, but not pushed off
+        rig.moveTo({20, 5, 52.9}); // farther away than where it was engaged, but not pushed off
         QVERIFY(std::abs(rig.rest(settled).goal.tip.z - 50.0) < 1e-9);
         rig.moveTo({20, 5, 53.1});
         QCOMPARE(rig.rest(settled).held, 0U);
@@ -58,7 +58,7 @@ private slots:
     }
 
     void distancesAreTheHandsOwnWhateverTheScale() {
-        GuideRig<> rig(PlaneSolid{}, 4.0); // 4 mm of the setup are one of the hand
+        GuideRig<> rig(PlaneSolid{}, 4.0); // 4 mm of the setup correspond to one of the hand
         rig.use({planeGuide(up(50), up(1))});
         rig.feed(up(57));
         QCOMPARE(rig.rest(settled).held, 1U);
@@ -86,9 +86,9 @@ private slots:
                 for (int i = 1; i <= 100; ++i) {
                     rig.feed(glm::mix(from, target, i / 100.0));
                     const double moved = glm::length(target - from) / 100.0;
-                    // Own motion across guides that meet at sin 0.2, and 200 mm/s of a guide that fades.
+                    // Own motion across guides that meet at sin 0.2, and 200 mm/s from a guide that fades.
                     RC_ASSERT(glm::length(rig.last.goal.tip - goal) <= moved * (1.0 + 1.0 / 0.2) + 0.2 + 1e-9);
-                    // 1.8 mm that fade over 0.1 s, smoothly, of as many guides as hold at once.
+                    // 1.8 mm that fade smoothly over 0.1 s, for as many guides as hold at once.
                     RC_ASSERT(glm::length(rig.last.pull - pull) <= 3.0 * (1.5 * moved + 0.027) + 1e-9);
                     goal = rig.last.goal.tip;
                     pull = rig.last.pull;
@@ -111,7 +111,7 @@ private slots:
             const glm::dvec3 goal = rig.last.goal.tip, along = glm::normalize(glm::cross(first, second));
             RC_ASSERT(std::abs(glm::dot(goal - meeting, first)) < 1e-9);
             RC_ASSERT(std::abs(glm::dot(goal - meeting, second)) < 1e-9);
-            RC_ASSERT(std::abs(glm::dot(goal - hand, along)) < 1e-9); // what no plane holds is the hand's
+            RC_ASSERT(std::abs(glm::dot(goal - hand, along)) < 1e-9); // directions that no plane holds follow the hand
         }));
     }
 
@@ -132,7 +132,7 @@ private slots:
         QCOMPARE(rig.last.held, 1U);
         QCOMPARE(rig.guides.news(1).is, GuideNews::Is::overruled);
         QVERIFY(std::abs(rig.last.goal.tip.z - 50.0) < 1e-9);
-        // An earlier one that is switched on while a later one holds takes its place.
+        // An earlier guide that is switched on while a later one holds replaces it.
         GuideSettings settings;
         settings.guides[1] = high;
         rig.guides.set(settings);
@@ -152,7 +152,7 @@ private slots:
         rig.use({levels});
         rig.feed(up(50.1));
         QVERIFY(std::abs(rig.rest(settled).goal.tip.z - 50.0) < 1e-9);
-        rig.moveTo(up(48.85)); // past the middle
+        rig.moveTo(up(48.85)); // past the midpoint
         QVERIFY(std::abs(rig.rest(2 * settled).goal.tip.z - 50.0) < 1e-9);
         rig.moveTo(up(48.75)); // past six tenths
         QVERIFY(std::abs(rig.rest(3 * settled).goal.tip.z - 48.0) < 1e-9);
@@ -176,11 +176,11 @@ private slots:
         rig.buttons = 2;
         rig.rest(3 * settled); // held down: one level only
         QVERIFY(std::abs(rig.last.goal.tip.z - 45.0) < 1e-9);
-        QVERIFY(rig.last.pull.z < -1.0); // and the hand is drawn there
+        QVERIFY(rig.last.pull.z < -1.0); // and the hand is pulled there
         rig.moveTo(up(45.5));
         rig.buttons = 0;
         QVERIFY(std::abs(rig.rest(settled).goal.tip.z - 45.0) < 1e-9);
-        rig.moveTo(up(48.2)); // pushed off as ever: the level above takes it
+        rig.moveTo(up(48.2)); // pushed off as usual: the level above engages
         QVERIFY(std::abs(rig.rest(3 * settled).goal.tip.z - 50.0) < 1e-9);
     }
 
@@ -212,13 +212,13 @@ private slots:
         rig.rest(settled);
         QCOMPARE(rig.last.held, 1U);
         double worst = 0.0;
-        for (int i = 0; i <= 3000; ++i) { // one and a half turns, over the joint
+        for (int i = 0; i <= 3000; ++i) { // one and a half turns, across the joint
             const double angle = 3.0 * pi * i / 3000;
             rig.feed({21 * std::cos(angle), 21 * std::sin(angle), 51});
             const glm::dvec3 nearest(20 * std::cos(angle), 20 * std::sin(angle), 50);
             worst = std::max(worst, glm::length(rig.last.goal.tip - nearest));
         }
-        // 4000 chords: 6e-6 mm from the circle; within one, a chord's slope moves the foot by 1.4 mm · 0.8e-3.
+        // 4000 chords: 6e-6 mm from the circle; within one, a chord's slope moves the foot point by 1.4 mm · 0.8e-3.
         QVERIFY2(worst < 2e-3, qPrintable(QString::number(worst)));
     }
 
@@ -303,7 +303,7 @@ private slots:
     void thePullIsAFadingMagnets() {
         GuideRig<> rig;
         rig.use({planeGuide(up(50), up(1))});
-        const double strongest = 0.5 * 2.4 / 240.0 * 1000.0; // half the force over the spring
+        const double strongest = 0.5 * 2.4 / 240.0 * 1000.0; // half the force divided by the spring constant
         rig.feed(up(50));
         rig.rest(settled);
         for (double z = -2.99; z < 3.0; z += 0.05) {
@@ -326,7 +326,7 @@ private slots:
         QVERIFY(!GuideCurve::make({{0, 0, 0}, {0, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}));
         QVERIFY(!GuideCurve::make({{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {0, 0, 0}}));
         QVERIFY(!GuideCurve::make({{0, 0, 0}}, {{1, 0, 0}}));
-        // Finite, but without a length that a direction could come of.
+        // Finite, but with a length that does not give a direction.
         QVERIFY(!GuideCurve::make({{0, 0, 0}, {1, 0, 0}}, {{1, 0, 0}, {1e200, 0, 0}}));
         QVERIFY(!GuideCurve::make({{0, 0, 0}, {1e-200, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}));
         QVERIFY(!GuideCurve::make({{-1e200, 0, 0}, {1e200, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}));

@@ -16,8 +16,8 @@ namespace {
 
 constexpr int contacts = 10;
 
-/// Energy that a handle gets from the loop while a light hand drives it into the floor and out again, J; device and
-/// hand as a mass on a spring and a damper, the position read in encoder steps.
+/// Energy that a handle receives from the loop while a light hand drives it into the floor and out again, J; device and
+/// hand are a mass on a spring and a damper, the position is read in encoder steps.
 double energyGivenToTheHand(double maximumDamping, double stiffness) {
     HapticSettings settings = Rig::settings();
     settings.stylus.maximumStiffness.value = stiffness;
@@ -54,7 +54,7 @@ private slots:
         settings.felt.gain = 100.0;
         Rig rig(settings, ballTool(5.0, 12.0));
         const double largest = settings.forceShare * settings.stylus.maximumForce.value;
-        // The ramp's own slope comes on top of the slew limit: at most 1.5 of its share of a tick.
+        // The ramp's own slope is added to the slew limit: at most 1.5 times its share per tick.
         const double slope = 1.5 * period / settings.rampSeconds * largest;
         const double rise = std::max(0.15, 320.0 * 0.5 * period) + slope, fall = 3.0 * rise;
         HostileStylus hostile(strayingInTheStock(20260725));
@@ -146,7 +146,7 @@ private slots:
         rig.step.advance(StylusState{}, period);
         rig.moveTo({-12, -3, 5}, 60.0);
         QCOMPARE(allocationCount.load(), before);
-        ::operator delete(::operator new(1)); // the counter counts
+        ::operator delete(::operator new(1)); // proves that the counter counts
         QVERIFY(allocationCount.load() > before);
     }
 

@@ -19,7 +19,7 @@ std::uint64_t removedUnits(const Sample& sample) {
     return units;
 }
 
-/// Overlap of a shank (a cylinder) with everything but air, mm of line, by asking the voxels' lines one by one.
+/// Overlap of a shank (a cylinder) with everything except air, mm of line, by checking the voxels' lines one by one.
 double shankOverlap(const RunVolume& volume, const Tool& tool, const glm::dvec3& tip) {
     const Grid& grid = volume.grid();
     const double low = tip.z + tool.cutter.fluteLength, high = tip.z + tool.cutter.stickOut;
@@ -79,7 +79,7 @@ private slots:
         rig.begin(settings.mapping.toDevice({0, 0, 3}));
         rig.moveTo(settings.mapping.toDevice({0, 0, floorHeight - depth * scale}), 100.0);
         const Sample sample = rig.rest(400);
-        // 0.8 of 400 N/m at 1 kHz; the ball's centre stays one radius above the floor, so the tip on it.
+        // 0.8 of 400 N/m at 1 kHz; the ball's centre stays one radius above the floor, so the tip stays on it.
         const double expected = 0.8 * 400.0 * depth / 1000.0;
         QVERIFY(sample.flags & sampleOnBoundary);
         QVERIFY(std::abs(sample.force.z - expected) <= 0.01 * expected);
@@ -159,7 +159,7 @@ private slots:
         rig.moveTo({5, 0, floorHeight - 0.1}, 20.0);
         QVERIFY(!rig.step.started());
         QVERIFY(rig.volume.amounts() == before);
-        // Clear of the part: picked up where the hand is, and forces fade in from nothing.
+        // Free of the part: engaged at the hand's position, and forces fade in from zero.
         rig.moveTo({5, 0, floorHeight + 0.05}, 20.0);
         QVERIFY(rig.step.started());
         glm::dvec3 last(0.0);
@@ -193,7 +193,7 @@ private slots:
         };
         rig.begin({0.1, 0.2, 3});
         rig.moveTo({0.1, 0.2, -9}, 20.0);
-        // The shank's face meets the top of the stock at a tip of -5 mm; a quarter of a voxel is not looked at.
+        // The shank's end face meets the top of the stock at a tip of -5 mm; the first quarter of a voxel is ignored.
         QVERIFY(firstFlagged > 0);
         QVERIFY(std::abs(handAtFirst - (-5.0 - 0.25 * voxel)) <= 0.021);
         const Sample held = rig.rest(400);
@@ -202,7 +202,7 @@ private slots:
         QVERIFY(std::abs(held.force.z - expected) <= 0.01 * expected);
         QVERIFY(std::abs(held.proxy.tip.z + 5.125) < 0.03);
 
-        // Sideways does not free it, up does, and then it cuts again.
+        // Moving sideways does not release it, moving up does, and then it cuts again.
         rig.moveTo({4.0, 0.2, -9}, 20.0);
         QCOMPARE(rig.rest(1).proxy.tip.x, 0.1);
         rig.moveTo({4.0, 0.2, -4}, 20.0);
@@ -213,7 +213,8 @@ private slots:
         QVERIFY(rig.volume.amounts().units[1] < before.units[1]);
     }
 
-    /// A hovering tool is held by the part alone: not by stock, nor by what shank and holder would touch.
+    /// A tool with a stationary spindle is held by the part only: not by the stock, nor by what shank and holder would
+    /// touch.
     void aStandingSpindleMovesThroughStockAndCutsNothing() {
         HapticSettings settings = Rig::settings();
         settings.cutsOnButton = true;
@@ -240,16 +241,16 @@ private slots:
         QVERIFY(!(rig.rest(1).flags & sampleSpindleOff));
         std::uint64_t recorded = 0;
         for (std::size_t i = 0; i < 256; ++i) recorded += i == 0 ? 0 : before.units[i] - rig.volume.amounts().units[i];
-        QVERIFY(recorded > 0); // what stood within the flutes when the spindle started
+        QVERIFY(recorded > 0); // the material within the flutes when the spindle started
         rig.moveTo({2, 3, -3}, 100.0);
-        rig.step.settle(); // what was cut shows now
+        rig.step.settle(); // pending removal becomes visible now
         const std::uint64_t cut = rig.volume.amounts().units[1];
         rig.buttons = 0;
         rig.moveTo({-8, 3, -3}, 100.0);
         QCOMPARE(rig.volume.amounts().units[1], cut);
     }
 
-    /// What a take removed lies between two of its samples, whenever it begins.
+    /// Everything that a take removed is recorded between two of its samples, whenever the take begins.
     void aTakeBeginsWithoutACut() {
         Rig rig;
         rig.begin({-12, 0, -3});
@@ -313,9 +314,9 @@ private slots:
     }
 
     void withoutMemoryItStopsCuttingAndHolds() {
-        // Milled to dust, a small reserve runs out somewhere; where does not matter.
+        // When the stock is milled completely, a small reserve runs out somewhere; it does not matter where.
         Rig rig(Rig::settings(), ballTool(), stockOnPart(400'000));
-        std::vector<VolumeSnapshot> held; // as undo would: nothing is given back
+        std::vector<VolumeSnapshot> held; // as for undo: no memory is given back
         const std::uint64_t whole = rig.volume.amounts().units[1];
         std::uint64_t counted = 0;
         bool full = false;
@@ -325,7 +326,7 @@ private slots:
                 QCOMPARE(removedUnits(sample), std::uint64_t{0});
             }
             counted += removedUnits(sample);
-            // What was counted before may still have to be written, and nothing else.
+            // Removal that was counted before may still be pending, and nothing else.
             QVERIFY(whole - rig.volume.amounts().units[1] <= counted);
             full = full || (sample.flags & sampleMemoryFull);
         };

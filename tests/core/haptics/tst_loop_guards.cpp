@@ -32,7 +32,7 @@ std::unique_ptr<OwnStylus> ownStylus(Motors& motors, Trick trick = {}) {
         [&motors](const Wrench& wrench) { motors.force = glm::length(wrench.force); }, [&motors] { motors.cut(); });
 }
 
-/// Keeps all that a loop tells.
+/// Keeps all notifications of a loop.
 class Log final : public TickSink {
 public:
     Log() {
@@ -55,7 +55,7 @@ struct Alarm final : LoopAlarm {
 
 enum class Kind { called, own };
 
-/// Runs a loop over a stylus of a kind until its hand has pressed for a while.
+/// Runs a loop with a stylus of the given kind until its hand has pressed for a while.
 struct LoopRun {
     LoopRun(Kind kind, Trick trick, double seconds, double rampSeconds = 0.0) {
         HapticSettings haptic = Rig::settings();
@@ -69,7 +69,7 @@ struct LoopRun {
         const Result<LoopStatistics> result = runServoLoop(stylus, rig.step, log, settings, stop);
         if (result) statistics = *result;
     }
-    /// The tick whose reading was kept waiting.
+    /// The tick whose reading was delayed.
     std::size_t afterGap(double atLeast) const {
         for (std::size_t i = 1; i < log.timings.size(); ++i)
             if (log.timings[i].over - log.timings[i - 1].over >= nanoseconds(atLeast)) return i;
@@ -83,12 +83,12 @@ struct LoopRun {
 
 } // namespace
 
-/// What a loop does about time, whoever keeps it. Where a bound of time is stated, it is one that a busy machine can
-/// only make longer, or one that what was done is measured against.
+/// Reactions of a loop to timing, whoever controls the clock. Where a time limit is stated, it is one that a busy
+/// machine can only exceed, or one that the reaction is compared with.
 class TestLoopGuards : public QObject {
     Q_OBJECT
 private slots:
-    /// The force is what the call returns that brought the pose.
+    /// The force is the return value of the call that brought the pose.
     void aSelfPacedStylusIsAnsweredInItsOwnCall() {
         const LoopRun run(Kind::own, {}, 0.5);
         QCOMPARE(run.statistics.ticks, std::uint64_t{run.log.samples.size()});
@@ -101,7 +101,7 @@ private slots:
             QCOMPARE(sample.device.position, run.log.timings[i].reading.pose.position);
         }
         QVERIFY(pressed > 0.2);                 // N: 1 mm into the floor
-        QCOMPARE(run.motors.force.load(), 0.0); // and nothing is left of it
+        QCOMPARE(run.motors.force.load(), 0.0); // and no force remains
         QVERIFY(run.statistics.simulatedSeconds >= 0.499);
     }
 
@@ -132,7 +132,7 @@ private slots:
             QTest::addRow("%s, 20 ms", name) << int(kind) << 0.020 << true;
         }
     }
-    /// Three milliseconds: no force in that tick, and it is counted. Ten: forces fade in again.
+    /// After three milliseconds there is no force in that tick, and it is counted. After ten, forces fade in again.
     void aForceThatComesTooLateIsWithheld() {
         QFETCH(int, kind);
         QFETCH(double, gap);
@@ -146,7 +146,7 @@ private slots:
         QVERIFY(run.statistics.late >= 1);
         QVERIFY(run.log.timings.back().late >= 1);
         if (!fadesIn) return;
-        // The step hears of a gap with the reading after it.
+        // The step is informed of a gap with the reading after it.
         bool told = false;
         for (std::size_t i = late; i < std::min(late + 3, run.log.samples.size()); ++i)
             told = told || run.log.timings[i].fault == TickFault::stalled;
@@ -160,8 +160,8 @@ private slots:
         QTest::newRow("called") << int(Kind::called);
         QTest::newRow("self-paced") << int(Kind::own);
     }
-    /// 60 ms are what the figure `stop.ms` allows on a quiet machine; a busy one may give the watchdog its turn later.
-    /// Here they are shown to be off long before the step is over.
+    /// The figure `stop.ms` allows 60 ms on a quiet machine; on a busy one the watchdog may run later. This test shows
+    /// that the motors are off long before the step is finished.
     void aStepThatHangsCostsTheMotors() {
         QFETCH(int, kind);
         BlockingField field;
@@ -190,11 +190,11 @@ private slots:
         const std::int64_t cutAt = motors.cutAt, blockedAt = field.blockedAt;
         QCOMPARE(motors.force.load(), 0.0);
         QVERIFY2(seconds(cutAt - blockedAt) < 1.0, qPrintable(QString::number(seconds(cutAt - blockedAt))));
-        QVERIFY(seconds(cutAt - blockedAt) > 0.040); // not at the first hiccup
+        QVERIFY(seconds(cutAt - blockedAt) > 0.040); // not at the first short delay
         waitFor(0.2);
-        QCOMPARE(motors.force.load(), 0.0);       // and off they stay
-        QCOMPARE(motors.cuts.load(), before + 1); // told once
-        // Then the step goes on: what it had worked out is not sent, and forces come back.
+        QCOMPARE(motors.force.load(), 0.0);       // and they stay off
+        QCOMPARE(motors.cuts.load(), before + 1); // reported once
+        // Then the step continues: its computed force is not sent, and forces return.
         while (motors.force < 0.2 && now() < until) waitFor(0.001);
         stop = true;
         loop.join();
@@ -209,8 +209,8 @@ private slots:
         QVERIFY((log.samples[after].flags & sampleForceLate) != 0);
     }
 
-    /// A device that got no force because it came too late holds none: what it gets next rises from there, however
-    /// punctual the next tick is.
+    /// A device that got no force because it was too late holds none: its next force rises from zero, however punctual
+    /// the next tick is.
     void afterAForceThatWasWithheldTheNextOneRises() {
         Rig rig;
         rig.begin({0.0, 0.0, 5.0});
@@ -241,7 +241,7 @@ private slots:
         QCOMPARE(log.samples.front().force, glm::dvec3(0.0));
     }
 
-    /// Nobody is to be alarmed by a loop that stands because it was asked to, or by a device that is away.
+    /// A loop that was asked to stop, or whose device is away, must not raise an alarm.
     void aLoopThatStandsIsNotDead() {
         struct Standing final : TickSink {
             AtEdge edge() noexcept override { return ticks == 20 && edges++ < 150 ? AtEdge::stand : AtEdge::tick; }
@@ -259,7 +259,7 @@ private slots:
         settings.maximumSeconds = 0.4;
         const auto result = runServoLoop(stylus, rig.step, sink, settings, stop);
         QVERIFY(result.hasValue());
-        QCOMPARE(sink.firstInterval, std::int64_t{0}); // standing is no gap
+        QCOMPARE(sink.firstInterval, std::int64_t{0}); // standing still is no gap
     }
 
     void theStatisticsTellTheIntervals() {
@@ -273,7 +273,8 @@ private slots:
         QCOMPARE(sum, run.log.timings.back().over - run.log.timings.front().over);
     }
 
-    /// Dead man's button: no force without it, none from the very tick that it is let go, and what comes back fades in.
+    /// Dead man's button: no force without it, none from the very tick in which it is released, and returning force
+    /// fades in.
     void forcesNeedTheirButtonHeld() {
         HapticSettings settings = Rig::settings();
         settings.forceButtons = 0b110; // the second or the third

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double most = 0.6 * 4.0; // N: the device's share of desktopStylus' maximum
 
-/// A hand that presses far into the part, so that the force is at its limit, with motors as warm as a test says.
+/// A hand that presses far into the part, so that the force is at its limit, with motors at a given temperature.
 struct Press {
     explicit Press(double handleMass = 0.0) : rig(settings(handleMass)) {
         rig.begin({0.0, 0.0, 5.0});
@@ -27,7 +27,7 @@ struct Press {
         return settings;
     }
     glm::dvec3 applied() const { return rig.step.deviceWrench().force; }
-    /// Ticks at a heat; remembers the largest change of the force from one to the next.
+    /// Runs ticks at a given heat; records the largest change of the force between two ticks.
     Sample holds(double heat, int ticks) {
         Sample sample;
         for (int i = 0; i < ticks; ++i) {
@@ -49,7 +49,8 @@ struct Press {
 
 } // namespace
 
-/// Motors that say they are hot are asked for half, without a kick, and for all of it once they have cooled.
+/// Motors that report being hot are limited to half of the force, without a kick, and to all of it once they have
+/// cooled.
 class TestMotorHeat : public QObject {
     Q_OBJECT
 private slots:
@@ -58,7 +59,7 @@ private slots:
         QVERIFY(std::abs(glm::length(press.force) - most) < 1e-9);
         QVERIFY(!(press.holds(0.8, 100).flags & sampleMotorsHot));
         QVERIFY(std::abs(glm::length(press.force) - most) < 1e-9);
-        QVERIFY(press.holds(0.81, 1).flags & sampleMotorsHot); // told at once
+        QVERIFY(press.holds(0.81, 1).flags & sampleMotorsHot); // reported at once
         const Sample later = press.holds(0.81, 2100);
         QVERIFY(std::abs(glm::length(press.force) - 0.5 * most) < 1e-9);
         QVERIFY(later.flags & sampleMotorsHot);
@@ -67,7 +68,7 @@ private slots:
         QVERIFY(glm::length(later.force) <= 0.5 * most + 1e-9);
     }
 
-    /// Between 0.75 and 0.8 nothing changes, so that a sensor's noise does not make the force swing.
+    /// Between 0.75 and 0.8 nothing changes, so that a sensor's noise does not make the force oscillate.
     void theyAreAskedForAllOfItWhenTheyHaveCooled() {
         Press press;
         press.holds(0.9, 3000);
@@ -80,11 +81,12 @@ private slots:
         QVERIFY(press.largestChange < 0.02);
     }
 
-    /// The force that carries the handle is part of what is sent, and gives way as well.
+    /// The force that carries the handle is part of the force sent, and is reduced as well.
     void allThatIsSentIsHalf() {
         constexpr double mass = 0.1; // kg
         Press press(mass);
-        // It pushes up, out of the floor, and carries the handle: together they are what may be sent.
+        // The contact pushes up, out of the floor, and the lift carries the handle: their sum is the largest permitted
+        // force.
         QVERIFY(std::abs(press.force.z - most) < 1e-9);
         press.holds(0.95, 3000);
         QVERIFY(std::abs(press.force.z - 0.5 * most) < 1e-9);

@@ -150,7 +150,7 @@ void OperatorTest::motionKeepsToTheWayAndItsLimits() {
     }
     QVERIFY2(fastest < 150.0 + 1e-6 && fastest > 100.0, qPrintable(QString::number(fastest)));
     QVERIFY2(hardest < 2.0 * limits.acceleration, qPrintable(QString::number(hardest)));
-    QVERIFY2(farthest < 0.3, qPrintable(QString::number(farthest))); // at corners only
+    QVERIFY2(farthest < 0.3, qPrintable(QString::number(farthest))); // only at corners
 }
 
 void OperatorTest::motionSensesWrongPoints() {
@@ -162,7 +162,7 @@ void OperatorTest::motionSensesWrongPoints() {
     QVERIFY(fails({{{0, 0, 0}, 0}, {{1, 0, 0}, 0}}));
     QVERIFY(fails({{{0, 0, 0}, 0}, {{1, std::nan(""), 0}, 10}}));
     QVERIFY(fails({{{0, 0, 0}, 0}}, {.acceleration = 0.0}));
-    QVERIFY(!fails({{{1, 1, 1}, 0}, {{1, 1, 1}, 10}, {{1, 1, 1}, 10}})); // the same point again takes no time
+    QVERIFY(!fails({{{1, 1, 1}, 0}, {{1, 1, 1}, 10}, {{1, 1, 1}, 10}})); // repeating the same point takes no time
 }
 
 void OperatorTest::handFollowsTheIntentInTheAir() {
@@ -182,7 +182,7 @@ void OperatorTest::handFollowsTheIntentInTheAir() {
         farthest = std::max(farthest, distanceToWay(mapping.toSetup(state.pose.position), square()));
         QVERIFY(glm::length(mapping.rotation * toolPose(state.pose).axis - glm::dvec3(0, 0, 1)) < 1e-12);
     }
-    // Rounded corners 0.25 mm; tremor of 0.05 mm rms an axis and half a step of the encoder, scaled.
+    // Rounded corners 0.25 mm; tremor of 0.05 mm rms per axis and half a step of the encoder, scaled.
     QVERIFY2(farthest < 0.7, qPrintable(QString::number(farthest)));
     VirtualOperator steady(square(), mapping, calm());
     QVERIFY(steady.open());
@@ -213,7 +213,7 @@ void OperatorTest::handPressesIntoAWall() {
         deepest = std::min(deepest, place.z);
         return glm::dvec3(0.0, 0.0, place.z < 0.0 ? -0.320 * place.z : 0.0);
     });
-    // Balance of springs: k (z + 2) = -K z (1 - share).
+    // Equilibrium of springs: k (z + 2) = -K z (1 - share).
     const double expected = -2.0 * stiffness / (stiffness + 320.0 * (1.0 - leaning));
     QVERIFY2(std::abs(states.back().pose.position.z - expected) < 0.01,
              qPrintable(QString::number(states.back().pose.position.z)));
@@ -283,7 +283,7 @@ void OperatorTest::forcesBeyondTheDeviceOrNotFiniteDoNoHarm() {
         const StylusState state = hand.read(tick * 0.001);
         QVERIFY(isFinite(state.pose.position));
         hand.write({tick < 1000 ? glm::dvec3(1e9, 0, 0) : glm::dvec3(std::nan(""), 0, 0)});
-        if (tick == 999) QVERIFY(std::abs(state.pose.position.x - 1000.0 * 3.3 / 600.0) < 1e-3); // 3.3 N, no more
+        if (tick == 999) QVERIFY(std::abs(state.pose.position.x - 1000.0 * 3.3 / 600.0) < 1e-3); // limited to 3.3 N
         if (tick == 1999) QVERIFY(std::abs(state.pose.position.x) < 1e-3);
     }
     QVERIFY(!hand.read(std::nan("")).valid);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double voxel = 0.5;
 
-/// A block of stock around a capsule that is protected, both exact along z.
+/// A block of stock around a protected capsule, both exact along z.
 std::optional<RunVolume> workpieceAround(const LyingCapsule& part, const Box& stock) {
     PropertyList properties;
     Property aluminium;
@@ -43,7 +43,7 @@ std::optional<RunVolume> workpieceAround(const LyingCapsule& part, const Box& st
     return std::move(*volume);
 }
 
-/// Mills an intent as the servo loop does, without a clock.
+/// Mills an intended motion as the servo loop does, without a clock.
 std::vector<Sample> mill(RunVolume& workpiece, const ClearanceField& field, const Tool& tool, HapticSettings settings,
                          const std::vector<IntentPoint>& intent, double allowance) {
     OperatorSettings who;
@@ -94,7 +94,7 @@ void OperatorSessionTest::theOperatorMillsAPartOutOfItsStock() {
     QVERIFY(roughing.size() > 5000);
     QCOMPARE(ticksWith(sampleShankContact, roughing), std::size_t{0});
     for (const Sample& sample : roughing) QVERIFY(part.at(sample.proxy.tip).clearance > 0.5 - 0.05 * voxel);
-    // The hand trembles beside the part but is not dragged along it.
+    // The hand has a tremor near the part but is not dragged along it.
     const std::size_t onBoundary = ticksWith(sampleOnBoundary, roughing);
     QVERIFY2(onBoundary < roughing.size() / 20, qPrintable(QString::number(onBoundary)));
 
@@ -106,10 +106,10 @@ void OperatorSessionTest::theOperatorMillsAPartOutOfItsStock() {
         const glm::dvec3& tip = sample.proxy.tip;
         const double clearance = part.at(tip).clearance;
         deepest = std::min(deepest, clearance);
-        if (tip.z > request.stock.high.z + 0.5 || part.top(tip.x, tip.y) < 8.0) continue; // travelling, beside
+        if (tip.z > request.stock.high.z + 0.5 || part.top(tip.x, tip.y) < 8.0) continue; // moving between cuts
         ++over;
         near += clearance < 0.1 ? 1 : 0;
-        if (part.at(tip).gradient.z < 0.97) continue; // where the hand presses square to the part
+        if (part.at(tip).gradient.z < 0.97) continue; // where the hand presses perpendicular to the part
         ++crest;
         press += glm::distance(tip, sample.stylusTip);
     }

@@ -28,9 +28,9 @@ private slots:
             const double spring = stiffness * 0.02 * i;
             QVERIFY(std::abs(force.x + std::min(0.5, spring)) < 1e-12);
         }
-        // At rest it holds, without creep or decay.
+        // At rest the force holds, without creep or decay.
         for (int i = 0; i < 1000; ++i) QVERIFY(glm::length(anchor.drag(glm::dvec3(0.0), {0.5}) - force) < 1e-12);
-        // Let go, it gives its stretch back and no more.
+        // When released, it returns the energy of its extension and no more.
         for (int i = 0; i < 79; ++i) force = anchor.drag({-0.02, 0, 0}, {0.5});
         QVERIFY(std::abs(force.x) < 0.02);
     }
@@ -42,12 +42,12 @@ private slots:
         QCOMPARE(anchor.drag({0.02, 0, 0}, {0.0}), glm::dvec3(0.0));
     }
 
-    /// Into harder material: at once, as long as dragging paid for it before.
+    /// Into harder material: the force rises at once, as long as the energy was spent by dragging before.
     void aYieldThatGrowsIsFollowedAtOnceWhileItDrags() {
         PlasticAnchor anchor(stiffness, mostForce);
         for (int i = 0; i < 500; ++i) anchor.drag({0.02, 0, 0}, {0.5}); // 8 mm of drag at 0.5 N: 4 N·mm
         QVERIFY(std::abs(anchor.drag({0.02, 0, 0}, {1.0}).x + 1.0) < 1e-12);
-        // A tool that does not drag is not pushed: it was at rest below the yield force.
+        // A tool that is not dragged is not pushed: it was at rest below the yield force.
         PlasticAnchor held(stiffness, mostForce);
         for (int i = 0; i < 50; ++i) held.drag({0.02, 0, 0}, {0.5});
         const glm::dvec3 before = held.drag(glm::dvec3(0.0), {0.5});
@@ -61,8 +61,8 @@ private slots:
         QVERIFY(force < 0.02);
     }
 
-    /// Whatever the hand does and the yield force is, the work that it gets back is what it put in, but for half of
-    /// k d² a tick.
+    /// Whatever the motion of the hand and the yield force, the work that the hand gets back is at most what it put in,
+    /// except for half of k d² per tick.
     void itCanNotDrive() {
         QVERIFY(rc::check([] {
             PlasticAnchor anchor(stiffness, mostForce);
@@ -90,7 +90,7 @@ private slots:
         QVERIFY(std::abs(glm::length(anchor.drag({-0.1, 0, 0}, {0.5}) - before) - 0.01) < 1e-12);
     }
 
-    /// A wall holds a tool that slides on it, and lets go of one that leaves it.
+    /// A wall holds a tool that slides on it, and releases one that moves away.
     void acrossAWallItYieldsAtLess() {
         PlasticAnchor anchor(stiffness, mostForce);
         glm::dvec3 force(0.0);

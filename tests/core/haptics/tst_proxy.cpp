@@ -20,7 +20,7 @@ constexpr double radius = 3.0;
 constexpr double noLimit = 1e9;
 using Nearest = std::function<glm::dvec3(const glm::dvec3&)>;
 
-/// Nearest point of the ball's centre on a surface grown by `radius`, as a tip.
+/// Nearest position of the ball's centre on a surface grown by `radius`, given as a tip.
 Nearest nearestOnSphere(double solid, double allowance) {
     return [=](const glm::dvec3& tip) {
         const glm::dvec3 centre = tip + up(radius);
@@ -39,7 +39,7 @@ glm::dvec3 randomPoint(double half) {
     return {randomNumber(-half, half), randomNumber(-half, half), randomNumber(-half, half)};
 }
 
-/// Least clearance on the straight way between two tips, by fine sampling.
+/// Least clearance on the straight segment between two tips, by fine sampling.
 template <class Field>
 double leastClearance(const Field& field, const glm::dvec3& a, const glm::dvec3& b) {
     double least = 1e300;
@@ -72,7 +72,8 @@ void dragAndCompare(const Field& field, double allowance, const std::function<gl
     QVERIFY2(worstLag <= maximumLag, qPrintable(QString::number(worstLag)));
 }
 
-/// Random goals, far and near: the proxy stays allowed, so does the straight way, and the goal never gets farther.
+/// Random goals, far and near: the proxy stays in the permitted region, so does the straight segment, and the distance
+/// from the goal never grows.
 template <class Field>
 bool neverEnters(const Field& field, const glm::dvec3& start, double extent) {
     return rc::check([&] {
@@ -97,7 +98,7 @@ bool neverEnters(const Field& field, const glm::dvec3& start, double extent) {
     });
 }
 
-/// A field that is as dear to ask as a fine mesh beside a long tool.
+/// A field that is as expensive to query as a fine mesh near a long tool.
 class DearBoundary final : public PoseBoundary {
 public:
     static constexpr int price = 500; ///< units of work
@@ -182,7 +183,7 @@ private slots:
             glm::dvec3 tip(0, 0, -4);
             for (int tick = 0; tick < 10; ++tick) tip = proxy.advance(tip, goal, allowance, noLimit).tip;
             QVERIFY2(glm::length(tip - expected) < 1e-3, qPrintable(QString::number(glm::length(tip - expected))));
-            // Steady contact: not the last bit moves.
+            // Steady contact: the result is constant to the last bit.
             for (int tick = 0; tick < 100; ++tick) {
                 const TipProxy::Step step = proxy.advance(tip, goal, allowance, noLimit);
                 QCOMPARE(step.tip, tip);
@@ -239,7 +240,7 @@ private slots:
         const BallField field(SphereSolid{10.0}, radius, 0.25, 1.0);
         TipProxy proxy(field);
         glm::dvec3 tip(20, 0, 0);
-        // A goal on the other side, off the line through the centre: a local minimum holds it nowhere.
+        // A goal on the other side, off the line through the centre: no local minimum holds the tool.
         for (int tick = 0; tick < 200; ++tick) tip = proxy.advance(tip, {-20, 6, 0}, 0.0, noLimit).tip;
         QVERIFY(glm::length(tip - glm::dvec3(-20, 6, 0)) < 1e-6);
     }
@@ -258,13 +259,14 @@ private slots:
         ProxyStride stride;
         stride.travel = 3.0;
         ToolPose tool{{0, 0, 12}};
-        // Right through the part: the tool has to go round it.
+        // The straight line leads through the part: the tool has to go round it.
         const glm::dvec3 hand{7.0, 1.0, -2.0};
         for (int tick = 0; tick < 60; ++tick) {
             const double before = glm::length(tool.tip - hand);
             const int looksBefore = dear.looks;
             tool = proxy.advance(tool, {hand}, stride).pose;
-            // What is affordable, what is under way by then, and the two that a tick has whatever they cost.
+            // The affordable queries, those already started by then, and the two that every tick may make whatever they
+            // cost.
             QVERIFY2(dear.looks - looksBefore <= 4000 / DearBoundary::price + 6,
                      qPrintable(QString::number(dear.looks - looksBefore)));
             QVERIFY(field.clearance(tool.tip) >= 0.0);

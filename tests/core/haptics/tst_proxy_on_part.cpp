@@ -76,7 +76,7 @@ struct Part {
         return {std::move(mesh), tool, std::move(field)};
     }
     double clearance(const glm::dvec3& tip) const { return mesh.clearance(tool, {tip, {0, 0, 1}}).clearance; }
-    /// Least clearance on the straight way between two ticks.
+    /// Least clearance on the straight segment between two ticks.
     double clearance(const glm::dvec3& from, const glm::dvec3& to) const {
         double least = 1e300;
         for (int i = 0; i <= 4; ++i) least = std::min(least, clearance(glm::mix(from, to, i / 4.0)));
@@ -101,7 +101,7 @@ private slots:
             double deepest = 1e300, highest = 0.0, farthest = 0.0;
             constexpr int ticks = 1500;
             for (int i = 0; i <= ticks; ++i) {
-                // Along the ring and to and fro across its top, the centre of the ball 2 mm too deep.
+                // Along the ring and back and forth across its top, with the centre of the ball 2 mm too deep.
                 const double around = 6.0 * i / ticks, about = 0.5 * pi + 1.1 * std::sin(30.0 * i / ticks);
                 const glm::dvec3 ring = major * glm::dvec3(std::cos(around), std::sin(around), 0.0);
                 const glm::dvec3 out(std::cos(about) * std::cos(around), std::cos(about) * std::sin(around),
@@ -116,7 +116,7 @@ private slots:
             }
             QVERIFY2(deepest >= -0.05 * voxel, qPrintable(QString::number(deepest)));
             QVERIFY2(highest <= 0.1 * voxel, qPrintable(QString::number(highest)));
-            // Cells of the field are flat facets: pressed 2 mm deep, the tip rests up to a third of a cell aside.
+            // Cells of the field are flat facets: pressed 2 mm deep, the tip rests up to a third of a cell to the side.
             QVERIFY2(farthest <= 0.4 * voxel, qPrintable(QString::number(farthest)));
         }
     }

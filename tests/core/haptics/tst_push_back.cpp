@@ -88,7 +88,7 @@ class TestPushBack : public QObject {
 
 private slots:
     void init() { touching_ = ticks_ = 0; }
-    /// What never touches proves nothing.
+    /// A run with few contacts would prove nothing.
     void cleanup() { QVERIFY(4 * touching_ >= ticks_); }
 
     void aFreeAxisNeverEntersAnyShapeWithAnyCutter() {
@@ -198,7 +198,7 @@ private slots:
             settle(Proxy(layers), {{0, 0, 2}, upright}, {{1, 0, -1.5}, tilted(angle)}, without(0.025));
         QVERIFY(!rest.axisHeld);
         QVERIFY(std::abs(tilt(rest.pose.axis) - angle) < 1e-6);
-        // It stands on its rim, 3 mm from the axis.
+        // The tool stands on its rim, 3 mm from the axis.
         QVERIFY2(glm::length(rest.pose.tip - glm::dvec3(1, 0, 3.0 * std::sin(angle))) < 1e-3,
                  qPrintable(text("z", rest.pose.tip.z)));
     }
@@ -213,7 +213,7 @@ private slots:
         const ProxyStep rest =
             settle(Proxy(layers), {{0, 0, 0}, upright}, {{0, 0, 0}, tilted(0.6)}, without(0.025), 100);
         QVERIFY(rest.axisHeld);
-        // A rectangle, 6 mm by 30, between lines 6.4 mm apart.
+        // A rectangle of 6 mm by 30 between lines 6.4 mm apart.
         const double angle = tilt(rest.pose.axis);
         QVERIFY2(std::abs(6.0 * std::cos(angle) + 30.0 * std::sin(angle) - 6.4) < 4e-3, qPrintable(text("", angle)));
     }
@@ -236,7 +236,7 @@ private slots:
     }
 
     void aTurnSweepsNothingUnseen() {
-        // A pin stands where the holder comes by: the tip may stay, the axis may not pass.
+        // A wall where the holder would pass: the tip may stay, the axis may not pass.
         const Tool& tool = toolOf(tools_, "ball-1");
         BoundaryLayers layers = around(shapes::box({19.9, -50, 20}, {20.0, 50, 60}), tool);
         const Proxy proxy(layers);

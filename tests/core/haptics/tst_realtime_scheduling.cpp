@@ -24,7 +24,7 @@ namespace burin::tst_realtime_scheduling {
 
 namespace {
 
-/// The calling thread may raise nobody's priority any more; others still may.
+/// The calling thread loses the right to raise any priority; other threads keep it.
 void giveUpTheRight() {
     __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
     std::array<__user_cap_data_struct, 2> data{};
@@ -34,8 +34,8 @@ void giveUpTheRight() {
     syscall(SYS_capset, &header, data.data());
 }
 
-/// Stands in for RealtimeKit on a bus of the test's own: the same name, object, methods and properties, and its rules
-/// about what must be so before it grants anything. Grants for real where this process may.
+/// Simulates RealtimeKit on a bus of the test's own: the same name, object, methods and properties, and the conditions
+/// that it checks before it grants anything. Actually grants the class if this process may.
 class StandIn {
 public:
     StandIn() : thread_([this](const std::stop_token& stop) { serve(stop); }) {
@@ -114,7 +114,7 @@ struct Observed {
     int policyAfter = 0, niceAfter = 0;
 };
 
-/// What a thread without rights of its own gets.
+/// The result for a thread without rights of its own.
 template <class Work>
 Observed withoutRights(Work&& work) {
     Observed seen;
@@ -140,7 +140,7 @@ const auto nothing = [](const RealtimeScheduling&) {};
 
 } // namespace
 
-/// What the system grants the loop's thread, asked for in the order of how good it is.
+/// Scheduling that the system grants the loop's thread, requested in the order of preference.
 class TestRealtimeScheduling : public QObject {
     Q_OBJECT
 private slots:
@@ -169,8 +169,8 @@ private slots:
         const Observed seen = withoutRights(nothing);
         QCOMPARE(seen.obtained, SchedulingClass::roundRobin);
         QCOMPARE(kit.priority.load(), 19);
-        QCOMPARE(seen.policyAfter, SCHED_OTHER); // put back
-        if (!kit.reallyGranted) return;          // without rights of our own the stand-in can only say so
+        QCOMPARE(seen.policyAfter, SCHED_OTHER); // restored
+        if (!kit.reallyGranted) return;          // without rights of our own the simulated service can only report it
         QCOMPARE(seen.policy, SCHED_RR);
         QCOMPARE(seen.priority, 19);
     }
@@ -192,7 +192,7 @@ private slots:
         if (kit.reallyGranted) QCOMPARE(seen.nice, -15);
     }
 
-    /// The kernel's warning would end the program: it costs the class instead, and is told.
+    /// The kernel's warning would end the program: instead the thread loses its scheduling class, and that is reported.
     void aThreadThatNeverRestsLosesItsClassNotTheProgram() {
         StandIn kit;
         bool demoted = false;
@@ -220,7 +220,7 @@ private slots:
         }
         QVERIFY(usual > 0.0);
         QCOMPARE(inTheLoop, 0.0);
-        QVERIFY(tiny * factor > 0.0); // put back
+        QVERIFY(tiny * factor > 0.0); // restored
     }
 
     void whatIsLockedStaysInMemory() {

@@ -11,7 +11,7 @@ class TestRecordedRemoval : public QObject {
     Q_OBJECT
 
 private slots:
-    /// As many materials as a list may hold, and grades up to the limit: nothing that was removed gets lost.
+    /// As many materials as a list may hold, and grades up to the limit: no removed amount is lost.
     void gradesCountAsTheirMaterial() {
         PropertyList list;
         Property property;

@@ -15,8 +15,8 @@ using namespace burin::test;
 
 namespace {
 
-/// A hand that plunges into the stock, circles, presses on the part below it, and does now and then what hands and
-/// devices should not do. It moves on from reading to reading, however late they come.
+/// A hand that plunges into the stock, circles, presses on the part below it, and from time to time does what hands and
+/// devices should not do. It advances from reading to reading, however late they are.
 StylusState roughHand(double time, int reading) {
     StylusState state;
     state.time = time;
@@ -58,7 +58,7 @@ bool isEventful(const SessionEvents& events) {
     return events.cut > 50 && events.held > 20 && events.guided > 50 && events.faults > 3 && events.felt > 20;
 }
 
-/// Records a session with a stylus of a kind, and plays it from its trace.
+/// Records a session with a stylus of the given kind, and replays it from its trace.
 void playTwice(bool selfPaced, double seconds, SessionEvents& events) {
     QTemporaryDir folder;
     const std::filesystem::path file = folder.filePath("trace.csv").toStdString();
@@ -73,8 +73,8 @@ void playTwice(bool selfPaced, double seconds, SessionEvents& events) {
 
 } // namespace
 
-/// A trace of any kind of device gives the same session again, to the bit: where the tool was, what was cut, what was
-/// felt; through gaps, jumps and readings that were none.
+/// The replay of a trace of any kind of device is bitwise identical to the session: tool poses, removal, forces;
+/// through gaps, jumps and invalid readings.
 class TestReplay : public QObject {
     Q_OBJECT
 private slots:
@@ -86,7 +86,7 @@ private slots:
     void aTraceIsPlayedToTheBit() {
         QFETCH(bool, selfPaced);
         SessionEvents events;
-        for (const double seconds : {1.5, 4.0, 10.0}) { // a busy machine has had few ticks by then
+        for (const double seconds : {1.5, 4.0, 10.0}) { // a busy machine has run few ticks by then
             playTwice(selfPaced, seconds, events);
             if (QTest::currentTestFailed() || isEventful(events)) return;
         }
@@ -98,7 +98,8 @@ private slots:
                              .arg(events.felt)));
     }
 
-    /// Without what the session was told in between, it is another one: or the test above would show nothing.
+    /// Without the changes that the session was told about, the result differs: otherwise the test above would prove
+    /// nothing.
     void whatWasToldInBetweenMatters() {
         QTemporaryDir folder;
         const std::filesystem::path file = folder.filePath("trace.csv").toStdString(),
@@ -112,7 +113,7 @@ private slots:
         QVERIFY(differenceOf(original, replaySession(settings(), bare)).starts_with("tick "));
     }
 
-    /// What nobody can play again is refused, not played as something else.
+    /// A trace that cannot be replayed is refused, not played as something else.
     void anotherWorkpieceIsRefused() {
         const auto refused = [](const std::string& line) {
             const std::string text = std::string(tickTraceMark) + "\n" + std::string(tickTraceHeader) +
@@ -152,7 +153,7 @@ private slots:
         QCOMPARE(TraceRecorder::begin(file / "none", log).error().code, ErrorCode::fileNotWritable);
     }
 
-    /// A disk that does not keep up is told to the loop before anything is lost.
+    /// The loop is informed of a disk that does not keep up before any data are lost.
     void aFullRingIsTold() {
         QTemporaryDir folder;
         SampleLog log;
@@ -166,7 +167,7 @@ private slots:
             ++ticks;
         }
         auto written = (*recorder)->finish();
-        QVERIFY(written && written->putInPlace()); // either ring filled first: the log's or the recorder's own
+        QVERIFY(written && written->putInPlace()); // either ring may have filled first: the log's or the recorder's own
         const auto read = readTrace(folder.filePath("trace.csv").toStdString());
         QVERIFY(read);
         QCOMPARE(read->readings.size(), static_cast<std::size_t>(ticks));

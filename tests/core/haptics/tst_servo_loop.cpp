@@ -17,7 +17,7 @@ using namespace burin::test;
 
 namespace {
 
-/// A hand that circles and presses, by the time it is told; keeps what it was sent.
+/// A hand that circles and presses as a function of the given time; keeps the forces that it was sent.
 class CirclingStylus final : public Stylus {
 public:
     explicit CirclingStylus(double endTime = 1e9) : endTime_(endTime) {}
@@ -47,7 +47,7 @@ private:
     double endTime_;
 };
 
-/// Takes samples out of the ring until told to end.
+/// Takes samples out of the ring until told to stop.
 class Reader {
 public:
     explicit Reader(Ring<Sample>& ring) : ring_(ring), thread_([this] { run(); }) {}
@@ -166,7 +166,7 @@ private slots:
     void realtimeNeverLosesASampleSilently() {
         Rig rig;
         CirclingStylus stylus;
-        Ring<Sample> ring(64); // and nobody reads
+        Ring<Sample> ring(64); // without a reader
         const std::atomic<bool> stop{false};
         const Result<LoopStatistics> result = runServoLoop(stylus, rig.step, ring, {period, Pace::realtime, 5.0}, stop);
         QVERIFY(!result);
@@ -199,7 +199,8 @@ private slots:
         QCOMPARE(stylus.lastForce, glm::dvec3(0.0));
     }
 
-    /// A sink that asks the loop to stand gets no tick meanwhile, and the hand no force; such time is not missed.
+    /// A sink that asks the loop to stand gets no ticks meanwhile, and the hand no force; such time does not count as
+    /// missed.
     void standsWithoutForceWhenTheSinkAsks_data() {
         QTest::addColumn<int>("pace");
         QTest::newRow("fast") << int(Pace::fast);
@@ -233,7 +234,7 @@ private slots:
         QCOMPARE(result->ticks, sink.ticks);
         const auto edges = static_cast<std::uint64_t>(std::llround(result->simulatedSeconds / period));
         if (pace == int(Pace::realtime))
-            QVERIFY(result->ticks + result->missed + 20 <= edges); // each time it stood took an edge or more
+            QVERIFY(result->ticks + result->missed + 20 <= edges); // each time it stood cost at least one edge
         else
             QCOMPARE(result->ticks, edges);
     }
@@ -259,7 +260,7 @@ private slots:
         QCOMPARE(runServoLoop(stylus, rig.step, ring, settings, stop).error().code, ErrorCode::argumentInvalid);
     }
 
-    /// Figures of a loop under way are those of its ticks.
+    /// The figures of a running loop are those of its ticks.
     void liveFiguresFollowTheTicks() {
         const auto figures = std::make_unique<LoopFigures>();
         TickTiming timing;

@@ -9,7 +9,7 @@ namespace burin::tst_slot {
 
 using namespace burin::test;
 
-/// What a hand feels in a slot of constant depth, beside closed formulas.
+/// Forces that a hand feels in a slot of constant depth, compared with closed formulas.
 class SlotTest : public QObject {
     Q_OBJECT
 private slots:
@@ -55,7 +55,7 @@ private slots:
         if (firstEnergy != 1.0) QVERIFY2(figures.ticksToChange >= 0 && figures.ticksToChange <= 2, said);
     }
 
-    /// A light and a firm hand, a stiff device, and a force that comes a tick late feel the same.
+    /// A light and a firm hand, a stiff device, and a force with a delay of one tick give the same results.
     void handsAndDevicesMayDiffer_data() {
         QTest::addColumn<double>("mass");
         QTest::addColumn<double>("damping");

@@ -25,7 +25,7 @@ using burin::tests::SystemWatch;
 
 namespace {
 
-/// So that the compiler keeps what is allocated.
+/// Prevents the compiler from removing the allocation.
 template <class T>
 T* kept(T* pointer) {
     asm volatile("" : "+r"(pointer) : : "memory");
@@ -41,7 +41,7 @@ SystemUse costOf(SystemWatch& watch, Work&& work) {
 
 } // namespace
 
-/// What a tick asks of the system: nothing. And that the hook would tell.
+/// A tick makes no allocations, locks or system calls, and the hook would report them.
 class TestTickCost : public QObject {
     Q_OBJECT
 private slots:
@@ -80,7 +80,7 @@ private slots:
         QCOMPARE(cost.allocations, std::uint64_t{0});
     }
 
-    /// They do what they were called for, with all their arguments.
+    /// The hooked functions still work, with all their arguments.
     void everySystemCallCounts() {
         SystemWatch watch;
         std::array<int, 2> ends{};
@@ -111,7 +111,7 @@ private slots:
         for (const int end : ends) close(end);
     }
 
-    /// Nothing is counted of what another thread does, nor before and after.
+    /// Calls of another thread, and calls before and after, are not counted.
     void onlyTheWatchedStretchCounts() {
         SystemWatch watch;
         std::free(kept(std::malloc(8)));
@@ -120,7 +120,7 @@ private slots:
         QCOMPARE(cost.allocations + cost.releases + cost.locks + cost.systemCalls, std::uint64_t{0});
     }
 
-    /// Gaps, heartbeat, timing, figures and a late force as well.
+    /// Covers gaps, heartbeat, timing, figures and a late force as well.
     void whatTheLoopAddsAsksNothingEither() {
         struct Figures final : TickSink {
             AtEdge edge() noexcept override { return AtEdge::tick; }
@@ -173,9 +173,9 @@ private slots:
             for (int i = 1; i <= count; ++i) {
                 StylusState state;
                 state.pose.position = glm::mix(from, target, static_cast<double>(i) / count);
-                state.valid = i != 7; // a fault as well
+                state.valid = i != 7; // including a fault
                 watch.begin();
-                const Sample sample = rig.step.advance(state, i == 9 ? 0.005 : period); // and one that comes late
+                const Sample sample = rig.step.advance(state, i == 9 ? 0.005 : period); // including one that is late
                 const SystemUse cost = watch.end();
                 sum.allocations += cost.allocations + cost.releases;
                 sum.locks += cost.locks;
@@ -191,7 +191,7 @@ private slots:
         rig.step.setAllowance(0.3);
         go({-12, -3, -14}, 60.0);
         go({-12, -3, 5}, 60.0);
-        QVERIFY(cut > 100 && happened > 50 && faults == 5); // or nothing was watched
+        QVERIFY(cut > 100 && happened > 50 && faults == 5); // otherwise nothing was measured
         QCOMPARE(sum.allocations, std::uint64_t{0});
         QCOMPARE(sum.locks, std::uint64_t{0});
         QCOMPARE(sum.systemCalls, std::uint64_t{0});

@@ -32,12 +32,12 @@ glm::dquat aboutY(double angle) {
     return glm::angleAxis(angle, glm::dvec3(0, 1, 0));
 }
 
-/// A pen of 0.1 kg with a hand of some impedance, as a handle whose millimetres are radians: kg mm² for kg, N·mm for N
-/// (the grip's stiffness in mN·m, as the handle divides by a thousand).
+/// A pen of 0.1 kg in a hand of given impedance, as a handle whose millimetres are radians: kg mm² for kg, N·mm for N
+/// (the grip's stiffness in mN·m, because the handle divides by a thousand).
 constexpr SimulatedGrip lightWrist{100.0, 5e3, 2e5}, firmWrist{600.0, 2e4, 2e6};
 
-/// mJ that turning into a stop, which begins at an angle of 0, and out again gives to the hand, the worst of ten times.
-/// @param coupling nullptr: the spring alone
+/// Energy, mJ, that the hand gains by turning into a stop, which begins at an angle of 0, and out again, the worst of
+/// ten times. @param coupling nullptr: only the spring
 double energyOfTurn(TurnCoupling* coupling, double stiffness, const SimulatedGrip& grip, double step) {
     constexpr int cycle = 1000, cycles = 10; // ticks
     constexpr double reach = 0.3;            // rad

@@ -26,7 +26,7 @@ HapticSettings mapped(bool motors = true) {
     return settings;
 }
 
-/// A workspace with a hand in it; the tool is where the hand wants it.
+/// A workspace with a hand in it; the tool is always where the hand requests it.
 struct WorkspaceRig {
     explicit WorkspaceRig(const HapticSettings& wanted = mapped()) : workspace(wanted) {}
     glm::dvec3 feed(const glm::dvec3& place) {
@@ -158,7 +158,7 @@ private slots:
         WorkspaceRig rig;
         SeededRandom random(4);
         rig.feed({50, -30, 20});
-        const glm::dvec3 work = rig.tool; // the hand steers the tool about this place by the eye
+        const glm::dvec3 work = rig.tool; // the hand steers the tool visually about this point
         ++rig.settings.recentrings;
         rig.workspace.set(rig.settings);
         double farthest = 0.0;
@@ -187,7 +187,7 @@ private slots:
         QVERIFY(glm::length(rig.tool - start - glm::dvec3(0.5 * speed, 0, 0)) < 1e-9);
         QVERIFY(glm::length(rig.last.drive - glm::dvec3(speed, 0, 0)) < 1e-9);
         const glm::dvec3 there = rig.moveTo({0, 0, 0}, 1);
-        for (int i = 0; i < 1000; ++i) rig.feed({0.5, 0.5, 0}); // what a cap has of play
+        for (int i = 0; i < 1000; ++i) rig.feed({0.5, 0.5, 0}); // the mechanical play of a cap
         QCOMPARE(rig.tool, there);
         for (int i = 0; i < 10'000; ++i) rig.feed({40, 0, 0});
         QCOMPARE(rig.tool.x, 200.0);
@@ -217,7 +217,7 @@ private slots:
         rig.workspace.set(rig.settings);
         rig.turn = turnAbout({0, 1, 0}, 0.7);
         rig.feed({10, 0, 0});
-        QCOMPARE(rig.last.wanted.axis, before); // stays with the tool
+        QCOMPARE(rig.last.wanted.axis, before); // follows the tool
     }
 
     void nonsenseIsNotTaken() {
@@ -268,7 +268,7 @@ private slots:
             rig.moveTo({0, 0, floorHeight - random.between(-1.0, 6.0)}, 30.0);
             rig.rest(50);
         }
-        QVERIFY2(kick <= 0.16 + 1e-9, qPrintable(QString::number(kick))); // the slew
+        QVERIFY2(kick <= 0.16 + 1e-9, qPrintable(QString::number(kick))); // the slew limit
         QVERIFY(largest > 0.5);
         QVERIFY(quietTicks > 1000);
     }

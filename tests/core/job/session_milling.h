@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <vector>
 
-/// A small block to mill, and a hand that mills strokes in it when told to.
+/// A small block to mill, and a hand that mills strokes in it on request.
 namespace burin::test {
 
 inline constexpr double top = 10.0, side = 20.0; ///< mm: the block's height, and its length along x and y
@@ -49,7 +49,7 @@ inline MillingContext blockMilling() {
     return *std::move(milling);
 }
 
-/// Every scanline, copied out: what the workpiece is, whatever becomes of it later.
+/// A copy of every scanline: the state of the workpiece, independent of later changes.
 template <class Volume>
 std::vector<std::vector<Segment>> linesOf(const Volume& volume) {
     std::vector<std::vector<Segment>> lines;
@@ -61,16 +61,16 @@ std::vector<std::vector<Segment>> linesOf(const Volume& volume) {
     return lines;
 }
 
-/// Mills stroke after stroke along x with its button down, as many as are wanted, and comes back through the stock
-/// with its button up. Device frame: the setup's.
+/// Mills the requested number of strokes along x with its button down, and returns through the stock with its button
+/// up. Device frame: the setup's.
 class StrokeHand final : public Stylus {
 public:
     static constexpr int strokeTicks = 60, backTicks = 30;
 
     /// @param finishAfter strokes; 0: never
     explicit StrokeHand(int finishAfter = 0) : finishAfter_(finishAfter) {}
-    void mill(int strokes) { wanted_.fetch_add(strokes); } ///< so many more
-    int done() const { return done_.load(); }              ///< strokes, and back again
+    void mill(int strokes) { wanted_.fetch_add(strokes); } ///< adds this many
+    int done() const { return done_.load(); }              ///< strokes completed, including the return
     double largestForce() const { return largestForce_; }
     bool closed() const { return closed_; }
 
@@ -106,7 +106,7 @@ public:
 private:
     const int finishAfter_;
     std::atomic<int> wanted_{0}, done_{0};
-    int tick_ = 0; ///< of the stroke under way; 0: waiting
+    int tick_ = 0; ///< of the current stroke; 0: waiting
     double largestForce_ = 0.0;
     bool closed_ = false;
 };

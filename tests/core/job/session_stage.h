@@ -12,7 +12,7 @@ namespace burin::test {
 
 using Lines = std::vector<std::vector<Segment>>;
 
-/// A project, a rig and a hand, and what one does with them.
+/// A project, a rig and a hand, and operations with them.
 struct Stage {
     explicit Stage(const std::filesystem::path& file, int finishAfter = 0)
         : project(*Project::create(file)), hand(finishAfter) {
@@ -42,7 +42,7 @@ inline SessionRequest handRequest(Pace pace = Pace::realtime) {
     return request;
 }
 
-/// Gives the loop time until something is so. False: it never came.
+/// Waits until a condition holds, while the loop runs. False if it never held.
 inline bool await(const std::function<bool()>& holds) {
     for (int i = 0; i < 5000; ++i) {
         if (holds()) return true;
@@ -51,7 +51,7 @@ inline bool await(const std::function<bool()>& holds) {
     return false;
 }
 
-/// Mills so many strokes and waits until the session has heard of them all.
+/// Mills this many strokes and waits until the session has received them all.
 inline bool millStrokes(Stage& stage, MillingSession& session, int strokes) {
     const int wanted = stage.hand.done() + strokes;
     stage.hand.mill(strokes);

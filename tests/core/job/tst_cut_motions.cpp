@@ -17,7 +17,7 @@ class TestCutMotions : public QObject {
     Q_OBJECT
 
 private slots:
-    /// A tool that goes on and jumps, stands upright, leans or turns.
+    /// A tool that moves continuously and jumps, and whose axis is upright, tilted or rotating.
     void motionsThatCutComeBackToTheBit() {
         const bool held = rc::check([] {
             const std::array<glm::dvec3, 3> tips{
@@ -52,7 +52,8 @@ private slots:
         QVERIFY(held);
     }
 
-    /// The first sample ends no motion, what was taken back and what removed nothing cuts nothing; in any parts.
+    /// The first sample ends no motion, and undone samples and those without removal cut nothing; for any division into
+    /// parts.
     void whatCutIsFoundInAnyParts() {
         std::vector<Sample> samples = fixture::handSamples(0, 60);
         for (std::size_t i = 0; i < samples.size(); ++i) {

@@ -12,7 +12,7 @@ namespace burin::tst_damaged_programs {
 
 using namespace burin::test;
 
-/// Programs that burin_judge_damaged makes by the hundred: some of each kind.
+/// Some of each kind of the programs that burin_judge_damaged makes by the hundred.
 class DamagedProgramsTest : public QObject {
     Q_OBJECT
 private slots:

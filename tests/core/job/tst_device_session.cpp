@@ -21,13 +21,13 @@ using namespace burin::test;
 
 namespace {
 
-/// A device that paces itself, held by a hand that mills circles in the block with its button down.
+/// A self-paced device, held by a hand that mills circles in the block with its button down.
 struct Device {
     OwnStylus stylus{description(), [this](double time, int) { return reading(time); },
                      [this](const Wrench& wrench) { force = glm::length(wrench.force); }, [this] { ++cuts; }};
     std::atomic<bool> unplugged{false};
     std::atomic<double> heat{0.0}; ///< of its motors
-    std::atomic<double> hang{0.0}; ///< s that the next reading takes
+    std::atomic<double> hang{0.0}; ///< s, duration of the next reading
     std::atomic<double> force{0.0};
     std::atomic<int> cuts{0};
 
@@ -87,7 +87,7 @@ struct Live {
 
 } // namespace
 
-/// A session with a device that keeps its own time: milling, figures, faults, traces.
+/// A session with a self-paced device: milling, figures, faults, traces.
 class TestDeviceSession : public QObject {
     Q_OBJECT
 private slots:
@@ -109,7 +109,7 @@ private slots:
         QCOMPARE(live.device.force.load(), 0.0);
     }
 
-    /// Unplugged in mid stroke: a message that names the record, no force, and it goes on by itself.
+    /// Unplugged in the middle of a stroke: a message names the record, the force is zero, and the session continues.
     void unpluggedItSaysSoAndGoesOn() {
         QTemporaryDir folder;
         Live live(folder);
@@ -117,7 +117,7 @@ private slots:
         live.device.unplug();
         const auto fault = live.fault();
         QVERIFY(fault);
-        // A busy machine may have made the loop late before: that is told as well.
+        // A busy machine may have made the loop late before: that is reported as well.
         const auto unplugged = fault->code == ErrorCode::deviceUnplugged ? fault : live.fault();
         QVERIFY(unplugged);
         QCOMPARE(unplugged->code, ErrorCode::deviceUnplugged);
@@ -126,7 +126,7 @@ private slots:
         QVERIFY(live.sees([&] { return (live.state.sample.flags & sampleStylusInvalid) != 0; }));
         QCOMPARE(live.device.force.load(), 0.0);
         const std::uint64_t then = live.state.ticks;
-        QVERIFY(live.sees([&] { return live.state.ticks > then + 50; })); // its guards go on
+        QVERIFY(live.sees([&] { return live.state.ticks > then + 50; })); // its guards continue
         live.device.unplugged = false;
         QVERIFY(live.sees([&] { return (live.state.sample.flags & sampleStylusInvalid) == 0 && live.state.cutting; }));
         QVERIFY(live.session->end());
@@ -134,7 +134,7 @@ private slots:
         QVERIFY(contiguous(take));
     }
 
-    /// A loop that is kept from running leaves a record too, and its motors are cut by somebody else.
+    /// A loop that is prevented from running leaves a record too, and its motors are cut by another thread.
     void aLoopThatHangsIsTold() {
         QTemporaryDir folder;
         SessionRequest request = liveRequest();
@@ -160,7 +160,7 @@ private slots:
         QVERIFY(statistics->late >= 1);
     }
 
-    /// What a simulated stylus would not feel is no fault, and leaves nothing behind.
+    /// A timing problem that a simulated stylus would not feel is no fault, and leaves no record.
     void aSimulatedStylusHasNoFlights() {
         QTemporaryDir folder;
         Stage stage(folder.filePath("p.burin").toStdString());
@@ -175,7 +175,7 @@ private slots:
         QVERIFY(!QDir(folder.path()).exists("p.flights"));
     }
 
-    /// Motors that become hot are told once, with the force that they are spared; the session goes on.
+    /// Motors that become hot are reported once, with the reduced force; the session continues.
     void hotMotorsAreTold() {
         QTemporaryDir folder;
         Live live(folder);
@@ -196,7 +196,7 @@ private slots:
         QVERIFY(live.session->end());
     }
 
-    /// The trace of a session mills the same workpiece again, whatever its owner asked for meanwhile.
+    /// Replaying the trace of a session gives the same workpiece, whatever its owner requested meanwhile.
     void itsTraceMillsTheSame() {
         QTemporaryDir folder;
         SessionRequest request = liveRequest();

@@ -18,7 +18,7 @@ using namespace burin::tests;
 
 namespace {
 
-constexpr double diameter = 6.0, tablesChip = 0.05; // mm; mm a tooth
+constexpr double diameter = 6.0, tablesChip = 0.05; // mm; mm per tooth
 
 Property tabled(const std::string& id, double energy, double speed, double chip = tablesChip) {
     Property property = material(id, energy, 0.3);
@@ -50,7 +50,7 @@ MachineProfile freeMachine() {
     return machine;
 }
 
-/// A cut of a flat end's side by geometry. @param share of the diameter, across the motion. @param depth mm
+/// A cut with the side of a flat end, by geometry. @param share of the diameter, across the motion. @param depth mm
 SmoothedCut sideCut(double share, double depth, PropertyIndex property) {
     SmoothedCut cut;
     cut.area = share * diameter * depth;
@@ -62,13 +62,13 @@ SmoothedCut sideCut(double share, double depth, PropertyIndex property) {
     return cut;
 }
 
-double feedOf(double speed, double chip) { // m/min, mm a tooth
+double feedOf(double speed, double chip) { // m/min, mm per tooth
     return speed * 1000.0 / (pi * diameter) * 3.0 * chip;
 }
 
 } // namespace
 
-/// The feed that the meters propose, against closed formulas; what a tick tells of a cut, against its geometry.
+/// The feed that the meters propose is compared with closed formulas; the measurements of a cut with its geometry.
 class TestFeedProposal : public QObject {
     Q_OBJECT
 private slots:
@@ -82,7 +82,7 @@ private slots:
         }
     }
 
-    /// The mean chip, fz times width over arc length, is that of a slot, until the feed is twice the tables'.
+    /// The mean chip, fz times width over arc length, equals that of a slot, until the feed is twice the tables'.
     void thinChipsAreMadeUpFor() {
         QVERIFY(rc::check([] {
             const double share = *rc::gen::inRange(1, 100) / 100.0;
@@ -102,7 +102,7 @@ private slots:
         }));
     }
 
-    /// Power: energy of a volume times the volume in a second.
+    /// Power: energy per volume times the volume per second.
     void theSpindlesPowerBoundsIt() {
         MachineProfile machine = freeMachine();
         machine.spindlePower = 40.0; // W
@@ -186,8 +186,8 @@ private slots:
             const SmoothedCut& cut = recent.newest();
             QVERIFY2(std::abs(cut.area / (width * depth) - 1.0) < 0.02, qPrintable(QString::number(cut.area)));
             QVERIFY2(std::abs(cut.depth - depth) < 0.1, qPrintable(QString::number(cut.depth)));
-            // A patch that slides along the stock counts or does not (Engagement): the arc comes out shorter, and with
-            // it the chip thicker and the feed lower, never the other way.
+            // A patch that slides along the stock may or may not count (Engagement): the arc comes out shorter, and
+            // with it the chip thicker and the feed lower, never the other way.
             const double arc = std::acos(1.0 - 2.0 * width / diameter);
             QVERIFY2(cut.arc > arc - 0.5 && cut.arc < arc + 0.1, qPrintable(QString::number(cut.arc)));
             const double ratio = cut.area / cut.surface, expected = width / (arc * 0.5 * diameter);

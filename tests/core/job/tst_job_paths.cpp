@@ -72,8 +72,8 @@ private slots:
                 paths->front().sources.front() == PathSource{take});
     }
 
-    /// A job's order is one, whoever asks: larger tools first, those alike as they first milled, whenever their paths
-    /// were made.
+    /// A job has a single order, whoever requests it: larger tools first, equal ones in the order in which they first
+    /// milled, whenever their paths were made.
     void theOrderOfMillingIsOne() {
         const std::int64_t small = record(*project_, "ball-6"), one = record(*project_, "flat-10"),
                            other = record(*project_, "ball-10");
@@ -92,12 +92,12 @@ private slots:
         const std::vector wanted{one, other, small};
         QCOMPARE(inOrder(*project_->paths()), wanted);
         QCOMPARE(inOrder(*jobPaths(*project_)), wanted);
-        // A tool that nobody knows any more comes last.
+        // A tool that is no longer in the list comes last.
         tools.erase(tools.begin());
         QCOMPARE(inOrder(*project_->paths()), (std::vector{one, small, other}));
     }
 
-    /// What the user left out stays out; what was recorded since comes in.
+    /// Takes that the user left out stay out; those recorded later are included.
     void aPathTakesNewerRecordingsOfItsToolAlone() {
         const std::int64_t left = record(*project_, "ball-6"), used = record(*project_, "ball-6");
         StoredPath path;
@@ -109,8 +109,8 @@ private slots:
         QVERIFY(std::ranges::find(path.sources, PathSource{left}) == path.sources.end());
     }
 
-    /// A take whose strokes were all taken back mills nothing: its tool is none of the job, and no other tool's path is
-    /// changed by it. Put back, it is there again.
+    /// A take whose strokes were all undone mills nothing: its tool does not belong to the job, and no other tool's
+    /// path is changed by it. Redone, it is included again.
     void aTakeThatWasTakenBackIsNone() {
         const std::int64_t stands = record(*project_, "ball-6"), gone = record(*project_, "flat-10");
         const SampleRange all{0, 20};
@@ -123,7 +123,7 @@ private slots:
         QCOMPARE(takesIn(paths, 0), std::vector{stands});
         QVERIFY(project_->redoStretch(gone, all));
         QCOMPARE(jobPaths(*project_)->size(), std::size_t{2});
-        QVERIFY(project_->undoStretch(gone, {0, 5})); // some of it
+        QVERIFY(project_->undoStretch(gone, {0, 5})); // part of it
         QCOMPARE(standingTakes(*project_)->size(), std::size_t{2});
         QVERIFY(project_->undoStretch(stands, all) && project_->undoStretch(gone, {5, 15}));
         QCOMPARE(jobPaths(*project_).error().code, ErrorCode::projectIncomplete);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* text = "%\nG21 G90 G54\nT1 M6\nS8000 M3\nG0 X0 Y0 Z10\nG1 Z5 F200\nG0 Z10\nM2\n%\n";
 
-/// As a check leaves it, with a finding of each kind that the report may have.
+/// A program as a check leaves it, with a finding of each kind that the report may contain.
 CheckedProgram checked(const Tool& tool) {
     CheckedProgram program;
     program.text = text;
@@ -38,7 +38,7 @@ struct Change {
 
 } // namespace
 
-/// A verdict that a project kept counts as long as all that was judged is as it was.
+/// A verdict kept in a project is valid as long as everything that was judged is unchanged.
 class TestKeptProgram : public QObject {
     Q_OBJECT
 private slots:
@@ -59,7 +59,7 @@ private slots:
         QVERIFY((**reopened).upToDate);
         QCOMPARE(program.text, std::string(text));
         QCOMPARE(program.gougeTolerance, 0.025);
-        QCOMPARE(program.report.gougeMax, 0.1 + 0.2); // to the last bit
+        QCOMPARE(program.report.gougeMax, 0.1 + 0.2); // bitwise equal
         QCOMPARE(program.report.removed, 1234.5678901234567);
         QCOMPARE(program.report.findings.size(), std::size_t{1});
         QVERIFY(program.report.findings[0].kind == FindingKind::shankCollision);
@@ -75,7 +75,7 @@ private slots:
     void aProjectWithoutOneHasNone() {
         QVERIFY(project_->setKeptProgram({}));
         QVERIFY(!reopenProgram(*project_).value());
-        QVERIFY(project_->setKeptProgram("{\"text\": 3}")); // of a Burin that writes another form
+        QVERIFY(project_->setKeptProgram("{\"text\": 3}")); // from a Burin that writes another form
         QVERIFY(!reopenProgram(*project_).value());
     }
 
@@ -144,7 +144,7 @@ private slots:
         }
     }
 
-    /// Where one looks from, what leads the hand, and a tool that milled nothing.
+    /// The view direction, haptic guides, and a tool that milled nothing.
     void whatNobodyJudgedMayChange() {
         Tool other = fixture::tool();
         other.id = "another";

@@ -36,7 +36,7 @@ MillingContext aluminiumMilling(double spindlePower) {
     return milling;
 }
 
-/// A program of one recording along a polyline above the part, with or without Feed by engagement.
+/// A program of one recording along a polyline above the part, with or without feed optimisation.
 Result<CheckedProgram> programOf(const MillingContext& milling, const std::vector<glm::dvec3>& corners,
                                  bool byEngagement) {
     std::vector<Edit> edits{{Simplify{}}, {Link{.entry = Link::Entry::ramp}}, {SetFeed{}}};
@@ -59,7 +59,7 @@ bool asksTooMuch(const CheckedProgram& program) {
                                [](const Finding& one) { return one.kind == FindingKind::spindlePower; });
 }
 
-/// Whether a move that asks for too much could be fed slower: no chip of it is as thin as the edit lets it be.
+/// Whether a move that exceeds the power could be fed slower: none of its chips is at the edit's lower limit.
 bool couldBeSlower(const CheckedProgram& program) {
     return std::ranges::any_of(program.report.findings, [&](const Finding& finding) {
         if (finding.kind != FindingKind::spindlePower) return false;
@@ -80,7 +80,7 @@ glm::dvec3 placeInTheBlock() {
 class TestLowerFeeds : public QObject {
     Q_OBJECT
 private slots:
-    /// The coarse look of the edit misses loads; what is posted is right all the same.
+    /// The edit's coarse estimate misses loads; the posted program is right nevertheless.
     void noProgramAsksForMorePowerThanThereIs() {
         int refusedWithout = 0, lowered = 0, passed = 0;
         QVERIFY(rc::check("whatever the hand did", [&] {
@@ -96,7 +96,7 @@ private slots:
             RC_ASSERT(free->slowed == 0U);
             RC_ASSERT(!couldBeSlower(*held));
             passed += asksTooMuch(*held) ? 0 : 1;
-            RC_ASSERT(held->parsed.motions.size() >= free->parsed.motions.size()); // nothing is left out for it
+            RC_ASSERT(held->parsed.motions.size() >= free->parsed.motions.size()); // nothing is left out because of it
         }));
         QVERIFY2(refusedWithout > 15 && lowered > 5 && passed > 90,
                  qPrintable(QString("%1 %2 %3").arg(refusedWithout).arg(lowered).arg(passed)));
@@ -118,7 +118,7 @@ private slots:
         };
         motion(0, 0);
         motion(10, 0);
-        motion(15, 0); // half of the next move: the control split it
+        motion(15, 0); // half of the next move, which the control split
         motion(20, 0);
         motion(30, 0);
         motion(30, 5);
@@ -128,7 +128,7 @@ private slots:
         const auto feed = [&](std::size_t path, std::size_t point) { return paths[path].points[point].feed; };
         QCOMPARE(feed(0, 1), 1000.0);
         QVERIFY(feed(0, 2) <= 600.0 && feed(0, 2) > 580.0);
-        QCOMPARE(feed(0, 3), 300.0);  // no chip is thinner than the edit lets it be
+        QCOMPARE(feed(0, 3), 300.0);  // no chip is thinner than the edit permits
         QCOMPARE(feed(1, 1), 1000.0); // its list has no such edit
         QCOMPARE(lowerFeeds(paths, program, {{1, 2000.0}}, ThreeAxes()), std::size_t(0));
     }

@@ -26,10 +26,10 @@ fs::path fileIn(const QTemporaryDir& folder) {
     return folder.filePath("p.burin").toStdString();
 }
 
-/// The workpiece as the loop shows it now.
+/// The workpiece as the loop shows it at present.
 Lines shown(MillingSession& session) {
     WorkpieceView view;
-    for (int views = 0; views < 2;) // one may have been on its way before
+    for (int views = 0; views < 2;) // the first one may have been requested before
         if (session.newestView(view))
             ++views;
         else
@@ -37,8 +37,8 @@ Lines shown(MillingSession& session) {
     return linesOf(view.workpiece);
 }
 
-/// The workpiece as it is made again from the recordings: as a command reads them, and as the window does, which gets
-/// them from another thread. Empty where these differ.
+/// The workpiece computed again from the recordings: as a command reads them, and as the window does, which gets them
+/// from another thread. Empty if these differ.
 Lines replayed(const Project& project) {
     MillingContext milling = blockMilling(), handedOver = blockMilling();
     Progress progress;
@@ -48,7 +48,7 @@ Lines replayed(const Project& project) {
     return lines == linesOf(handedOver.embedded.workpiece) ? lines : Lines{};
 }
 
-/// What a second program makes of the project on the disk.
+/// The workpiece that a second program computes from the project on the disk.
 Lines replayed(const fs::path& file) {
     const Result<Project> project = Project::open(file);
     return project ? replayed(*project) : Lines{};
@@ -59,7 +59,7 @@ Lines replayed(const fs::path& file) {
 class TestMillingSession : public QObject {
     Q_OBJECT
 private slots:
-    /// What is recorded is what the loop did to the workpiece, and the same again when the project is opened.
+    /// The recording is what the loop did to the workpiece, and gives the same when the project is opened.
     void theRecordingIsWhatHappened_data() {
         QTest::addColumn<bool>("onButton");
         QTest::newRow("always cutting") << false;
@@ -86,7 +86,7 @@ private slots:
             QCOMPARE(take->samples.size(), std::size_t{loop->ticks});
             QCOMPARE(removedUnits(*take), before - stage.units());
             QVERIFY(stage.units() < before);
-            // Each press is a stroke; without a button the whole take is one.
+            // Each press is a stroke; without a button the whole take is a single stroke.
             QCOMPARE(stage.strokes.count(), std::size_t{onButton ? 4u : 1u});
             if (!onButton) QCOMPARE(stage.strokes.newest().count, std::uint64_t{take->samples.size()});
             workpiece = stage.workpiece();
@@ -95,7 +95,7 @@ private slots:
         QVERIFY(workpiece == replayed(fileIn(folder)));
     }
 
-    /// A hovering tool goes where the hand is, through stock; only with the button down it cuts.
+    /// With its button up a tool follows the hand through stock; it cuts only with the button down.
     void aHoveringToolIsNeverHeldByStock() {
         const QTemporaryDir folder;
         Stage stage(fileIn(folder), 3);
@@ -115,7 +115,7 @@ private slots:
             for (const RemovedMaterial& removed : sample.removed) QCOMPARE(removed.units, std::uint64_t{0});
         }
         QVERIFY(hovering >= std::size_t{3 * StrokeHand::backTicks});
-        // No place of it gets into a path.
+        // None of its positions becomes part of a path.
         Progress progress;
         StoredPath stored = *standardPath(stage.project, stage.milling.tool.id);
         stored.edits.clear();
@@ -144,7 +144,7 @@ private slots:
         QCOMPARE(session->startRecording("late").error().code, ErrorCode::argumentInvalid);
     }
 
-    /// Takes one after the other in one session, each from tick 0, nothing lost where they meet.
+    /// Several takes in one session, each starting at tick 0, without loss where they meet.
     void takesFollowOneAnother() {
         const QTemporaryDir folder;
         {
@@ -159,7 +159,7 @@ private slots:
                 QVERIFY(await([&] { return session->newest(state) && state.recording; }));
                 QCOMPARE(state.take, session->take());
                 QVERIFY(millStrokes(stage, *session, 1));
-                stage.hand.mill(1); // the recording stops somewhere in this one
+                stage.hand.mill(1); // the recording stops during this one
                 std::this_thread::sleep_for(20ms);
                 QVERIFY(session->stopRecording());
                 const Result<Take> take = stage.project.take(session->take());
@@ -174,7 +174,7 @@ private slots:
         }
     }
 
-    /// Wishes that come faster than the ticks are all fulfilled, one after the other.
+    /// Requests that arrive faster than the ticks are all fulfilled, one after the other.
     void aTakeThatIsStoppedAtOnceIsWhole() {
         const QTemporaryDir folder;
         Stage stage(fileIn(folder));
@@ -191,7 +191,7 @@ private slots:
         QVERIFY(stage.workpiece() == replayed(stage.project));
     }
 
-    /// Undo puts back, bit for bit, what the stroke found; redo what it left; during the recording and after it.
+    /// Undo restores, bit for bit, the state before the stroke; redo that after it; during the recording and after it.
     void strokesAreTakenBackAndComeAgain() {
         const QTemporaryDir folder;
         Lines last;
@@ -218,7 +218,7 @@ private slots:
             QVERIFY(shown(*session) == states[3]);
             QCOMPARE(session->redoStroke().error().code, ErrorCode::argumentInvalid);
             QVERIFY(session->undoStroke() && session->undoStroke());
-            // Another stroke in its place: what was undone can't come again.
+            // Another stroke instead: the undone stroke can't be redone any more.
             QVERIFY(millStrokes(stage, *session, 1));
             QVERIFY(await([&] { return session->undoStroke().hasValue(); }));
             QVERIFY(shown(*session) == states[1]);
@@ -237,7 +237,7 @@ private slots:
             QVERIFY(session->end());
             QVERIFY(stage.workpiece() == after);
             QCOMPARE(removedUnits(*take), before - stage.units());
-            // After the session: its own functions and the history alike.
+            // After the session, with its own functions and with the history.
             QVERIFY(session->undoStroke());
             QVERIFY(stage.workpiece() == states[1]);
             QVERIFY(stage.strokes.undo(stage.project, stage.milling.embedded.workpiece));
@@ -250,7 +250,7 @@ private slots:
         QVERIFY(last == replayed(fileIn(folder)));
     }
 
-    /// Undo while the button is down ends the stroke there; what the button goes on with is another one.
+    /// Undo while the button is down ends the stroke there; further motion with the button down is another stroke.
     void aStrokeUnderWayIsTakenBack() {
         const QTemporaryDir folder;
         Lines last;
@@ -279,7 +279,7 @@ private slots:
         QVERIFY(last == replayed(fileIn(folder)));
     }
 
-    /// No more strokes are kept than promised; older ones stay, and the newer ones are still exact.
+    /// At most the promised number of strokes is kept; older ones stay milled, and the newer ones are still exact.
     void onlyTheNewestStrokesCanBeTakenBack() {
         const QTemporaryDir folder;
         constexpr int strokes = int{StrokeHistory::maximum} + 5;
@@ -299,12 +299,12 @@ private slots:
         QVERIFY(stage.workpiece() == replayed(stage.project));
     }
 
-    /// Views, path and figures of a session under way.
+    /// Views, path and figures of a running session.
     void whatIsToBeSeenFollowsTheTool() {
         const QTemporaryDir folder;
         Stage stage(fileIn(folder));
         const auto session = stage.begin(handRequest());
-        QVERIFY(shown(*session) == stage.workpiece()); // nobody cuts
+        QVERIFY(shown(*session) == stage.workpiece()); // nothing is being cut
         WorkpieceView view;
         QVERIFY(session->startRecording("take"));
         const auto start = std::chrono::steady_clock::now();
@@ -314,7 +314,7 @@ private slots:
         QVERIFY(*cut >= start && *cut <= std::chrono::steady_clock::now());
         const Lines seen = shown(*session);
         QVERIFY(await([&] { return session->newestView(view); }));
-        QVERIFY(!view.oldestCut); // shown already
+        QVERIFY(!view.oldestCut); // already shown
         SessionState state;
         QVERIFY(await([&] { return session->newest(state) && state.rateHz > 0.0; }));
         QVERIFY(state.recording && !state.cutting && state.recordedSeconds > 0.1);
@@ -340,8 +340,8 @@ private slots:
         QVERIFY(session->newestView(view) && linesOf(view.workpiece) == seen);
     }
 
-    /// When the volume's memory runs out, old strokes are packed and milling goes on; all of them can still be taken
-    /// back.
+    /// When the volume's memory runs out, old strokes are packed and milling continues; all of them can still be
+    /// undone.
     void oldStrokesMakeRoomForNewCuts() {
         const QTemporaryDir folder;
         Stage stage(fileIn(folder));
@@ -355,7 +355,7 @@ private slots:
         const auto session = stage.begin(handRequest());
         QVERIFY(session->startRecording("dense"));
         stage.hand.mill(100);
-        QVERIFY(await([&] { return stage.hand.done() >= 20; })); // nobody packs meanwhile
+        QVERIFY(await([&] { return stage.hand.done() >= 20; })); // nothing is packed meanwhile
         bool full = false;
         SessionState state;
         const bool made = await([&] {
@@ -372,7 +372,8 @@ private slots:
         QVERIFY(stage.workpiece() == before);
     }
 
-    /// The virtual operator as the window shows it: the stages of the plan, in time lapse, as the command line mills.
+    /// The virtual operator as the window runs it: the stages of the plan, in time lapse, with the same result as on
+    /// the command line.
     void theOperatorMillsTheSameInTimeLapse() {
         const QTemporaryDir folder, other;
         const OperatorRequest request;
@@ -401,7 +402,7 @@ private slots:
         QCOMPARE(stage.project.take(1)->samples.size(), fast.project.take(1)->samples.size());
     }
 
-    /// Whatever is asked for: workshop rules by material, a full diameter and more in wax and board, half of one in
+    /// Whatever is requested: workshop rules by material, a full diameter and more in wax and board, half of one in
     /// aluminium.
     void theOperatorTakesNoLevelDeeperThanItsShare() {
         for (const auto& [material, share] :

@@ -17,7 +17,7 @@ using namespace burin::test;
 
 namespace {
 
-/// Wax that is as hard again, under a name that the library does not know.
+/// Wax with a multiple of the specific energy, under a name that the library does not know.
 Property ownWax(double factor) {
     Property wax = loadMaterial("machinable-wax").value();
     wax.id = "wax-of-our-own";
@@ -26,7 +26,7 @@ Property ownWax(double factor) {
     return wax;
 }
 
-/// A rig out of a project file that keeps such a wax.
+/// A rig from a project file that contains such a wax.
 Result<MillingContext> millingWith(const Property& material, Project& project) {
     Model model;
     Body body;
@@ -44,7 +44,7 @@ Result<MillingContext> millingWith(const Property& material, Project& project) {
     return makeMillingContext(project, sessionTool(), "linuxcnc-mill", progress);
 }
 
-/// A groove beside the part with feeds by force, evaluated, posted and checked.
+/// A groove next to the part with feeds by force, evaluated, posted and checked.
 struct Job {
     EvaluatedPath path;
     CheckedProgram program;
@@ -86,7 +86,7 @@ double energyOf(const VerifyReport& report) {
 
 } // namespace
 
-/// A project's materials are what they were when it was made, whatever the library says.
+/// A project's materials stay as they were when it was made, whatever the library contains.
 class TestOwnMaterials : public QObject {
     Q_OBJECT
 private slots:
@@ -109,7 +109,7 @@ void TestOwnMaterials::theProjectsOwnMaterialIsCutEverywhere() {
         QCOMPARE(job->program.machined.properties()[1].id, std::string("wax-of-our-own"));
         jobs.push_back(std::move(*job));
     }
-    // Twice the energy: half the feed for one and the same force, and twice the work for one and the same groove.
+    // Twice the energy: half the feed for the same force, and twice the work for the same groove.
     const double soft = feedOf(jobs[0].path.path), hard = feedOf(jobs[1].path.path);
     QVERIFY2(hard > 0.0 && std::abs(soft / hard - 2.0) < 0.05, qPrintable(QString("%1 %2").arg(soft).arg(hard)));
     const double easy = energyOf(jobs[0].program.report), dear = energyOf(jobs[1].program.report);

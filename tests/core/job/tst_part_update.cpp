@@ -57,7 +57,7 @@ struct Stored {
 
 } // namespace
 
-/// A part that was changed in the CAD system, read again into a project.
+/// A part that was changed in the CAD system is read again into a project.
 class TestPartUpdate : public QObject {
     Q_OBJECT
 private slots:
@@ -73,7 +73,7 @@ private slots:
         const Setup setup = stored.setup();
         QCOMPARE(setup.roles, (std::vector{BodyRole::part, BodyRole::fixture, BodyRole::part}));
         QCOMPARE(setup.bodyMaterials, (std::vector<std::string>{"", "", "brass"}));
-        // The stock goes round the parts again: the plate, and the bolt that is one now.
+        // The stock is fitted around the parts again: the plate, and the bolt that is now a part.
         QCOMPARE(setup.stock.low, glm::dvec3(-2.0));
         QCOMPARE(setup.stock.high, glm::dvec3(78.0, 33.0, 23.0));
         QVERIFY(fixture::identical(stored.project.model().value(), now));
@@ -107,7 +107,7 @@ private slots:
         QCOMPARE(stored.setup().bodyMaterials, std::vector<std::string>{"brass"});
     }
 
-    /// What was recorded in a stock stays in it, to the last bit.
+    /// A recording stays in its stock, bitwise unchanged.
     void stockAndZeroStayWhereSomethingWasMilled() {
         Stored stored;
         QVERIFY(stored.project.setTool(fixture::tool()).hasValue());
@@ -122,7 +122,7 @@ private slots:
         QCOMPARE(after.stock.low, before.stock.low);
         QCOMPARE(after.stock.high, before.stock.high);
         QCOMPARE(after.workOffset, before.workOffset);
-        // And they stay when the setup is looked at again.
+        // And they stay when the setup is evaluated again.
         const Setup again = placeStock(now, after).value();
         QCOMPARE(again.stock.high, before.stock.high);
         QCOMPARE(again.workOffset, before.workOffset);

@@ -74,7 +74,8 @@ private slots:
         QVERIFY(level >= 2);
     }
 
-    /// In the slot's middle: area of the ball's segment times feed, and F = 1000 K MRR / v with the wax's constant K.
+    /// In the middle of the slot: area of the ball's segment times feed, and F = 1000 K MRR / v with the wax's constant
+    /// K.
     void removalAndForceAreThoseOfTheSlot() {
         const Milled path = milled(milling_, programEdits());
         const PathValues rates = valuesOf(PathQuantity::removalRate, path),
@@ -102,7 +103,7 @@ private slots:
         QCOMPARE(rates.low, 0.0); // before the tool is in the stock
     }
 
-    /// What was milled before is gone: nothing is left to cut for the same path.
+    /// Earlier milling counts: nothing is left to cut for the same path.
     void whatWasMilledBeforeCounts() {
         const Milled path = milled(milling_, programEdits());
         Progress progress;
@@ -110,7 +111,7 @@ private slots:
         const Result<PathValues> values =
             pathValues(PathQuantity::removalRate, path.path, before, path.sources, milling_, progress);
         QVERIFY(values);
-        // But for what voxels leave at the borders of intervals: the slot itself takes 20 to 50 mm³/s.
+        // Except for remains of voxels at the ends of intervals: the slot itself removes 20 to 50 mm³/s.
         QVERIFY2(values->high < 1.0, qPrintable(QString::number(values->high)));
     }
 
@@ -122,12 +123,12 @@ private slots:
         aside.distance = 0.75;
         const Milled moved = milled(milling_, {{aside}, {HoldOut{}}, {Link{}}, {SetFeed{}}});
         const PathValues off = valuesOf(PathQuantity::deviation, moved);
-        // Along the slots; the way between them was a rapid of the program, which the path's link does not follow.
+        // Along the slots; the move between them was a rapid of the program, which the path's link does not follow.
         for (const ValuedPiece& piece : off.pieces)
             if (std::abs(piece.to.x - piece.from.x) > 20.0)
                 QVERIFY2(std::abs(piece.value.value_or(0.0) - 0.75) < 1e-6,
                          qPrintable(QString::number(piece.value.value_or(-1.0))));
-        // Links were made by an edit: there is nothing that they could be off.
+        // Links were made by an edit, so there is no recording from which they could deviate.
         QVERIFY(std::ranges::any_of(off.pieces, [](const ValuedPiece& piece) { return !piece.value; }));
     }
 

@@ -20,7 +20,7 @@ namespace {
 
 const glm::dvec3 zero(12.5, -3.25, 40.0); // mm, program zero in the setup frame
 
-/// A path whose cuts wander, of takes and of generated moves in turn, with arcs among them, and links of neither.
+/// A path with winding cuts, alternately of takes and of generated moves, with arcs among them, and links of neither.
 Path wanderingPath() {
     Path path;
     path.name = "wandering";
@@ -99,7 +99,7 @@ void TestProgramMoments::everyBlockLeadsToItsMoment() {
         for (const PathPoint& point : path.points) {
             if (point.sample < 0) continue;
             ++ofSources;
-            // The last motion of this moment ends in the point; none of them belongs to another one.
+            // The last motion of this moment ends at the point; none of them belongs to another one.
             bool reached = false;
             for (std::size_t i = 0; i < moments.size(); ++i)
                 if (moments[i] == Moment{point.source, point.sample})

@@ -24,7 +24,7 @@ constexpr const char* job =
     "G3 X0 Y8 I-8 J0 F450\nG4 P0.5\nS8000\nG1 X-14 F700\nG0 Z5\nX-14 Y6\nG1 Z-0.5 F250\nX14 F900\n"
     "G0 Z5\nM2\n";
 
-/// The same as a CAM system gives it to its post-processor.
+/// The same job as a CAM system passes it to its post-processor.
 constexpr const char* locations =
     "PARTNO SLOT\n$$ by hand\nUNITS / MM\nCUTTER/ 4.0, 2.0\nLOADTL/ 4\nSPINDL/ 10000, RPM, CLW\n"
     "RAPID\nGOTO/ -14, 0, 2\nFEDRAT/ 300, MMPM\nGOTO/ -14, 0, -1.5\nFEDRAT/ 600, MMPM\n"
@@ -53,7 +53,7 @@ EvaluatedPath evaluated(const ProgramPasses& passes, const std::vector<Edit>& ed
     return std::move(*made);
 }
 
-/// Moves at feed that cut, of a program's text.
+/// Cutting moves at feed rate of a program's text.
 std::vector<NcMotion> cuts(const ParsedProgram& program) {
     std::vector<NcMotion> all;
     for (const NcMotion& motion : program.motions)
@@ -73,7 +73,7 @@ Error refusalOf(const std::string& text) {
 class TestProgramPath : public QObject {
     Q_OBJECT
 private slots:
-    /// Posted again, the program has the moves, feeds and speeds that it came with: by its own text.
+    /// Posted again, the program has its original moves, feeds and speeds, as shown by its own text.
     void aProgramComesOutAsItWentIn() {
         const ProgramPasses passes = passesOf(job, milling_);
         QCOMPARE(passes.arcs, std::size_t{1});
@@ -135,7 +135,7 @@ private slots:
         QCOMPARE(program->motions[2].spindle, SpindleState::anticlockwise);
     }
 
-    /// What would move the machine in another way is refused, with its line.
+    /// Words that would move the machine differently are refused, with their line.
     void whatCannotBeFollowedIsRefused_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("place");
@@ -173,7 +173,7 @@ private slots:
         QVERIFY(!error.detail.empty());
     }
 
-    /// Where an edit makes one move of several, it is as slow as the slowest of them.
+    /// Where an edit joins several moves, the result has the lowest of their feeds.
     void oneMoveOfSeveralIsFedAsTheSlowest() {
         const ProgramPasses passes =
             passesOf("G21 G90 G94 G54\nS9000 M3\nG0 X-14 Y0 Z2\nG1 Z-1 F200\nX-6 F600\nX2 F350\n"
@@ -191,7 +191,7 @@ private slots:
         QCOMPARE(path.path.spindleSpeed, 9000.0);
     }
 
-    /// A faster machine would be needed: the chip load stays, and the feed the machine's.
+    /// A faster machine would be needed: the chip load is kept, and the feed is the machine's limit.
     void machineAndToolLimitWhatIsStated() {
         const ProgramPasses passes =
             passesOf("G21 G90 G94 G54\nS40000 M3\nG0 X-14 Y0 Z2\nG1 Z-1 F200\nX10 F1000\nG0 Z5\nM2\n", milling_);
@@ -224,7 +224,8 @@ private slots:
         QCOMPARE(passes->passes[0].moves.info.name, std::string("two.ngc"));
         QCOMPARE(static_cast<int>(passes->passes[0].coolant), static_cast<int>(Coolant::flood));
         QCOMPARE(static_cast<int>(passes->passes[1].coolant), static_cast<int>(Coolant::off));
-        // With a tool for programs of one number this one has still its own; a program of one number has that tool.
+        // With a tool selected for programs with a single tool number, this program still uses its own; a program with
+        // a single number uses that tool.
         const ToolChoice loaded{{first, other}, false, sessionTool()};
         const auto own = passesOfProgram(text, "two.ngc", "linuxcnc", milling_, loaded, progress);
         QVERIFY(own && own->passes.size() == 3 && own->passes[1].tool.id == "ball-6");
@@ -249,7 +250,7 @@ private slots:
         const Error offsets = errorOf("G21 G90 G94 G54\nG0 X1 Y1 Z1\nG1 X2 F100\nG55\nG0 X1 Y1 Z1\nG1 X2\nM2\n");
         QCOMPARE(offsets.code, ErrorCode::programSyntax);
         QCOMPARE(offsets.place, std::string("line 5"));
-        // Chords of such arcs would fill the memory.
+        // Chords of such arcs would exceed the memory.
         std::string far = "G21 G90 G94 G54 G17\nG0 X0 Y0 Z0\n";
         for (int i = 0; i < 20; ++i) far += "G2 X0 Y0 I90000 J0 F100\n";
         QCOMPARE(errorOf(far + "M2\n").code, ErrorCode::programSyntax);

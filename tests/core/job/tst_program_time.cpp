@@ -43,37 +43,37 @@ private slots:
         time_ = std::make_unique<ProgramTime>(std::move(*made));
     }
 
-    /// It takes as long as its check says, to a tick.
+    /// Its duration equals that of its check, to a tick.
     void itTakesTheTimeOfTheCheck() {
         QCOMPARE(time_->time.tracks.size(), std::size_t{1});
         QVERIFY(std::abs(time_->time.seconds() - program_->report.machiningSeconds) <= time_->tick);
     }
 
-    /// The tool is on the program's way: by closed formulas of line and circle, from the program's zero.
+    /// The tool is on the program's path: by closed formulas for line and circle, from the program's zero.
     void theToolIsOnTheWay() {
         const glm::dvec3 zero = milling_.setup.workOffset;
         std::size_t onLine = 0, onCircle = 0;
         for (std::uint64_t i = 1; i <= time_->time.tracks.front().info.sampleCount; ++i) {
             const TakeMoment moment{1, i};
             const NcMotion& motion = program_->parsed.motions[time_->motionAt(moment)];
-            if (time_->motionAt({1, i - 1}) != time_->motionAt(moment)) continue; // it begins within this tick
+            if (time_->motionAt({1, i - 1}) != time_->motionAt(moment)) continue; // begins within this tick
             const glm::dvec3 tip = time_->poseAt(moment).tip - zero;
             if (motion.line == 6) {
                 QVERIFY(std::abs(tip.y) < 1e-9 && std::abs(tip.z + 1.5) < 1e-9 && tip.x > -14.001 && tip.x <= 8.0);
                 ++onLine;
             }
             if (motion.line == 7) {
-                QVERIFY(std::abs(std::hypot(tip.x, tip.y) - 8.0) < 0.0011); // arcs are judged in chords
+                QVERIFY(std::abs(std::hypot(tip.x, tip.y) - 8.0) < 0.0011); // arcs are checked as chords
                 QVERIFY(std::abs(tip.z + 1.5) < 1e-9);
                 ++onCircle;
             }
         }
-        // 22 mm and 3/4 of the circle at 10 mm/s, without accelerations: as many ticks at least.
+        // 22 mm and 3/4 of the circle at 10 mm/s, without acceleration: at least as many ticks.
         QVERIFY(static_cast<double>(onLine) * time_->tick > 2.1);
         QVERIFY(static_cast<double>(onCircle) * time_->tick > 3.7);
     }
 
-    /// What stands at its end is what the check left; half way along the line it is the slot so far.
+    /// At its end the workpiece is the result of the check; half way along the line it contains the slot up to there.
     void theWorkpieceFollows() {
         Progress progress;
         const RunVolume untouched = std::move(*milling_.stock->makeStock(progress));
@@ -89,7 +89,7 @@ private slots:
         const auto motion = std::ranges::find(program_->parsed.motions, 6U, &NcMotion::line);
         const TakeMoment begin = time_->beginOf(static_cast<std::size_t>(motion - program_->parsed.motions.begin()));
         RunVolume before = at(begin);
-        // A ball of radius 2 that stands 1.5 deep: what it takes on 10 mm of way, pi r² / 2 less the segment above.
+        // A ball of radius 2 at a depth of 1.5: its removal on a distance of 10 mm, pi r² / 2 minus the segment above.
         TakeMoment half = begin;
         while (time_->poseAt(half).tip.x - milling_.setup.workOffset.x < -5.0) ++half.samples;
         TakeMoment later = half;
@@ -105,7 +105,7 @@ private slots:
         QVERIFY(before.amounts().units[wax] <= untouched.amounts().units[wax]);
     }
 
-    /// From block to block, and a cut has force and feed.
+    /// Steps go from block to block, and a cut has force and feed.
     void stepsAreBlocksAndCurvesAreOfTheCheck() {
         const TakeTrack& track = time_->time.tracks.front();
         QVERIFY(track.steps.size() >= 4 && std::ranges::is_sorted(track.steps));

@@ -27,10 +27,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What the recording child tells its killer, in memory that both share.
+/// State that the recording child reports to the parent that kills it, in shared memory.
 struct Telling {
-    std::atomic<std::uint64_t> pushed{0}; ///< samples that the hand has made
-    std::atomic<std::uint64_t> kept{0};   ///< samples that the recorder calls safe
+    std::atomic<std::uint64_t> pushed{0}; ///< samples made by the hand
+    std::atomic<std::uint64_t> kept{0};   ///< samples that the recorder reports as safe
     std::atomic<bool> failed{false};
 };
 
@@ -83,7 +83,7 @@ Killed killAfter(const fs::path& file, std::uint64_t samples) {
     Telling& telling = *shared;
     const pid_t child = ::fork();
     if (child == 0) recordForEver(file, telling);
-    bool ended = false; // by itself, as a sanitizer ends a process
+    bool ended = false; // ended on its own, as a sanitizer ends a process
     while (telling.pushed.load(std::memory_order_acquire) < samples && !telling.failed && !ended) {
         std::this_thread::sleep_for(500us);
         ended = ::waitpid(child, nullptr, WNOHANG) != 0;
@@ -131,7 +131,7 @@ private slots:
         QVERIFY(fixture::identical(take->samples, hand));
     }
 
-    /// A kill at any moment costs at most the last 100 ms, and never what the recorder called kept.
+    /// A kill at any moment costs at most the last 100 ms, and never a sample that the recorder reported as kept.
     void aKillCostsAtMostTheLastTenthOfASecond() {
         BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS();
         const QTemporaryDir folder;
@@ -140,7 +140,7 @@ private slots:
         for (int kill = 0; kill < 12; ++kill) {
             const std::uint64_t moment = std::uniform_int_distribution<std::uint64_t>(1, 700)(random);
             std::uint64_t missing = 0;
-            // A machine that stalls the disk or the thread for so long is no fault of ours; thrice in a row is.
+            // A machine that stalls the disk or the thread for so long is no fault of ours; three times in a row it is.
             for (int attempt = 0; attempt < 3; ++attempt) {
                 const fs::path file = fileIn(folder, ("k" + std::to_string(10 * kill + attempt)).c_str());
                 const Killed killed = killAfter(file, moment);

@@ -27,7 +27,7 @@ using namespace burin::test;
 namespace {
 
 constexpr double radius = 2.0, tolerance = 0.005; // mm: of both cutters; of the workpiece
-constexpr double halfSide = 20.0, height = 10.0;  // mm: of the block; program zero is the middle of its top
+constexpr double halfSide = 20.0, height = 10.0;  // mm: of the block; program zero is the centre of its top
 
 /// Lines, arcs in three planes, a full circle, a helix, plunges, links, canned cycles, a dwell, a second tool.
 constexpr const char* program = R"((interrupted)
@@ -101,7 +101,7 @@ Tool flat(int number) {
     return tool;
 }
 
-/// A block with a part low in it, that nothing comes near to.
+/// A block with a part low in it, which the tool never comes near.
 MillingContext milling(const Tool& tool) {
     Body body;
     body.name = "plate";
@@ -133,7 +133,7 @@ std::vector<std::string> linesOfText(const std::string& text) {
     return lines;
 }
 
-/// The lines before one, as a program of their own.
+/// The lines before the given one, as a program of their own.
 std::string textBefore(const std::string& text, std::uint32_t line) {
     std::string before;
     const std::vector<std::string> lines = linesOfText(text);
@@ -141,16 +141,17 @@ std::string textBefore(const std::string& text, std::uint32_t line) {
     return before + "M2\n";
 }
 
-/// The top of the block over a grid of places, cut by what LinuxCNC's interpreter makes of programs, with flat cutters.
+/// Height map of the block's top over a grid of points, cut by the moves that LinuxCNC's interpreter computes from
+/// programs, with flat cutters.
 class HeightMap {
 public:
     explicit HeightMap(double cutterRadius) : radius_(cutterRadius), tops_(cells * cells, 0.0) {}
 
-    /// @return mm that the deepest rapid takes away
+    /// @return mm, largest depth removed by a rapid
     double cut(const CanonicalProgram& from) {
         double torn = 0.0;
         glm::dvec3 at{0.0, 0.0, 100.0};
-        bool known = false; // where the first move comes from is nowhere
+        bool known = false; // the start of the first move is unknown
         for (const CanonicalMove& move : from.moves) {
             if (move.kind == CanonicalKind::dwell) continue;
             const glm::dvec3 to = move.to * move.unit;
@@ -217,8 +218,8 @@ HeightMap milled(double cutterRadius, std::initializer_list<const CanonicalProgr
     return map;
 }
 
-/// What is wrong with the rest of a program from a line on: it does not pass, LinuxCNC's interpreter refuses it, or
-/// what that makes of the lines before and of the rest is another workpiece. Empty: nothing.
+/// The fault of the rest of a program from a line on: it does not pass the check, LinuxCNC's interpreter refuses it, or
+/// the interpreter's moves for the lines before and for the rest produce another workpiece. Empty: no fault.
 std::string faultOfRestart(const Result<RestartedProgram>& rest, const std::string& text, std::uint32_t line,
                            const HeightMap& whole) {
     const std::string told = "line " + std::to_string(line) + ": ";
@@ -251,7 +252,7 @@ PathMatter matterOfHand(std::int64_t id, const Tool& tool, const std::vector<glm
     return matter;
 }
 
-/// Rows of a hand that wavers.
+/// Rows of an unsteady hand.
 std::vector<glm::dvec3> rows() {
     std::vector<glm::dvec3> corners;
     for (int row = 0; row < 7; ++row)
@@ -263,7 +264,7 @@ std::vector<glm::dvec3> rows() {
     return corners;
 }
 
-/// Three levels, each of rings about one centre, from the inner one out.
+/// Three levels, each of rings about one centre, from the inner one to the outer one.
 std::vector<glm::dvec3> levels() {
     std::vector<glm::dvec3> corners;
     for (int level = 1; level <= 3; ++level)
@@ -276,8 +277,8 @@ std::vector<glm::dvec3> levels() {
     return corners;
 }
 
-/// By letter, the last word of each kind that a text has up to a line, by nothing but its letters: what is then in
-/// force of spindle, coolant, tool, offsets and unit.
+/// The last word of each kind in a text up to a line, by letter, found by text search alone: the spindle, coolant,
+/// tool, offsets and unit in force there.
 std::map<QString, QString> modalWords(const std::string& text, std::uint32_t line) {
     static const QRegularExpression comment(R"(\([^)]*\)|;.*)"),
         word(R"((S\d+|T\d+|H\d+|M0?[345]|M0?[789]|G5[4-9]|G2[01])(?![.\d]))");
@@ -292,11 +293,11 @@ std::map<QString, QString> modalWords(const std::string& text, std::uint32_t lin
         }
     }
     const auto coolant = words.find("coolant");
-    if (coolant != words.end() && coolant->second.endsWith('9')) words.erase(coolant); // off, as where nothing is said
+    if (coolant != words.end() && coolant->second.endsWith('9')) words.erase(coolant); // off, as if not stated
     return words;
 }
 
-/// Line of the first cut, by its letters.
+/// Line of the first cut, found by text search.
 std::uint32_t firstCutIn(const std::string& text) {
     static const QRegularExpression cut("(^|\\s)G0?[123](?![.\\d])");
     const std::vector<std::string> lines = linesOfText(text);
@@ -307,7 +308,7 @@ std::uint32_t firstCutIn(const std::string& text) {
 
 } // namespace
 
-/// A program that goes on behind a broken tool makes the part that the first one would have made.
+/// A program that continues after a broken tool makes the part that the first one would have made.
 class TestRestart : public QObject {
     Q_OBJECT
 private slots:
@@ -316,8 +317,8 @@ private slots:
         QTest::newRow("mm") << false;
         QTest::newRow("inch") << true;
     }
-    /// From every line, in inches from every fourth: accepted by LinuxCNC's interpreter, and replayed by it the same
-    /// workpiece; no rapid cuts.
+    /// From every line, in inches from every fourth: the rest is accepted by LinuxCNC's interpreter, and its moves
+    /// produce the same workpiece; no rapid cuts.
     void theRestMakesTheSameWorkpiece() {
         if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
         QFETCH(bool, inch);
@@ -357,8 +358,8 @@ private slots:
         QTest::newRow("levels of arcs and rows, two tools, inch") << "linuxcnc" << true << true << 2;
         QTest::newRow("levels of arcs, GRBL") << "grbl" << false << true << 1;
     }
-    /// What Burin posts of a hand's paths, from lines of it by chance: spindle, coolant, tool, offset and unit are
-    /// those of the line, the tool comes from above, and the workpiece is the same.
+    /// Programs that Burin posts from a hand's paths, restarted at random lines: spindle, coolant, tool, offset and
+    /// unit are those of the line, the tool comes from above, and the workpiece is the same.
     void aPostedProgramGoesOnFromAnyLine() {
         if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
         QFETCH(QString, dialect);
@@ -396,7 +397,7 @@ private slots:
         }
     }
 
-    /// The tool is on the path before the line, with the spindle, coolant and offsets that the program had there.
+    /// The tool reaches the path before the line, with the spindle, coolant and offsets that the program had there.
     void theCutIsLedInto() {
         const MillingContext block = milling(flat(1));
         Progress progress;
@@ -419,11 +420,11 @@ private slots:
         QCOMPARE(cut->tool, 1);
         QCOMPARE(cut->workOffset, 54);
         QCOMPARE(cut->lengthOffset, 1);
-        QCOMPARE((cut - 1)->feed, 120.0); // down, as slowly as the program plunges with this tool anywhere
+        QCOMPARE((cut - 1)->feed, 120.0); // the lowest plunge feed of this tool anywhere in the program
         QVERIFY((cut - 2)->rapid() && (cut - 2)->to[Axis::z] == 2.0);
     }
 
-    /// Where the spindle changes its speed in the cut the tool stays in it, and every move has the speed it had.
+    /// Where the spindle speed changes during a cut the tool stays in it, and every move has its original speed.
     void aSpeedThatChangesInTheCutDoesSoAgain() {
         const MillingContext block = milling(flat(1));
         std::string changing = program;
@@ -452,12 +453,12 @@ private slots:
         }
     }
 
-    /// What is cut is the rest alone: on a fresh workpiece the same text would cut through full stock.
+    /// Only the rest is cut: on a fresh workpiece the same text would cut through full stock.
     void itIsJudgedOnTheStockThatIsLeft() {
         const MillingContext block = milling(flat(1));
         Progress progress;
         const Result<RestartedProgram> rest =
-            makeRestart(block, program, 41, request({flat(1), flat(2)}), progress); // the second tool alone
+            makeRestart(block, program, 41, request({flat(1), flat(2)}), progress); // only the second tool
         QVERIFY(rest && rest->program.passed());
         const Result<CheckedProgram> whole =
             checkProgram(block, program, "whole", request({flat(1), flat(2)}), progress);
@@ -466,8 +467,8 @@ private slots:
         QVERIFY(linesOf(rest->program.machined) == linesOf(whole->machined));
     }
 
-    /// A cutter that is wider than its shank, under an edge: from above it would cut the edge off, so it goes in again
-    /// as the program did.
+    /// A cutter that is wider than its shank, below an edge: from above it would cut the edge off, so it enters as the
+    /// program did.
     void aWideCutterGoesInFromTheSide() {
         Tool wide = flat(1);
         wide.cutter.type = CutterType::lollipop;

@@ -56,7 +56,7 @@ private slots:
         const QTemporaryDir folder;
         const fs::path file = savedProject(folder);
         const std::string content = *readFile(file);
-        // Bytes 18 and 19 of an SQLite file: 1, so that reading needs no journal beside it.
+        // Bytes 18 and 19 of an SQLite file are 1, so that reading needs no journal file.
         QCOMPARE(content.substr(18, 2), std::string("\1\1"));
         const int outcome = fixture::inAnotherProcess([&] {
             fixture::loseRights(folder.path().toLocal8Bit().constData());
@@ -94,7 +94,7 @@ private slots:
         QCOMPARE(nameIn(*again), std::string("new"));
     }
 
-    /// The disk fills up at every place of a save in turn, until one save fits.
+    /// The disk becomes full at every point of a save in turn, until one save fits.
     void keepsTheOldFileWhereverTheDiskIsFull() {
         const QTemporaryDir folder;
         const fs::path file = savedProject(folder);
@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(filesIn(folder), std::size_t{1 + 2 + 2}); // file; copy and its journal; lock
     }
 
-    /// Kills a program that saves without pause, at random moments.
+    /// Kills a program that saves continuously, at random moments.
     void aKillWhileSavingLosesNothing() {
         const QTemporaryDir folder;
         const fs::path file = savedProject(folder);
@@ -165,7 +165,7 @@ private slots:
         QVERIFY(fixture::identical(project->take(recorder.take())->samples, hand));
     }
 
-    /// A full disk stops nothing for good: what the hand did waits and is written once there is room.
+    /// A full disk stops nothing for good: the hand's samples wait and are written once there is room.
     void aFullDiskPausesARecording() {
         BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS();
         const QTemporaryDir folder;
@@ -233,7 +233,7 @@ private slots:
             QVERIFY(!project->restoreTake(take));
             QVERIFY(project->removeTake(take) && project->save());
         }
-        // As long as the project is open it can be put back.
+        // As long as the project is open the take can be restored.
         project = Error{ErrorCode::internalFault, {}, {}, {}};
         Result<Project> again = Project::open(file);
         QVERIFY(again && !again->restoreTake(take) && !*again->unsaved());

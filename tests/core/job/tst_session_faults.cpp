@@ -24,13 +24,13 @@ fs::path fileIn(const QTemporaryDir& folder) {
     return folder.filePath("p.burin").toStdString();
 }
 
-/// What the milling child tells its killer, in memory that both share.
+/// State that the milling child reports to the parent that kills it, in shared memory.
 struct Telling {
-    std::atomic<double> seconds{0.0}; ///< of the recording, as the session tells
+    std::atomic<double> seconds{0.0}; ///< of the recording, as reported by the session
     std::atomic<int> undone{0};
 };
 
-/// Mills until it is killed; takes back a stroke on the way.
+/// Mills until it is killed; undoes a stroke on the way.
 [[noreturn]] void millForEver(const fs::path& file, Telling& telling) {
     Stage stage(file);
     const auto session = stage.begin(handRequest());
@@ -43,7 +43,7 @@ struct Telling {
     }
 }
 
-/// Kills a milling child once it recorded for so long. @return s that it had told of
+/// Kills a milling child once it recorded for so long. @return s that it had reported
 double killAfter(const fs::path& file, double seconds, Telling& telling) {
     new (&telling) Telling;
     const pid_t child = ::fork();
@@ -56,11 +56,11 @@ double killAfter(const fs::path& file, double seconds, Telling& telling) {
 
 } // namespace
 
-/// Sessions that end badly. Each runs in a process of its own, made while this one has no other thread.
+/// Sessions that end with a fault. Each runs in a process of its own, started while this one has no other thread.
 class TestSessionFaults : public QObject {
     Q_OBJECT
 private slots:
-    /// A disk that refuses ends the session with its error; what was recorded until then is kept.
+    /// A disk that refuses writes ends the session with its error; everything recorded until then is kept.
     void aFullDiskEndsTheSession() {
         BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS();
         const QTemporaryDir folder;
@@ -83,7 +83,7 @@ private slots:
         QVERIFY(take->samples.size() > 100);
     }
 
-    /// Killed in the midst of a session with strokes, one taken back: no more than the last 100 ms are missing.
+    /// Killed in the middle of a session with strokes, one undone: no more than the last 100 ms are missing.
     void aKillCostsAtMostTheLastTenthOfASecond() {
         BURIN_SKIP_WHERE_FORKED_CHILDREN_HAVE_NO_THREADS();
         void* const memory =
@@ -95,7 +95,7 @@ private slots:
         double worst = 0.0;
         for (const double moment : {0.35, 0.8, 1.3}) {
             double missing = 1.0;
-            // A machine that stalls the disk or the thread for so long is no fault of ours; thrice in a row is.
+            // A machine that stalls the disk or the thread for so long is no fault of ours; three times in a row it is.
             for (int attempt = 0; attempt < 3 && missing > 0.1; ++attempt) {
                 file = folder.filePath(QString("%1-%2.burin").arg(moment).arg(attempt)).toStdString();
                 const double told = killAfter(file, moment, *static_cast<Telling*>(memory));
@@ -113,7 +113,7 @@ private slots:
         ::munmap(memory, sizeof(Telling));
         qInfo("at most %.0f ms missing", worst * 1e3);
         QVERIFY(worst <= 0.1);
-        // The work goes on where it was left: the strokes that stand, without the one that was taken back.
+        // The work continues where it was left: with the strokes in effect, without the undone one.
         for (const Take& take : takes) {
             MillingContext milling = blockMilling();
             const RunVolume& workpiece = milling.embedded.workpiece;

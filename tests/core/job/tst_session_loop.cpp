@@ -103,7 +103,7 @@ private slots:
             test.loop->tick(sample, timing);
             allocations += allocationCount - before;
 
-            // The owner keeps as many strokes as it may, and one view, which it renews.
+            // The owner keeps as many strokes as permitted, and one view, which it renews.
             while (test.loop->takeStroke(stroke)) {
                 strokes.add(std::move(stroke));
                 ++strokesSeen;
@@ -126,14 +126,14 @@ private slots:
         QVERIFY(std::abs(figures.rateHz - 1000.0) < 1.0);
     }
 
-    /// An owner who does not look for long gets fewer strokes, and none with a hole in it.
+    /// An owner that does not collect strokes for a long time gets fewer of them, and none with a gap in it.
     void strokesThatNobodyTakesGrowTogether() {
         LoopUnderTest test;
         test.hand.mill(20);
         test.loop->wishTake({test.recorder.take(), &test.recorder});
         TickTiming timing;
         timing.period = 0.001;
-        std::vector<Lines> found; // the workpiece as each stroke found it
+        std::vector<Lines> found; // the workpiece before each stroke
         std::vector<std::uint64_t> firsts;
         bool cutting = false;
         for (std::uint64_t tick = 0; test.hand.done() < 20; ++tick) {
@@ -158,11 +158,11 @@ private slots:
             QCOMPARE(strokes[i].first, firsts[i]);
             QVERIFY(linesOf(strokes[i].before) == found[i]);
         }
-        QVERIFY(strokes.back().first + strokes.back().count > firsts.back()); // it holds all the others
+        QVERIFY(strokes.back().first + strokes.back().count > firsts.back()); // it contains all the others
     }
 
-    /// When a stroke has ended, the workpiece is what the recorded moves leave of it, cut line by line or replayed:
-    /// what is undone, saved or measured is never short of what was cut.
+    /// When a stroke has ended, the workpiece is what the recorded moves leave of it, cut line by line or replayed: an
+    /// undo, save or measurement never misses a cut.
     void aStrokesEndShowsAllThatWasCut() {
         LoopUnderTest test;
         constexpr int strokes = 8;
@@ -200,7 +200,7 @@ private slots:
             QVERIFY(linesOf(shown) == linesOf(replayed.embedded.workpiece));
         }
         QCOMPARE(ended, strokes);
-        QVERIFY(lagged); // while a stroke is under way the workpiece may be late: or nothing was tested
+        QVERIFY(lagged); // during a stroke the workpiece may be late; otherwise nothing was tested
     }
 
 private:

@@ -26,7 +26,7 @@ namespace {
 const glm::dvec3 upright(0.0, 0.0, 1.0);
 const glm::dvec3 leaning = glm::normalize(glm::dvec3(0.35, 0.2, 0.9));
 
-/// A hand that roves through a region and leans as it goes, its button down; or one that goes where it is told.
+/// A hand that roves through a region and tilts as it moves, its button down; or one that moves to a given point.
 class RovingHand final : public Stylus {
 public:
     RovingHand(const Box& region, unsigned seed, std::uint64_t ticks) : region_(region), ticks_(ticks) {
@@ -34,7 +34,7 @@ public:
         std::uniform_real_distribution<double> phase(0.0, 6.28), pace(4.0, 10.0);
         for (Wave& wave : waves_) wave = {pace(engine), phase(engine), pace(engine), phase(engine)};
     }
-    /// From now on it goes there, at 100 mm/s.
+    /// From now on the hand moves there, at 100 mm/s.
     void leadTo(const glm::dvec3& place) {
         const std::scoped_lock lock(mutex_);
         led_ = place;
@@ -141,7 +141,7 @@ KnownObstacle knownColumn(const char* name, const CylinderShape& column) {
     return known;
 }
 
-/// Beside the stock, before it, and above it, where only shank and holder can get at it.
+/// To the side of the stock, in front of it, and above it, where only shank and holder can reach it.
 std::vector<KnownObstacle> aroundTheBlock() {
     return {knownBox("jaw", {{-12.0, 2.0, 0.0}, {-1.0, 12.0, 14.0}}, 0.5, false),
             knownColumn("clamp", {{10.0, -6.0, 0.0}, upright, 4.0, 18.0}),
@@ -207,7 +207,7 @@ private slots:
         QVERIFY(take && take->samples.size() > 1700);
 
         const oracles::ToolDepth depth(pieces(stage.milling.tool.cutter), 0.25);
-        const double allowed = 0.02 * stage.milling.setup.voxel; // on the way between two ticks
+        const double allowed = 0.02 * stage.milling.setup.voxel; // during the motion between two ticks
         std::array<std::uint64_t, 3> near{};
         std::uint64_t flagged = 0, moved = 0;
         for (std::size_t i = 1; i < take->samples.size(); ++i) {
@@ -215,13 +215,14 @@ private slots:
             if (!free) QVERIFY(now.axis == axis);
             if ((take->samples[i].flags & sampleOnObstacle) != 0) ++flagged;
             if (now.tip != before.tip) ++moved;
-            // Until the tool is taken up it is shown where it is clear, wherever the hand is: there is no way between.
+            // Until the tool is picked up it is shown where it is free of contact, wherever the hand is: there is no
+            // motion between.
             const bool takenUp = ((take->samples[i - 1].flags | take->samples[i].flags) & sampleForcesOff) == 0;
             const ToolPose middle =
                 takenUp ? ToolPose{0.5 * (before.tip + now.tip), glm::normalize(before.axis + now.axis)} : now;
             for (std::size_t k = 0; k < known.size(); ++k)
                 for (const ToolPose& pose : {middle, now}) {
-                    // Grown by its margin and a little more, so that a tool which lies on it is seen.
+                    // Grown by its margin and a little more, so that a tool in contact is detected.
                     constexpr double touch = 0.01; // mm
                     const auto grown = [&](const glm::dvec3& place) {
                         return known[k].distance(place) - known[k].obstacle.margin - touch;
@@ -247,7 +248,7 @@ private slots:
         QVERIFY(ticksHeld >= flagged);
     }
 
-    /// Whatever the axis: what is recorded makes the workpiece again, and what is taken back is gone from both.
+    /// With any axis, the recording reproduces the workpiece, and undone strokes are missing from both.
     void theRecordingMakesTheWorkpieceAgain_data() { addAxes(); }
     void theRecordingMakesTheWorkpieceAgain() {
         QFETCH(bool, free);
@@ -280,7 +281,7 @@ private slots:
         MillingContext handedOver = partMilling(toolWithHolder());
         QVERIFY(replayTakes(*recordedWork(stage.project, false), handedOver, progress));
         QVERIFY(linesOf(handedOver.embedded.workpiece) == standing);
-        // The axis of each sample is that of the tool: what it cut is where the tilted tool was.
+        // The axis of each sample is that of the tool: the removed volume is where the tilted tool was.
         const Result<Take> take = stage.project.take(session->take());
         QVERIFY(take && !take->undone.empty());
         bool tilted = false;
@@ -291,7 +292,7 @@ private slots:
         QCOMPARE(tilted, free || axis != upright);
     }
 
-    /// What a three-axis program can't say is refused in words, not posted.
+    /// A path that a three-axis program can't express is refused with a message, not posted.
     void aPathOfATiltedToolIsRefused() {
         const QTemporaryDir folder;
         AroundStage stage(folder, {false, leaning}, {}, 400);
@@ -307,7 +308,8 @@ private slots:
         QVERIFY(evaluated.error().place.find("--axis fixed") != std::string::npos);
     }
 
-    /// Switched off, a fixture lets the tool in; switched on again around it, it waits, and the tool stays in the hand.
+    /// Switched off, a fixture lets the tool in; switched on again around it, the fixture waits, and the tool stays
+    /// with the hand.
     void layersAreSwitchedWithoutAKick() {
         const QTemporaryDir folder;
         AroundStage stage(folder, {}, surroundingsOf(aroundTheBlock()), 0);
@@ -340,7 +342,7 @@ private slots:
         QVERIFY(becomes(State::inForce));
         QVERIFY(session->stopRecording() && session->end());
 
-        // While it waits nothing holds the tool, and the hand feels nothing.
+        // While the fixture waits nothing holds the tool, and the hand feels nothing.
         const Result<Take> take = stage.project.take(session->take());
         QVERIFY(take && waitingUntil > waitingFrom + 5);
         for (std::uint64_t i = waitingFrom; i <= waitingUntil; ++i) {
@@ -353,8 +355,8 @@ private slots:
             QCOMPARE(session->setLayer(wrong, false).error().code, ErrorCode::argumentInvalid);
     }
 
-    /// What bounds the tool grows while it mills, at ticks that nobody can foresee: the trace has them, and plays the
-    /// same session to the bit. Without them it would be another one.
+    /// The boundary grows while the tool mills, at unpredictable ticks: the trace contains the changes, and replays the
+    /// same session bitwise. Without them it would be another one.
     void aSessionWhoseBoundaryGrewIsPlayedAgain_data() {
         QTest::addColumn<glm::dvec3>("axis");
         QTest::newRow("three axes") << upright;
@@ -408,7 +410,7 @@ private slots:
         QVERIFY(same(play()));
         std::erase_if(trace->changes, isTile);
         QVERIFY(!same(play()));
-        // Of a rig with fewer tiles it is refused.
+        // With a rig of fewer tiles it is refused.
         trace->changes.push_back({0, TileChange{100000, true}});
         const Result<ToolBounds> strange =
             ToolBounds::asGrown(live.milling, live.milling.tool, {false, axis}, surroundings, *trace, progress);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// A stock of four materials, slotted at constant speed: what the hand feels, what the program is fed with and what the
-// check reckons follow the material that is under the tool. Oracle: K MRR / v of a slot, its front half a circle.
+// A stock of four materials, slotted at constant speed: the felt force, the program's feed and the check's loads follow
+// the material that is under the tool. Oracle: K MRR / v of a slot, its front half a circle.
 #include "core/base/units.h"
 #include "core/cutting/cutting_force.h"
 #include "core/cutting/removal.h"
@@ -30,12 +30,13 @@ constexpr double diameter = 6.0, depth = 3.0, edgeSpeed = 2000.0; // mm, mm, mm/
 constexpr double metal = 1.0, beech = 0.1, brass = 0.8;           // J/mm³
 constexpr double firstBorder = 20.0, secondBorder = 40.0, thirdBorder = 60.0, length = 80.0, top = 12.0;
 
-/// Of the graded foam.
+/// Specific energy of the graded foam, J/mm³.
 double foamAt(double x) {
     return 0.05 + 0.002 * (x - secondBorder);
 }
 
-/// Metal up to 20 mm, beech up to 40, a foam that gets harder up to 60, then a block of brass; the part lies aside.
+/// Metal up to 20 mm, beech up to 40, a foam that becomes harder up to 60, then a block of brass; the part lies to the
+/// side.
 Model bodies() {
     return modelOf({bodyOf("Part", boxMesh({0, 0, 0}, {4, 4, 2})),
                     bodyOf("Brass", boxMesh({thirdBorder, 0, 0}, {length, 20, top}))});
@@ -75,7 +76,8 @@ Tool endMill() {
     return tool;
 }
 
-/// Mean specific energy of what lies on the slot's front, a half circle about x: its points x + sqrt(R² - y²), y even.
+/// Mean specific energy of the material on the slot's front, a half circle about x: its points x + sqrt(R² - y²), with
+/// evenly spaced y.
 double frontEnergy(double x, const std::function<double(double)>& energyAt) {
     constexpr int count = 2000;
     double sum = 0.0;
@@ -92,7 +94,7 @@ double energyOf(double x) {
     return x < thirdBorder ? foamAt(x) : brass;
 }
 
-/// N, of a slot at a speed, mm/s.
+/// N, force of a slot at a speed in mm/s.
 double slotForce(double energy, double speed) {
     return 1000.0 * energy * diameter * depth * speed / edgeSpeed;
 }
@@ -101,7 +103,7 @@ struct Tick {
     double x = 0.0, force = 0.0;
 };
 
-/// Along the middle, a millisecond each, as the haptic step cuts and reckons.
+/// Cuts along the centre line, a millisecond per tick, with the calculations of the haptic step.
 std::vector<Tick> slotThrough(RunVolume& stock, double speed) {
     const Tool tool = endMill();
     MaterialRemoval removal(tool.cutter, stock.grid());
@@ -131,7 +133,7 @@ double meanForce(const std::vector<Tick>& ticks, double from, double to) {
     return sum / count;
 }
 
-/// The delay, in ticks, at which what was felt is most like what the formula says, between two places.
+/// The delay, in ticks, at which the felt force best matches the formula, between two positions.
 int delayOf(const std::vector<Tick>& ticks, double from, double to, double speed) {
     int best = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -151,7 +153,7 @@ int delayOf(const std::vector<Tick>& ticks, double from, double to, double speed
 
 const char* const tablesText = "a test";
 
-/// Speeds and chips of a table: the metal is turned slowest.
+/// Speeds and chips of a table: the metal has the lowest spindle speed.
 std::vector<Property> tabledMaterials() {
     std::vector<Property> materials = fourMaterials();
     const auto set = [&](const std::string& id, double speed, double chip) {
@@ -231,8 +233,8 @@ private slots:
             double from, to, energy;
         };
         constexpr double radius = 0.5 * diameter;
-        // Places where the front is in foam alone; it lies a quarter of pi of the radius before the middle, in the
-        // mean.
+        // Positions where the front is in foam only; the front is on average a quarter of pi of the radius ahead of the
+        // centre.
         const double foamMean = foamAt(0.5 * (secondBorder + 0.5 + thirdBorder - radius - 0.5) + radius * pi / 4.0);
         for (const Region& region : {Region{3.0, firstBorder - radius - 0.5, metal},
                                      {firstBorder + 0.5, secondBorder - radius - 0.5, beech},
@@ -243,7 +245,7 @@ private slots:
                      qPrintable(QStringLiteral("from %1 mm: %2 N of %3 N").arg(region.from).arg(felt).arg(expected)));
         }
         for (const double border : {firstBorder, secondBorder, thirdBorder}) {
-            // The flutes look a voxel ahead of themselves, from places a little apart.
+            // The flutes look a voxel ahead of themselves, from points slightly apart.
             const int delay = delayOf(ticks, border - diameter, border + 1.0, speed);
             QVERIFY2(delay <= 2 && delay * speed * 0.001 >= -1.25 * 0.25, qPrintable(QString::number(delay)));
         }
@@ -261,8 +263,8 @@ private slots:
         const double turns = 100'000.0 / (pi * diameter); // 1/min, of the metal
         QVERIFY(std::abs(state.spindleSpeed - turns) < 1e-6);
         const auto feedOf = [&](double chip) { return turns * 2 * chip * diameter; };
-        // The front of the tool is in a material half a diameter before its middle; before a harder one it is slow
-        // half a millimetre earlier, before a softer one it stays slow as long as it cuts any of what was.
+        // The front of the tool is in a material half a diameter before its centre; before a harder one it slows down
+        // half a millimetre earlier, before a softer one it stays slow as long as it cuts any of the harder one.
         const auto feedAt = [&](double x) {
             for (const PathPoint& point : state.points)
                 if (point.pose.tip.x >= x) return point.feed;
@@ -279,7 +281,7 @@ private slots:
         QVERIFY(equal(feedAt(length - 1.0), feedOf(0.006)));
     }
 
-    /// The spindle turns as each material allows; where feeds are so low that a spindle has its time.
+    /// The spindle speed follows the materials if feeds are so low that the spindle has time to change its speed.
     void aSpindleTurnsByTheMaterials() {
         SlotPath slot;
         QVERIFY(slot.made);
@@ -291,7 +293,7 @@ private slots:
         QVERIFY(feedByMaterial(slot.state, slot.context, slot.conditions, slot.context.conditions,
                                SetFeed::Spindle::byMaterial, progress));
         const auto turnsOf = [](double speed) { return std::min(24'000.0, speed * 1000.0 / (pi * diameter)); };
-        // The material that allows least of those under the tool, up to its front.
+        // The lowest speed permitted by the materials under the tool, up to its front.
         const auto allowed = [&](double from, double to) {
             double least = turnsOf(to > thirdBorder ? 150.0 : 400.0);
             if (from < secondBorder && to > firstBorder) least = std::min(least, turnsOf(300.0));
@@ -300,7 +302,7 @@ private slots:
         double before = 0.0, reached = 0.0;
         std::set<double> speeds;
         for (const PathPoint& point : slot.state.points) {
-            const double to = point.pose.tip.x, crumb = 0.6; // mm: a stretch, and of what is thinner than a voxel
+            const double to = point.pose.tip.x, crumb = 0.6; // mm: an interval, and remains thinner than a voxel
             if (point.kind == MoveKind::cut) {
                 QVERIFY2(point.spindleSpeed <= allowed(before + crumb, to + 0.5 * diameter - crumb) + 1e-6,
                          qPrintable(QStringLiteral("%1/min up to %2 mm").arg(point.spindleSpeed).arg(to)));
@@ -314,7 +316,7 @@ private slots:
         QCOMPARE(slot.state.spindleSpeed, slot.state.points[1].spindleSpeed);
     }
 
-    /// The check's loads, along the slot, and of a layer that is half of the depth.
+    /// The check's loads, along the slot, and for a layer that is half of the depth.
     void loadsAreThoseOfTheMaterials_data() {
         QTest::addColumn<bool>("halves");
         QTest::newRow("one after the other") << false;

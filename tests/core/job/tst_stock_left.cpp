@@ -45,7 +45,8 @@ class StockLeftTest final : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Rows of a ball on a level face: between two of them its points are sqrt(u² + R²) − R from the nearest one.
+    /// Rows of a ball on a level face: between two of them the distance of its points from the nearest one is sqrt(u² +
+    /// R²) − R.
     void ridgesBetweenRowsAreMeasured() {
         constexpr double radius = 3.0, apart = 1.0;
         TriangleMesh mesh;
@@ -58,7 +59,7 @@ private slots:
         Progress progress;
         const StockLeft before = meter.leftBy(request, ball(radius), progress);
         QVERIFY(std::abs(before.reachable - 600.0) < 3.0);
-        QCOMPARE(before.most, 3.0); // so much stock lies on it, and less towards its sides
+        QCOMPARE(before.most, 3.0); // the height of the stock on it, which is less towards its sides
         std::vector<PathPoint> way{cutTo({-5.0, -0.5, 20.0})};
         for (double y = -0.5; y < 21.0; y += 2.0 * apart) {
             way.push_back(cutTo({-5.0, y, 5.0}));
@@ -74,11 +75,11 @@ private slots:
         way.back().kind = MoveKind::rapid;
         StockLeftMeter other(part, {{0.0, 0.0, 0.0}, {30.0, 20.0, 8.0}});
         other.sweep(way, way.size() - 1, way.size() - 1, ball(radius), progress);
-        QCOMPARE(other.leftBy(request, ball(radius), progress).most, 3.0); // a rapid takes nothing
+        QCOMPARE(other.leftBy(request, ball(radius), progress).most, 3.0); // a rapid removes nothing
     }
 
-    /// At the foot of a wall a ball reaches neither floor nor wall nearer than its radius; within an area and above a
-    /// height only what lies there counts.
+    /// At the foot of a wall a ball reaches neither floor nor wall nearer than its radius; with an area and a lowest
+    /// height only what is inside them counts.
     void onlyWhatCanBeReachedCounts() {
         constexpr double radius = 3.0;
         TriangleMesh mesh;
@@ -97,7 +98,7 @@ private slots:
         floor.bottom = 10.0;
         QVERIFY(near(meter.leftBy(floor, ball(radius), progress).reachable, 10.0 * 20.0));
         floor.bottom.reset();
-        floor.kind = PassKind::face; // the part's top alone
+        floor.kind = PassKind::face; // only the part's top
         QVERIFY(near(meter.leftBy(floor, ball(radius), progress).reachable, 10.0 * 20.0));
         floor.kind = PassKind::parallel;
         floor.bottom = 5.0;
@@ -107,7 +108,7 @@ private slots:
         wall.kind = PassKind::waterline;
         wall.flattest = 1.5;
         wall.bottom = 5.0;
-        // Walls of which the tip does not come lower: those at the border of the floor, 5 mm high, can't be touched
+        // Walls below whose top the tip does not go: those at the border of the floor, 5 mm high, can't be touched
         // above the tip's lowest height; the inner wall from the radius above the floor upwards, the outer ones of the
         // block from there, too.
         const double upright = meter.leftBy(wall, ball(radius), progress).reachable;

@@ -46,7 +46,8 @@ private slots:
                                 direction};
             const double exact = milling_.part.clearance(tool, pose).clearance;
             const PoseSample sample = made->at(pose, 1.0);
-            // Never farther than it is, but for the edges of the block: what a field promises of smooth faces.
+            // The clearance is never larger than the true one, except at the edges of the block: the guarantee of a
+            // field for smooth faces.
             if (exact > 0.0) QVERIFY(sample.clearance <= exact + 0.1 * milling_.setup.voxel);
             if (!sample.fine || exact < 0.0 || exact > 0.5) continue;
             ++near;

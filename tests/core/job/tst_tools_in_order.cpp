@@ -59,7 +59,7 @@ PathMatter matter(std::int64_t id, const Tool& tool, const std::vector<glm::dvec
     return made;
 }
 
-/// The rougher's slot, along X through the middle of the plate; it ends at x = 13.
+/// The rougher's slot, along X through the centre of the plate; it ends at x = 13.
 PathMatter slot() {
     return matter(1, flat("rougher", 1, diameter), {{-10, 10, 8}, {10, 10, 8}}, {}, 0.5);
 }
@@ -71,7 +71,7 @@ LevelFeed levelRemoval() {
     return edit;
 }
 
-/// Each path behind those before it.
+/// Mills each path after those before it.
 Result<std::vector<MilledPath>> milledInTurn(const MillingContext& milling, const std::vector<PathMatter>& matters) {
     Progress progress;
     std::vector<MilledPath> milled;
@@ -89,7 +89,7 @@ Result<EvaluatedPath> lastOf(const std::vector<PathMatter>& matters) {
     return *milled->back().evaluated;
 }
 
-/// Feeds of the cuts over a stretch of x, the least and the most.
+/// Lowest and highest feed of the cuts over an interval of x.
 std::pair<double, double> feedsWithin(const Path& path, double from, double to) {
     double least = 1e9, most = 0.0;
     for (std::size_t i = 1; i < path.points.size(); ++i) {
@@ -109,7 +109,7 @@ double lengthOn(const EvaluatedPath& path, MillingSide side) {
     return length;
 }
 
-/// Where the first rapid down ends.
+/// The end point of the first rapid down.
 double firstPlungeFrom(const Path& path) {
     for (std::size_t i = 1; i < path.points.size(); ++i)
         if (path.points[i].kind == MoveKind::plunge) return path.points[i - 1].pose.tip.z;
@@ -118,7 +118,7 @@ double firstPlungeFrom(const Path& path) {
 
 } // namespace
 
-/// What a tool meets behind others.
+/// The stock that a tool meets after other tools.
 class TestToolsInOrder : public QObject {
     Q_OBJECT
 private slots:
@@ -143,7 +143,7 @@ void TestToolsInOrder::feedsAreThoseOfTheAirWhereTheToolBeforeHasBeen() {
     const double inSlot = 60.0 * levelRemoval().target / (diameter * depth); // mm/min: width x depth x feed
     qInfo() << "in air" << inAir << "in a full slot" << inSlot << "mm/min";
     QVERIFY(inAir > 2.0 * inSlot);
-    // Before the end of the cleared stretch, at 10 mm, it slows down: v² = v'² + 2 a s.
+    // Before the end of the cleared region, at 10 mm, it slows down: v² = v'² + 2 a s.
     const double braking =
         (std::pow(inAir / 60.0, 2) - std::pow(inSlot / 60.0, 2)) / (2.0 * milling.machine.acceleration);
     QVERIFY(braking < 8.0);
@@ -164,7 +164,7 @@ void TestToolsInOrder::rapidsGoDownIntoWhatTheToolBeforeCleared() {
     const double approach = Link{}.approach;
     QCOMPARE(firstPlungeFrom(alone->path), 10.0 + approach);
     QCOMPARE(firstPlungeFrom(behind->path), 8.0 + approach);
-    // Where only a part of the tool is over what was cleared, the plate's top counts.
+    // Where only a part of the tool is over the cleared region, the plate's top counts.
     const PathMatter astride = matter(2, flat("narrow", 2, 4.0), {{5, 12, 6}, {8, 12, 6}});
     const auto held = lastOf({slot(), astride});
     QVERIFY(held);
@@ -172,7 +172,7 @@ void TestToolsInOrder::rapidsGoDownIntoWhatTheToolBeforeCleared() {
 }
 
 void TestToolsInOrder::sidesAreThoseThatTheToolBeforeLeft() {
-    // Along the slot's wall at y = 7, which lies to the right of the motion: climb.
+    // Along the slot's wall at y = 7, which is to the right of the motion: climb.
     const PathMatter wall = matter(2, flat("narrow", 2, 4.0), {{1, 8, 8}, {6, 8, 8}});
     const auto alone = lastOf({wall}), behind = lastOf({slot(), wall});
     QVERIFY(alone && behind);
@@ -180,7 +180,7 @@ void TestToolsInOrder::sidesAreThoseThatTheToolBeforeLeft() {
     QVERIFY(lengthOn(*behind, MillingSide::climb) > 4.0 && lengthOn(*behind, MillingSide::conventional) < 1.0);
 }
 
-/// The rougher is milled first, and the follower's feeds say so.
+/// The rougher is milled first, and the follower's feeds show it.
 void TestToolsInOrder::theOrderIsTheProgramsWhicheverWasGivenFirst() {
     const PathMatter follower =
         matter(2, flat("follower", 2, diameter), {{-10, 10, 8}, {50, 10, 8}}, {{levelRemoval()}});
@@ -205,7 +205,7 @@ void TestToolsInOrder::aKeptPathCountsOnlyBehindTheSamePaths() {
     const auto path = evaluateStored(follower.sources, milling, follower.tool, follower.path, {}, progress);
     QVERIFY(path);
     EvaluatedPath marked = *path;
-    marked.path.spindleSpeed = 4321.0; // so that it is known again
+    marked.path.spindleSpeed = 4321.0; // to identify it later
     follower.evaluated = std::make_shared<const EvaluatedPath>(marked);
     const auto alone = evaluateInOrder(milling, {follower}, progress),
                behind = evaluateInOrder(milling, {first, follower}, progress);
@@ -242,7 +242,7 @@ void TestToolsInOrder::whatIsCutOfALentStockIsForgotten() {
                 if (linesOf(stock) != wanted) return Error{ErrorCode::internalFault, "stock", "", ""};
                 removed = lost(stock);
                 return cutPath((*milled)[1].evaluated->path, (*milled)[0].tool.cutter, stock,
-                               progress); // to be forgotten
+                               progress); // to be discarded
             },
             progress);
         QVERIFY(lent);
@@ -255,7 +255,7 @@ void TestToolsInOrder::whatIsCutOfALentStockIsForgotten() {
     }
 }
 
-/// The states that are kept need memory too; where that is short they are given up.
+/// The states that are kept need memory too; where that is short they are discarded.
 void TestToolsInOrder::aStockIsLentWhereverItCanBeCutAtAll() {
     const PathMatter rough = slot(), deeper = matter(2, flat("deeper", 2, diameter), {{-10, 10, 6}, {50, 10, 6}});
     const MillingContext milling = plateMilling(rough.tool);

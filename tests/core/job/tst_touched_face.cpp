@@ -11,7 +11,7 @@ namespace burin::tst_touched_face {
 
 namespace {
 
-/// A hand that presses a tool by 1 mm against what holds it, in a direction.
+/// A hand that presses a tool by 1 mm against an obstacle, in a direction.
 Sample pressed(const glm::dvec3& tip, const glm::dvec3& towards) {
     Sample sample;
     sample.proxy.tip = tip;
@@ -22,7 +22,7 @@ Sample pressed(const glm::dvec3& tip, const glm::dvec3& towards) {
 
 } // namespace
 
-/// As with an edge finder: the face is a radius beside the tool's axis, or at its tip.
+/// As with an edge finder: the face is one radius from the tool's axis, or at its tip.
 class TestTouchedFace : public QObject {
     Q_OBJECT
 private slots:

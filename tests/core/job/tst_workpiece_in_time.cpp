@@ -20,7 +20,7 @@ using namespace burin::test;
 
 namespace {
 
-/// Takes of so many strokes, of the last but one of which the newest three are taken back.
+/// Takes with the given numbers of strokes; in the last but one the newest three are undone.
 struct Recorded {
     explicit Recorded(const std::vector<int>& strokes) : stage(folder.filePath("p.burin").toStdString()) {
         for (std::size_t i = 0; i < strokes.size(); ++i) {
@@ -41,7 +41,7 @@ struct Recorded {
     bool good = true;
 };
 
-/// Takes of rows beside each other, each take lower than the one before: every tick cuts. Some of it is taken back.
+/// Takes of adjacent rows, each take lower than the previous one: every tick cuts. Part of it is undone.
 struct Rows {
     explicit Rows(const std::vector<std::uint64_t>& counts)
         : project(*Project::create(folder.filePath("p.burin").toStdString())) {
@@ -84,8 +84,8 @@ struct Rows {
     bool good = true;
 };
 
-/// The workpiece at moments, each cut at once where the hand cut, from the first tick on: nothing is remembered,
-/// packed or deferred.
+/// The workpiece at given moments, with each cut applied immediately where the hand cut, from the first tick on:
+/// nothing is remembered, packed or deferred.
 std::vector<Lines> replayedTo(const std::vector<Take>& takes, const std::vector<TakeMoment>& rising) {
     MillingContext milling = blockMilling();
     RunVolume& volume = milling.embedded.workpiece;
@@ -127,8 +127,8 @@ KeptWorkpiece stock() {
 class TestWorkpieceInTime : public QObject {
     Q_OBJECT
 private slots:
-    /// 200 moments in any order, forwards and backwards, over takes and over strokes that were taken back: every
-    /// scanline is what a replay from the start leaves. Also with workpieces that were kept on the way.
+    /// 200 moments in any order, forwards and backwards, over takes and over undone strokes: every scanline is what a
+    /// replay from the start leaves. Also with workpieces that were kept on the way.
     void anyMomentIsAReplayFromTheStart() {
         const Rows recorded({4200, 3700, 2900});
         QVERIFY(recorded.good);
@@ -147,7 +147,7 @@ private slots:
 
         Progress progress;
         std::vector<KeptWorkpiece> kept;
-        for (const bool again : {false, true}) { // from the stock alone, then with what was kept
+        for (const bool again : {false, true}) { // from the stock alone, then with kept workpieces
             Result<WorkpieceInTime> time = WorkpieceInTime::make(stock(), sharedCuts(recorded.project), kept, progress);
             QVERIFY(time);
             std::ranges::shuffle(moments, random);
@@ -164,7 +164,8 @@ private slots:
         QCOMPARE(kept.size(), recorded.takes.size()); // at their ends
     }
 
-    /// Where one was before costs no cutting, and neither does what is kept; the way to a moment does.
+    /// Returning to an earlier moment costs no cutting, and neither does a kept workpiece; the moves up to a new moment
+    /// do.
     void nothingIsCutTwice() {
         const Rows recorded({6000});
         QVERIFY(recorded.good);
@@ -185,7 +186,7 @@ private slots:
         QCOMPARE(later->motionsCut(), std::uint64_t{0});
     }
 
-    /// One that is cancelled leaves the place where it was, or on the way, and goes on from there.
+    /// A cancelled request leaves the workpiece at its moment, or on the way, and continues from there.
     void cancellingLosesNothing() {
         const Recorded recorded({40});
         QVERIFY(recorded.good);
@@ -200,9 +201,8 @@ private slots:
         QVERIFY(all && linesOf(*all) == recorded.stage.workpiece());
     }
 
-    /// What comes after a moment is switched off: the workpiece is the one of that moment, whether it was kept or not;
-    /// switched on again it is what it was. A stroke that is off is cut by nobody, and strokes are taken back as
-    /// before.
+    /// Work after a moment is switched off: the workpiece is that of the moment, whether it was kept or not; switched
+    /// on again it is as before. A stroke that is off is not cut, and strokes are undone as before.
     void whatIsSwitchedOffCountsNoMore() {
         Recorded recorded({20, 12, 9});
         QVERIFY(recorded.good);
@@ -224,7 +224,8 @@ private slots:
         const Result<TakeOutline> outline = project.takeOutline(second.info.id);
         QVERIFY(outline && outline->info.undoneCount >= second.samples.size() - middle.samples);
 
-        // Kept at the moment, nothing is cut again: neither what is before it, nor what is off.
+        // If a workpiece was kept at the moment, nothing is cut again: neither the work before it, nor that which is
+        // off.
         MillingContext milling = blockMilling();
         QVERIFY(replayTakes(project, milling, progress));
         QVERIFY(project.keepWorkpiece(*keptAs(milling.embedded.workpiece.snapshot(), middle, {}, progress),
@@ -236,12 +237,12 @@ private slots:
 
         QVERIFY(setSwitchedOff(project, *before));
         QVERIFY(remade() == all);
-        QVERIFY(recordedWork(project)->kept); // what is before the moment is the same
+        QVERIFY(recordedWork(project)->kept); // the work before the moment is the same
         QVERIFY(project.save());
         QVERIFY(remade() == all);
     }
 
-    /// Ranges against a set of samples, one by one.
+    /// Ranges compared with a set of samples, one by one.
     void stretchesAreSwitchedSampleBySample() {
         Recorded recorded({3});
         QVERIFY(recorded.good);
@@ -261,7 +262,7 @@ private slots:
             const Result<std::vector<SampleRange>> ranges = project.switchedOff(take);
             std::uint64_t end = 0;
             for (const SampleRange& range : *ranges) {
-                QVERIFY(range.first > end || (range.first == 0 && end == 0)); // apart
+                QVERIFY(range.first > end || (range.first == 0 && end == 0)); // separate
                 end = range.first + range.count;
                 for (std::uint64_t s = range.first; s < end; ++s) found[s] = true;
             }
@@ -273,7 +274,7 @@ private slots:
         QVERIFY(!project.setSwitchedOff(take, beyond) && !project.setSwitchedOff(take, crossed));
     }
 
-    /// Of many the newest stays, and as many as a project keeps at most; those that hold no more go first.
+    /// Of many kept workpieces the newest stays, and at most the permitted number; invalid ones are removed first.
     void ofManyTheOlderAreThinnedOut() {
         Recorded recorded({3});
         QVERIFY(recorded.good);
@@ -284,7 +285,7 @@ private slots:
         const std::vector<TakeMoment> kept = *project.keptMoments();
         QVERIFY(kept.size() > 30 && kept.size() <= 64);
         QVERIFY((kept.back() == TakeMoment{take, 150}));
-        // What is made in another state is not kept at all.
+        // A workpiece made in another state is not kept at all.
         QVERIFY(project.undoStretch(take, {0, 10}));
         QVERIFY(project.keepWorkpiece({{take, 151}, {}, "x"}, state));
         QVERIFY(project.keptMoments()->empty());
@@ -293,7 +294,8 @@ private slots:
         QCOMPARE(project.keptMoments()->size(), std::size_t{64});
     }
 
-    /// A project gives back what was kept as long as nothing changed that it is made of; opening cuts nothing then.
+    /// A project returns a kept workpiece as long as nothing that it is made from has changed; opening then cuts
+    /// nothing.
     void whatIsKeptHoldsUntilWhatItIsMadeOfChanges() {
         Recorded recorded({10, 6});
         QVERIFY(recorded.good);
@@ -306,7 +308,7 @@ private slots:
         QVERIFY(
             project.keepWorkpiece(*keptAs(recorded.stage.milling.embedded.workpiece.snapshot(), end, strokes, progress),
                                   *project.recordedState()));
-        QCOMPARE(*project.unsaved(), *unsaved); // it asks for no save
+        QCOMPARE(*project.unsaved(), *unsaved); // requires no saving
         QCOMPARE(project.keptMoments()->size(), std::size_t{1});
 
         const Result<RecordedWork> work = recordedWork(project);

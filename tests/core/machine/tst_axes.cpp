@@ -15,7 +15,7 @@ namespace burin::tst_axes {
 
 namespace {
 
-constexpr double rounding = 1e-9; // mm: of places up to 1000 mm
+constexpr double rounding = 1e-9; // mm: for positions up to 1000 mm
 
 double anyNumber() {
     return *rc::gen::inRange(-1'000'000, 1'000'001) / 1000.0;
@@ -26,7 +26,7 @@ glm::dvec3 anyPlace() {
 Axis anyAxis() {
     return static_cast<Axis>(*rc::gen::inRange<int>(0, static_cast<int>(axisCount)));
 }
-/// A direction that leans from +Z by an angle, rad.
+/// A direction inclined from +Z by an angle, rad.
 glm::dvec3 leaning(double angle) {
     const double round = anyNumber();
     return {std::sin(angle) * std::cos(round), std::sin(angle) * std::sin(round), std::cos(angle)};
@@ -53,7 +53,7 @@ private slots:
         QVERIFY(!isRotary(Axis::x) && !isRotary(Axis::z) && !isRotary(Axis::u) && !isRotary(Axis::w));
     }
 
-    /// Against nine numbers in a row, which a second value must not share.
+    /// Compared with nine numbers in an array; different axes must not share a value.
     void valuesAreTheirOwnAndStandByAxis() {
         QVERIFY(rc::check("nine numbers in a row", [] {
             std::array<double, axisCount> wanted{};
@@ -105,7 +105,7 @@ private slots:
             const auto kinematics = kinematicsOf(mill(), anyPlace());
             const AxisValues values(anyPlace());
             AxisValues more = values;
-            more.set(Axis::a, 30.0); // which the machine doesn't have
+            more.set(Axis::a, 30.0); // an axis that the machine doesn't have
             const Result<AxisValues> back = kinematics->axesOf(kinematics->poseOf(values));
             RC_ASSERT(bool(back));
             RC_ASSERT(glm::distance(back->linear(), values.linear()) <= rounding);
@@ -133,20 +133,20 @@ private slots:
         QVERIFY(!ThreeAxes().axesOf({glm::dvec3(0.0), glm::dvec3(std::nan(""))}));
     }
 
-    /// Against the box of all places; whole numbers, so that some lie on the ends, which belong to the travel.
+    /// Compared with the box of all positions; whole numbers, so that some are at the ends, which belong to the travel.
     void axesHaveTheirTravelAndNoMore() {
         QVERIFY(rc::check("as the box of all places says", [] {
             const MachineProfile machine = mill();
             const glm::dvec3 low(*rc::gen::inRange(-200, 50), *rc::gen::inRange(-200, 50), *rc::gen::inRange(-100, 50));
             const bool stands = *rc::gen::arbitrary<bool>();
             AxisTravel travel(machine, stands ? Box{low, low + machine.travel} : Box{});
-            for (const Axis axis : allAxes) RC_ASSERT(!travel.wayBeyond(axis)); // sent nowhere
+            for (const Axis axis : allAxes) RC_ASSERT(!travel.wayBeyond(axis)); // no axis is moved
             Box reach;
             for (int i = *rc::gen::inRange(1, 8); i > 0; --i) {
                 const glm::dvec3 place(*rc::gen::inRange(-200, 301), *rc::gen::inRange(-100, 201),
                                        *rc::gen::inRange(-100, 101));
                 AxisValues values(place);
-                values.set(Axis::c, 1e6); // turns as often as it likes
+                values.set(Axis::c, 1e6); // rotates without limit
                 travel.goTo(allAxes, values);
                 reach.include(place);
                 RC_ASSERT(!travel.wayBeyond(Axis::c));

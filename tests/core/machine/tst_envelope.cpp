@@ -28,7 +28,7 @@ private slots:
         QCOMPARE(travel.low, glm::dvec3(-85.0, -57.0, -170.0));
         QCOMPARE(travel.high, travel.low + glm::dvec3(500.0, 400.0, 250.0));
     }
-    /// In the middle, and no lower than the machine's promise of a free height above it asks for.
+    /// In the middle, and no lower than the clearance height above it that the machine profile requires.
     void whereNothingIsSaidItStandsInTheMiddle() {
         const Box travel = travelEnvelope(mill(), {}, zero, zero).tips;
         QCOMPARE(travel.centre().x, zero.x);
@@ -36,7 +36,7 @@ private slots:
         QCOMPARE(travel.high.z, zero.z + 60.0);
         QCOMPARE(travel.size(), glm::dvec3(500.0, 400.0, 250.0));
     }
-    /// A zero on another place of the stock, whether beside or below, does not move the stock on its table.
+    /// A zero at another point of the stock, to the side or below, does not move the stock on its table.
     void aZeroOnACornerLeavesTheStockWhereItIs() {
         const Box middle = travelEnvelope(mill(), {}, zero, zero).tips;
         const Box corner = travelEnvelope(mill(), {}, zero - glm::dvec3(20.0, 30.0, 10.0), zero).tips;

@@ -17,7 +17,7 @@ namespace burin::tst_machine_library {
 
 namespace {
 
-/// No more than has to be stated.
+/// Only the keys that are required.
 const char* const shortProfile =
     "{\"id\": \"own\", \"name\": \"own\", \"source\": \"measured\", \"travel_mm\": [300, 200, 100],"
     "\"maximum_feed_mm_per_min\": 1000, \"rapid_feed_mm_per_min\": 3000, \"minimum_spindle_speed_rpm\": 0,"
@@ -37,7 +37,7 @@ const char* const fullProfile = R"({
   "arcs": {"largest_sweep_deg": 355, "smallest_radius_mm": 0.05, "largest_radius_mm": 900, "radius_mismatch_mm": 0.004},
   "coolant": {"mist": true, "flood": false}, "coordinate_decimals": 4, "maximum_line_length": 80})";
 
-/// A file as plain JSON, read by nobody but the JSON library.
+/// A file as plain JSON, parsed only by the JSON library.
 nlohmann::json plain(const std::string& text) {
     return nlohmann::json::parse(text);
 }
@@ -75,7 +75,7 @@ private slots:
             QVERIFY2(std::find(ids.begin(), ids.end(), id) != ids.end(), id);
     }
 
-    /// Figures of GRBL's own defaults for that router, and rules that its documentation states.
+    /// Values of GRBL's own defaults for that router, and rules stated in its documentation.
     void theGrblRouterIsAsGrblSaysItIs() {
         const Result<MachineProfile> router = loadMachine("grbl-router");
         QVERIFY(router.hasValue());
@@ -91,7 +91,7 @@ private slots:
         QVERIFY(router->sources.at("travel_mm").find("SHAPEOKO_3") != std::string::npos);
     }
 
-    /// Each axis at its own rate unless a parameter says otherwise: the classic dog-leg.
+    /// Each axis moves at its own rate unless a parameter changes that: the classic dog-leg.
     void largeControlsBendTheirRapids() {
         for (const char* id : {"haas-mill", "fanuc-mill"}) QVERIFY(loadMachine(id)->rapids == RapidMode::independent);
     }
@@ -113,14 +113,14 @@ private slots:
         QVERIFY(std::abs(own->powerAt(1500.0) - 3141.6) < 0.1); // between the first two: constant power
         QVERIFY(std::abs(own->torqueAt(1500.0) - 20.0) < 1e-9);
         QVERIFY(std::abs(own->powerAt(4500.0) - 0.5 * (3141.6 + 1570.8)) < 0.1);
-        QVERIFY(std::abs(own->powerAt(8000.0) - 1570.8) < 0.1); // beyond the last it keeps its power
+        QVERIFY(std::abs(own->powerAt(8000.0) - 1570.8) < 0.1); // beyond the last point the power is constant
         QVERIFY(std::abs(own->torqueAt(8000.0) - 1.875) < 1e-9);
 
         const Result<MachineProfile> without = machineFromJson(shortProfile, "own.json");
         QCOMPARE(without->torqueAt(1000.0), 0.0); // not stated
         QCOMPARE(without->powerAt(1000.0), 0.0);
     }
-    /// The curve that a machine is shipped with does not give more than the power that it states.
+    /// The curve of a shipped machine does not exceed the machine's stated power.
     void torqueAndPowerOfAShippedMachineAgree() {
         for (const std::string& id : machineIds()) {
             const Result<MachineProfile> machine = loadMachine(id);
@@ -138,7 +138,7 @@ private slots:
         QCOMPARE(own->blocksPerSecond, 0.0);
         QCOMPARE(own->arcs.largestSweep, 2.0 * pi);
         QCOMPARE(own->toolChangeSeconds, 0.0);
-        QVERIFY(own->has(Coolant::mist) && own->has(Coolant::flood)); // nobody said it hasn't
+        QVERIFY(own->has(Coolant::mist) && own->has(Coolant::flood)); // not excluded by the file
         QVERIFY(own->dialect.empty() && own->sources.empty());
     }
 
@@ -151,7 +151,7 @@ private slots:
         QVERIFY(mill->source.find("example") != std::string::npos);
     }
 
-    /// Nothing of a file gets lost, whatever it states: written again it says the same, key by key.
+    /// Nothing in a file is lost, whatever it contains: written again it is the same, key by key.
     void aWrittenMachineIsTheOneThatWasRead() {
         const Result<MachineProfile> full = machineFromJson(fullProfile, "full.json");
         QVERIFY2(full.hasValue(), full ? "" : full.error().place.c_str());
@@ -178,12 +178,12 @@ private slots:
         QVERIFY(saveMachine(own, false).hasValue());
         QVERIFY(!isTypicalMachine("shop-vf2"));
         QCOMPARE(loadMachine("shop-vf2")->name, std::string("VF-2 in the shop"));
-        QVERIFY(saveMachine(own, false).error().code == ErrorCode::argumentInvalid); // there is one already
+        QVERIFY(saveMachine(own, false).error().code == ErrorCode::argumentInvalid); // it already exists
         own.maximumSpindleSpeed = 7500.0;
         QVERIFY(saveMachine(own, true).hasValue());
         QCOMPARE(loadMachine("shop-vf2")->maximumSpindleSpeed, 7500.0);
         QCOMPARE(QDir(userData_.filePath("burin/machines")).entryList(QDir::Files | QDir::Hidden),
-                 QStringList{"shop-vf2.json"}); // nothing else is left beside it
+                 QStringList{"shop-vf2.json"}); // no other file is left
         QVERIFY(removeMachine("shop-vf2").hasValue());
         QVERIFY(loadMachine("shop-vf2").error().code == ErrorCode::nameUnknown);
         QVERIFY(removeMachine("shop-vf2").error().code == ErrorCode::nameUnknown);
@@ -198,7 +198,8 @@ private slots:
         QVERIFY(loadMachine("haas-mill")->maximumFeed > 1.0);
     }
 
-    /// What a file may not hold is not kept either, and the sentence's parts name file, key and what is allowed.
+    /// Values that a file may not contain are not stored either, and the parts of the message name the file, the key
+    /// and the permitted values.
     void aMachineOutOfRangeIsNotKept() {
         MachineProfile own = copyOf(*loadMachine("haas-mill"), "wrong", "wrong");
         own.acceleration = 0.0;

@@ -9,13 +9,13 @@
 
 #include <cmath>
 
-// A program as Burin reads it for LinuxCNC beside what rs274 makes of it.
+// A program as Burin reads it for LinuxCNC is compared with the output of rs274.
 namespace burin::beside_rs274 {
 
 inline constexpr double printed = 1e-4; // rs274 prints four decimals
-inline constexpr double slowest = 0.1;  // unit/min: LinuxCNC makes no inverse time slower than that
+inline constexpr double slowest = 0.1;  // unit/min: LinuxCNC's lower limit for inverse time
 
-/// The machine that rs274 plays: it stands at 0, and so do all of its offsets.
+/// The machine that rs274 simulates: it is at 0, and all of its offsets are 0.
 inline MachineState standing() {
     MachineState state;
     const PartialPlace zero{0.0, 0.0, 0.0};
@@ -48,7 +48,7 @@ inline QString describe(const glm::dvec3& v) {
     return QString("%1 %2 %3").arg(v.x, 0, 'f', 5).arg(v.y, 0, 'f', 5).arg(v.z, 0, 'f', 5);
 }
 
-/// The first difference; empty: none. Moves are compared in the unit in which rs274 prints them.
+/// The first difference; empty if there is none. Moves are compared in the unit in which rs274 prints them.
 inline QString difference(const CanonicalProgram& truth, const ParsedProgram& program) {
     for (std::size_t i = 0; i < std::min(truth.moves.size(), program.motions.size()); ++i) {
         const CanonicalMove& theirs = truth.moves[i];

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// A machine with room for every job here and no wish of its own.
+/// A machine with enough travel for every job here and no special requirements.
 inline MachineProfile roomyMachine() {
     MachineProfile machine;
     machine.travel = {1000, 1000, 1000};

@@ -93,7 +93,7 @@ private:
         return result;
     }
 
-    /// Incremental, so that its end fits wherever it begins.
+    /// Incremental, so that its end is valid wherever it begins.
     void arc() {
         const double u = positive() * (below(2) == 0 ? 1.0 : -1.0), v = positive() * (below(2) == 0 ? 1.0 : -1.0);
         const double angle = below(1000) / 1000.0 * 6.283185307179586;

@@ -7,12 +7,12 @@
 
 namespace burin {
 
-/// What programs of others do that one control reads and another refuses.
+/// Constructs in programs of others that one control accepts and another refuses.
 struct TextOfOthers {
     std::string_view name;
     std::string_view text;          ///< between `textBegin` and `textEnd`, unless it is `whole`
-    bool whole = false;             ///< the program as it stands
-    std::string_view cautious = {}; ///< why Burin refuses what the judge reads
+    bool whole = false;             ///< the program is complete as it is
+    std::string_view cautious = {}; ///< reason for which Burin refuses a text that the reference accepts
 };
 
 inline constexpr std::string_view textBegin = "G17 G21 G90 G94 G54\nS3000 M3\nG0 X0 Y0 Z60\n", textEnd = "\nM2\n";
@@ -114,7 +114,7 @@ inline constexpr TextOfOthers textsOfOthers[] = {
     {"a line number with blanks", "N 1 0 G1 X1 F100"},
     {"CR CR LF", "G1 X5 F100\r\r\nG1 X6\r\r"},
     {"CR LF", "G1 X5 F100\r\nG1 X6\r"},
-    // what is not read, or by some
+    // constructs that are not read, or only by some controls
     {"subprogram call", "M98 P1000", false, "subprograms are not read"},
     {"O word", "o100 sub\no100 endsub", false, "subprograms are not read"},
     {"a condition", "IF [#1 EQ 1] GOTO 5"},

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Programs by named axes: what holds for X holds for any other, but that degrees know no inches.
+// Programs with named axes: rules for X hold for any other axis, except that degrees are not converted from inches.
 #include "core/nc/data_post.h"
 #include "core/nc/frames.h"
 #include "core/nc/line_reader.h"
@@ -20,7 +20,7 @@ double anyNumber() {
     return *rc::gen::inRange(-1'000'000, 1'000'001) / 1000.0;
 }
 
-/// LinuxCNC's control with all nine axes, which none of ours has.
+/// LinuxCNC's control with all nine axes, which none of our controls has.
 Control nineAxes() {
     Control control = defaultControl();
     control.letters = "ABCDFHIJKLPQRSTUVWXYZ";
@@ -60,7 +60,7 @@ private slots:
         QVERIFY(readLine("G4 P1", control, parameters, block, fault) && !block.hasAxis());
     }
 
-    /// The six axes behind Z stay as they are for the controls that we read.
+    /// The six axes after Z do not move on the controls that we read.
     void ourControlsMoveThreeAxes() {
         for (const Control& control : controls()) {
             QVERIFY(control.axes == linearAxes);
@@ -84,7 +84,7 @@ private slots:
         QCOMPARE(move.to[Axis::a], 12.5);
         QCOMPARE(move.to[Axis::c], 20.0);
         QVERIFY(move.takes(Axis::a) && !move.takes(Axis::c));
-        // and along an arc evenly, as its chords show
+        // and evenly along an arc, as its chords show
         const Result<ParsedProgram> arc = parseProgram("G0 X10 Y0 Z0 A0\nG3 X-10 I-10 A30 F100\n", "job", nineAxes());
         QVERIFY(arc);
         for (const NcMotion& chord : straightMoves(*arc, 0.01)) {
@@ -99,7 +99,7 @@ private slots:
         QCOMPARE(move.to[Axis::x], 3.0);
     }
 
-    /// The same orders to X and C in one machine: X's are LinuxCNC's, as tst_rs274 shows.
+    /// The same words for X and C in one machine: those for X are checked against LinuxCNC in tst_rs274.
     void offsetsAndShiftsHoldForAnyAxisAsForX() {
         QVERIFY(rc::check("C as X", [] {
             MachineState start;
@@ -164,7 +164,7 @@ private slots:
         }));
     }
 
-    /// Only Z has the tool's length in it.
+    /// Only Z includes the tool length.
     void theLengthOfAToolMovesZAlone() {
         MachineState start;
         start.lengthOffset = 0.0;

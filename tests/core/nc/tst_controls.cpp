@@ -12,11 +12,11 @@ class TestControls : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Facts of single controls: what one reads and another refuses.
+    /// Facts about single controls: what one accepts and another refuses.
     void eachControlReadsItsOwn_data() {
         QTest::addColumn<QString>("control");
         QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("fault"); // empty: read
+        QTest::addColumn<QString>("fault"); // empty: accepted
         const auto row = [](const char* name, const char* control, const char* text, const char* fault = "") {
             QTest::newRow(name) << control << text << fault;
         };

@@ -126,7 +126,7 @@ private slots:
         QVERIFY(&control == findControl("grbl"));
     }
 
-    /// A figure that is broken in two would be another figure; and no line may begin as an order to the control does.
+    /// A number that is broken in two would be another number; and no line may begin like a command to the control.
     void longCommentsAreBrokenBetweenWords() {
         NcProgram job = referenceJob(NcUnits::millimetre, 1);
         job.header = {"Program zero in the frame of the model X5.000 Y5.000 Z14.000",

@@ -60,7 +60,7 @@ private slots:
         install("trace", goodMetadata, "libburin_test_dialect.so");
         auto post = loadDialect("trace", root());
         QVERIFY(post);
-        QVERIFY(QFile::exists(traceFile())); // the trace works: its absence elsewhere means something
+        QVERIFY(QFile::exists(traceFile())); // the trace works, so its absence elsewhere is significant
         NcProgram program;
         program.name = "hello";
         Progress progress;

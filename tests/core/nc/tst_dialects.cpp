@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Every dialect that is data: exact text, the controls' facts, and that its own control reads what was meant.
+// Every dialect defined by data: exact text, the controls' rules, and that its own control reads the intended moves.
 #include "core/base/file.h"
 #include "core/nc/lint.h"
 #include "core/nc/parser.h"
@@ -42,7 +42,7 @@ NcUnits unitsOf(bool inch) {
     return inch ? NcUnits::inch : NcUnits::millimetre;
 }
 
-/// Lines, arcs and rapids about a place, as a path fitter makes them.
+/// Lines, arcs and rapids around a point, as a path fitter makes them.
 NcProgram randomJob(NcUnits units) {
     NcProgram program = referenceJob(units, 1);
     std::vector<NcMove>& moves = program.sections.front().moves;
@@ -63,14 +63,14 @@ NcProgram randomJob(NcUnits units) {
             const int axis = *rc::gen::inRange(0, 3);
             const double radius = std::pow(10.0, *rc::gen::inRange(-1500, 2900) / 1000.0);
             const double angle = *rc::gen::inRange(0, 6283) / 1000.0;
-            const int thousandths = *rc::gen::inRange(1, 7000); // a full turn now and then
+            const int thousandths = *rc::gen::inRange(1, 7000); // sometimes a full turn
             const double sweep =
                 std::min(thousandths / 1000.0, 2.0 * std::acos(-1.0)) * (*rc::gen::inRange(0, 2) == 0 ? 1.0 : -1.0);
             const int u = (axis + 1) % 3, v = (axis + 2) % 3;
             glm::dvec3 centre = from, to = from;
             centre[u] -= radius * std::cos(angle);
             centre[v] -= radius * std::sin(angle);
-            if (thousandths < 6284) { // else it ends where it begins
+            if (thousandths < 6284) { // otherwise it ends where it begins
                 to[u] = centre[u] + radius * std::cos(angle + sweep);
                 to[v] = centre[v] + radius * std::sin(angle + sweep);
             }
@@ -83,7 +83,7 @@ NcProgram randomJob(NcUnits units) {
     return program;
 }
 
-/// The places of a posted text's blocks, mm, read without our parser: X, Y and Z are modal, comments don't count.
+/// The end points of a posted text's blocks, mm, read without our parser: X, Y and Z are modal, comments are ignored.
 std::vector<glm::dvec3> placesIn(const std::string& text, bool inch) {
     const QRegularExpression comment(R"(\([^)]*\)|;.*)"), word(R"(([XYZ])(-?[0-9]*\.?[0-9]*))");
     std::vector<glm::dvec3> places;
@@ -126,7 +126,7 @@ double distanceToLine(const glm::dvec3& place, const std::vector<glm::dvec3>& li
     return least;
 }
 
-/// How far `place` lies from the way of a move that begins at `from`.
+/// The distance of `place` from an arc.
 double distanceToArc(const glm::dvec3& place, const Arc& arc) {
     const ArcTurn turn = turnOf(arc);
     const int u = (arc.axis + 1) % 3, v = (arc.axis + 2) % 3;
@@ -172,7 +172,7 @@ private slots:
     }
 
     void speedsChangeInTheCut_data() { addDialects(); }
-    /// Its own control reads the speed that each move shall have; a change in the air waits for the spindle.
+    /// The dialect's own control reads the intended speed for each move; a change in the air waits for the spindle.
     void speedsChangeInTheCut() {
         QFETCH(QString, dialect);
         QFETCH(bool, inch);
@@ -200,7 +200,7 @@ private slots:
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
     }
 
-    /// What the last digit can't tell from the point before is left out, its speed is not.
+    /// A point that does not differ from the previous one in the last digit is left out, but its speed is not.
     void aSpeedOutlivesThePointThatRoundingLeavesOut() {
         for (const std::string& id : ids) {
             NcProgram job = referenceJob(NcUnits::millimetre, 1);
@@ -219,7 +219,7 @@ private slots:
     }
 
     void theSpindleParksWhereItsMachineSays_data() { addDialects(); }
-    /// Two blocks in the machine's frame behind each tool, Z first; all others stay as they are.
+    /// Two blocks in the machine's frame after each tool, Z first; all other blocks are unchanged.
     void theSpindleParksWhereItsMachineSays() {
         QFETCH(QString, dialect);
         QFETCH(bool, inch);
@@ -252,7 +252,7 @@ private slots:
         QCOMPARE(parked, job.sections.size());
         const Control& control = *findControl(id);
         QVERIFY(lint(*with, {&control, &machine}).empty());
-        MachineState known; // of a control that is told where the work lies
+        MachineState known; // of a control that knows the position of the work
         known.workOffsets[54] = {100.0, 200.0, -300.0};
         for (const int number : {0, 3, 12}) known.lengthOffsets[number] = 0.0;
         const auto read = parseProgram(*with, "job", control, known);
@@ -261,7 +261,7 @@ private slots:
     }
 
     void roundingTurnsNothingBack_data() { addDialects(); }
-    /// A line of short moves with turns of up to 154 degrees has none of more than 155 once it is written.
+    /// A line of short moves with turns of up to 154 degrees has no turns above 155 degrees once it is written.
     void roundingTurnsNothingBack() {
         QFETCH(QString, dialect);
         QFETCH(bool, inch);
@@ -300,8 +300,8 @@ private slots:
     }
 
     void flatArcsStayArcs_data() { addDialects(); }
-    /// The rounded ends turn a short chord, which moves the centre of a large radius far along it: its way hardly
-    /// notices. Ends and centres lie on the figures of a control in millimetres, as fitted arcs have them.
+    /// The rounded ends rotate a short chord, which moves the centre of a large radius far along it, with hardly any
+    /// effect on the path. Ends and centres are multiples of a control's resolution in millimetres, as for fitted arcs.
     void flatArcsStayArcs() {
         QFETCH(QString, dialect);
         QFETCH(bool, inch);
@@ -371,7 +371,7 @@ private slots:
                 wanted.clockwise = arc.clockwise;
                 const double trueWay = move.kind == NcMoveKind::arc ? lengthOf(wanted) : 0.0;
                 const bool full = trueWay > 8.0 * half;
-                // A move that rounds to nothing has no block; an arc has at least one.
+                // A move that is rounded to zero length has no block; an arc has at least one.
                 bool arrived = reached(motions[at].to.linear()) && !full;
                 double way = 0.0;
                 while (!arrived) {
@@ -428,7 +428,7 @@ private slots:
     void strangersProgramsGetGrblsVerdict_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<int>("error");
-        // Verdicts of GRBL 1.1h's own parser.
+        // Results of GRBL 1.1h's own parser.
         QTest::newRow("tball") << "tball.gcode" << 0;
         QTest::newRow("tball-engrave") << "tball-engrave.gcode" << 0;
         QTest::newRow("jsdc") << "jsdc.gcode" << 0;
@@ -469,7 +469,7 @@ private slots:
         QVERIFY(posted("grbl", sameTool));
     }
 
-    /// What a control wants of every program, as a pattern that its text has or has not.
+    /// A control's requirements for every program, as a pattern that its text must or must not contain.
     void theTextKeepsItsControlsRules_data() {
         QTest::addColumn<QString>("dialect");
         QTest::addColumn<QString>("pattern");
@@ -581,7 +581,7 @@ private slots:
     }
 
 private:
-    static constexpr double lineDoubt = 0.001; // mm, of lines in the place of an arc
+    static constexpr double lineDoubt = 0.001; // mm, of lines that replace an arc
 };
 
 BURIN_TEST(TestDialects, QCoreApplication)

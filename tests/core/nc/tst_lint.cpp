@@ -44,7 +44,7 @@ private slots:
     void whatAControlRejectsIsMarked_data() {
         QTest::addColumn<QString>("control");
         QTest::addColumn<QString>("text");
-        QTest::addColumn<QString>("mark"); // line:column+length id; empty: nothing to say
+        QTest::addColumn<QString>("mark"); // line:column+length id; empty: no message
         const QString begin = "G21 G54\n";
         QTest::newRow("nothing") << "linuxcnc" << begin + "G0 X1 Y1 Z1\nG1 Z0 F100\nM2\n"
                                  << "";
@@ -215,7 +215,7 @@ private slots:
     void anyMessageCanBePrinted() {
         const auto isPrintable = [](const std::string& text) {
             const QString read = QString::fromStdString(text);
-            if (read.toStdString() != text || read.size() > 160) return false; // was no UTF-8, or is no message
+            if (read.toStdString() != text || read.size() > 160) return false; // not UTF-8, or not a message
             return std::ranges::all_of(read.toUcs4(), [](uint point) {
                 const QChar::Category kind = QChar::category(point);
                 return kind != QChar::Other_Control && kind != QChar::Separator_Line &&

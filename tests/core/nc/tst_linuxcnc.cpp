@@ -50,7 +50,7 @@ NcProgram referenceJob() {
                      rapid(-5.0004, 12.3456, 1),
                      line(-5.0004, 12.3456, -0.0004, 300, "take 1, sample 17"), // rounds to 0.000, not -0.000
                      line(-4, 12.3456, -0.0004, 1234.56),
-                     line(-4.0004, 12.3459, 0.0003, 1234.56), // nothing left of it
+                     line(-4.0004, 12.3459, 0.0003, 1234.56), // nothing of it remains after rounding
                      line(-3, 13, 0.5, 1234.56),
                      rapid(-3, 13, 10)};
     return program;
@@ -89,7 +89,7 @@ Result<std::string> posted(const NcProgram& program, const MachineProfile& profi
     return writeProgram(program, profile, **post, progress);
 }
 
-/// rs274 starts from the origin, where the parser keeps 0 for what it does not know.
+/// rs274 starts at the origin, for which the parser uses 0 where the position is unknown.
 void compare(const CanonicalProgram& truth, const ParsedProgram& parsed) {
     std::vector<CanonicalMove> moves = truth.moves;
     std::vector<NcMotion> motions = parsed.motions;
@@ -141,11 +141,11 @@ private slots:
             const auto parsed = parseProgram(*text, "job");
             RC_ASSERT(static_cast<bool>(parsed));
             RC_ASSERT(parsed->ended && parsed->maximumSpindleSpeed == 12000.0);
-            std::size_t at = 3; // behind the spindle's start, the way up and across
+            std::size_t at = 3; // after the spindle start and the moves up and across
             for (const NcMove& move : program.sections.front().moves) {
                 const glm::dvec3 rounded = glm::round(move.target.linear() * 1000.0) / 1000.0;
                 if (glm::distance(parsed->motions[at - 1].to.linear(), rounded) < 1e-9)
-                    continue; // no way left: no block
+                    continue; // zero length: no block
                 RC_ASSERT(glm::distance(parsed->motions[at].to.linear(), rounded) < 1e-9);
                 RC_ASSERT(parsed->motions[at].rapid() == (move.kind == NcMoveKind::rapid));
                 if (!parsed->motions[at].rapid())

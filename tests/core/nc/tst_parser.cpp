@@ -129,7 +129,7 @@ private slots:
         QTest::addColumn<QByteArray>("file");
         QTest::addColumn<qulonglong>("motions"); // 0: refused
         QTest::addColumn<QString>("place");
-        // Counts of gcode-toolpath, another reader; plugins.linuxcnc compares the moves themselves with rs274.
+        // Counts from gcode-toolpath, another parser; plugins.linuxcnc compares the moves themselves with rs274.
         QTest::newRow("tball") << QByteArray("tball.gcode") << 2681ull << "";
         QTest::newRow("tball-engrave") << QByteArray("tball-engrave.gcode") << 3430ull << "";
         QTest::newRow("jsdc") << QByteArray("jsdc.gcode") << 2382ull << "";
@@ -189,7 +189,7 @@ private slots:
         QVERIFY(std::abs(m[2].feed - 20.0 * std::acos(-1.0)) < 1e-9);
         QCOMPARE(m[3].feed, 200.0);
         QCOMPARE(m[4].feed, 300.0);
-        QCOMPARE(m[5].feed, 300.0); // what is in force stays, whatever the unit
+        QCOMPARE(m[5].feed, 300.0); // the feed in force stays, whatever the unit
         QVERIFY(m[1].feedMode == FeedMode::inverseTime && m[3].feedMode == FeedMode::perRevolution);
     }
 
@@ -217,14 +217,14 @@ private slots:
         QVERIFY(moves.back().to == arc.to);
         for (std::size_t i = 1; i < moves.size(); ++i) {
             QVERIFY(std::abs(std::hypot(moves[i].to[Axis::x], moves[i].to[Axis::y]) - 10.0) < 1e-9);
-            QVERIFY(moves[i].to[Axis::z] < moves[i].from[Axis::z]); // evenly down through all turns
+            QVERIFY(moves[i].to[Axis::z] < moves[i].from[Axis::z]); // descends evenly through all turns
             const glm::dvec3 middle = 0.5 * (moves[i].from.linear() + moves[i].to.linear());
             QVERIFY(10.0 - std::hypot(middle.x, middle.y) <= 0.001 + 1e-12);
         }
     }
 
     void zerosOfItsOwnAreSaid() {
-        QVERIFY(!parseProgram("G0 X1\nG92 X0\nG0 X2\n", "job")->motions[1].ownZero); // a shift from a known place
+        QVERIFY(!parseProgram("G0 X1\nG92 X0\nG0 X2\n", "job")->motions[1].ownZero); // a shift from a known position
         const auto nowhere = parseProgram("G92 X0\nG0 X2\n", "job");
         QVERIFY(nowhere->motions[0].ownZero);
         QVERIFY(parseProgram("G10 L2 P1 X5\nG0 X2\n", "job")->motions[0].ownZero);

@@ -58,7 +58,7 @@ class TestPost : public QObject {
     Q_OBJECT
 
 private slots:
-    /// No machine of three axes can hold a tool at a tilt; nothing is posted as if it stood upright.
+    /// A machine with three axes cannot tilt the tool; a tilted pose is not posted as if it were upright.
     void aTiltedPoseIsRefusedByThreeAxes() {
         Path tilted = path();
         tilted.points[2].pose.axis = {0.0, 0.6, 0.8}; // atan(0.6 / 0.8) = 36.869898°
@@ -144,7 +144,7 @@ private slots:
         other.toolId = "flat-6";
         other.coolant = Coolant::flood;
         const auto refused = toProgram({path(), other}, request(), machine());
-        QVERIFY(!refused); // the request names one tool
+        QVERIFY(!refused); // the request names a single tool
         QCOMPARE(refused.error().code, ErrorCode::argumentInvalid);
         PostRequest both = request();
         both.tools["ball-6"] = {1, "Ball", SpindleDirection::clockwise};
@@ -166,7 +166,7 @@ private slots:
         QCOMPARE(program->sections[1].spindleSpeed, 12000.0);
     }
 
-    /// In a cut before the move that wants it; between cuts before the first rapid, where nothing is touched.
+    /// In a cut before the move that requires it; between cuts before the first rapid, where the tool touches nothing.
     void aSpeedChangesWithinASection() {
         Path changing = path();
         changing.points.insert(changing.points.begin() + 3, {{{18, 20, 30}}, MoveKind::cut, 500, 7, 130});
@@ -174,7 +174,7 @@ private slots:
         changing.points[4].spindleSpeed = 6000; // the retract
         const auto program = toProgram({changing, path()}, request(), machine());
         QVERIFY(program);
-        QCOMPARE(program->sections.size(), std::size_t{2}); // the second begins at another speed than the first ends
+        QCOMPARE(program->sections.size(), std::size_t{2}); // its first speed differs from the last one before
         const std::vector<NcMove>& moves = program->sections[0].moves;
         QCOMPARE(program->sections[0].spindleSpeed, 10000.0);
         for (std::size_t i = 0; i < moves.size(); ++i) QCOMPARE(moves[i].spindleSpeed, i == 3 ? 6000.0 : 0.0);

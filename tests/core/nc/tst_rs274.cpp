@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The parser beside LinuxCNC's own interpreter: same verdicts, same moves.
+// The parser compared with LinuxCNC's own interpreter: same verdicts, same moves.
 #include "core/base/file.h"
 #include "tests/core/nc/beside_rs274.h"
 #include "tests/core/nc/random_program.h"
@@ -37,7 +37,7 @@ private slots:
 
     void bothGiveTheSameVerdict_data() {
         QTest::addColumn<QString>("file");
-        QTest::addColumn<bool>("endAdded"); // where a program only lacks its end, which is no error to the parser
+        QTest::addColumn<bool>("endAdded"); // where a program only lacks its end, which is no error for the parser
         QTest::addColumn<QString>("theirs");
         QTest::addColumn<ProgramProblem>("ours");
         const auto accepted = ProgramProblem::count;
@@ -80,7 +80,7 @@ private slots:
         }
     }
 
-    /// LinuxCNC's G84 takes the dwell of an earlier cycle in LinuxCNC, against the report: moves alone are compared.
+    /// LinuxCNC's G84 uses the dwell of an earlier cycle, contrary to the report: only moves are compared.
     void theCyclesOfTheStandardMoveAlike() {
         const std::string text = fixture("nist-cycles.ngc");
         CanonicalProgram truth = CanonicalProgram::ofText(text);
@@ -90,7 +90,7 @@ private slots:
         std::erase_if(program->motions, [](const NcMotion& motion) { return motion.kind == NcMotionKind::dwell; });
         QCOMPARE(program->motions.size(), std::size_t{304});
         QCOMPARE(truth.moves.size(), std::size_t{304});
-        // Beyond the XY plane LinuxCNC 2.9 feeds G84 along other axes than its own G81: its line is left out there.
+        // Outside the XY plane LinuxCNC 2.9 feeds G84 along other axes than its own G81: its line is left out there.
         const QStringList lines = QString::fromStdString(text).split('\n');
         for (std::size_t i = 0; i < truth.moves.size(); ++i) {
             const QString& line = lines[static_cast<qsizetype>(program->motions[i].line) - 1];
@@ -113,7 +113,7 @@ private slots:
             if (!match.hasMatch()) continue;
             ++values;
             QVERIFY2(std::abs(motion.to[Axis::x] - match.captured(1).toDouble()) <=
-                         1e-3, // stated to three or four decimals of rounded operands
+                         1e-3, // given with three or four decimals of rounded operands
 
                      qPrintable(lines[static_cast<qsizetype>(motion.line) - 1]));
         }

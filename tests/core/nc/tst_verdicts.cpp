@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// What each control takes of programs of others, beside rs274 and GRBL's published rules.
+// Constructs of other programs that each control accepts, compared with rs274 and GRBL's published rules.
 #include "core/base/file.h"
 #include "core/nc/parser.h"
 #include "tests/core/nc/beside_rs274.h"
@@ -23,7 +23,7 @@ namespace {
 
 const char* const table = BURIN_SOURCE_DIRECTORY "/core/nc/verdicts.md";
 
-/// As a shop whose control counts lengths without a point in its smallest steps would have written it.
+/// As written for a control that interprets lengths without a decimal point as multiples of its smallest step.
 std::string withPoints(const std::string& text) {
     static const QRegularExpression whole("([XYZIJKR]-?\\d+)(?![\\d.])");
     return QString::fromStdString(text).replace(whole, "\\1.").toStdString();
@@ -34,7 +34,7 @@ Result<ParsedProgram> readFor(const char* control, const std::string& text) {
     return parseProgram(reader.pointNeeded ? withPoints(text) : text, "job", reader, standing());
 }
 
-/// Of the row's program; each is asked once.
+/// The reference result for the row's program; each is computed once.
 const CanonicalProgram& truthOf(const TextOfOthers& one) {
     static std::map<std::string_view, CanonicalProgram> asked;
     const auto known = asked.find(one.name);
@@ -42,7 +42,7 @@ const CanonicalProgram& truthOf(const TextOfOthers& one) {
     return asked.emplace(one.name, CanonicalProgram::ofText(programOf(one))).first->second;
 }
 
-/// Of two moves one after the other that end at one place the second one is none.
+/// Removes the second of two consecutive moves that end at the same point, which has no effect.
 template <typename Move>
 void leaveOutRests(std::vector<Move>& moves, std::size_t known) {
     for (std::size_t i = moves.size(); i-- > known;)
@@ -131,12 +131,12 @@ private slots:
         QVERIFY2(committed && *committed == now, "core/nc/verdicts.md is out of date: run tests/core/nc/verdicts");
     }
 
-    /// Inputs that were read wrongly, each by the controls that it is for.
+    /// Inputs that used to be read wrongly, with the controls that they apply to.
     void inputsThatFailed_data() {
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("controls");
-        QTest::addColumn<ProgramProblem>("problem"); // count: read
-        QTest::addColumn<int>("line");               // of the problem; of the last motion where it is read
+        QTest::addColumn<ProgramProblem>("problem"); // count: accepted
+        QTest::addColumn<int>("line");               // of the problem; of the last motion if it is accepted
         const auto row = [](const char* file, const char* which, ProgramProblem problem, int line) {
             QTest::addRow("%s, %s", file, which) << file << which << problem << line;
         };
@@ -149,7 +149,7 @@ private slots:
         row("n15b-g20-and-f-same-line-feed-first.ngc", all, ProgramProblem::unitsChangeBesideFeed, 1);
         row("n40c-crcrlf.ngc", all, read, 4);
         row("n42-words-behind-m2.ngc", "linuxcnc mach", read, 6);
-        row("n42-words-behind-m2.ngc", "grbl grblhal", read, 7); // they read on
+        row("n42-words-behind-m2.ngc", "grbl grblhal", read, 7); // they continue reading
         row("n60-mastercam-safety-line.nc", rest, read, 6);
         row("n60-mastercam-safety-line.nc", "grbl grblhal", ProgramProblem::codesOfOneGroup, 1);
         row("n61-xy-behind-g80.nc", shops, read, 9);

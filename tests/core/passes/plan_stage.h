@@ -15,7 +15,7 @@ namespace burin::test {
 inline const LyingCapsule mouse(3.0, 27.5, 27.5, 5.0); // 110 x 55 x 32.5 mm, ball of 6 mm
 inline const Box mouseStock = {mouse.box().low - glm::dvec3(5.0), mouse.box().high + glm::dvec3(5.0)};
 
-/// Stock on a raster that shares nothing with the planner's: another width, another origin, plain loops.
+/// Stock on a raster that shares nothing with the planner's: another spacing, another origin, plain loops.
 class StockRaster {
 public:
     static constexpr double width = 0.37;
@@ -30,14 +30,14 @@ public:
         each(tip, radius, [&](double height, double) { highest = std::max(highest, height); });
         return highest - tip.z;
     }
-    /// Stock higher than the flutes is undercut; its top stays.
+    /// Stock higher than the flutes is undercut; its top is kept.
     void cutBall(const glm::dvec3& tip, double radius, double flutes = 1e9) {
         const_cast<StockRaster*>(this)->eachChanging(tip, radius, [&](double& height, double square) {
             if (height <= tip.z + flutes)
                 height = std::min(height, tip.z + radius - std::sqrt(radius * radius - square));
         });
     }
-    /// Greatest height of what stands above `allowed(x, y)`.
+    /// Greatest height of the stock that is above `allowed(x, y)`.
     double highestAbove(const std::function<double(double, double)>& allowed, double inset) const {
         double most = -1e9;
         for (int row = 0; row < rows_; ++row)
@@ -73,7 +73,7 @@ private:
     std::vector<double> heights_;
 };
 
-/// Visits the way of the tip, no two places further apart than 0.2 mm; the part holds the tip up at `resting`.
+/// Visits points of the tip's path, at most 0.2 mm apart; the part holds the tip up at `resting`.
 inline void follow(const std::vector<IntentPoint>& points, const std::function<void(const glm::dvec3&)>& visit) {
     for (std::size_t i = 1; i < points.size(); ++i) {
         const glm::dvec3 from = points[i - 1].tip, to = points[i].tip;
@@ -83,11 +83,11 @@ inline void follow(const std::vector<IntentPoint>& points, const std::function<v
 }
 
 struct Plunges {
-    double deepest = 0.0; ///< mm of stock that the middle of the ball met on a way down
+    double deepest = 0.0; ///< mm of stock that the middle of the ball met during a descent
     double lowest = 1e9;  ///< mm, tip
 };
 
-/// What a ball of 6 mm meets from above, held up at a height.
+/// The stock that a ball of 6 mm meets from above while it is held up at a height.
 inline Plunges deepestPlunge(const std::vector<IntentPoint>& points, const Box& stockBox, double resting) {
     StockRaster stock(stockBox);
     Plunges plunges;

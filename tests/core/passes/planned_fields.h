@@ -10,7 +10,7 @@
 
 namespace burin::test {
 
-// Clearance of a ball-end cutter with a shank of its own radius from parts of which the distance is a closed formula.
+// Clearance of a ball-end cutter with a shank of the same radius from parts whose distance is a closed formula.
 
 inline Tool shankedBallTool(double diameter = 6.0, double flutes = 22.0) {
     Tool tool;
@@ -36,7 +36,7 @@ public:
         sample.fine = true;
         return sample;
     }
-    /// Planning needs no gradients, and they take six more distances; the haptic step does.
+    /// Planning needs no gradients, which take six more distances; the haptic step does need them.
     void answerGradients() noexcept { gradients_ = true; }
     double errorBound() const noexcept final { return 0.0; }
     double spacing() const noexcept final { return 0.25; }
@@ -61,19 +61,19 @@ private:
     bool gradients_ = false;
 };
 
-/// A capsule that lies along x, cut off at z = 0: its axis at `height`, as long and wide as a computer mouse.
+/// A capsule parallel to x, cut off at z = 0: its axis at `height`, as long and wide as a computer mouse.
 class LyingCapsule final : public AnalyticField {
 public:
     LyingCapsule(double ballRadius, double radius, double halfLength, double height)
         : AnalyticField(ballRadius), radius_(radius), halfLength_(halfLength), height_(height) {}
-    /// Where the ball's tip rests on it over (x, y), closed formula.
+    /// Height of the ball's tip resting on the part at (x, y), closed formula.
     double restingTip(double x, double y) const {
         const double along = std::max(0.0, std::abs(x) - halfLength_);
         const double reach = radius_ + ballRadius_;
         const double square = reach * reach - along * along - y * y;
         return square < 0.0 ? 0.0 : std::max(0.0, height_ + std::sqrt(square) - ballRadius_);
     }
-    /// Top of the part over (x, y), closed formula; 0 beside it.
+    /// Top of the part at (x, y), closed formula; 0 outside it.
     double top(double x, double y) const {
         const double along = std::max(0.0, std::abs(x) - halfLength_);
         const double square = radius_ * radius_ - along * along - y * y;
@@ -86,7 +86,7 @@ public:
 protected:
     double distance(const glm::dvec3& c) const noexcept override {
         const double along = std::max(0.0, std::abs(c.x) - halfLength_);
-        const double up = std::max(0.0, c.z - height_); // walls straight down below the axis; the shank above
+        const double up = std::max(0.0, c.z - height_); // vertical walls below the axis; the shank above
         return std::sqrt(along * along + c.y * c.y + up * up) - radius_;
     }
 
@@ -94,7 +94,7 @@ private:
     double radius_, halfLength_, height_;
 };
 
-/// Axis-parallel boxes that stand on z = 0.
+/// Axis-parallel boxes on the plane z = 0.
 class Blocks final : public AnalyticField {
 public:
     Blocks(double ballRadius, std::vector<Box> boxes) : AnalyticField(ballRadius), boxes_(std::move(boxes)) {}
@@ -104,7 +104,7 @@ protected:
         double least = 1e9;
         for (const Box& box : boxes_) {
             glm::dvec3 outside = glm::max(box.low - c, c - box.high);
-            outside.z = c.z - box.high.z; // the shank stands above the ball, so nothing lies below a box
+            outside.z = c.z - box.high.z; // the shank is above the ball, so nothing is below a box
             const double inside = std::min(0.0, std::max({outside.x, outside.y, outside.z}));
             least = std::min(least, glm::length(glm::max(outside, glm::dvec3(0.0))) + inside);
         }

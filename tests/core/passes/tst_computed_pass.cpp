@@ -17,7 +17,7 @@ using namespace burin::test;
 
 namespace {
 
-/// A block from z = 0 up to a surface over a square grid, closed.
+/// A closed block from z = 0 up to a surface over a square grid.
 TriangleMesh blockUnder(const std::function<double(double, double)>& top, double half, int cells) {
     TriangleMesh mesh;
     const auto corner = [&](int i) { return -half + 2.0 * half * i / cells; };
@@ -57,8 +57,8 @@ Tool endMill(double diameter, double cornerRadius) {
     return tool;
 }
 
-/// Lets a cutter down on every triangle by the closed formulas for vertex and facet; on an edge the height is concave,
-/// and its greatest value is found by thirds. Knows nothing of the code under test.
+/// Lowers a cutter onto every triangle by the closed formulas for vertex and facet; on an edge the height is concave,
+/// and its maximum is found by ternary search. Independent of the code under test.
 class BruteDrop {
 public:
     BruteDrop(const TriangleMesh& mesh, double radius, double corner) : mesh_(mesh), radius_(radius), corner_(corner) {}
@@ -78,9 +78,9 @@ public:
     }
 
 private:
-    /// mm of the cutter's lower side above its tip; infinite beside it.
+    /// mm, height of the cutter's lower surface above its tip; infinite outside the cutter.
     double rise(double distance) const {
-        if (distance > radius_ + 1e-9) return 1e300; // what rounding takes an end of an edge out by
+        if (distance > radius_ + 1e-9) return 1e300; // tolerance for rounding at the ends of an edge
         const double out = distance - (radius_ - corner_);
         return out <= 0.0 ? 0.0 : corner_ - std::sqrt(std::max(0.0, corner_ * corner_ - out * out));
     }
@@ -88,7 +88,7 @@ private:
         return p.z - rise(glm::distance(place, glm::dvec2(p)));
     }
     double onEdge(const glm::dvec2& place, const glm::dvec3& a, const glm::dvec3& b) const {
-        double low = 0.0, high = 1.0; // of the edge, the part that lies under the cutter
+        double low = 0.0, high = 1.0; // the interval of the edge that lies under the cutter
         const glm::dvec2 along = glm::dvec2(b - a), from = glm::dvec2(a) - place;
         const double square = glm::dot(along, along);
         if (square < 1e-12) return -1e300;
@@ -126,7 +126,7 @@ private:
     double radius_, corner_;
 };
 
-/// A part with what planning needs of it.
+/// A part with everything that planning needs.
 struct Ground {
     MeshDistance part;
     Tool tool;
@@ -156,7 +156,7 @@ private:
     }
 };
 
-/// Visits the ways of a pass, places 0.1 mm apart at most.
+/// Visits points of a pass, at most 0.1 mm apart.
 void follow(const PlannedPass& pass, const std::function<void(const glm::dvec3&)>& visit) {
     for (const TipLine& line : pass.strokes)
         for (std::size_t i = 1; i < line.size(); ++i) {
@@ -165,7 +165,7 @@ void follow(const PlannedPass& pass, const std::function<void(const glm::dvec3&)
         }
 }
 
-/// A hemisphere that stands 2 mm above the floor, and a ball of 6 mm.
+/// A hemisphere 2 mm above the floor, and a ball of 6 mm.
 constexpr double domeRadius = 14.0;
 Ground domeGround() {
     const auto dome = [](double x, double y) {
@@ -210,14 +210,14 @@ TriangleMesh plateWithBoss() {
     return mesh;
 }
 
-/// A face whose normals are known: plane, cylinder along y, hemisphere.
+/// A face with known normals: plane, cylinder along y, hemisphere.
 struct KnownFace {
-    double x = 0.0, y = 0.0; ///< of the radius of curvature, by axis; 0: flat along it
+    double x = 0.0, y = 0.0; ///< radius of curvature along each axis; 0: flat
     double height(double u, double v) const { return 2.0 + std::sqrt(domeRadius * domeRadius - x * u * u - y * v * v); }
     glm::dvec3 normal(double u, double v) const { return glm::normalize(glm::dvec3(x * u, y * v, height(u, v) - 2.0)); }
 };
 
-/// What balls at tips leave standing above a place of a face, along its normal, mm.
+/// Height of the material that balls at the tips leave above a point of a face, along its normal, mm.
 double leftAbove(const glm::dvec3& place, const glm::dvec3& normal, double radius,
                  const std::vector<glm::dvec3>& tips) {
     double least = 1e9;
@@ -240,7 +240,7 @@ class ComputedPassTest final : public QObject {
     Q_OBJECT
 
 private slots:
-    /// 10,000 places of three cutters on a rugged mesh.
+    /// 10,000 points of three cutters on a rugged mesh.
     void theDropAgreesWithEveryTriangle_data() {
         QTest::addColumn<double>("corner");
         QTest::newRow("ball") << 3.0;
@@ -272,7 +272,8 @@ private slots:
         QVERIFY2(worst <= 0.001, qPrintable(QString::number(worst)));
     }
 
-    /// What levels leave, by a height map of the test's own: the allowance up to a step more, and nothing beside.
+    /// The remains of levels, by a height map of the test's own: the allowance up to one step more, and nothing
+    /// outside.
     void levelsLeaveTheirAllowance() {
         const Box stock{{-25.0, -25.0, 0.0}, {25.0, 25.0, 20.0}};
         const Ground ground(blockUnder(step, 25.0, 100), endMill(8.0, 0.0), stock, 0.5);
@@ -304,7 +305,7 @@ private slots:
                 const double x = -25.0 + (i + 0.5) * width, y = -25.0 + (j + 0.5) * width;
                 const double beside = std::max(std::abs(x) - 12.0, std::abs(y) - 8.0); // mm from the step's wall
                 const double above = heights[static_cast<std::size_t>(j * count + i)];
-                // The mesh slants over one of its cells, half a millimetre, from the upper face to the lower one.
+                // Over one of its cells, half a millimetre, the mesh slopes from the upper face to the lower one.
                 if (beside > 0.5 + 0.5 + 0.3)
                     QVERIFY2(above <= 6.0 + 0.5 + 0.1, qPrintable(QString("%1 at %2 %3").arg(above).arg(x).arg(y)));
                 if (beside < 0.0)
@@ -313,7 +314,7 @@ private slots:
             }
     }
 
-    /// With the part to the right of the tool its teeth come into the stock from outside: it climbs.
+    /// With the part to the right of the tool the teeth enter the stock from outside: climb milling.
     void levelsClimb() {
         const Box stock{{-25.0, -25.0, 0.0}, {25.0, 25.0, 20.0}};
         const Ground ground(blockUnder(step, 25.0, 100), endMill(8.0, 0.0), stock, 0.5);
@@ -332,7 +333,7 @@ private slots:
         QVERIFY(right > 0.0);
     }
 
-    /// Ridges between rows of a ball on a level face, by the height of two circles that cross.
+    /// Scallops between rows of a ball on a level face, by the height of the intersection of two circles.
     void ridgesAreAsHighAsAsked_data() {
         QTest::addColumn<double>("diameter");
         for (const double diameter : {3.0, 6.0, 12.0}) QTest::addRow("%g mm", diameter) << diameter;
@@ -348,7 +349,7 @@ private slots:
         request.area = rectangle({-10.0, -10.0}, {10.0, 10.0});
         const Result<PlannedPass> pass = ground.plan(request);
         QVERIFY(pass && pass->strokes.size() > 0);
-        // Across the rows: where each one passes, and what the circles of two neighbours leave between them.
+        // Perpendicular to the rows: the position of each row, and the height between the circles of two neighbours.
         const glm::dvec2 across(-std::sin(0.3), std::cos(0.3));
         std::vector<double> rows;
         for (const TipLine& line : pass->strokes)
@@ -368,7 +369,7 @@ private slots:
         QVERIFY2(highest > 0.009 && highest < 0.011, qPrintable(QString::number(highest)));
     }
 
-    /// Rows of every kind touch a hemisphere where the closed formula says that a ball rests on it.
+    /// Rows of every kind touch a hemisphere where a resting ball does by the closed formula.
     void rowsLieOnTheSphere_data() {
         QTest::addColumn<int>("kind");
         for (const PassKind kind : {PassKind::parallel, PassKind::radial, PassKind::spiral, PassKind::flow})
@@ -384,7 +385,7 @@ private slots:
         if (request.kind == PassKind::flow) request.lines = {{{-9.0, -6.0, 0.0}, {0.0, -2.0, 0.0}, {9.0, -6.0, 0.0}}};
         const Result<PlannedPass> pass = ground.plan(request);
         QVERIFY(pass);
-        // All of the area is gone over: rows nowhere farther apart than asked.
+        // The whole area is covered: rows are nowhere farther apart than requested.
         QVERIFY2(lengthOf(*pass) > 14.0 * 14.0 / 0.5 * 0.9, qPrintable(QString::number(lengthOf(*pass))));
         double worst = 0.0;
         std::vector<glm::dvec2> places;
@@ -394,7 +395,7 @@ private slots:
             worst = std::max(worst, std::abs(tip.z - resting));
             places.emplace_back(tip);
         });
-        QVERIFY2(worst < 0.004, qPrintable(QString::number(worst))); // facets of 0.2 mm lie 0.0004 mm below the sphere
+        QVERIFY2(worst < 0.004, qPrintable(QString::number(worst))); // facets of 0.2 mm are 0.0004 mm below the sphere
         for (double x = -6.5; x <= 6.5; x += 0.5)
             for (double y = -6.5; y <= 6.5; y += 0.5) {
                 double nearest = 1e9;
@@ -403,8 +404,8 @@ private slots:
             }
     }
 
-    /// Ridges of scallop are as high as asked on plane, cylinder and sphere, by what balls at its tips leave standing
-    /// along the normals; and the rows are not closer than that takes.
+    /// Scallops are as high as requested on plane, cylinder and sphere, measured along the normals for balls at the
+    /// tips; and the rows are not closer than necessary.
     void scallopsAreEven_data() {
         QTest::addColumn<double>("diameter");
         QTest::addColumn<double>("x");
@@ -440,7 +441,7 @@ private slots:
         follow(*pass, [&](const glm::dvec3& tip) { tips.push_back(tip); });
         double highest = 0.0;
         const double stepOver = 2.0 * std::sqrt(asked * (diameter - asked));
-        const double inside = 8.0 - 1.5 * stepOver; // beside the area there is no next row
+        const double inside = 8.0 - 1.5 * stepOver; // at the border of the area there is no next row
         int count = 0;
         for (double u = -inside; u <= inside; u += 0.11)
             for (double v = -inside; v <= inside; v += 0.47) {
@@ -450,8 +451,8 @@ private slots:
             }
         QVERIFY(count > 100);
         QVERIFY2(highest <= 1.1 * asked, qPrintable(QString::number(highest)));
-        // As long as rows so far apart are, and a third for what joins and meets. On a convex face tips are k times as
-        // far apart as contacts: rows are k times as long, and their contacts by the root of k closer.
+        // The length is that of rows at this spacing, plus a third for connections. On a convex face tips are k times
+        // as far apart as contacts: rows are k times as long, and their contacts closer by the square root of k.
         double area = 0.0;
         for (double u = -7.95; u < 8.0; u += 0.1)
             for (double v = -7.95; v < 8.0; v += 0.1) area += 0.01 / face.normal(u, v).z;
@@ -461,7 +462,7 @@ private slots:
                  qPrintable(QString("%1 of %2").arg(lengthOf(*pass)).arg(least)));
     }
 
-    /// In a groove of two planes a ball touches both: the closed formula says where.
+    /// In a groove of two planes a ball touches both, at positions given by the closed formula.
     void pencilFollowsAGroove() {
         const double slope = std::tan(pi / 6.0);
         const Ground ground(blockUnder([&](double x, double) { return 3.0 + slope * std::abs(x); }, 15.0, 60),
@@ -482,7 +483,7 @@ private slots:
         QVERIFY(low < -13.8 && high > 13.8);
     }
 
-    /// Round the foot of an upright wall: a circle, and nothing on the boss's convex edge.
+    /// Around the foot of an upright wall: a circle, and nothing on the boss's convex edge.
     void pencilGoesRoundTheFootOfAWall_data() {
         QTest::addColumn<double>("corner");
         QTest::newRow("ball") << 3.0;
@@ -507,7 +508,7 @@ private slots:
         QVERIFY2(std::abs(lengthOf(*pass) - 2.0 * pi * 11.0) < 0.1, qPrintable(QString::number(lengthOf(*pass))));
     }
 
-    /// A fillet of 10 mm is none for a ball of 3 mm: it touches everything there in rows.
+    /// A fillet of 10 mm is no corner for a ball of 3 mm: rows reach all of it.
     void aWideFilletIsNoEdge() {
         const Ground ground(
             blockUnder([](double x, double) { return 13.0 - std::sqrt(100.0 - std::min(81.0, x * x)); }, 12.0, 120),
@@ -520,7 +521,7 @@ private slots:
         QCOMPARE(pass->strokes.size(), std::size_t(0));
     }
 
-    /// An area that was painted on a slope is where the ball touches it, not where its tip is.
+    /// An area painted on a slope refers to where the ball touches it, not to where its tip is.
     void anAreaOnThePartIsWhatTheToolTouches_data() {
         QTest::addColumn<int>("kind");
         for (const PassKind kind : {PassKind::parallel, PassKind::waterline, PassKind::scallop})
@@ -553,7 +554,7 @@ private slots:
             }
     }
 
-    /// What a coarser cutter left on one half is gone over there alone, flat and steep.
+    /// Stock that a larger cutter left on one half is milled only there, on flat and steep faces.
     void restGoesOnlyWhereStockIsLeft() {
         Ground ground = domeGround();
         StandingStock& standing = ground.ground.standing;
@@ -562,7 +563,7 @@ private slots:
             for (int column = 0; column < standing.columns; ++column) {
                 const double x = -16.0 + 0.25 * (column + 0.5), y = -16.0 + 0.25 * (row + 0.5);
                 const double part = 2.0 + std::sqrt(std::max(0.0, domeRadius * domeRadius - x * x - y * y));
-                // Elsewhere what voxels and step-overs leave: next to nothing, on the part.
+                // Elsewhere the part has only the remains from voxels and step-overs: next to nothing.
                 standing.thickness.push_back(x > 3.0 ? 0.7 : 0.05);
                 standing.heights.push_back(std::min(17.0, part + standing.thickness.back()));
             }
@@ -599,14 +600,14 @@ private slots:
         QCOMPARE(heights.size(), std::size_t(10)); // 15 mm to 6 mm: the dome's top is at 16 mm
     }
 
-    /// Whatever area, direction, kind and allowance: no tip, and no place between two, is in the part.
+    /// For any area, direction, kind and allowance: no tip, and no point between two tips, is in the part.
     void nothingGouges() {
         std::mt19937 random(11);
         std::uniform_real_distribution<double> share(0.0, 1.0);
         const auto bumps = [](double x, double y) { return 8.0 + 3.0 * std::sin(0.4 * x) * std::cos(0.3 * y); };
         const Ground ground(blockUnder(bumps, 20.0, 80), endMill(6.0, 3.0), {{-20.0, -20.0, 0.0}, {20.0, 20.0, 12.0}},
                             1.0);
-        for (int round = 0; round < 26; ++round) { // all kinds but the last, which is a drill's
+        for (int round = 0; round < 26; ++round) { // all kinds except the last, which is for a drill
             PassRequest request;
             request.kind = passKinds[static_cast<std::size_t>(round) % (passKinds.size() - 1)].kind;
             request.allowance = share(random) < 0.5 ? 0.0 : share(random);
@@ -627,14 +628,14 @@ private slots:
                 const double clearance = ground.part.clearance(tool, {tip, {0.0, 0.0, 1.0}}, 2.0).clearance;
                 deepest = std::max(deepest, request.allowance - clearance);
             });
-            // Chords leave the surface by 0.002 mm; roughing moves go by the field, which states its error.
+            // Chords deviate from the surface by 0.002 mm; roughing moves use the field, which states its error.
             const bool rough = request.kind <= PassKind::face;
             QVERIFY2(deepest <= (rough ? 0.03 : 0.005),
                      qPrintable(QString("%1: %2 mm").arg(rowOf(request.kind).id.data()).arg(deepest)));
         }
     }
 
-    /// Wherever and however deep: a drill ends on the part, with all of it above.
+    /// At any position and depth: a drill stops at the part, with all of the drill above it.
     void drillingNeverGouges() {
         std::mt19937 random(5);
         std::uniform_real_distribution<double> share(0.0, 1.0);
@@ -658,8 +659,8 @@ private slots:
         }
     }
 
-    /// A frame cut out of a plate: at each of four tabs the bridge that the cutter leaves is as wide and high as asked,
-    /// by a plain raster of the outline; without tabs nothing stays.
+    /// A frame cut out of a plate: at each of four tabs the bridge that the cutter leaves has the requested width and
+    /// height, by a plain raster of the outline; without tabs nothing is left.
     void tabsHoldWhatIsCutOut() {
         const double radius = 2.0;
         const Ground ground({}, endMill(2.0 * radius, 0.0), {{-30.0, -25.0, 0.0}, {30.0, 25.0, 6.0}}, 0.0);
@@ -673,7 +674,7 @@ private slots:
         request.tabHeight = 1.5;
         const Result<PlannedPass> pass = ground.plan(request);
         QVERIFY(pass);
-        // How high material stands along the middle of the groove, 0.05 mm apart.
+        // Height of the material along the middle of the groove, at points 0.05 mm apart.
         std::vector<std::pair<glm::dvec2, double>> groove;
         for (double way = -20.0; way < 20.0; way += 0.05) {
             groove.push_back({{way, -15.0 - radius}, 6.0});
@@ -690,7 +691,7 @@ private slots:
         std::vector<glm::dvec2> held;
         for (const auto& [place, height] : groove)
             if (height >= 1.5 - 1e-9) held.push_back(place);
-        std::vector<std::pair<glm::dvec2, glm::dvec2>> bridges; // a corner is never within one
+        std::vector<std::pair<glm::dvec2, glm::dvec2>> bridges; // no corner lies within a bridge
         for (const glm::dvec2& place : held) {
             const auto same = std::ranges::find_if(bridges, [&](const auto& one) {
                 return glm::distance(one.second, place) < 0.2 || glm::distance(one.first, place) < 0.2;
@@ -716,7 +717,7 @@ private slots:
         QVERIFY(!ground.plan(request));
     }
 
-    /// The cutter's edge comes to each square corner of a pocket: what has square corners fits in.
+    /// The cutter's edge reaches each square corner of a pocket: a body with square corners fits in.
     void dogbonesReachTheCorners() {
         const double radius = 3.0;
         const Ground ground({}, endMill(2.0 * radius, 0.0), {{-30.0, -25.0, 0.0}, {30.0, 25.0, 6.0}}, 0.0);
@@ -745,7 +746,7 @@ private slots:
         QVERIFY2(std::abs(farthestCorner() - radius) < 0.02, qPrintable(QString::number(farthestCorner())));
     }
 
-    /// In an acute corner a dogbone would cut its sides away: it stays round.
+    /// In an acute corner a dogbone would cut into its sides: the corner stays round.
     void acuteCornersStayRound() {
         const Ground ground({}, endMill(6.0, 0.0), {{-30.0, -25.0, 0.0}, {30.0, 25.0, 6.0}}, 0.0);
         PassRequest request;
@@ -762,10 +763,10 @@ private slots:
             return x;
         };
         QCOMPARE(farthest(*bones), farthest(*round));       // of 18 degrees
-        QVERIFY(lengthOf(*bones) > lengthOf(*round) + 1.0); // the others have theirs
+        QVERIFY(lengthOf(*bones) > lengthOf(*round) + 1.0); // the others have dogbones
     }
 
-    /// Of two grooves the one beside the stroke.
+    /// Of two grooves the one next to the stroke is selected.
     void pencilIsLedByAStroke() {
         const auto grooves = [](double x, double) { return 3.0 + 0.6 * std::abs(std::abs(x) - 8.0); };
         const Ground ground(blockUnder(grooves, 15.0, 60), endMill(6.0, 3.0), {{-15.0, -15.0, 0.0}, {15.0, 15.0, 12.0}},
@@ -782,7 +783,8 @@ private slots:
                  qPrintable(QString::number(lengthOf(*one))));
     }
 
-    /// A clamp on the stock: the cutter, a cylinder, keeps its margin from the box, and all else is milled as before.
+    /// A clamp on the stock: the cutter, a cylinder, keeps its margin from the box, and everything else is milled as
+    /// before.
     void fixturesAreKeptClearOf() {
         const Box clamp{{-26.0, -3.0, 10.0}, {-14.0, 3.0, 30.0}};
         constexpr double margin = 1.0, radius = 4.0;
@@ -804,7 +806,7 @@ private slots:
         const Result<PlannedPass> kept = ground.plan(request);
         QVERIFY(kept);
         double nearest = 1e9;
-        follow(*kept, [&](const glm::dvec3& tip) { // the tool reaches far above the clamp: what counts is plan
+        follow(*kept, [&](const glm::dvec3& tip) { // the tool extends far above the clamp: only plan counts
             const glm::dvec2 beside =
                 glm::max(glm::abs(glm::dvec2(tip) - glm::dvec2(clamp.centre())) - 0.5 * glm::dvec2(clamp.size()),
                          glm::dvec2(0.0));

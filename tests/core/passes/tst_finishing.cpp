@@ -38,13 +38,13 @@ void OperatorFinishingTest::finishingAimsBelowThePartEverywhere() {
     int over = 0, pressing = 0;
     for (const IntentPoint& point : *points) {
         const double resting = mouse.restingTip(point.tip.x, point.tip.y);
-        // Beside the wall at its foot it presses less, or it would leave the tool there.
+        // Near the wall, at its foot, the hand presses less, otherwise it would leave the tool there.
         if (resting < 14.0 || point.tip.z > mouseStock.high.z) continue;
         ++over;
         pressing += std::abs(resting - 2.0 - point.tip.z) < 5e-3 ? 1 : 0;
     }
     QVERIFY(over > 20000);
-    // Once a row it goes over the rim of what it climbed.
+    // Once per row it crosses the rim of the wall it climbed.
     QVERIFY2(pressing + over / 50 >= over, qPrintable(QString("%1 of %2").arg(pressing).arg(over)));
 }
 
@@ -73,7 +73,7 @@ void OperatorFinishingTest::finishingLeavesLittleOnThePart() {
     };
     follow(roughing->points, visit);
     follow(*finishing, visit);
-    // Within 20 mm of the axis the part's slope is below 47 degrees: ridges of 0.4 mm passes are hundredths of a mm.
+    // Within 20 mm of the axis the part's slope is below 47 degrees: scallops of 0.4 mm passes are hundredths of a mm.
     const double most = stock.highestAbove(
         [](double x, double y) {
             const double square = 27.5 * 27.5 - std::pow(std::max(0.0, std::abs(x) - 27.5), 2) - y * y;
@@ -100,15 +100,15 @@ void OperatorFinishingTest::crosswisePassesStayOnSteepWalls() {
         if (travels || (*points)[i - 1].tip.z > mouseStock.high.z) continue;
         ++cutting;
         pressing += part.at(aim).clearance < -1.5 ? 1 : 0;
-        // A ball rests at 45 degrees across the rows where its centre is as far beside the ridge as above it; a row's
-        // width and the press, square to the surface, come to 2 mm more.
+        // A ball rests at 45 degrees across the rows where the horizontal distance of its centre from the ridge equals
+        // its height above it; a row's width and the press, perpendicular to the surface, add 2 mm.
         const double beside = std::abs(aim.y) * (30.5 / 28.5);
         const double along = std::max(0.0, std::abs(aim.x) - 27.5) * (30.5 / 28.5);
         const double above = std::sqrt(std::max(0.0, 30.5 * 30.5 - beside * beside - along * along));
         QVERIFY2(beside > above - 3.0, qPrintable(QString("%1 %2 %3").arg(aim.x).arg(aim.y).arg(aim.z)));
     }
     QVERIFY2(pressing > cutting * 9 / 10, qPrintable(QString("%1 of %2").arg(pressing).arg(cutting)));
-    QVERIFY2(lifts <= 4, qPrintable(QString::number(lifts))); // two walls, not one lift a pass
+    QVERIFY2(lifts <= 4, qPrintable(QString::number(lifts))); // two walls, not one lift per pass
     QVERIFY(points->front().tip.z > mouseStock.high.z && points->back().tip.z > mouseStock.high.z);
 }
 
@@ -120,7 +120,7 @@ void OperatorFinishingTest::crosswisePassesSmoothTheWalls() {
     const auto rows = planFinishing(part, shankedBallTool(), finishingRequest(part.box()), heights);
     const auto crosswise = planCrosswiseFinishing(part, shankedBallTool(), finishingRequest(part.box()), heights);
     QVERIFY(rows && crosswise);
-    // Places on the wall, up to 80 degrees: how far is the nearest ball that was rolled along it?
+    // Points on the wall, up to 80 degrees: the distance to the nearest ball that was rolled along it.
     std::vector<glm::dvec3> walls;
     for (double x = -20.0; x <= 20.0; x += 1.3)
         for (double angle = 50.0; angle <= 80.0; angle += 1.1)
@@ -129,7 +129,7 @@ void OperatorFinishingTest::crosswisePassesSmoothTheWalls() {
         follow(points, [&](const glm::dvec3& aim) {
             glm::dvec3 centre = aim + glm::dvec3(0.0, 0.0, 3.0);
             if (std::abs(centre.x) > 24.0 || centre.z < 4.0) return;
-            const glm::dvec2 across(centre.y, centre.z - 5.0); // pushed out square to the capsule
+            const glm::dvec2 across(centre.y, centre.z - 5.0); // offset perpendicular to the capsule
             const glm::dvec2 held = across * std::max(1.0, 30.5 / glm::length(across));
             centre = {centre.x, held.x, held.y + 5.0};
             for (std::size_t i = 0; i < walls.size(); ++i) {
@@ -183,7 +183,7 @@ void OperatorFinishingTest::finishingWithoutRoughingGoesNoDeeperThanTheFlutes() 
         stock.cutBall(tip, 3.0, 9.0);
     });
     QVERIFY2(most <= 9.0, qPrintable(QString::number(most)));
-    QVERIFY2(lowest < mouseStock.high.z - 7.0, qPrintable(QString::number(lowest))); // but as deep as that
+    QVERIFY2(lowest < mouseStock.high.z - 7.0, qPrintable(QString::number(lowest))); // but that deep it goes
 }
 
 void OperatorFinishingTest::theToolFollowsTheHandOverSteps_data() {
@@ -192,8 +192,8 @@ void OperatorFinishingTest::theToolFollowsTheHandOverSteps_data() {
     QTest::newRow("a wall") << 12.0;
 }
 
-/// A plateau on a plate: a hand that aims below it while the tool is still beside it would leave the tool there, as the
-/// wall is nearer than the top. The loop's own proxy follows the hand.
+/// A plateau on a plate: a hand that aims below the plateau while the tool is still to its side would leave the tool
+/// there, as the wall is nearer than the top. The loop's own proxy follows the hand.
 void OperatorFinishingTest::theToolFollowsTheHandOverSteps() {
     QFETCH(double, step);
     Blocks part(3.0, {{{-30, -20, 0}, {30, 20, 6}}, {{-12, -9, 0}, {15, 11, 6.0 + step}}});
@@ -216,21 +216,21 @@ void OperatorFinishingTest::theToolFollowsTheHandOverSteps() {
         if (left > farthest) where = hand;
         farthest = std::max(farthest, left);
     });
-    // By what it presses, and by a sample's width where it slides up a wall.
+    // By the press depth, and by a sample's distance where it slides up a wall.
     QVERIFY2(farthest < request.press + 0.5,
              qPrintable(QString("%1 at %2 %3 %4").arg(farthest).arg(where.x).arg(where.y).arg(where.z)));
 }
 
-/// The upper part of a block alone, by a flat mill: its tips are those of a point over the block grown by the mill. A
-/// fast hand, which rounds its turns, and trembles by two tenths of a millimetre. Once the tool is over the rim it
-/// hangs at the wall, as long as a pass is, when the hand goes back.
+/// Only the upper part of a block, with a flat mill: its tips are those of a point over the block grown by the mill.
+/// The hand is fast, rounds its turns, and has a tremor of two tenths of a millimetre. Once the tool is over the rim it
+/// would stay at the wall for a whole pass when the hand goes back.
 void OperatorFinishingTest::aTurnAtARimPullsNoToolOverIt() {
     constexpr double radius = 5.0, top = 10.0;
     Tool mill = shankedBallTool(2.0 * radius);
     mill.cutter.type = CutterType::flat;
     mill.cutter.cornerRadius = 0.0;
     const Box box{{-15, -8, 0}, {15, 8, top}};
-    constexpr double error = 0.02; // of a field: it has the last place of a pass on the block still
+    constexpr double error = 0.02; // of a field: the last position of a pass is still on the block
     const glm::dvec3 further(radius + error, radius + error, 0.0);
     Blocks grown(0.0, {{box.low - further, box.high + further}});
     grown.answerGradients();
@@ -254,15 +254,15 @@ void OperatorFinishingTest::aTurnAtARimPullsNoToolOverIt() {
         tip = proxy.advance(tip, hand, 0.0, 10.0).tip;
         ++ticks;
         behind += glm::distance(glm::dvec2(tip), glm::dvec2(hand)) > 1.0 ? 1 : 0;
-        if (tip.z > top + 0.5) continue; // it travels
+        if (tip.z > top + 0.5) continue; // moving between cuts
         left = std::min(left, tip.x);
         right = std::max(right, tip.x);
     }
     QVERIFY2(behind < 0.01 * ticks, qPrintable(QString("%1 of %2 ticks").arg(behind).arg(ticks)));
-    QVERIFY(left - radius < box.low.x && right + radius > box.high.x); // nothing of the top is left out
+    QVERIFY(left - radius < box.low.x && right + radius > box.high.x); // all of the top is covered
 }
 
-/// A plate with stock on it: no pass meets it from above.
+/// A plate with stock on it: no pass enters the stock straight from above.
 void OperatorFinishingTest::finishingIsEnteredDownARamp() {
     const Blocks part(3.0, {{{-30, -20, 0}, {30, 20, 6}}});
     const Box stockBox{{-40, -30, 0}, {40, 30, 7}};
@@ -277,7 +277,7 @@ void OperatorFinishingTest::finishingIsEnteredDownARamp() {
     QVERIFY2(deepest < 0.2, qPrintable(QString::number(deepest))); // straight down: 1 mm
 }
 
-/// A pocket of 16 mm that roughing has left full: rows lead over its rim into it.
+/// A pocket of 16 mm that roughing has left filled: rows lead over its rim into it.
 void OperatorFinishingTest::finishingSinksIntoAFullPocketInRamps() {
     const Blocks part(3.0, {{{-30, -20, 0}, {-8, 20, 8}},
                             {{8, -20, 0}, {30, 20, 8}},
@@ -299,7 +299,7 @@ void OperatorFinishingTest::finishingSinksIntoAFullPocketInRamps() {
     QVERIFY(cleared);
 }
 
-/// Walls with a millimetre of stock on them, higher than a pass may take.
+/// Walls with a millimetre of stock on them, higher than a pass may cut.
 void OperatorFinishingTest::finishingTakesAWallInSteps() {
     const Box block{{-10, -10, 0}, {10, 10, 12}}, stockBox{{-11, -11, 0}, {11, 11, 12.5}};
     const Blocks part(3.0, {block});
@@ -318,7 +318,7 @@ void OperatorFinishingTest::finishingTakesAWallInSteps() {
         stock.cutBall(tip, 3.0);
         lowest = std::min(lowest, tip.z);
     });
-    QVERIFY2(tallest < 3.0 + 0.5, qPrintable(QString::number(tallest))); // at once: 12 mm
+    QVERIFY2(tallest < 3.0 + 0.5, qPrintable(QString::number(tallest))); // in one pass: 12 mm
     QVERIFY(std::abs(lowest) < 0.01);
 }
 

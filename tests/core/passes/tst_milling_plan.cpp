@@ -46,7 +46,7 @@ void OperatorPlanTest::whatIsRoughedInAShortTimeIsFinished() {
     qInfo("down to %.1f mm in %.1f s; over the part %.0f mm of roughing, %.0f mm of finishing", plan->bottom,
           plan->roughingSeconds + plan->finishingSeconds, rough, fine);
     QVERIFY(fine > 1000.0 && rough < 0.1 * fine);
-    // Everything above that height is bare.
+    // Above that height everything is cleared.
     StockRaster stock(mouseStock);
     const auto visit = [&](const glm::dvec3& aim) {
         stock.cutBall({aim.x, aim.y, std::max(aim.z, mouse.restingTip(aim.x, aim.y))}, 3.0);
@@ -117,14 +117,14 @@ void OperatorPlanTest::timeLimitIsKept() {
     }
 }
 
-/// A pit that a larger tool has cleared but for one of its corners.
+/// A pit that a larger tool has cleared except for one of its corners.
 void OperatorPlanTest::onlyTheRestOfALargerToolIsMilled() {
     const Box stockBox{{-40, -30, 0}, {40, 30, 12}};
     const Blocks part(1.5, {{{-40, -30, 0}, {-22, 30, 12}},
                             {{22, -30, 0}, {40, 30, 12}},
                             {{-40, -30, 0}, {40, -14, 12}},
                             {{-40, 14, 0}, {40, 30, 12}}});
-    constexpr double left = 16.0, behind = 8.0; // mm, of the corner that stands: x and y from here on
+    constexpr double left = 16.0, behind = 8.0; // mm, the corner that is left: x and y from here on
     MillingRequest request;
     request.stock = stockBox;
     request.roughing = roughingRequest();
@@ -160,10 +160,10 @@ void OperatorPlanTest::onlyTheRestOfALargerToolIsMilled() {
         stock.cutBall({tip.x, tip.y, std::max(0.0, tip.z)}, 1.5);
     });
     const double all = lengthBelow(*whole, [](const glm::dvec3&) {});
-    // Its edge reaches what stands, and it comes in from as far beside that as its radius and a margin.
+    // Its edge reaches the remaining stock, and it starts from a distance of its radius plus a margin.
     QVERIFY2(farthest < 1.5 + 1.5 + 1.0 + 0.25, qPrintable(QString::number(farthest)));
     QVERIFY2(length > 10.0 && length < 0.25 * all, qPrintable(QString("%1 of %2").arg(length).arg(all)));
-    // Where the corner stood there is none left, but for what lies in reach of the walls.
+    // Of the corner nothing is left, except near the walls.
     const double stands = stock.highestAbove(
         [&](double x, double y) { return x > left && x < 20.0 && y > behind && y < 12.0 ? 0.0 : 100.0; }, 0.0);
     QVERIFY2(stands < 1.0, qPrintable(QString::number(stands)));
@@ -185,7 +185,7 @@ void OperatorPlanTest::sensesWrongRequests() {
     QVERIFY(!planMilling(mouse, shankedBallTool(), milling)); // an empty stock
 }
 
-/// A drill cuts downwards alone; a ball on a neck and a T-slot's disc would come down through stock that stands.
+/// A drill only cuts downwards; a ball on a neck and a T-slot's disc would descend through remaining stock.
 void OperatorPlanTest::toolsThatNoPassCanLeadAreRefused() {
     MillingRequest request;
     request.stock = mouseStock;

@@ -53,7 +53,7 @@ void OperatorRoughingTest::roughingKeepsItsAllowanceAllTheWay() {
     double least = 1e9;
     follow(plan->points, [&](const glm::dvec3& tip) { least = std::min(least, mouse.at(tip).clearance); });
     QVERIFY2(least >= 0.5, qPrintable(QString::number(least)));
-    QVERIFY2(least <= 0.7, qPrintable(QString::number(least))); // and comes as near as that
+    QVERIFY2(least <= 0.7, qPrintable(QString::number(least))); // and gets that close
 }
 
 void OperatorRoughingTest::levelsAreNoDeeperThanAskedAndEndAtTheBottom_data() {
@@ -96,8 +96,8 @@ void OperatorRoughingTest::roughingLeavesNoMoreThanALevelAboveThePart() {
     QVERIFY(plan);
     StockRaster stock(mouseStock);
     follow(plan->points, [&](const glm::dvec3& tip) { stock.cutBall(tip, 3.0); });
-    // Where the part's slope is below 47 degrees: a level of at most 7 mm, ridges of 1.02 mm between rows 4.5 mm apart,
-    // the allowance measured upright, and what the round flank of a row's end leaves.
+    // Where the part's slope is below 47 degrees: a level of at most 7 mm, scallops of 1.02 mm between rows 4.5 mm
+    // apart, the allowance measured vertically, and the remains at the round flank of a row's end.
     const double most = stock.highestAbove(
         [](double x, double y) {
             const double square = std::pow(std::max(0.0, std::abs(x) - 27.5), 2) + y * y;
@@ -108,7 +108,7 @@ void OperatorRoughingTest::roughingLeavesNoMoreThanALevelAboveThePart() {
     QVERIFY2(most > 0.5, qPrintable(QString::number(most)));
     const double onFloor = stock.highestAbove(
         [](double x, double y) { return std::hypot(std::max(0.0, std::abs(x) - 27.5), y) > 32.5 ? 0.0 : 100.0; }, 0.0);
-    QVERIFY2(onFloor < 1.6, qPrintable(QString::number(onFloor))); // beside the part the floor is bare but for ridges
+    QVERIFY2(onFloor < 1.6, qPrintable(QString::number(onFloor))); // the floor around the part has only scallops
 }
 
 void OperatorRoughingTest::rowsEnterFromBesideTheStock() {
@@ -127,7 +127,7 @@ void OperatorRoughingTest::rowsEnterFromBesideTheStock() {
     QVERIFY2(deepestPlunge < 1.0, qPrintable(QString::number(deepestPlunge)));
 }
 
-/// Between walls there is no way in from beside.
+/// Between walls there is no entry from the side.
 void OperatorRoughingTest::aPitIsEnteredDownARamp() {
     const std::vector<Box> walls{{{-40, -30, 0}, {-22, 30, 12}},
                                  {{22, -30, 0}, {40, 30, 12}},
@@ -166,7 +166,7 @@ void OperatorRoughingTest::shankNeverReachesStandingStock() {
     const auto visit = [&](const glm::dvec3& aim) {
         const glm::dvec3 tip(aim.x, aim.y, std::max(aim.z, mouse.restingTip(aim.x, aim.y)));
         beside = std::max(beside, stock.highestAround(tip, 3.7));
-        // Columns under the rim of the shank may lie on either side of it in the two rasters.
+        // Columns under the rim of the shank may be on different sides of it in the two rasters.
         most = std::max(most, stock.highestAround(tip, 2.9 - 0.5));
         stock.cutBall(tip, 3.0, flutes);
     };
@@ -174,11 +174,11 @@ void OperatorRoughingTest::shankNeverReachesStandingStock() {
     QVERIFY2(most <= flutes, qPrintable(QString::number(most)));
     follow(plan->finishing, visit);
     QVERIFY2(most <= flutes, qPrintable(QString::number(most)));
-    QVERIFY2(beside > 5.0, qPrintable(QString::number(beside))); // it did work beside tall stock
+    QVERIFY2(beside > 5.0, qPrintable(QString::number(beside))); // it did work next to tall stock
 }
 
 void OperatorRoughingTest::rowsPassStandingStockOnlyWithRoomForTheShank() {
-    // A tall wall along x whose face lies so that rows at every level pass it with nothing to spare.
+    // A tall wall along x at positions where rows at every level pass it with no clearance to spare.
     for (double face = -2.0; face <= 2.0; face += 0.25) {
         const Blocks wall(3.0, {{{-40, -40, 0}, {40, face, 33}}});
         const Box stock{{-40, -40, -5}, {40, 25, 38}};
@@ -189,7 +189,7 @@ void OperatorRoughingTest::rowsPassStandingStockOnlyWithRoomForTheShank() {
         double most = 0.0, least = 1e9;
         follow(plan->points, [&](const glm::dvec3& tip) {
             least = std::min(least, wall.at(tip).clearance);
-            most = std::max(most, raster.highestAround(tip, 2.9)); // even where the hand is a quarter millimetre off
+            most = std::max(most, raster.highestAround(tip, 2.9)); // even with the hand a quarter of a millimetre off
             raster.cutBall(tip, 3.0, 22.0);
         });
         QVERIFY2(most <= 22.0, qPrintable(QString("%1 at %2").arg(most).arg(face)));

@@ -51,16 +51,16 @@ private slots:
         }
         QCOMPARE(levels.size(), std::size_t{4}); // 4, 2, 0, -2
         for (const auto& [height, way] : levels) {
-            // The ball's centre keeps to the sphere grown by its radius; the hand aims a press inside.
+            // The ball's centre stays on the sphere grown by its radius; the hand aims inside by the press depth.
             const double ring = std::sqrt(18.0 * 18.0 - (height + radius) * (height + radius)) - request.press;
             double turned = 0.0;
-            for (std::size_t i = 0; i + 1 < way.size(); ++i) { // the last leads away
+            for (std::size_t i = 0; i + 1 < way.size(); ++i) { // the last point leads away
                 QVERIFY(std::abs(glm::length(way[i]) - ring) < 0.02);
                 if (i == 0) continue;
                 turned += std::atan2(way[i - 1].x * way[i].y - way[i - 1].y * way[i].x, glm::dot(way[i - 1], way[i]));
                 QVERIFY(glm::length(way[i] - way[i - 1]) < 1.1);
             }
-            QVERIFY(std::abs(turned - 2.0 * pi) < 1e-6); // once, with the part to the left
+            QVERIFY(std::abs(turned - 2.0 * pi) < 1e-6); // one turn, with the part to the left
         }
     }
 

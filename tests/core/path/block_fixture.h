@@ -9,11 +9,12 @@
 #include <string_view>
 #include <vector>
 
-/// A block of stock, tools with short flutes, and judges that know the stock as a map of heights.
+/// A block of stock, tools with short flutes, and checks that represent the stock as a height map.
 namespace burin::test {
 
 inline constexpr double voxel = 0.25; // mm
-/// A voxel and what the watch adds to the tool: neither its grid nor the oracle's knows a surface better, mm.
+/// mm, a voxel plus the enlargement of the tool by the check: neither its grid nor the oracle's resolves a surface
+/// better.
 inline constexpr double blur = 0.3;
 inline const Box block{{-10, -10, -16}, {10, 10, 0}};
 
@@ -28,7 +29,7 @@ inline Result<void> lendBlock(const StockUse& use, Progress&) {
     return use(*volume);
 }
 
-/// The flutes are short, the shank is wider than they are, the holder is near.
+/// The flutes are short, the shank is wider than the flutes, the holder is near.
 inline Tool stubbyTool(CutterType type) {
     Tool tool = type == CutterType::ball ? ballTool(4.0) : flatTool(4.0);
     tool.cutter.fluteLength = 6.0;
@@ -45,15 +46,15 @@ inline PathContext blockContext(const Tool& tool) {
     return context;
 }
 
-/// The stock as the lowest height that flutes, open to above, have left at points a little apart.
+/// The stock as the lowest heights left by the flutes, open from above, at points a short distance apart.
 class Heights {
 public:
-    static constexpr double apart = 0.25, walked = 0.1; // mm, between points and between looks
+    static constexpr double apart = 0.25, walked = 0.1; // mm, between points and between poses
     Heights() : heights_(side * side, block.high.z) {}
     void cut(const Cutter& cutter, const glm::dvec3& tip) {
         forEachWithin(tip, cutter.radius(), [&](double& height, double across) {
-            // Higher than the flutes the stock stays: this stock knows no overhang, so that it is too high there.
-            // By a step of the walk they have been higher.
+            // The stock stays above the flutes: this height map has no overhangs, so that it is too high there. The
+            // flutes have been higher by one step of the sampling.
             if (height > tip.z + cutter.fluteLength + walked) return;
             const double rise =
                 cutter.type == CutterType::ball
@@ -84,8 +85,8 @@ private:
     std::vector<double> heights_;
 };
 
-/// How deep shank or holder are in what is left at worst, along all moves, mm; those that lie within the blur of a
-/// wall count as beside it.
+/// The greatest depth of shank or holder in the remaining stock along all moves, mm; a depth within the blur of a wall
+/// does not count.
 inline double deepestGuard(const std::vector<PathPoint>& points, const Cutter& cutter) {
     Heights left;
     double deepest = 0.0;

@@ -7,10 +7,10 @@
 
 #include <random>
 
-/// Made-up hands for the tests of smoothing, and what their strokes are held against.
+/// Simulated hands for the tests of smoothing, and the references that their strokes are compared with.
 namespace burin::test {
 
-/// Tremor of the band that hands have: twenty waves a coordinate of 8 to 12 Hz, so much in all (root of the mean
+/// Tremor in the frequency band of hands: twenty waves per coordinate of 8 to 12 Hz, with a given total (root mean
 /// square of the distance).
 inline void tremble(std::vector<Tick>& ticks, double rms, unsigned seed) {
     std::mt19937 random(seed);
@@ -42,8 +42,8 @@ inline double rmsOffCircle(const std::vector<glm::dvec3>& tips, double radius) {
     return std::sqrt(sum / static_cast<double>(tips.size()));
 }
 
-/// A hand that draws a smooth random curve without turning back, stops and goes on at random, as a mouse does whose
-/// pointer comes in jumps: each stop is approached ever slower.
+/// A hand that draws a smooth random curve without turning back, stops and continues at random, like a mouse whose
+/// pointer moves in jumps: it slows down towards each stop.
 inline std::vector<Tick> steadyHand(std::mt19937& random) {
     std::uniform_real_distribution<double> one(-1.0, 1.0);
     double heading = 3.0 * one(random), bend = 0.0, speed = 0.0, wanted = 40.0;
@@ -61,8 +61,8 @@ inline std::vector<Tick> steadyHand(std::mt19937& random) {
     return ticks;
 }
 
-/// A hand that goes straight from corner to corner, some of them sharp and some bevelled, and comes to each ever
-/// slower, as a mouse's tool that follows the pointer's trail.
+/// A hand that moves straight from corner to corner, some of them sharp and some bevelled, and slows down towards each,
+/// like the tool of a mouse that follows the pointer's trail.
 inline std::vector<Tick> corneredHand(std::mt19937& random) {
     std::uniform_real_distribution<double> one(-1.0, 1.0);
     std::vector<glm::dvec3> corners{{0.0, 0.0, -2.0}};
@@ -84,7 +84,7 @@ inline std::vector<Tick> corneredHand(std::mt19937& random) {
     return ticks;
 }
 
-/// A hand that shakes at every tick and changes its direction every 60: nothing smooth about it.
+/// A hand that shakes at every tick and changes its direction every 60: not smooth at all.
 inline std::vector<Tick> jitteryHand(std::mt19937& random, int count) {
     std::uniform_real_distribution<double> one(-1.0, 1.0);
     std::vector<Tick> ticks;
@@ -97,8 +97,8 @@ inline std::vector<Tick> jitteryHand(std::mt19937& random, int count) {
     return ticks;
 }
 
-/// Turns of more than 155° with a leg of less than 0.1 mm: what a machine stutters at. Points closer than a control
-/// tells apart are one.
+/// Turns of more than 155° with a leg of less than 0.1 mm, which make a machine stutter. Points closer than a control's
+/// resolution count as one.
 inline std::size_t backSteps(const std::vector<glm::dvec3>& line) {
     std::vector<glm::dvec3> apart;
     for (const glm::dvec3& point : line)
@@ -112,7 +112,7 @@ inline std::size_t backSteps(const std::vector<glm::dvec3>& line) {
     return count;
 }
 
-/// Places of a path's cutting moves, arcs among them in chords.
+/// Points of a path's cutting moves, with arcs as chords.
 inline std::vector<glm::dvec3> cutsOf(const std::vector<PathPoint>& points) {
     std::vector<glm::dvec3> places;
     for (std::size_t i = 1; i < points.size(); ++i) {

@@ -21,7 +21,7 @@ inline double segmentDistance(const glm::dvec3& p, const glm::dvec3& a, const gl
     return glm::distance(p, a + part * way);
 }
 
-/// Nearest place of a triangle, by its inside and its three edges.
+/// Nearest point of a triangle, by its inside and its three edges.
 inline double triangleDistance(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 twice = glm::cross(b - a, c - a);
     if (twice != glm::dvec3(0.0)) {
@@ -34,10 +34,10 @@ inline double triangleDistance(const glm::dvec3& p, const glm::dvec3& a, const g
     return std::min({segmentDistance(p, a, b), segmentDistance(p, b, c), segmentDistance(p, c, a)});
 }
 
-/// Asks all triangles near a place how far they are, found by square columns that they stand in.
+/// Computes the distances to all triangles near a point, found by the square columns that contain them.
 class PartOracle {
 public:
-    /// @param radius mm, of a ball end mill whose shaft is as wide
+    /// @param radius mm, of a ball end mill whose shank is as wide
     PartOracle(const TriangleMesh& mesh, double radius, double columnWidth)
         : mesh_(mesh), radius_(radius), column_(columnWidth) {
         box_ = boundingBox(mesh);
@@ -52,13 +52,13 @@ public:
         }
     }
 
-    /// How far the ball, and the places of the shaft's axis half a millimetre apart, keep from the part at least; no
-    /// more than `most`.
+    /// The least distance of the ball, and of points of the shank's axis half a millimetre apart, from the part; at
+    /// most `most`.
     double clearance(const glm::dvec3& tip, double most) const {
         double least = most;
         for (int i = 0; i <= 38; ++i) {
             const glm::dvec3 place = tip + glm::dvec3(0.0, 0.0, radius_ + 0.5 * i);
-            if (place.z - radius_ > box_.high.z + least) break; // above all of it
+            if (place.z - radius_ > box_.high.z + least) break; // above everything
             if (isInside(place)) return std::min(least, -radius_ - distanceTo(place, 1e9));
             least = std::min(least, distanceTo(place, least + radius_) - radius_);
         }
@@ -71,7 +71,7 @@ private:
         return {mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]};
     }
     int countOf(double length) const { return static_cast<int>(length / column_) + 1; }
-    /// Calls `visit(triangles)` for the columns that a box reaches.
+    /// Calls `visit(triangles)` for the columns that a box overlaps.
     template <class Visit>
     void forEachColumn(const glm::dvec3& low, const glm::dvec3& high, const Visit& visit) const {
         const auto at = [&](double along, int count) {
@@ -81,7 +81,7 @@ private:
             for (int x = at(low.x - box_.low.x, columnsX_); x <= at(high.x - box_.low.x, columnsX_); ++x)
                 visit(columns_[static_cast<std::size_t>(y * columnsX_ + x)]);
     }
-    /// The columns close by first: what they hold leaves little of the others to look at.
+    /// The nearest columns first: after them few triangles of the others have to be examined.
     double distanceTo(const glm::dvec3& place, double within) const {
         double nearest = within;
         for (const double reach : {column_, within}) {
@@ -98,7 +98,8 @@ private:
         }
         return nearest;
     }
-    /// By the parity of what a ray upwards goes through; beside the place by less than counts, off edges and corners.
+    /// By the parity of the intersections of a ray upwards; the ray is offset by an insignificant distance, so that it
+    /// misses edges and corners.
     bool isInside(const glm::dvec3& at) const {
         const glm::dvec3 place = at + glm::dvec3(1.37e-7, 2.11e-7, 0.0);
         if (!box_.contains(place)) return false;

@@ -34,7 +34,7 @@ inline Tool flatTool(double diameter = 6.0) {
     return tool;
 }
 
-/// What a tick of a made-up take says besides where the tip is.
+/// The values of a tick of a made-up take in addition to the tip.
 struct Tick {
     glm::dvec3 tip{0.0};
     bool removes = true;
@@ -105,13 +105,13 @@ inline Result<EvaluatedPath> run(const std::vector<Take>& takes, const std::vect
     return evaluate("path", takes, edits, context, progress);
 }
 
-/// Whether edits left nothing of a path, which is no fault of theirs.
+/// Whether edits left an empty path, which is not their fault.
 inline bool isEmpty(const Result<EvaluatedPath>& path) {
     return !path && path.error().code == ErrorCode::pathEmpty;
 }
 
-/// Places of a move no farther apart than `step`, both ends among them. An arc is turned about its axis by its own
-/// angles, with a radius that goes evenly from one end's to the other's.
+/// Points of a move at most `step` apart, including both ends. An arc is sampled by its own angles about its axis, with
+/// a radius that changes evenly from one end's to the other's.
 inline std::vector<glm::dvec3> placesOf(const glm::dvec3& from, const PathPoint& to, double step) {
     std::vector<glm::dvec3> places;
     if (!to.arc) {
@@ -136,14 +136,14 @@ inline std::vector<glm::dvec3> placesOf(const glm::dvec3& from, const PathPoint&
     return places;
 }
 
-/// Calls `visit(end of the move, place)` at places no farther apart than `step` along all moves.
+/// Calls `visit(end of the move, point)` at points at most `step` apart along all moves.
 inline void walk(const std::vector<PathPoint>& points, double step,
                  const std::function<void(const PathPoint& end, const glm::dvec3& place)>& visit) {
     for (std::size_t i = 1; i < points.size(); ++i)
         for (const glm::dvec3& place : placesOf(points[i - 1].pose.tip, points[i], step)) visit(points[i], place);
 }
 
-/// The places of all moves behind one another.
+/// The points of all moves, one after the other.
 inline std::vector<glm::dvec3> placesAlong(const std::vector<PathPoint>& points, double step) {
     std::vector<glm::dvec3> places;
     walk(points, step, [&](const PathPoint&, const glm::dvec3& place) { places.push_back(place); });
@@ -156,8 +156,8 @@ inline double lengthAlong(const std::vector<glm::dvec3>& places) {
     return length;
 }
 
-/// Turns of more than 155 degrees between feed moves, one of them shorter than 0.1 mm, arcs in chords. What is less
-/// than the figures of a program can say is none. @param arcs whether moves along arcs count
+/// Turns of more than 155 degrees between feed moves, one of them shorter than 0.1 mm, with arcs as chords. Moves
+/// shorter than the resolution of a program's numbers are ignored. @param arcs whether moves along arcs count
 inline std::size_t backStepsIn(const std::vector<PathPoint>& points, bool arcs = true) {
     constexpr double figure = 0.001, apart = 0.02; // mm
     std::size_t count = 0;
@@ -193,8 +193,8 @@ inline std::vector<glm::dvec3> tipsOf(const std::vector<Tick>& ticks) {
     return tips;
 }
 
-/// The farthest that a place of `line` lies from a polyline. Both are gone along together: a place is looked for among
-/// the segments near the one that was nearest before it.
+/// The largest distance of a point of `line` from a polyline. Both are followed together: for each point only the
+/// segments near the previous nearest one are searched.
 inline double farthestFrom(const std::vector<glm::dvec3>& line, const std::vector<glm::dvec3>& other) {
     double farthest = 0.0;
     std::size_t at = 0;

@@ -10,7 +10,8 @@
 
 namespace burin::test {
 
-/// A stroke of some corners about the origin, up to 18 mm aside and 12 mm up. For use within a property of RapidCheck.
+/// A stroke with some corners about the origin, up to 18 mm to the side and 12 mm up. For use within a property of
+/// RapidCheck.
 inline Take randomTake() {
     std::vector<glm::dvec3> corners;
     const int count = *rc::gen::inRange(2, 6);
@@ -20,7 +21,8 @@ inline Take randomTake() {
     return takeOf(along(corners, 400.0));
 }
 
-/// Some edits with random parameters that fit the same stroke. @param surface of the step behind the recording's
+/// Some edits with random parameters that suit the same stroke. @param surface include edits of the surface step, which
+/// follows the recording's
 inline std::vector<Edit> randomEdits(bool surface) {
     std::vector<Edit> edits;
     const int count = *rc::gen::inRange(0, surface ? 2 : 4);

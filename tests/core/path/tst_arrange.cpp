@@ -18,7 +18,7 @@ PathContext freeContext() {
     return contextOf(nothing, ballTool(), {{-100, -100, -50}, {100, 100, 0}});
 }
 
-/// Three strokes of one take, 0.02 mm a tick: ticks 0 … 500, 600 … 1100, 1200 … 1700, each 10 mm along X.
+/// Three strokes of one take, 0.02 mm per tick: ticks 0 … 500, 600 … 1100, 1200 … 1700, each 10 mm along X.
 Take threeStrokes() {
     std::vector<Tick> ticks;
     for (int row = 0; row < 3; ++row) {
@@ -28,7 +28,7 @@ Take threeStrokes() {
     return takeOf(ticks);
 }
 
-/// The strokes of what edits made, as points; each begins with a rapid move.
+/// The strokes after some edits, as points; each begins with a rapid move.
 std::vector<std::vector<PathPoint>> strokesAfter(const std::vector<Edit>& edits,
                                                  const std::vector<Take>& takes = {threeStrokes()}) {
     const auto path = run(takes, edits, freeContext());
@@ -62,7 +62,7 @@ private slots:
     }
 
     void whatIsMeantStaysItWhateverComesBefore() {
-        // By an index the second stroke would be another one behind each of these.
+        // If strokes were identified by an index, the second stroke would be another one after each of these.
         for (const Edit& before :
              std::vector<Edit>{{Reorder{{1, 0}, {}}}, {CutOut{{1, 0, 500}}}, {Split{{1, 250}}}, {Reverse{}}}) {
             const auto strokes = strokesAfter({before, {CutOut{second}}});
@@ -77,7 +77,7 @@ private slots:
         QCOMPARE(strokes.size(), std::size_t{3});
         QVERIFY(isAt(strokes[1].front(), {1.234, 4, -1}) && isAt(strokes[1].back(), {10.0 - 2.345, 4, -1}));
         QVERIFY(isAt(strokes[0].front(), {0, 0, -1}) && isAt(strokes[0].back(), {10, 0, -1}));
-        QCOMPARE(strokesAfter({{Trim{second, 6.0, 5.0}}}).size(), std::size_t{2}); // nothing is left of it
+        QCOMPARE(strokesAfter({{Trim{second, 6.0, 5.0}}}).size(), std::size_t{2}); // nothing of it is left
     }
 
     void extendingGoesStraightOn() {
@@ -86,15 +86,15 @@ private slots:
         QVERIFY(isAt(strokes[1].front(), {-1.5, 4, -1}) && isAt(strokes[1].back(), {12.25, 4, -1}));
         for (std::size_t i = 1; i < strokes[1].size(); ++i) {
             const glm::dvec3 step = strokes[1][i].pose.tip - strokes[1][i - 1].pose.tip;
-            QVERIFY(step.x > 0.0 && step.x < 0.0201 && step.y == 0.0 && step.z == 0.0); // filters in time find no jump
+            QVERIFY(step.x > 0.0 && step.x < 0.0201 && step.y == 0.0 && step.z == 0.0); // filters in time see no jump
         }
         QVERIFY(isAt(strokes[0].front(), {0, 0, -1}) && isAt(strokes[2].back(), {10, 8, -1}));
-        // Trimming takes it off again.
+        // Trimming removes the extension.
         const auto back = strokesAfter({{Extend{second, 1.5, 2.25}}, {Trim{second, 1.5, 2.25}}});
         QVERIFY(isAt(back[1].front(), {0, 4, -1}) && isAt(back[1].back(), {10, 4, -1}));
     }
 
-    /// A stroke a little higher passes the same tab: both go over it as its closed form has it, and nowhere else.
+    /// A stroke a little higher passes the same tab: both go over it according to its closed form, and nowhere else.
     void tabsStandInEveryStrokeThatPasses() {
         std::vector<Tick> ticks;
         for (int i = 0; i <= 1000; ++i) ticks.push_back({{0.02 * i, 4.0, -2.0}});
@@ -148,7 +148,7 @@ private slots:
         QCOMPARE(strokes.size(), std::size_t{1});
         for (std::size_t i = 1; i < strokes[0].size(); ++i) {
             const glm::dvec3 step = strokes[0][i].pose.tip - strokes[0][i - 1].pose.tip;
-            QVERIFY(glm::length(step) < 0.0201); // filters in time find no jump
+            QVERIFY(glm::length(step) < 0.0201); // filters in time see no jump
         }
         QCOMPARE(strokesAfter({{Reverse{second}}, {Join{{}, 3.9}}}).size(), std::size_t{3}); // too far
     }
@@ -168,7 +168,7 @@ private slots:
         const auto strokes = strokesAfter({{Reverse{}}, {DropAirCuts{}}}, {takeOf(ticks)});
         QCOMPARE(strokes.size(), std::size_t{1});
         QVERIFY(isAt(strokes[0].front(), {20, 0, -1}));
-        QVERIFY(std::abs(strokes[0].back().pose.tip.x - 10.0) < 0.021); // where it cut, not where it did not
+        QVERIFY(std::abs(strokes[0].back().pose.tip.x - 10.0) < 0.021); // where it cut, without the rest
         QVERIFY(strokes[0].front().sample > strokes[0].back().sample);
     }
 
@@ -220,7 +220,7 @@ private slots:
         const MovePoints slide{{1, 500, 500}, {0, 4, 0}, 6.0, MovePoints::Along::surface};
         const auto path = run({takeOf(ticks)}, {{slide}}, contextOf(part, ballTool(), {{-30, -30, -30}, {30, 30, 30}}));
         QVERIFY(path);
-        const double chord = 20.0 * (1.0 - std::cos(std::acos(-1.0) / 400.0)); // facets lie inside by twice that
+        const double chord = 20.0 * (1.0 - std::cos(std::acos(-1.0) / 400.0)); // facets are inside by up to twice that
         for (const PathPoint& point : path->path.points)
             QVERIFY(std::abs(glm::length(point.pose.tip + glm::dvec3(0, 0, 3)) - 23.0) < 2.0 * chord + 1e-3);
         QVERIFY(std::abs(path->path.points[500].pose.tip.y - 4.0) < 0.2);
@@ -239,8 +239,8 @@ private slots:
             QVERIFY(distanceToPolyline(point.pose.tip, drawn) < 1e-9);
             if (found < drawn.size() && isAt(point, drawn[found])) ++found;
         }
-        QCOMPARE(found, drawn.size());                                            // its corners stand
-        QVERIFY(std::abs(static_cast<double>(strokes[1].size()) - 501.0) <= 2.0); // in the hand's time
+        QCOMPARE(found, drawn.size());                                            // its corners are kept
+        QVERIFY(std::abs(static_cast<double>(strokes[1].size()) - 501.0) <= 2.0); // with the hand's timing
         QVERIFY(strokesAfter({{CutOut{second}}, {ReplaceStretch{{1, 700, 1000}, drawn}}}).empty()); // refused
     }
 
@@ -253,9 +253,9 @@ private slots:
         edit.low = 0.0; // above the strokes
         QCOMPARE(strokesAfter({{edit}}).size(), std::size_t{3});
         edit = {};
-        QCOMPARE(strokesAfter({{edit}}).size(), std::size_t{3}); // no outline: nowhere
+        QCOMPARE(strokesAfter({{edit}}).size(), std::size_t{3}); // no outline: no effect
         edit.outline = {{-1, -1, 0}, {11, -1, 0}, {11, 11, 0}, {-1, 11, 0}};
-        QCOMPARE(strokesAfter({{edit}}).size(), std::size_t{0}); // all of it: an empty path
+        QCOMPARE(strokesAfter({{edit}}).size(), std::size_t{0}); // everything: an empty path
     }
 
     void anAreaIsLiftedAtItsBorder() {
@@ -290,7 +290,7 @@ private slots:
              {std::vector<glm::dvec3>{}, {{1, 1, 0}}, {{1, 1, 0}, {1.2, 1.2, 9}}})
             setDrawn(edit, "at_mm", nothingSaid);
         QVERIFY(plane().across == Mirror::Across::y && plane().at == 2.5);
-        // What other edits draw is their places.
+        // The points are the data drawn for other edits.
         EditParameters area = RemoveArea{};
         QVERIFY(isDrawn(area, "outline_mm") && !isDrawn(area, "low_mm"));
         setDrawn(area, "outline_mm", {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}});
@@ -319,7 +319,7 @@ private slots:
         edit.factor = 5.0;
         const auto fast = run({threeStrokes()}, {{Simplify{}}, {Link{}}, {SetFeed{}}, {edit}}, freeContext());
         QVERIFY(fast);
-        for (const PathPoint& point : fast->path.points) QVERIFY(point.feed <= 2000.0); // the machine's
+        for (const PathPoint& point : fast->path.points) QVERIFY(point.feed <= 2000.0); // the machine's limit
     }
 };
 

@@ -17,7 +17,7 @@ using namespace burin::test;
 
 namespace {
 
-/// A value that a parameter may have, other than its first one.
+/// A valid value of a parameter, other than its default.
 struct Another {
     const EditField& field;
     EditValue operator()(double value) const { return value == field.high ? field.low : field.high; }
@@ -33,7 +33,7 @@ struct Another {
     EditValue operator()(const SourceStretch&) const { return SourceStretch{2, 7, 18}; }
 };
 
-/// Values that it may not have.
+/// Invalid values.
 struct Strange {
     const EditField& field;
     using Values = std::vector<EditValue>;
@@ -61,7 +61,8 @@ class TestEdits : public QObject {
     Q_OBJECT
 
 private slots:
-    /// What a level is kept at is a force or a removal rate, by its goal; files of earlier versions don't say which.
+    /// The target of a levelled feed is a force or a removal rate, depending on its goal; files of earlier versions do
+    /// not state which.
     void theTargetOfALevelHasItsUnitInItsKey() {
         LevelFeed level;
         level.goal = LevelFeed::Goal::removal;
@@ -93,7 +94,7 @@ private slots:
                  R"({"edit":"smooth-shape","enabled":true,"wavelength_mm":4.25,"tolerance_mm":0.03})");
     }
 
-    /// Stored ones keep their kind and text until the user updates them.
+    /// Stored edits keep their kind and text until the user updates them.
     void editsOfEarlierVersionsAreUpdatedOnDemand() {
         const auto stored = editFromJson(R"({"edit":"smooth","enabled":false,"cut_off_hz":5,"tolerance_mm":0.02})");
         QVERIFY(stored && std::holds_alternative<Smooth>(stored->parameters));
@@ -203,7 +204,7 @@ private slots:
         const auto path = run({cut()}, edits, context());
         QVERIFY(!path);
         QCOMPARE(path.error().code, code);
-        for (Edit& edit : edits) edit.enabled = false; // what is off does not count
+        for (Edit& edit : edits) edit.enabled = false; // disabled edits do not count
         QVERIFY(run({cut()}, edits, context()));
     }
 
@@ -265,13 +266,13 @@ private slots:
         QCOMPARE(strokes, std::size_t{2});
     }
 
-    /// A loop that comes late has one tick for several periods: the hand has gone on meanwhile, and cut.
+    /// A loop that is late has one tick for several periods: the hand has moved and cut meanwhile.
     void aTickThatCameLateTearsNoStroke() {
         for (const auto& [late, strokes] : {std::pair(0.004, 1), std::pair(0.0, 2)}) {
             Take take = cut();
             for (std::size_t i = 100; i < take.samples.size(); ++i) {
                 take.samples[i].time += late;
-                take.samples[i].proxy.tip.x += 4.0; // mm, at 800 mm/s with the time that it took
+                take.samples[i].proxy.tip.x += 4.0; // mm, at 800 mm/s for the time that it took
             }
             const auto path = run({take}, {}, context());
             QVERIFY(path);

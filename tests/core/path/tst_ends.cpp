@@ -21,7 +21,7 @@ PathContext freeContext() {
     return contextOf(nothing, ballTool(), {{-100, -100, -50}, {100, 100, 0}});
 }
 
-/// Corners alone: what Simplify leaves of straight ways between them.
+/// Corners only: the result of Simplify for straight moves between them.
 Result<EvaluatedPath> edited(const std::vector<glm::dvec3>& corners, const std::vector<Edit>& edits,
                              const PathContext& context = freeContext()) {
     std::vector<Edit> all{{Simplify{1e-6}}};
@@ -29,7 +29,7 @@ Result<EvaluatedPath> edited(const std::vector<glm::dvec3>& corners, const std::
     return run({takeOf(along(corners, 50.0))}, all, context);
 }
 
-/// Direction in which a move sets off, or arrives, by its own places.
+/// Direction in which a move starts, or ends, by its own points.
 glm::dvec3 directionOf(const glm::dvec3& from, const PathPoint& to, bool atEnd) {
     const std::vector<glm::dvec3> places = placesOf(from, to, 1e-4);
     const std::size_t i = atEnd ? places.size() - 1 : 1;
@@ -63,7 +63,7 @@ private slots:
         double nearest = 1e9;
         for (const glm::dvec3& place : placesAlong(path->path.points, 0.001))
             nearest = std::min(nearest, glm::distance(place, corner));
-        QVERIFY2(std::abs(nearest - e) <= 0.0025, qPrintable(QString::number(nearest))); // figures, chords
+        QVERIFY2(std::abs(nearest - e) <= 0.0025, qPrintable(QString::number(nearest))); // rounded numbers, chords
         const double leg = glm::distance(path->path.points[1].pose.tip, corner);
         const double radius = e / (1.0 / std::sin(0.5 * inner) - 1.0);
         QCOMPARE(leg, arc ? radius / std::tan(0.5 * inner) : 2.0 * e / std::cos(0.5 * inner));
@@ -81,13 +81,13 @@ private slots:
         for (std::size_t i = 1; i < points.size(); ++i) {
             if (points[i].arc) continue;
             const glm::dvec3 way = points[i].pose.tip - points[i - 1].pose.tip;
-            QVERIFY(way.x > -1e-9); // never back
+            QVERIFY(way.x > -1e-9); // never backwards
         }
         QVERIFY(farthestFrom(placesAlong(points, 0.01), zigzag) < 0.3);
     }
 
     void roundingDoesNotEnterThePart() {
-        const Box block{{-30, 3.001, -30}, {-3.001, 30, 10}}; // its edge fills the inside of the corner but for a hair
+        const Box block{{-30, 3.001, -30}, {-3.001, 30, 10}}; // its edge almost fills the inside of the corner
         const MeshDistance part(boxMesh(block));
         const std::vector<glm::dvec3> corners{{-25, 0, -5}, {0, 0, -5}, {0, 25, -5}};
         const auto beside = [&](const EvaluatedPath& path) {
@@ -104,7 +104,7 @@ private slots:
         free.part = &nothing;
         const auto unheld = edited(corners, {{RoundCorners{1.5}}}, free);
         QVERIFY(path && unheld);
-        QVERIFY(beside(*unheld) < -0.1); // an arc of 3.6 mm cuts into a corner that a tool of 3 mm goes round
+        QVERIFY(beside(*unheld) < -0.1); // an arc of 3.6 mm would cut into a corner that a tool of 3 mm goes round
         QVERIFY2(beside(*path) > -1e-4, qPrintable(QString::number(beside(*path))));
     }
 
@@ -156,7 +156,7 @@ private slots:
     }
 
     void aLeadKeepsClearOfThePart() {
-        const Box wall{{-30, 3.01, -30}, {30, 10, 10}}; // on the left of the stroke
+        const Box wall{{-30, 3.01, -30}, {30, 10, 10}}; // to the left of the stroke
         const MeshDistance part(boxMesh(wall));
         const auto path = edited({{0, 0, -5}, {20, 0, -5}}, {{LeadIn{}}, {LeadOut{}}},
                                  contextOf(part, ballTool(), {{-60, -60, -20}, {60, 60, 0}}));
@@ -166,16 +166,16 @@ private slots:
         for (const glm::dvec3& place : placesAlong(path->path.points, 0.01)) QVERIFY(place.y <= 0.0101);
     }
 
-    /// A wall on the left leaves room for a whole lead there by a few hundredths of a millimetre, which is what edits
-    /// before it move the start of the stroke by. By its first move the lead jumps from side to side; by the recording
-    /// it stays.
+    /// A wall on the left leaves room for a complete lead by a few hundredths of a millimetre, an amount by which
+    /// earlier edits move the start of the stroke. With the direction of the first move the lead changes sides; with
+    /// that of the recording it stays.
     void leadsKeepTheirSideWhenOtherEditsChange() {
         const MeshDistance part(boxMesh({{-30, 6.03, -30}, {30, 12, 10}}));
         const PathContext context = contextOf(part, flatTool(), {{-60, -60, -20}, {60, 60, 0}});
         std::vector<Tick> ticks = along({{0, 0, -5}, {20, 0, -5}}, 15.0);
         for (std::size_t i = 0; i < ticks.size(); ++i)
             ticks[i].tip.y = 0.05 * std::cos(2.0 * pi * 10.0 * 0.001 * static_cast<double>(i));
-        // How many of some lists of edits lay the lead-in to the left, and the lead-out.
+        // Number of edit lists for which the lead-in is on the left, and for which the lead-out is.
         const auto leftOnes = [&](LeadDirection direction) {
             std::array<int, 2> left{};
             for (const double wavelength : {0.2, 1.0, 3.0, 6.0, 12.0})
@@ -195,11 +195,11 @@ private slots:
         const auto agree = [](int count) { return count == 0 || count == 15; };
         const auto [in, out] = leftOnes(LeadDirection::recording);
         QVERIFY2(agree(in) && agree(out), qPrintable(QString("%1 %2").arg(in).arg(out)));
-        const auto [earlierIn, earlierOut] = leftOnes(LeadDirection::firstMove); // what it is held against can fail
+        const auto [earlierIn, earlierOut] = leftOnes(LeadDirection::firstMove); // shows that the comparison can fail
         QVERIFY2(!agree(earlierIn) || !agree(earlierOut), qPrintable(QString("%1 %2").arg(earlierIn).arg(earlierOut)));
     }
 
-    /// A hand that starts with a step of some hundredths of a millimetre the other way.
+    /// A hand that starts with a step of some hundredths of a millimetre in the opposite direction.
     void aShortFirstMoveDoesNotTurnTheLead() {
         const glm::dvec3 start(0, 0, -5);
         for (const glm::dvec3& step : {glm::dvec3(-0.03, 0, 0), glm::dvec3(0, 0.03, 0), glm::dvec3(-0.02, -0.02, 0)}) {
@@ -215,7 +215,7 @@ private slots:
         }
     }
 
-    /// What was moved, turned or copied goes by its own motion.
+    /// A stroke that was moved, rotated or copied uses the direction of its own motion.
     void leadsOfCopiesAreTangentToo() {
         for (const double angle : {0.5 * pi, pi, -2.0}) {
             const Rotate turn{{}, {0, 0, -3}, angle};
@@ -254,7 +254,7 @@ private slots:
             return std::pair{lowest, between};
         };
         const auto [lowest, between] = heights(context);
-        QCOMPARE(lowest, 1.0); // the approach above the stock that stands between
+        QCOMPARE(lowest, 1.0); // the approach above the remaining stock in between
         QCOMPARE(between, 1.0);
         const auto pin = std::make_shared<const MeshDistance>(boxMesh({{-1, -1, -5}, {1, 1, 4}}));
         context.obstacles.push_back({pin, 2.0, true});
@@ -262,7 +262,7 @@ private slots:
         context.obstacles.clear();
         for (Sample& sample : second.samples) sample.proxy.tip.y += 8.0;
         QCOMPARE(heights(context).second, 1.0);
-        context.machine.rapids = RapidMode::independent; // not straight, so not surely over what was looked at
+        context.machine.rapids = RapidMode::independent; // not straight, so possibly not over the checked points
         QCOMPARE(heights(context).second, 5.0);
     }
 
@@ -277,7 +277,7 @@ private slots:
     void climbAndConventionalAreTold() {
         QFETCH(bool, reversed);
         QFETCH(double, stepOver);
-        // A slot along X, then a row beside it: stock lies on the far side of the row alone.
+        // A slot along X, then an adjacent row: there is stock only on the far side of the row.
         Take slot = takeOf(along({{-30, 0, -2}, {30, 0, -2}}, 100.0)),
              row = takeOf(along({{-20, stepOver, -2}, {20, stepOver, -2}}, 100.0));
         row.info.id = 2;
@@ -308,7 +308,7 @@ private slots:
     }
 
     void besideAFinishedWallThePartTells() {
-        const MeshDistance part(boxMesh({{-30, 3.005, -30}, {30, 10, 10}})); // on the left, no stock about
+        const MeshDistance part(boxMesh({{-30, 3.005, -30}, {30, 10, 10}})); // on the left, without stock around
         const PathContext context = contextOf(part, flatTool(), {{-60, -60, -20}, {60, 60, -10}});
         for (const bool reversed : {false, true}) {
             std::vector<Edit> edits{{Simplify{}}, {Link{}}};

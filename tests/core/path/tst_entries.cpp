@@ -15,7 +15,8 @@ using namespace burin::test;
 
 namespace {
 
-/// How deep the tool gets into material more steeply than a slope, mm at a stretch, by the heights that are left.
+/// Greatest depth to which the tool enters material more steeply than a slope, mm in one go, by the height map of the
+/// remaining stock.
 double deepestPlunge(const std::vector<PathPoint>& points, const Cutter& cutter, double slope) {
     Heights left;
     double deepest = 0.0, now = 0.0;
@@ -37,7 +38,7 @@ double deepestPlunge(const std::vector<PathPoint>& points, const Cutter& cutter,
     return deepest;
 }
 
-/// The standard way into material.
+/// The standard entry into material.
 Link rampingLink() {
     Link link;
     link.entry = Link::Entry::ramp;
@@ -45,8 +46,8 @@ Link rampingLink() {
     return link;
 }
 
-/// A hand that begins with some tiny moves, as hands do that find their way, and goes on with long ones. It never turns
-/// back itself.
+/// A hand that begins with some tiny moves, like hands that search for the start, and continues with long ones. It
+/// never turns back by itself.
 std::vector<glm::dvec3> hesitantCorners() {
     const auto part = [](int most) { return 0.01 * *rc::gen::inRange(-most, most + 1); };
     std::vector<glm::dvec3> corners{{5.0 * part(100), 5.0 * part(100), -1.0 - *rc::gen::inRange(0, 4)}};
@@ -61,9 +62,9 @@ std::vector<glm::dvec3> hesitantCorners() {
     return corners;
 }
 
-constexpr double plungeBlur = 0.45; // mm: what may be met straight from above, a voxel, a look
+constexpr double plungeBlur = 0.45; // mm: permitted contact straight from above: a voxel and a sampling step
 
-/// Straight sides of a hole in a plate, as wide as it is long.
+/// Straight sides of a square hole in a plate.
 TriangleMesh holeMesh(double half) {
     return meshOf({{{-10, -10, -16}, {10, -half, 0}},
                    {{-10, half, -16}, {10, 10, 0}},
@@ -106,10 +107,10 @@ private slots:
             const double slope = std::tan(0.06);
             QVERIFY2(deepestPlunge(points, tool.cutter, 1.05 * slope) < plungeBlur,
                      qPrintable(QString::number(deepestPlunge(points, tool.cutter, 1.05 * slope))));
-            // The same with a straight plunge, which the judge sees.
+            // The same with a straight plunge, which the check detects.
             const auto plunged = run({takeOf(ticks)}, {{Simplify{}}, {Link{}}}, blockContext(tool));
             QVERIFY(plunged && deepestPlunge(plunged->path.points, tool.cutter, 1.05 * slope) > 2.5);
-            // Ramps have half of the feed, 900 mm/min; down to the material it plunges.
+            // Ramps have half of the feed, 900 mm/min; down to the material the tool plunges.
             std::size_t ramps = 0;
             for (std::size_t i = 1; i < points.size(); ++i) {
                 if (points[i].kind != MoveKind::plunge) continue;
@@ -120,10 +121,10 @@ private slots:
                 ramps += down ? 0 : 1;
             }
             QVERIFY(ramps >= 2);
-            // Once down it stays there: the hand's own descent is not gone through again.
+            // Once down it stays there: the hand's own descent is not repeated.
             for (const PathPoint& point : points)
                 if (point.kind == MoveKind::cut) QVERIFY(std::abs(point.pose.tip.z + 4.0) < 1e-6);
-            // It removes nothing beside what the stroke removes.
+            // It removes nothing beyond the stroke's own removal.
             if (entry.form == EntryForm::helix) continue;
             for (const PathPoint& point : points) {
                 if (point.kind != MoveKind::plunge || point.pose.tip.z >= 0.0) continue;
@@ -148,7 +149,7 @@ private slots:
         QCOMPARE(reportOf(*path, "link").entries.size(), std::size_t{1});
     }
 
-    /// Beside what was milled before: a sliver at the tool's rim is no material to get into.
+    /// Next to earlier milling: a sliver at the tool's rim does not require an entry.
     void aSkimmedWallIsNoPlunge() {
         for (const auto& [aside, enters] : {std::pair{0.12, false}, std::pair{1.0, true}}) {
             std::vector<Tick> ticks = along({{-8, 0, -4}, {8, 0, -4}}, 40.0);
@@ -159,12 +160,12 @@ private slots:
             const auto path = run({takeOf(ticks)}, edits, blockContext(tool));
             QVERIFY(path);
             const EditReport& link = reportOf(*path, "link");
-            QCOMPARE(link.entries.size(), enters ? std::size_t{2} : std::size_t{1}); // the slot's own is the first
+            QCOMPARE(link.entries.size(), enters ? std::size_t{2} : std::size_t{1}); // the first is the slot's own
             if (!enters) QVERIFY(deepestPlunge(path->path.points, tool.cutter, 1.05 * std::tan(0.06)) < plungeBlur);
         }
     }
 
-    /// In a hole hardly wider than the tool neither ramp nor helix has room.
+    /// In a hole hardly wider than the tool there is room for neither ramp nor helix.
     void aToolThatMayPlungesWhereNothingElseFits() {
         const MeshDistance part(holeMesh(2.1));
         Tool tool = stubbyTool(CutterType::flat);
@@ -185,13 +186,13 @@ private slots:
         QCOMPARE(refused.error().detail, std::string(remedyOf(OmissionReason::plunge).text));
     }
 
-    /// A control that is sent a tenth of a millimetre forth and back stutters and leaves a mark.
+    /// A control that is sent a tenth of a millimetre back and forth stutters and leaves a mark.
     void noEntryStepsBack() {
         double ramps = 0.0;
         QVERIFY(rc::check("a ramp turns where its moves are long", [&] {
             const Tool tool = stubbyTool(*rc::gen::element(CutterType::ball, CutterType::flat));
             std::vector<glm::dvec3> corners = hesitantCorners();
-            if (*rc::gen::inRange(0, 3) == 0) { // a hand that goes down in steps
+            if (*rc::gen::inRange(0, 3) == 0) { // a hand that descends in steps
                 const glm::dvec3 start = corners.front();
                 corners.insert(corners.begin(), {{start.x, start.y, 1.0}, {start.x + 0.5, start.y, 0.4 * start.z}});
             }
@@ -220,10 +221,10 @@ private slots:
             ramps += static_cast<double>(countOf(report.entries, EntryForm::ramp));
             RC_ASSERT(backStepsIn(path->path.points, false) == 0U);
         }));
-        QVERIFY(ramps > 30.0); // there was something to judge
+        QVERIFY(ramps > 30.0); // the test was not empty
     }
 
-    /// A ramp beside the stroke, whose way down alone makes a back-step of its turn into the stroke.
+    /// A ramp next to the stroke, whose descent alone makes a back-step at the transition into the stroke.
     void aRampBesideAStrokeDoesNotStepBack() {
         const std::vector<glm::dvec3> corners{
             {-5.0, -5.0, 1.0}, {-4.5, -5.0, -0.4}, {-5.0, -5.0, -1.0}, {-5.9165, -4.5999, -1.2}};
@@ -233,7 +234,7 @@ private slots:
         QVERIFY(backStepsIn(path->path.points, false) == 0U);
     }
 
-    /// A stroke that begins at a wall with a tiny move along it leaves no room to turn beyond its beginning.
+    /// A stroke that begins at a wall with a tiny move along it leaves no room to turn beyond its start.
     void atAWallNothingStepsBackEither() {
         const MeshDistance part(meshOf({{{-10, -10, -16}, {-8, 10, -1}}, {{-10, -10, -16}, {10, -8, -1}}}));
         for (const glm::dvec3& tiny : {glm::dvec3(0.06, 0.02, 0), glm::dvec3(0.03, 0.03, 0), glm::dvec3(0.09, 0, 0)}) {
@@ -248,7 +249,7 @@ private slots:
             QCOMPARE(link.entries.size(), std::size_t{1});
             QVERIFY(link.entries.front().form == EntryForm::ramp);
             QVERIFY(backStepsIn(path->path.points, false) == 0U);
-            // The hand's beginning stays, and the tool beside the walls.
+            // The hand's start is kept, and the tool stays clear of the walls.
             double nearest = 1e9;
             for (const PathPoint& point : path->path.points) {
                 nearest = std::min(nearest, glm::distance(point.pose.tip, start));
@@ -259,7 +260,8 @@ private slots:
         }
     }
 
-    /// Where nothing else fits, a stroke is entered where an earlier one has cleared the way, and gone back along.
+    /// Where nothing else fits, a stroke is entered where an earlier one has cleared the stock, and followed back from
+    /// there.
     void aStrokeIsEnteredWhereNothingStands() {
         const MeshDistance part(meshOf({{{-10, 2.1, -16}, {0, 10, -1}}, {{-10, -10, -16}, {0, -2.1, -1}}}));
         Tool tool = stubbyTool(CutterType::flat);
@@ -289,10 +291,11 @@ private slots:
             ++descents;
         }
         QVERIFY(descents > 0);
-        QVERIFY2(std::abs(farthest + 8.0) < 0.01, qPrintable(QString::number(farthest))); // all of the stroke
+        QVERIFY2(std::abs(farthest + 8.0) < 0.01, qPrintable(QString::number(farthest))); // the entire stroke
     }
 
-    /// What is left at a wall, gone down at as a hand does: there is no level line to ramp on, nor room for a helix.
+    /// Remaining stock at a wall, approached from above as a hand does: there is no level line for a ramp, nor room for
+    /// a helix.
     void alongAWallAStrokeIsRampedInto() {
         const MeshDistance part(meshOf({{{-10, -10, -16}, {-8, 10, -1}}, {{-3.5, -10, -16}, {10, 10, -1}}}));
         Tool tool = stubbyTool(CutterType::flat);
@@ -336,7 +339,7 @@ private slots:
             if (countOf(report.entries, EntryForm::plunge) > 0) return;
             RC_ASSERT(deepestPlunge(path->path.points, tool.cutter, 1.05 * std::tan(0.06)) < plungeBlur);
         }));
-        QVERIFY(forms[1] > 50.0); // there was something to judge
+        QVERIFY(forms[1] > 50.0); // the test was not empty
     }
 };
 

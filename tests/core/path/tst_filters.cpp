@@ -16,7 +16,7 @@ using namespace burin::test;
 
 namespace {
 
-/// Largest distance from a place of one polyline to the other, by dense sampling.
+/// Largest distance from a point of one polyline to the other, by dense sampling.
 double oneSided(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to, double step) {
     double largest = 0.0;
     for (std::size_t i = 0; i < from.size(); ++i) {
@@ -45,7 +45,7 @@ private slots:
     void aSineOfTremorIsRemoved_data() {
         QTest::addColumn<double>("cutOff");
         QTest::addColumn<double>("frequency");
-        QTest::addColumn<double>("left"); // of the amplitude: 1 / (1 + (f / fc)⁴)
+        QTest::addColumn<double>("left"); // share of the amplitude that is left: 1 / (1 + (f / fc)⁴)
         QTest::newRow("5 Hz takes 10 Hz away") << 5.0 << 10.0 << 1.0 / 17.0;
         QTest::newRow("4 Hz takes 12 Hz away") << 4.0 << 12.0 << 1.0 / 82.0;
         QTest::newRow("5 Hz keeps half of 5 Hz") << 5.0 << 5.0 << 0.5;
@@ -63,12 +63,12 @@ private slots:
         double amplitude = 0.0;
         for (std::size_t i = 3000; i < 7000; ++i) {
             amplitude = std::max(amplitude, std::abs(path->path.points[i].pose.tip.y));
-            QVERIFY(std::abs(path->path.points[i].pose.tip.x - ticks[i].tip.x) < 1e-9); // no delay, a line stays a line
+            QVERIFY(std::abs(path->path.points[i].pose.tip.x - ticks[i].tip.x) < 1e-9); // no delay, lines stay lines
         }
         QVERIFY2(std::abs(amplitude / 0.1 - left) < 0.01 * left + 1e-4, qPrintable(QString::number(amplitude)));
     }
 
-    /// A loop that comes late has one tick for several periods. The hand does not tremble faster for that.
+    /// A loop that is late has one tick for several periods. The frequency of the hand's tremor does not change.
     void tremorIsTheSameWhereTicksAreLate() {
         for (const bool spline : {false, true}) {
             Take take = takeOf(std::vector<Tick>(6000));
@@ -89,7 +89,7 @@ private slots:
             for (std::size_t i = points.size() / 4; i < points.size() / 4 * 3; ++i)
                 amplitude = std::max(amplitude, std::abs(points[i].pose.tip.y));
             const double left = 1.0 / (1.0 + std::pow(2.0, spline ? 6 : 4)); // twice the cut-off
-            // The way between late ticks is a chord: up to 0.8 % of the amplitude off a sine.
+            // The path between late ticks is a chord: up to 0.8 % of the amplitude away from a sine.
             QVERIFY2(std::abs(amplitude / 0.1 - left) < 0.05 * left,
                      qPrintable(QString::number(amplitude / 0.1 / left)));
         }
@@ -138,7 +138,7 @@ private slots:
     }
 
     void stepsOfAnEncoderDoNotComeBackWhereTheToleranceIsUsedUp() {
-        // A hand with more tremor than the tolerance may take away, seen through an encoder of 0.02 mm.
+        // A hand with more tremor than the tolerance allows to remove, read by an encoder of 0.02 mm.
         const auto seen = [](double value) { return 0.02 * std::round(value / 0.02); };
         std::vector<Tick> ticks;
         for (int i = 0; i < 6000; ++i) {
@@ -205,18 +205,18 @@ private slots:
         const auto path = run({takeOf(along({{0, 0, 0}, {30, 0, 0}, {30, 20, 0}, {0, 20, 0}}, 25.0))},
                               {{Simplify{0.005}}}, contextOf(nothing_, ballTool(), stock_));
         QVERIFY(path);
-        // Groups of a few thousand points are simplified by themselves and leave a point each.
+        // Groups of a few thousand points are simplified separately and leave a point each.
         QVERIFY(path->path.points.size() >= 4 && path->path.points.size() <= 6);
     }
 
     void airIsDroppedAndWorkStays() {
-        std::vector<Tick> ticks = along({{-10, 0, 5}, {0, 0, 0}}, 25.0, false);         // on the way there
+        std::vector<Tick> ticks = along({{-10, 0, 5}, {0, 0, 0}}, 25.0, false);         // moving there
         append(ticks, along({{0, 0, 0}, {10, 0, 0}}, 25.0));                            // cut
-        append(ticks, along({{10, 0, 0}, {12, 0, 0}}, 25.0, false));                    // a short gap stays
+        append(ticks, along({{10, 0, 0}, {12, 0, 0}}, 25.0, false));                    // a short gap is kept
         append(ticks, along({{12, 0, 0}, {20, 0, 0}}, 25.0));                           // cut
         append(ticks, along({{20, 0, 0}, {20, 10, 3}, {20, 10, 0}}, 25.0, false));      // air
         append(ticks, along({{20, 10, 0}, {0, 10, 0}}, 25.0, false, sampleOnBoundary)); // a finishing pass
-        append(ticks, along({{0, 10, 0}, {0, 10, 30}}, 25.0, false));                   // away
+        append(ticks, along({{0, 10, 0}, {0, 10, 30}}, 25.0, false));                   // moving away
         const auto path = run({takeOf(ticks)}, {{DropAirCuts{3.0}}}, contextOf(nothing_, ballTool(), stock_));
         QVERIFY(path);
         std::vector<bool> kept(ticks.size());
@@ -225,7 +225,7 @@ private slots:
             const bool works = ticks[i].removes || (ticks[i].flags & sampleOnBoundary) != 0;
             const bool shortGap =
                 !works && ticks[i].tip.y == 0.0 && ticks[i].tip.x >= 10.0 && ticks[i].tip.x <= 12.0 && i > 400;
-            // The place where work begins stays as well: what was removed there was removed on the way from it.
+            // The point where work begins is kept as well: the material removed there was removed on the move from it.
             const bool begins = i + 1 < ticks.size() && !works && (ticks[i + 1].removes || ticks[i + 1].flags != 0);
             QCOMPARE(bool(kept[i]), works || shortGap || begins);
         }
@@ -241,7 +241,7 @@ private slots:
         for (int i = 0; i < 800; ++i) still.push_back({{10 + 0.02 * std::sin(0.06 * i), 0, 0}, false});
         append(ticks, still);
         append(ticks, along({{10, 0, 0}, {10, 10, 0}}, 25.0));
-        std::vector<Tick> plunge; // slower than a dwell, but it cuts
+        std::vector<Tick> plunge; // slower than a dwell, but cutting
         for (int i = 0; i < 2000; ++i) plunge.push_back({{10, 10, -0.0005 * i}, true});
         append(ticks, plunge);
         const auto path = run({takeOf(ticks)}, {{DropDwells{1.0, 0.15}}}, contextOf(nothing_, ballTool(), stock_));

@@ -26,19 +26,19 @@ PathContext freeContext() {
     return context;
 }
 
-/// Ticks on a curve of `length` parameters, a fiftieth of a millimetre apart for one of unit speed.
+/// Ticks on a curve of `length` parameters, a fiftieth of a millimetre apart for a curve of unit speed.
 std::vector<Tick> onCurve(double length, const std::function<glm::dvec3(double)>& curve) {
     std::vector<Tick> ticks;
     for (double t = 0.0; t <= length; t += 0.02) ticks.push_back({curve(t)});
     return ticks;
 }
 
-/// The figure that a control gets for a coordinate.
+/// The rounded value of a coordinate that a control receives.
 double figure(double value, double zero) {
     return *parseNumber(formatFixed(value - zero, 3));
 }
 
-/// What is wrong with an arc by the rules of the edit, or nothing.
+/// The rule of the edit that an arc breaks, or empty.
 std::string brokenRule(const glm::dvec3& from, const PathPoint& to, const PathContext& context, const FitArcs& rules) {
     const int w = to.arc->axis, u = (w + 1) % 3, v = (w + 2) % 3;
     const auto plane = [&](const glm::dvec3& place) {
@@ -108,7 +108,7 @@ private slots:
         QVERIFY(arcs->reports.front().largestDeviation <= rules.tolerance);
     }
 
-    /// Rows as a hand leaves them: level, with waves of a few millimetres, and a micrometre of no kind.
+    /// Rows of a typical hand: level, with waves of a few millimetres, and random deviations of a micrometre.
     void rowsOfAHandTakeFewerBlocks() {
         std::mt19937 random(7);
         std::uniform_real_distribution<double> micrometres(-0.001, 0.001);
@@ -136,7 +136,7 @@ private slots:
             rules.tolerance = *rc::gen::element(0.003, 0.01, 0.05);
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             std::uniform_real_distribution<double> one(-1.0, 1.0);
-            // A point that flies with a curvature and a climb which change now and then.
+            // A point that moves with a curvature and a slope which change from time to time.
             std::vector<Tick> ticks;
             glm::dvec3 at(20.0 * one(random), 20.0 * one(random), -20.0);
             double heading = 3.0 * one(random), curvature = 0.0, climb = 0.0;
@@ -166,7 +166,7 @@ private slots:
         }));
     }
 
-    /// A hand that turns back between two bends, with a hesitation of a tenth of a millimetre behind the corner.
+    /// A hand that turns back between two bends, with a hesitation of a tenth of a millimetre after the corner.
     void noArcMakesABackStep() {
         std::size_t arcs = 0;
         QVERIFY(testing::holdsInShare("nothing is sent forth and back", [&] {
@@ -200,7 +200,7 @@ private slots:
     }
 
     void anArcThatWouldEnterThePartIsNotTaken() {
-        // Around a pin the hand kept clear by a hair, on chords of a circle that itself would run into it.
+        // The hand passed a pin with a tiny clearance, on chords of a circle that itself would enter the pin.
         const double sagitta = 20.0 * (1.0 - std::cos(pi / 36.0));
         std::vector<glm::dvec3> corners;
         for (int i = 0; i <= 9; ++i)
@@ -223,7 +223,7 @@ private slots:
                 const glm::dvec2 beside = glm::max(
                     glm::max(glm::dvec2(pin.low) - glm::dvec2(place), glm::dvec2(place) - glm::dvec2(pin.high)),
                     glm::dvec2(0.0));
-                least = std::min(least, glm::length(beside) - 3.0); // the shaft runs past the pin's whole height
+                least = std::min(least, glm::length(beside) - 3.0); // the shank extends past the pin's whole height
             }
             return least;
         };

@@ -21,7 +21,7 @@ PathPoint link(double x) {
     return {{{x, 0.0, 5.0}}, MoveKind::rapid, 0.0, 0, -1, {}};
 }
 
-/// Chains as places along X and the ticks there.
+/// Chains as positions along X and the ticks there.
 std::vector<std::vector<std::pair<double, std::int64_t>>> along(const Path& path, const SourceStretch& stretch) {
     std::vector<std::vector<std::pair<double, std::int64_t>>> chains;
     for (const std::vector<PathPoint>& chain : pointsOf(path, stretch)) {
@@ -78,7 +78,7 @@ void TestHandStretch::whatLeftThePathIsNowhere() {
     QVERIFY(pointsOf(path, {take, 20, 80}).empty());
     QVERIFY(pointsOf(path, {take + 1, 150, 150}).empty());
     path.points = {point(0, 100), point(30, 300)};
-    path.points.back().kind = MoveKind::rapid; // straight across what an edit took away
+    path.points.back().kind = MoveKind::rapid; // straight across the part that an edit removed
     QVERIFY(pointsOf(path, {take, 250, 250}).empty());
 }
 
@@ -106,7 +106,7 @@ void TestHandStretch::aMoveLeadsThroughWhatLiesBehindItsStart() {
     QVERIFY(!leadsThrough({take + 1, 100}, to, {take, 150, 150}));
     QVERIFY(!leadsThrough({}, to, {take, 150, 150}));
     QVERIFY(leadsThrough({}, to, {take, 200, 200}));
-    QVERIFY(!leadsThrough(from, {}, SourceStretch{})); // everything that the hand did
+    QVERIFY(!leadsThrough(from, {}, SourceStretch{})); // all of the hand's motion
     QVERIFY(leadsThrough({}, to, SourceStretch{}));
     PathPoint drawn = point(0, 100);
     drawn.sample = -1;

@@ -15,7 +15,7 @@ using namespace burin::test;
 
 namespace {
 
-constexpr double step = 0.02; // mm between the places that are looked at
+constexpr double step = 0.02; // mm between the points that are checked
 
 double boxDistance(const Box& box, const glm::dvec3& point) {
     const glm::dvec3 outside = glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0.0));
@@ -24,15 +24,15 @@ double boxDistance(const Box& box, const glm::dvec3& point) {
     return -std::min({inside.x, inside.y, inside.z});
 }
 
-/// Clearance of a long ball-end cutter (no holder in reach) from a box, by formula: the ball below its centre, and the
-/// shaft, nearest where it passes the box's height.
+/// Clearance of a long ball-end cutter (no holder within reach) from a box, by formula: the ball below its centre, and
+/// the shank, nearest where it passes the box's height.
 double ballClearance(const Box& box, const glm::dvec3& tip, double radius) {
     const glm::dvec3 centre = tip + glm::dvec3(0, 0, radius);
     const glm::dvec3 onShaft(tip.x, tip.y, std::max(centre.z, std::min(box.high.z, std::max(centre.z, box.low.z))));
     return std::min(boxDistance(box, centre), boxDistance(box, onShaft)) - radius;
 }
 
-/// Clearance of a flat-end cutter above or beside a box.
+/// Clearance of a flat-end cutter above or next to a box.
 double flatClearance(const Box& box, const glm::dvec3& tip, double radius) {
     const glm::dvec2 outside = glm::max(
         glm::max(glm::dvec2(box.low) - glm::dvec2(tip), glm::dvec2(tip) - glm::dvec2(box.high)), glm::dvec2(0.0));
@@ -64,7 +64,7 @@ private slots:
         QFETCH(double, allowance);
         const Box box{{-10, -8, 0}, {10, 8, 12}};
         const MeshDistance part(boxMesh(box));
-        // Over the top in rows that go on beyond its edges, deeper than the corners allow, with a trembling hand.
+        // Over the top in rows that extend beyond its edges, deeper than the corners allow, with a hand tremor.
         std::vector<glm::dvec3> corners;
         for (int row = 0; row < 6; ++row) {
             const double y = -9.0 + 3.6 * row, side = row % 2 == 0 ? 1.0 : -1.0;
@@ -85,7 +85,7 @@ private slots:
             if (std::abs(place.x) < 9.0 && std::abs(place.y) < 7.0) nearOnTop = std::max(nearOnTop, clearance);
         });
         QVERIFY2(least >= allowance - 1e-4, qPrintable(QString::number(least)));
-        // Where the hand was right the path still is where the hand was.
+        // Where the hand was outside the part, the path is still the hand's.
         QVERIFY2(nearOnTop <= allowance + 0.02 + 0.005 + 0.007, qPrintable(QString::number(nearOnTop)));
     }
 
@@ -100,14 +100,15 @@ private slots:
         for (const PathPoint& point : path->path.points) {
             if (point.pose.tip.z > 10.006) QVERIFY(distanceToPolyline(point.pose.tip, before) < 1e-6);
         }
-        // Tip at 9.9, aim 10.005: pushed by 0.105, and no figure above what thinning may add.
+        // Tip at 9.9, target 10.005: pushed by 0.105, and no value above what thinning may add.
         QVERIFY(path->reports.front().largestDeviation >= 0.105 - 1e-6);
         QVERIFY(path->reports.front().largestDeviation <= 0.105 + 0.002 + 1e-5);
         QVERIFY(std::abs(path->reports.front().worstPlace.x) < 0.1);
     }
 
     void aStraightMoveOverARidgeGoesAroundIt() {
-        // Two ticks on either side, nothing between them: every sampled place between has to be held out too.
+        // Two ticks on either side, nothing between them: every sampled point between has to be kept out of the part
+        // too.
         const Box ridge{{-0.5, -10, 0}, {0.5, 10, 10}};
         const MeshDistance part(boxMesh(ridge));
         for (const Tool& tool : {ballTool(), flatTool()}) {
@@ -144,7 +145,7 @@ private slots:
         const TriangleMesh mesh = sphereMesh({0, 0, 0}, radius, 150);
         const MeshDistance part(mesh);
         const double chord =
-            radius * (1.0 - std::cos(std::acos(-1.0) / 300.0)); // facets lie inside by this, twice over
+            radius * (1.0 - std::cos(std::acos(-1.0) / 300.0)); // facets are inside by at most twice this
         std::vector<Tick> ticks;
         for (int row = 0; row < 5; ++row) {
             for (int i = 0; i <= 2000; ++i) {
@@ -159,7 +160,7 @@ private slots:
         QVERIFY2(path, path ? "" : path.error().place.c_str());
         double least = 1e9, most = -1e9;
         walk(path->path.points, step, [&](const PathPoint& end, const glm::dvec3& place) {
-            if (end.kind == MoveKind::rapid) return; // from row to row: no part of a stroke
+            if (end.kind == MoveKind::rapid) return; // from row to row: not part of a stroke
             const double clearance = glm::length(place + glm::dvec3(0, 0, 3.0)) - 3.0 - radius;
             least = std::min(least, clearance);
             most = std::max(most, clearance);

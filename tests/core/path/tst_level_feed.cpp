@@ -19,7 +19,7 @@ constexpr double band = 5.0, depth = 2.0, radius = 3.0, exponent = 0.25, spindle
 constexpr double edgeSpeed = pi * 2.0 * radius * spindle / 60.0;                               // mm/s
 constexpr std::array hardness{1000.0, 1300.0, 1800.0, 2400.0, 3000.0, 2200.0, 1500.0, 1100.0}; // kc1.1, N/mm²
 
-/// A bar along X, 40 mm long, that gets harder and softer again band by band.
+/// A bar along X, 40 mm long, that becomes harder and softer again band by band.
 Result<RunVolume> gradedBar(Progress&) {
     PropertyList list;
     for (std::size_t i = 0; i < hardness.size(); ++i) {
@@ -44,7 +44,7 @@ Result<void> lendBar(const StockUse& use, Progress& progress) {
 }
 
 /// Tangential force of a flat mill in a slot, in closed form: the front half of the tool meets each strip at its own
-/// place. N. @param feed mm/min
+/// position. N. @param feed mm/min
 double forceAt(double x, double feed) {
     const double chip = std::clamp(2.0 / pi * feed / (2.0 * spindle), 0.005, 1.0);
     constexpr int strips = 400;
@@ -61,7 +61,7 @@ struct Variation {
     double mean = 0.0, coefficient = 0.0;
 };
 
-/// Over time, while the tool is in the bar with all of its front and none of its back.
+/// Over the time in which the tool's whole front is in the bar and its back has not left it.
 Variation variationOf(const std::vector<PathPoint>& points, const std::function<double(double, double)>& load) {
     double time = 0.0, sum = 0.0, square = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -112,7 +112,7 @@ private slots:
                 << "levelled;" << before.mean << "N," << after.mean << "N;" << level.size() << "points";
         QVERIFY(before.coefficient > 0.25);
         QVERIFY(after.coefficient <= 0.10);
-        QVERIFY(level.size() < 60); // no block for each look
+        QVERIFY(level.size() < 60); // not one block per sample
     }
 
     void theTargetIsMetInNewtons() {
@@ -122,7 +122,7 @@ private slots:
         QVERIFY2(after.mean > 180.0 && after.mean < 206.0, qPrintable(QString::number(after.mean)));
     }
 
-    /// Power is the tangential force times the speed of the flutes.
+    /// Power is the tangential force times the cutting speed.
     void theSpindleIsNotOverloaded() {
         LevelFeed edit;
         edit.target = 400.0;
@@ -134,7 +134,7 @@ private slots:
         QVERIFY2(held.mean > 130.0 && held.mean < 155.0, qPrintable(QString::number(held.mean)));
     }
 
-    /// Feeds that there are come down where the cut asks for more than a limit, and nowhere else.
+    /// Existing feeds are reduced where the cut exceeds a limit, and nowhere else.
     void withTheLimitsAloneFeedsOnlyComeDown() {
         const LevelFeed edit{.goal = LevelFeed::Goal::limits};
         const std::vector<PathPoint> constant = fed({});
@@ -143,7 +143,7 @@ private slots:
         strong.machine.spindlePower = 1e5;
         QCOMPARE(fed({{edit}}, strong).size(), constant.size());
         PathContext weak = barContext();
-        const double most = 0.6 * forceAt(22.0, feed); // N: less than the hardest bands ask for, more than the softest
+        const double most = 0.6 * forceAt(22.0, feed); // N: between the forces of the softest and the hardest bands
         weak.machine.spindleTorque = {{spindle, most * radius / 1000.0}};
         const std::vector<PathPoint> held = fed({{edit}}, weak);
         bool cameDown = false, stayed = false;
@@ -151,19 +151,19 @@ private slots:
             if (held[i].kind != MoveKind::cut) continue;
             QVERIFY(held[i].feed <= feed + 1e-9);
             cameDown = cameDown || held[i].feed < 0.7 * feed;
-            stayed = stayed || held[i].feed > 0.9 * feed; // a block has the least of what its intervals ask for
+            stayed = stayed || held[i].feed > 0.9 * feed; // a block has the lowest feed of its intervals
             for (double x = std::max(radius, held[i - 1].pose.tip.x); x < std::min(held[i].pose.tip.x, 40.0 - radius);
                  x += 0.25)
                 QVERIFY2(forceAt(x, held[i].feed) < 1.1 * most, qPrintable(QString::number(x)));
         }
         QVERIFY(cameDown && stayed);
-        // A tool that breaks: the beam of its shank and flutes, by the greatest moment, at the holder.
+        // Tool breakage: bending of shank and flutes as a beam, with the greatest moment at the holder.
         PathContext brittle = barContext();
         brittle.tool.strength = 1.0;
-        for (const PathPoint& point : fed({{edit}}, brittle)) // as slow as the smallest chip, where it cuts
+        for (const PathPoint& point : fed({{edit}}, brittle)) // where it cuts, the feed of the smallest chip
             if (point.kind == MoveKind::cut && point.pose.tip.x > 1.0 && point.pose.tip.x < 37.0)
                 QVERIFY(point.feed <= 0.006 * 2.0 * spindle);
-        // Nothing is stated, or there is no stock to know of.
+        // No value is given, or there is no stock to examine.
         QCOMPARE(fed({{edit}}).size(), constant.size());
         strong.lendStock = {};
         QCOMPARE(fed({{edit}}, strong).size(), constant.size());

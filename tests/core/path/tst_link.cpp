@@ -15,7 +15,7 @@ using namespace burin::test;
 
 namespace {
 
-/// Stock as points half a millimetre apart: what a move meets is found by looking at each point. Slow and obvious.
+/// Stock as points half a millimetre apart: contact of a move is found by examining each point. Slow and obvious.
 class PointStock {
 public:
     explicit PointStock(const Box& box) {
@@ -82,7 +82,7 @@ private slots:
                     link->rounding = *rc::gen::element(0.0, 0.7, 5.0);
                 }
             const auto path = run({takeOf(layeredStrokes())}, edits, contextOf(nothing_, tool, stock));
-            RC_PRE(!isEmpty(path)); // strokes of no length give an empty path
+            RC_PRE(!isEmpty(path)); // strokes without length give an empty path
             RC_ASSERT(static_cast<bool>(path));
             PointStock left(stock);
             const std::vector<RevolvedPiece> parts = pieces(tool.cutter);
@@ -108,7 +108,8 @@ private slots:
         QVERIFY(path);
         QString kinds;
         for (const PathPoint& point : path->path.points) kinds += "rpcu"[static_cast<int>(point.kind)];
-        // Over the stock, down to a millimetre above it, in, along; out, up, over; and the second one with its slopes.
+        // Over the stock, down to a millimetre above it, lead-in, along; lead-out, up, over; and the second one with
+        // its slopes.
         QCOMPARE(kinds, "rrpcurrrpcccur");
         const std::vector<PathPoint>& p = path->path.points;
         QVERIFY(p[0].pose.tip == glm::dvec3(-10, 0, 5) && p[1].pose.tip == glm::dvec3(-10, 0, 1));
@@ -121,7 +122,7 @@ private slots:
         QCOMPARE(p[9].feed, 900.0);
         QCOMPARE(p[10].feed, 300.0);                  // 3 mm down over 2 mm: steeper than 45°
         QCOMPARE(p[11].feed, 900.0);                  // 2 mm down over 3 mm
-        QVERIFY(p[3].source == 1 && p[3].sample > 0); // the hand's moment
+        QVERIFY(p[3].source == 1 && p[3].sample > 0); // the moment of the hand's sample
         QVERIFY(p[0].source == 0 && p[0].sample == -1);
     }
 
@@ -135,7 +136,7 @@ private slots:
     void aShankThatWouldRubForcesALift() {
         const PathContext slender = contextOf(nothing_, ballTool(4.0), {{-30, -30, -20}, {30, 30, 0}});
         const PathContext stubby =
-            contextOf(nothing_, stubbyTool(CutterType::ball), slender.stock); // shank from 6 mm up
+            contextOf(nothing_, stubbyTool(CutterType::ball), slender.stock); // the shank begins 6 mm above the tip
         for (const auto& [context, plunges] : {std::pair{slender, 1}, std::pair{stubby, 2}}) {
             const auto path = run({takeOf(rows(4.0, -8.0))}, linkedEdits, context);
             QVERIFY(path);
@@ -182,7 +183,7 @@ private slots:
     }
 
     void linksGoRoundAPost() {
-        // 40 mm straight across; the post, the tool's radius and the margin leave 5.5 mm either side of the middle.
+        // 40 mm straight across; the post, the tool's radius and the margin leave 5.5 mm on either side of the centre.
         const Box post{{-2, -2, -3}, {2, 2, 40}};
         const auto safe = linkedAround({post}, {{-20, 0}, {20, 0}}, Link::Travel::safe, 0.0);
         const auto around = linkedAround({post}, {{-20, 0}, {20, 0}}, Link::Travel::around, 0.0);
@@ -190,7 +191,7 @@ private slots:
         const double level = levelLength(around->path.points);
         QVERIFY2(level > 40.0 && level < 2.0 * std::hypot(14.5, 5.5) + 11.0 + 1.0, qPrintable(QString::number(level)));
         QVERIFY(rapidLength(around->path.points) < rapidLength(safe->path.points) - 60.0);
-        // A wall right through leaves no way but over it.
+        // With a wall right across, the only route is over it.
         const Box wall{{-2, -200, -3}, {2, 200, 40}};
         const auto over = linkedAround({wall}, {{-20, 0}, {20, 0}}, Link::Travel::around, 0.0);
         QVERIFY(over);
@@ -240,13 +241,13 @@ private slots:
         const std::vector<glm::dvec2> ends{{-20, 0}, {20, 10}};
         const auto between = [&](double rounding) {
             auto path = linkedAround({}, ends, Link::Travel::safe, rounding);
-            auto& points = path->path.points; // the first way down begins nowhere
+            auto& points = path->path.points; // the first descent has no start point
             points.erase(points.begin(), std::ranges::find(points, MoveKind::retract, &PathPoint::kind));
             return points;
         };
         QVERIFY(sharpest(between(0.0)) > 1.5);
         QVERIFY(sharpest(between(2.0)) < 0.35);
-        // And the feed moves before and behind them: the stroke is left, and entered, along its own direction.
+        // And the feed moves before and after them: the stroke is left, and entered, along its own direction.
         const auto points = linkedAround({}, ends, Link::Travel::safe, 2.0)->path.points;
         int turns = 0;
         for (std::size_t i = 2; i < points.size(); ++i) {
@@ -262,7 +263,7 @@ private slots:
     }
 
     void aClearedPlaceIsReachedRapidly() {
-        // The same slot twice: the second time there is nothing left to plunge into.
+        // The same slot twice: the second time there is no stock left to plunge into.
         std::vector<Tick> ticks = along({{-10, 0, -4}, {10, 0, -4}}, 40.0);
         append(ticks, along({{10, 0, -4}, {10, 0, 8}, {-10, 0, 8}, {-10, 0, -4}}, 40.0, false));
         append(ticks, along({{-10, 0, -4}, {0, 0, -4}, {0, 6, -4}}, 40.0));
@@ -273,12 +274,14 @@ private slots:
         for (const PathPoint& point : path->path.points) {
             if (point.kind == MoveKind::rapid) lowest = std::min(lowest, point.pose.tip.z);
         }
-        // At the slot's end the round of the cutter leaves nothing in the tool's own circle, but the map of squares is
-        // conservative there; so the rapid stops on the stock's top or lower, never below the slot's floor.
+        // At the slot's end the round shape of the cutter leaves nothing within the tool's own circle, but the height
+        // map of squares is conservative there; so the rapid stops at the stock's top or lower, never below the slot's
+        // floor.
         QVERIFY(lowest >= -4.0 && lowest <= 1.0);
     }
 
-    /// Deeper than the flutes are long a neck has been above them: what it left they cut on their way up.
+    /// At a depth greater than the flute length the neck is in the cut: on their way up the flutes cut the stock left
+    /// above them.
     void aDeepPlaceIsNotLeftRapidlyThroughStock() {
         Tool tool = ballTool(4.0);
         tool.cutter.fluteLength = 4.0;
@@ -303,7 +306,7 @@ private slots:
     }
 
     void anOverhangIsLeftTheWayItWasEntered() {
-        // A slotting cutter with a thin neck under a ledge: straight up would be through the part.
+        // A slotting cutter with a thin neck under a ledge: a move straight up would cross the part.
         Tool tool = flatTool(8.0);
         tool.cutter.fluteLength = 3.0;
         tool.cutter.shankDiameter = 3.0;
@@ -313,7 +316,7 @@ private slots:
         const auto path = run({takeOf(along({{-10, 0, -8}, {-2, 0, -8}}, 40.0))}, linkedEdits, context);
         QVERIFY2(path, path ? "" : path.error().place.c_str());
         walk(path->path.points, 0.1, [&](const PathPoint&, const glm::dvec3& place) {
-            // The flutes' disc below or beside the ledge, or above it.
+            // The flutes' disc must be below or to the side of the ledge, or above it.
             const bool beside = place.x + 4.0 <= 1e-6;
             QVERIFY(beside || place.z + 3.0 <= -4.0 + 1e-6 || place.z >= 0.0);
         });
@@ -323,7 +326,7 @@ private slots:
     }
 
 private:
-    /// Two rows side by side with a lift of the hand between them.
+    /// Two adjacent rows with a lift of the hand between them.
     static std::vector<Tick> rows(double apart = 2.0, double z = -2.0) {
         std::vector<Tick> ticks = along({{-10, 0, z}, {10, 0, z}}, 40.0);
         append(ticks, along({{10, 0, z}, {10, 0, 4}, {10, apart, 4}, {10, apart, z}}, 40.0, false));
@@ -332,7 +335,7 @@ private:
     }
     static constexpr double margin = 0.5, radius = 3.0;
 
-    /// Short strokes at some places, one after the other, with posts between them.
+    /// Short strokes at some points, one after the other, with posts between them.
     static Result<EvaluatedPath> linkedAround(const std::vector<Box>& posts, const std::vector<glm::dvec2>& ends,
                                               Link::Travel travel, double rounding) {
         static const MeshDistance nothing{TriangleMesh{}};
@@ -363,7 +366,7 @@ private:
             if (points[i].kind == MoveKind::rapid) length += glm::distance(points[i - 1].pose.tip, points[i].pose.tip);
         return length;
     }
-    /// Of the rapids, in plan.
+    /// Horizontal length of the rapids.
     static double levelLength(const std::vector<PathPoint>& points) {
         double length = 0.0;
         for (std::size_t i = 1; i < points.size(); ++i)
@@ -371,12 +374,12 @@ private:
                 length += glm::distance(glm::dvec2(points[i - 1].pose.tip), glm::dvec2(points[i].pose.tip));
         return length;
     }
-    /// Of all moves: the tool is a ball with a shaft as wide, its holder is above everything.
+    /// Least clearance of all moves: the tool is a ball with a shank as wide, its holder is above everything.
     static double leastClearance(const std::vector<PathPoint>& points, const std::vector<Box>& posts) {
         double least = 1e9;
         walk(points, 0.25, [&](const PathPoint&, const glm::dvec3& tip) {
             for (const Box& post : posts) {
-                const glm::dvec3 from(tip.x, tip.y, std::max(tip.z + radius, post.low.z)); // nearest of the axis
+                const glm::dvec3 from(tip.x, tip.y, std::max(tip.z + radius, post.low.z)); // nearest point of the axis
                 least = std::min(least, glm::distance(from, glm::clamp(from, post.low, post.high)) - radius);
             }
         });

@@ -25,7 +25,7 @@ double lengthOfCuts(const std::vector<PathPoint>& points) {
     return length;
 }
 
-/// Five rows at a height, to and fro, over a square about the origin; then up.
+/// Five rows at a height, back and forth, over a square about the origin; then up.
 void appendRows(std::vector<Tick>& ticks, double half, double z) {
     std::vector<glm::dvec3> corners{{-half, -half, 8}};
     double side = -1.0;
@@ -39,7 +39,7 @@ void appendRows(std::vector<Tick>& ticks, double half, double z) {
     append(ticks, along({corners.back(), {corners.back().x, corners.back().y, 8}}, 400.0, false));
 }
 
-/// The same work as `linkedEdits`, with all that bends ends and corners.
+/// The same work as `linkedEdits`, with all edits that bend ends and corners.
 std::vector<Edit> allEdits(Link link) {
     RoundCorners round;
     round.tolerance = 0.05;
@@ -50,7 +50,7 @@ std::vector<Edit> allEdits(Link link) {
             {out},           {link},           {SetFeed{}}};
 }
 
-/// A cutter of T-slots: a disc under a neck that passes between the ledges of the slot.
+/// A T-slot cutter: a disc under a neck that passes between the ledges of the slot.
 Tool slotTool() {
     Tool tool = flatTool(8.0);
     tool.cutter.fluteLength = 3.0;
@@ -75,8 +75,8 @@ class TestOmissions : public QObject {
     Q_OBJECT
 
 private slots:
-    /// A pocket 6 mm deep that reaches 7 mm far, then a deep groove out of it: the shank, 2.5 mm wide to a side, comes
-    /// as far as its wall.
+    /// A pocket 6 mm deep that extends 7 mm, then a deep groove out of it: the shank, 2.5 mm wide on each side, gets as
+    /// far as its wall.
     void aGrooveEndsWhereTheShankWouldTouch() {
         const Tool tool = stubbyTool(CutterType::flat);
         std::vector<Tick> ticks;
@@ -98,7 +98,7 @@ private slots:
         QCOMPARE(part.line.front(), glm::dvec3(farthest, 0, -8));
         QCOMPARE(part.line.back(), glm::dvec3(9, 0, -8));
         QVERIFY(std::abs(part.length - (9.0 - farthest)) < 1e-9);
-        // The hand was there at those moments: 0.4 mm a tick.
+        // The reported part matches the hand's moments: 0.4 mm per tick.
         const double tickAt = static_cast<double>(ticks.size() - 1) - (9.0 - farthest) / 0.4;
         QVERIFY(std::abs(static_cast<double>(part.first) - tickAt) <= 33.0 &&
                 part.last == std::int64_t(ticks.size()) - 1);
@@ -123,8 +123,8 @@ private slots:
         }));
     }
 
-    /// Spline, rounded corners, arcs, leads, links at each height with rounding: whatever bends the path, and wherever
-    /// it links, shank and holder stay out of what is left.
+    /// Spline, rounded corners, arcs, leads, links at each height with rounding: however the path is bent, and wherever
+    /// it links, shank and holder stay out of the remaining stock.
     void shankAndHolderStayOutWithAllEditsTogether() {
         double made = 0.0, omitted = 0.0;
         QVERIFY(testing::holdsInShare("no move takes shank or holder into stock", [&] {
@@ -147,10 +147,10 @@ private slots:
             made += lengthOfCuts(path->path.points);
             omitted += lengthOf(reportOf(*path, "link").omissions);
         }));
-        QVERIFY(made > 300.0 && omitted > 30.0); // of both there was something to judge
+        QVERIFY(made > 300.0 && omitted > 30.0); // both occurred often enough
     }
 
-    /// Without the stock nobody can tell, and nothing is left out.
+    /// Without the stock this cannot be determined, and nothing is left out.
     void withoutStockNothingIsWatched() {
         std::vector<Tick> ticks = along({{-8, 0, -12}, {8, 0, -12}}, 400.0);
         PathContext context = blockContext(stubbyTool(CutterType::flat));
@@ -166,8 +166,8 @@ private slots:
         QVERIFY(reportOf(*path, "link").omissions.empty());
     }
 
-    /// In a T-slot with a wall across it no motion leads past the wall: there the path ends, and the rest is left out;
-    /// what comes outside of the slot is made.
+    /// In a T-slot with a wall across it no motion passes the wall: the path ends there, and the rest is left out; the
+    /// part outside the slot is made.
     void whatNoMotionLeadsPastIsLeftOut() {
         QVERIFY(testing::holdsInShare("no move enters the part, and all that is missing is reported", [] {
             const double wallAt = 0.5 * *rc::gen::inRange(10, 20), thick = 0.5 * *rc::gen::inRange(1, 8);
@@ -196,7 +196,7 @@ private slots:
             });
             RC_ASSERT(nearest >= -1e-4);
             RC_ASSERT(secondLength > 15.5);
-            // It is made as far as the wall lets the disc come, and the rest is reported in whole.
+            // The path is made as far as the wall lets the disc go, and the rest is reported completely.
             const double wall = wallAt - slotRadius;
             RC_ASSERT(farthest <= wall + 1e-4);
             RC_ASSERT(farthest >= wall - 0.05);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double toolRadius = 3.0;
 
-/// A block with pockets; its faces are level, so that the mesh is the part. Its middle lies at the origin.
+/// A block with pockets; its faces are plane, so that the mesh is exact. Its centre is at the origin.
 TriangleMesh pocketBlock() {
     std::ifstream file(BURIN_FIXTURES "/models/pocket-test.stl");
     TriangleMesh mesh;
@@ -35,7 +35,8 @@ TriangleMesh pocketBlock() {
     return weldIdenticalVertices(mesh);
 }
 
-/// A fork with many fillets, tori and freeform faces, laid on its side; its mesh as near to it as the judge's at least.
+/// A fork with many fillets, tori and freeform faces, laid on its side; its mesh is at least as accurate as that used
+/// by the check.
 TriangleMesh legFork() {
     ImportOptions options;
     options.worker = BURIN_BUILD_DIRECTORY "/burin-import";
@@ -47,17 +48,17 @@ TriangleMesh legFork() {
     const glm::dvec3 middle = 0.5 * (model->box().low + model->box().high);
     for (glm::dvec3& vertex : mesh.vertices) {
         const glm::dvec3 at = vertex - middle;
-        vertex = {at.z, at.y, -at.x + 7.0}; // a turn about Y
+        vertex = {at.z, at.y, -at.x + 7.0}; // a rotation about Y
     }
     return mesh;
 }
 
-/// How far the cutting moves of a path keep from a part at least, up to 1 mm: where it is clear, no place is looked at
-/// nearer than that.
+/// Least clearance of a path's cutting moves from a part, up to 1 mm: where the tool is clear, points closer than the
+/// clearance are skipped.
 double leastClearance(const std::vector<PathPoint>& points, const PartOracle& oracle, double step) {
     double least = 1.0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        if (points[i].kind == MoveKind::rapid) continue; // from stroke to stroke, without links
+        if (points[i].kind == MoveKind::rapid) continue; // between strokes, without links
         glm::dvec3 last(1e9);
         double clear = 0.0;
         for (const glm::dvec3& place : placesOf(points[i - 1].pose.tip, points[i], step)) {
@@ -70,7 +71,7 @@ double leastClearance(const std::vector<PathPoint>& points, const PartOracle& or
     return least;
 }
 
-/// Edits of the recording and the surface, the last of which leaves nothing in the part; now and then arcs.
+/// Edits of the recording and the surface, the last of which keeps the path out of the part; sometimes arcs.
 std::vector<Edit> editsWithProjectionLast() {
     std::vector<Edit> edits = randomEdits(false);
     for (const Edit& edit : randomEdits(true)) edits.push_back(edit);
@@ -79,9 +80,9 @@ std::vector<Edit> editsWithProjectionLast() {
     return edits;
 }
 
-/// For use within a property. @return whether anything was left to judge
+/// For use within a property. @return whether there was anything to judge
 bool expectNoGouge(const PathContext& context, const PartOracle& oracle, const glm::dvec3& scale) {
-    Take take = randomTake(); // all over the part, in and out of it
+    Take take = randomTake(); // all over the part, inside and outside it
     for (Sample& sample : take.samples) sample.proxy.tip *= scale;
     const auto path = run({take}, editsWithProjectionLast(), context);
     if (!path && path.error().code == ErrorCode::pathEmpty) return false;
@@ -115,10 +116,10 @@ private slots:
         QVERIFY(testing::holdsInShare("with what holds out of the part last", [&] {
             judged += expectNoGouge(context, oracle, {2.5, 2.5, 1.6}) ? 1 : 0;
         }));
-        QVERIFY2(judged > testing::inLongRun(60, 18), qPrintable(QString::number(judged))); // of a hundred, or 30
+        QVERIFY2(judged > testing::inLongRun(60, 18), qPrintable(QString::number(judged))); // of a hundred, or of 30
     }
 
-    /// The part as the CAD file has it, its curved faces within 0.002 mm.
+    /// The part of the CAD file, its curved faces within 0.002 mm.
     void noRandomSequenceOfEditsGougesCurvedFaces() {
         const TriangleMesh mesh = legFork();
         QVERIFY(mesh.triangles.size() > 10000);

@@ -12,7 +12,7 @@ using namespace burin::test;
 
 namespace {
 
-constexpr double spindle = 6000.0, feed = 600.0, plunge = 200.0; // what the tables say
+constexpr double spindle = 6000.0, feed = 600.0, plunge = 200.0; // the values of the tables
 
 PathContext shop() {
     static const MeshDistance nothing{TriangleMesh{}};
@@ -80,7 +80,7 @@ private slots:
             Coolant advice;
             Coolants machine;
             SetFeed::Cooling wanted;
-            std::optional<Coolant> expected; ///< nothing: refused
+            std::optional<Coolant> expected; ///< empty: refused
         };
         using enum SetFeed::Cooling;
         for (const Row& row : {Row{"advice", Coolant::flood, floods, advised, Coolant::flood},

@@ -18,7 +18,7 @@ using namespace burin::test;
 
 namespace {
 
-/// From corner to corner at even speed, with a rest of half a second in the middle of each move.
+/// From corner to corner at constant speed, with a rest of half a second in the middle of each move.
 std::vector<Tick> withRests(const std::vector<glm::dvec3>& corners, double speed) {
     std::vector<Tick> ticks;
     for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -36,8 +36,8 @@ class TestSmoothShape : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Waves across a straight stroke keep 1 / (1 + (wavelength / w)^6) of their height, also where the hand trembles
-    /// as much along it.
+    /// Waves across a straight stroke keep 1 / (1 + (wavelength / w)^6) of their height, also with as much tremor along
+    /// it.
     void wavesKeepTheShareOfTheLaw_data() {
         QTest::addColumn<double>("wave");  // mm
         QTest::addColumn<double>("along"); // mm
@@ -58,7 +58,7 @@ private slots:
         QVERIFY(path);
         double square = 0.0, count = 0.0, mean = 0.0;
         for (const glm::dvec3& tip : tipsOf(path->path.points)) {
-            if (tip.x < 18.0 || tip.x > length - 18.0) continue; // ends know less
+            if (tip.x < 18.0 || tip.x > length - 18.0) continue; // at the ends the filter knows less
             square += tip.y * tip.y;
             mean += tip.y;
             count += 1.0;
@@ -100,7 +100,7 @@ private slots:
             const auto path = run({takeOf(circle(radius, speed, 4.0))}, {{SmoothShape{3.0, 0.2}}}, context());
             QVERIFY(path);
             const std::vector<glm::dvec3> tips = tipsOf(path->path.points);
-            double off = 0.0; // two wavelengths from the ends, where nothing is known of beyond
+            double off = 0.0; // two wavelengths from the ends, beyond which nothing is known
             const auto margin = static_cast<std::size_t>(6.0 / (0.001 * speed));
             for (std::size_t i = margin; i + margin < tips.size(); ++i) off = std::max(off, offCircle(tips[i], radius));
             qInfo() << "radius" << radius << "at" << speed << "mm/s:" << 1000.0 * off << "um";
@@ -123,7 +123,7 @@ private slots:
         }
     }
 
-    /// A stiff curve swings before and behind a corner, as far as its tube lets it: a wavy wall where the hand went
+    /// A stiff curve oscillates before and after a corner, as far as its tube permits: a wavy wall where the hand moved
     /// straight.
     void straightMovesStayStraight() {
         const std::vector<glm::dvec3> corners{{0, 0, 5},   {0, 0, -1},    {20, 0, -1}, {20, 15, -1},
@@ -139,10 +139,10 @@ private slots:
         QVERIFY(farthestFrom(corners, tips) <= 0.01 + 0.003);
     }
 
-    /// The tremor between corners goes all the same, and close to them.
+    /// The tremor between corners is removed nevertheless, also close to them.
     void tremorGoesBetweenCorners_data() {
         QTest::addColumn<double>("margin"); // mm from the corner
-        QTest::addColumn<double>("least");  // times that it comes down
+        QTest::addColumn<double>("least");  // reduction factor
         QTest::newRow("4 mm away") << 4.0 << 8.0;
         QTest::newRow("up to 0.5 mm") << 0.5 << 5.0;
     }
@@ -154,7 +154,7 @@ private slots:
             tremble(ticks, 0.03, seed);
             const auto path = run({takeOf(ticks)}, {{SmoothShape{3.0, 0.1}}}, context());
             QVERIFY(path);
-            const auto roughness = [margin](const std::vector<glm::dvec3>& tips) { // off the two lines
+            const auto roughness = [margin](const std::vector<glm::dvec3>& tips) { // distance from the two lines
                 double square = 0.0, count = 0.0;
                 for (const glm::dvec3& tip : tips) {
                     if (tip.x > 40.0 - margin && tip.y < margin) continue;
@@ -170,7 +170,7 @@ private slots:
         }
     }
 
-    /// Rows as short as the wavelength, as on small parts: the corners of a raster are no reason to keep the tremor.
+    /// Rows as short as the wavelength, as on small parts: the corners of a raster do not preserve the tremor.
     void shortRowsAreSmoothed() {
         for (unsigned seed = 1; seed <= 5; ++seed) {
             std::vector<glm::dvec3> corners;
@@ -180,7 +180,7 @@ private slots:
             tremble(ticks, 0.01, seed);
             const auto path = run({takeOf(ticks)}, {{SmoothShape{}}}, context());
             QVERIFY(path);
-            const auto roughness = [](const std::vector<glm::dvec3>& tips) { // off the rows, 1 mm from their ends
+            const auto roughness = [](const std::vector<glm::dvec3>& tips) { // distance from rows, 1 mm off their ends
                 double square = 0.0, count = 0.0;
                 for (const glm::dvec3& tip : tips) {
                     if (tip.x < 1.0 || tip.x > 4.0) continue;
@@ -196,7 +196,7 @@ private slots:
         }
     }
 
-    /// The same shape, whatever the hand's law of time: at even speed, and with stops.
+    /// The shape is the same, whatever the hand's timing: at constant speed, and with stops.
     void timeSaysNothingAboutTheShape() {
         const std::vector<glm::dvec3> corners{{0, 0, -1}, {12, 1, -1}, {20, 6, -1.5}, {24, 16, -1}};
         const auto even = run({takeOf(along(corners, 20.0))}, {{SmoothShape{3.0, 0.1}}}, context());
@@ -224,7 +224,7 @@ private slots:
                                       {RoundCorners{}}, {Smooth{}},   {SmoothSpline{}}, {Link{}}};
         QVERIFY(testing::holdsInShare("no back-step that the hand has not made", [&] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-            const bool corners = !inTime && *rc::gen::arbitrary<bool>(); // those that look at time swing around them
+            const bool corners = !inTime && *rc::gen::arbitrary<bool>(); // filters in time oscillate around corners
             const std::vector<Tick> ticks = corners ? corneredHand(random) : steadyHand(random);
             RC_PRE(backSteps(tipsOf(ticks)) == 0U);
             std::vector<Edit> list;

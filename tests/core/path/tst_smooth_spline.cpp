@@ -43,7 +43,7 @@ private slots:
     void circlesShrinkLessThanByALowPass_data() {
         QTest::addColumn<double>("radius");
         QTest::addColumn<double>("speed");
-        QTest::addColumn<double>("lowPass"); // mm, what forward and backward Butterworth of 5 Hz takes
+        QTest::addColumn<double>("lowPass"); // mm, removed by a forward and backward Butterworth filter of 5 Hz
         QTest::newRow("radius 5, 50 mm/s") << 5.0 << 50.0 << 0.051;
         QTest::newRow("radius 5, 20 mm/s") << 5.0 << 20.0 << 0.0013;
         QTest::newRow("radius 2, 20 mm/s") << 2.0 << 20.0 << 0.020;
@@ -55,7 +55,7 @@ private slots:
         const auto path = run({takeOf(circle(radius, speed, 4.0))}, {{SmoothSpline{5.0, 0.2}}}, context());
         QVERIFY(path);
         const std::vector<glm::dvec3> tips = tipsOf(path->path.points);
-        double most = 0.0, atEnds = 0.0; // two periods of the cut-off from the ends, where nothing is known of beyond
+        double most = 0.0, atEnds = 0.0; // two periods of the cut-off from the ends, beyond which nothing is known
         for (const glm::dvec3& tip : tips) atEnds = std::max(atEnds, offCircle(tip, radius));
         for (std::size_t i = 400; i + 400 < tips.size(); ++i) most = std::max(most, offCircle(tips[i], radius));
         qInfo() << 1000.0 * most << "um, at the ends" << 1000.0 * atEnds << "um, of" << 1000.0 * lowPass;
@@ -92,7 +92,7 @@ private slots:
             const auto path = run({takeOf(ticks)}, {{SmoothSpline{cutOff, tube}}}, context());
             RC_ASSERT(static_cast<bool>(path));
             RC_ASSERT(path->path.points.size() == ticks.size());
-            for (std::size_t i = 0; i < ticks.size(); ++i) // hence every place between, at the same share of the way
+            for (std::size_t i = 0; i < ticks.size(); ++i) // hence every point between, at the same share
                 RC_ASSERT(glm::distance(path->path.points[i].pose.tip, ticks[i].tip) <= tube + 1e-12);
         }));
     }

@@ -22,7 +22,8 @@ namespace {
 constexpr std::int64_t planned = -4; ///< the id of moves in these tests
 constexpr double depth = -2.0;
 
-/// Rows of a facing pass, 1 mm apart, a point each 2 mm; the moment of a point is 1000 times its row and its column.
+/// Rows of a facing pass, 1 mm apart, with a point every 2 mm; the moment of a point is 1000 times its row plus its
+/// column.
 GeneratedMoves facing() {
     GeneratedMoves moves;
     moves.info = {planned, firstSetup, "facing", "flat", 0.0, 0};
@@ -58,7 +59,7 @@ Result<EvaluatedPath> evaluated(const std::vector<Edit>& edits) {
     return evaluate("path", std::move(sources), edits, blockContext(flatTool(4.0)), progress);
 }
 
-/// The cutting places of a source in a path, by their moments.
+/// The cutting points of a source in a path, by their moments.
 std::map<std::int64_t, glm::dvec3> cutOf(const Path& path, std::int64_t source) {
     std::map<std::int64_t, glm::dvec3> places;
     for (const PathPoint& point : path.points)
@@ -72,7 +73,7 @@ class TestSources : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Before any edit a path goes just where its sources do, in their order.
+    /// Before any edit a path follows its sources exactly, in their order.
     void aPathOfBothGoesWhereBothGo() {
         const Result<EvaluatedPath> path = evaluated({});
         QVERIFY(path);
@@ -86,7 +87,7 @@ private slots:
         QVERIFY(places == placesOf(facing()));
     }
 
-    /// Linked, fed and levelled like a recording: every place stays, at its own moment; the tool never goes aside.
+    /// Linked and with feeds like a recording: every point stays, at its own moment; the tool never deviates sideways.
     void theStandardEditsLeaveAPlannersPlaces() {
         const Result<EvaluatedPath> path = evaluated({{DropAirCuts{}}, {DropDwells{}}, {Link{}}, {SetFeed{}}});
         QVERIFY(path);
@@ -100,7 +101,7 @@ private slots:
         }));
     }
 
-    /// What goes by the hand's time leaves moves alone that have none.
+    /// Edits that use the hand's timing do not affect moves without timing.
     void filtersInTimeAreForTheHand() {
         const Result<EvaluatedPath> path = evaluated({{DropDwells{.speed = 100.0}}, {Smooth{}}, {SmoothSpline{}}});
         QVERIFY2(path, path ? "" : path.error().detail.c_str());
@@ -110,7 +111,7 @@ private slots:
         QVERIFY(places == placesOf(facing()));
     }
 
-    /// A moment names a place of generated moves as a tick names one of a take; nothing else is meant by it.
+    /// A moment identifies a point of generated moves as a tick identifies one of a take, and nothing else.
     void editsNameAPlannersMoments() {
         Trim trim;
         trim.stretch = {planned, 1002, 3004};

@@ -28,8 +28,8 @@ std::vector<SpindleStretch> randomStretches() {
     return stretches;
 }
 
-/// The oracle: a spindle that comes to what it is told evenly, in `time` seconds from when it is told. Calls
-/// `look(stretch, speed)` a hundred times a stretch. Between cuts it has its time.
+/// The oracle: a spindle that approaches its commanded speed evenly, in `time` seconds from the command. Calls
+/// `look(stretch, speed)` a hundred times per stretch. Between cuts it has enough time.
 template <class Look>
 void turn(const std::vector<SpindleStretch>& stretches, const std::vector<double>& told, double time, Look look) {
     double speed = 0.0, from = 0.0, to = 0.0, since = 0.0;
@@ -51,12 +51,12 @@ void turn(const std::vector<SpindleStretch>& stretches, const std::vector<double
 
 } // namespace
 
-/// When a spindle is told to change its speed in a cut.
+/// The moments at which a spindle is commanded to change its speed during a cut.
 class TestSpindleSchedule : public QObject {
     Q_OBJECT
 private slots:
-    /// However quick the spindle is, it is never faster than what is cut allows, and never slower than the feed counts
-    /// on: chips are no thicker than wanted.
+    /// However quick the spindle is, it is never faster than the material permits, and never slower than the feed
+    /// assumes: chips are no thicker than requested.
     void noMaterialIsCutTooFastAndNoChipIsTooThick() {
         QVERIFY(rc::check([] {
             const std::vector<SpindleStretch> stretches = randomStretches();
@@ -87,17 +87,17 @@ private slots:
         }));
     }
 
-    /// 10 s in wood, 10 s in steel, 10 s in wood, half a second a stretch.
+    /// 10 s in wood, 10 s in steel, 10 s in wood, half a second per stretch.
     void theSpeedIsThatOfTheMaterial() {
         std::vector<SpindleStretch> stretches;
         for (int i = 0; i < 60; ++i) stretches.push_back({i / 20 == 1 ? 3000.0 : 18000.0, 0.5, i > 0});
         const SpindleSpeeds speeds = spindleSchedule(stretches, startTime);
         for (int i = 0; i < 60; ++i) {
-            // Told down 3 s before the steel; the feed goes up 3 s behind it.
+            // The lower speed is commanded 3 s before the steel; the feed is raised 3 s after it.
             QCOMPARE(speeds.told[static_cast<std::size_t>(i)], i >= 14 && i < 40 ? 3000.0 : 18000.0);
             QCOMPARE(speeds.sureOf[static_cast<std::size_t>(i)], i >= 14 && i < 46 ? 3000.0 : 18000.0);
         }
-        // A rib of wood of 2 s in the steel is not worth it.
+        // A rib of wood of 2 s in the steel does not justify a change.
         for (int i = 28; i < 32; ++i) stretches[static_cast<std::size_t>(i)].fastest = 18000.0;
         QVERIFY(spindleSchedule(stretches, startTime).told == speeds.told);
     }

@@ -16,14 +16,14 @@ namespace {
 
 constexpr double toolRadius = 3.0;
 
-/// A dome that rises out of a plate. Its mesh lies within 0.002 mm of it.
+/// A dome that rises out of a plate. Its mesh deviates by at most 0.002 mm.
 const Box plate{{-18, -18, -6}, {18, 18, 0}};
 constexpr double domeRadius = 12.0;
 const glm::dvec3 domeCentre(2.0, 1.0, -4.0);
 
 TriangleMesh domeMesh() {
     TriangleMesh mesh = boxMesh(plate);
-    append(mesh, sphereMesh(domeCentre, domeRadius, 90)); // chord 0.0018 mm between rings, as much between columns
+    append(mesh, sphereMesh(domeCentre, domeRadius, 90)); // chord error 0.0018 mm between rings and between columns
     return mesh;
 }
 
@@ -34,7 +34,7 @@ double boxDistance(const Box& box, const glm::dvec3& point) {
     return -std::min({inside.x, inside.y, inside.z});
 }
 
-/// Clearance of the ball and its shaft, as wide as it, from the true dome and plate, by formulas.
+/// Clearance of the ball and its equally wide shank from the true dome and plate, by formulas.
 double clearanceOf(const glm::dvec3& tip) {
     const glm::dvec3 centre = tip + glm::dvec3(0, 0, toolRadius);
     const glm::dvec3 besideDome(tip.x, tip.y, std::max(centre.z, domeCentre.z));
@@ -93,7 +93,7 @@ private slots:
     }
 
     void theNearestWayLeadsToThePartToo() {
-        std::vector<Tick> ticks; // a ring about the dome, some of it inside, some outside
+        std::vector<Tick> ticks; // a ring about the dome, partly inside, partly outside
         for (int i = 0; i <= 600; ++i) {
             const double angle = 0.004 * i, reach = 11.0 + 1.5 * std::sin(5.0 * angle);
             ticks.push_back({domeCentre + glm::dvec3(reach * std::cos(angle), reach * std::sin(angle), 6.0)});
@@ -132,7 +132,7 @@ private slots:
         for (glm::dvec3& corner : flat) corner.z = 0.0;
         for (const double distance : {1.0, -1.0, 4.0, -0.3}) {
             const auto path = run({takeOf(along(corners, 100.0))}, {{Offset{{}, distance}}}, context);
-            if (!path) { // inside the slot there is no room
+            if (!path) { // there is no room inside the slot
                 QVERIFY(path.error().code == ErrorCode::pathEmpty && distance >= 1.0 && corners.size() == 4);
                 continue;
             }
@@ -145,7 +145,7 @@ private slots:
                 }
             }
             const glm::dvec3 start = path->path.points.front().pose.tip;
-            QVERIFY(glm::distance(start, corners[0] + glm::dvec3(0, distance, 0)) < 1e-6); // all set off along X
+            QVERIFY(glm::distance(start, corners[0] + glm::dvec3(0, distance, 0)) < 1e-6); // all begin along X
         }
     }
 
@@ -221,7 +221,7 @@ private:
     static void expectNoGouge(const EvaluatedPath& path) {
         for (std::size_t i = 1; i < path.path.points.size(); ++i) {
             const PathPoint& point = path.path.points[i];
-            if (point.kind == MoveKind::rapid && point.source != 0) continue; // from stroke to stroke, without links
+            if (point.kind == MoveKind::rapid && point.source != 0) continue; // between strokes, without links
             for (const glm::dvec3& place : placesOf(path.path.points[i - 1].pose.tip, point, 0.05))
                 RC_ASSERT(clearanceOf(place) >= -0.01);
         }

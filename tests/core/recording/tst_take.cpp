@@ -16,7 +16,7 @@ namespace burin::tst_take {
 
 namespace {
 
-/// A tool that moves 1 mm along x each 2 ms tick, cuts two materials and rests on the part in the end.
+/// A tool that moves 1 mm along x per 2 ms tick, cuts two materials and rests on the part in the end.
 std::vector<Sample> samples() {
     std::vector<Sample> list(4);
     for (std::size_t i = 0; i < list.size(); ++i) {
@@ -37,7 +37,7 @@ std::vector<Sample> samples() {
     return list;
 }
 
-/// Samples in parts of a few, as a project gives them.
+/// Samples in parts of a few, as a project provides them.
 SampleSource sourceOf(std::vector<Sample> samples, std::size_t part = 3000) {
     return [samples = std::move(samples), part](const SampleVisitor& visit) -> Result<void> {
         for (std::span<const Sample> rest(samples); !rest.empty(); rest = rest.subspan(std::min(part, rest.size())))
@@ -85,12 +85,12 @@ void TakeTest::valuesStandUnderTheirNames() {
     QCOMPARE(value(3, "reported_removal_mm3"), QByteArray("0.25"));
     QCOMPARE(value(4, "flags"), QByteArray("6"));
     QCOMPARE(value(2, "removed_units_aluminium-6061"), QByteArray("7"));
-    QCOMPARE(value(2, "removed_units_property_3"), QByteArray("100")); // a material that nobody named
+    QCOMPARE(value(2, "removed_units_property_3"), QByteArray("100")); // a material without a name
     QCOMPARE(value(3, "removed_units_aluminium-6061"), QByteArray("0"));
 }
 
 void TakeTest::longTakesAreWrittenWhole() {
-    std::vector<Sample> list(30000); // several pieces
+    std::vector<Sample> list(30000); // several parts
     for (std::size_t i = 0; i < list.size(); ++i) list[i].tick = i;
     const QTemporaryDir folder;
     const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "take.csv";
@@ -121,7 +121,7 @@ void TakeTest::aTraceOfATakeIsWhatTheStylusDid() {
     QCOMPARE(*readFile(file), formatTrace(traceOf(list)));
     const auto read = readTrace(file);
     QVERIFY(read);
-    QCOMPARE(read->readings.size(), std::size_t{3}); // one was none
+    QCOMPARE(read->readings.size(), std::size_t{3}); // one was invalid
     QVERIFY(read->readings[2].pose.position == list[3].device.position);
 }
 

@@ -22,7 +22,7 @@ const std::string ticks = std::string(tickTraceMark) + "\n" + std::string(tickTr
 const std::string good = "0.001,1.5,-2,3e-3,1,0,0,0,0\n";
 
 double randomDouble(std::mt19937_64& generator) {
-    for (;;) { // any bits that are a finite number
+    for (;;) { // any bit pattern that is a finite number
         const std::uint64_t bits = generator();
         double value = 0.0;
         std::memcpy(&value, &bits, sizeof value);
@@ -54,7 +54,8 @@ private slots:
     void theFirstVersionIsReadAsEver();
 };
 
-/// Valid or not, whatever their times; what is not a number is not valid, and what is no period stays none.
+/// Valid or not, whatever their times; a value that is not a number makes a reading invalid, and a missing period stays
+/// missing.
 void TraceFileTest::ticksComeBackWithTheirPeriods() {
     QVERIFY(rc::check([](std::uint64_t seed) {
         std::mt19937_64 generator(seed);
@@ -109,7 +110,7 @@ void TraceFileTest::ticksThatAreWrongAreNamed() {
     QCOMPARE(read.error().place, std::string("line 4"));
 }
 
-/// Lines behind the mark are kept as they are, with the reading that they come before.
+/// Lines after the mark are kept unchanged, with the reading that they precede.
 void TraceFileTest::whatWasToldStandsBetweenTheReadings() {
     const std::string reading = "0,1,2,3,1,0,0,0,0,0.001,1,0\n";
     const auto read = parseTrace(ticks + "!{\"a\": 1}\n" + reading + "!b\n!\n" + reading + reading + "!c\r\n", "trace");
@@ -125,10 +126,10 @@ void TraceFileTest::whatWasToldStandsBetweenTheReadings() {
         QCOMPARE(read->changes[i].line, wanted[i].line);
         QCOMPARE(read->changes[i].text, std::string(wanted[i].text));
     }
-    QVERIFY(!parseTrace(header + "!c\n" + good, "trace")); // only a trace of ticks has them
+    QVERIFY(!parseTrace(header + "!c\n" + good, "trace")); // only a trace of ticks contains them
 }
 
-/// The format of before: no mark, no heat, nothing between the readings.
+/// The previous format: no mark, no heat, nothing between the readings.
 void TraceFileTest::theFirstVersionIsReadAsEver() {
     const std::string text = "time_s,x_mm,y_mm,z_mm,qw,qx,qy,qz,buttons,period_s,valid\n0.5,1,2,3,1,0,0,0,7,0.001,1\n0,"
                              "0,0,0,1,0,0,0,0,-1,0\n";
@@ -297,7 +298,7 @@ void TraceFileTest::leavesOutReadingsThatAreNotValid() {
 
 namespace {
 
-/// Everything that a playback gives from where it is.
+/// All the remaining states of a playback.
 std::vector<StylusState> rest(TracePlayback& playback) {
     std::vector<StylusState> states;
     for (StylusState state; playback.next(state);) states.push_back(state);
@@ -312,7 +313,8 @@ std::filesystem::path written(const QTemporaryDir& folder, const std::string& te
 
 } // namespace
 
-/// More readings than are kept in memory, and lines that end within and at the parts in which the file is read.
+/// More readings than are kept in memory, and lines that end within and at the ends of the parts in which the file is
+/// read.
 void TraceFileTest::aFileIsPlayedAsItIsRead() {
     const std::string line = "0.001,0.1,0.30000000000000004,-12.5,1,0,0,0,0,0.001,1,0";
     std::string text = std::string(tickTraceMark) + "\n" + std::string(tickTraceHeader) + "\n!{\"first\": 1}\n";
@@ -324,7 +326,7 @@ void TraceFileTest::aFileIsPlayedAsItIsRead() {
             ++lines;
         }
     }
-    text.pop_back(); // the last line need not end
+    text.pop_back(); // the last line may lack its line end
     const auto whole = parseTrace(text, "whole");
     QVERIFY(whole);
     const QTemporaryDir folder;
@@ -341,7 +343,7 @@ void TraceFileTest::aFileIsPlayedAsItIsRead() {
     for (int again = 0; again < 2; ++again) {
         QVERIFY(opened->readings->rewind());
         StylusState first;
-        QVERIFY(opened->readings->next(first)); // what was begun may be begun anew
+        QVERIFY(opened->readings->next(first)); // a playback can be restarted
         QVERIFY(opened->readings->rewind());
         QCOMPARE(formatTrace(rest(*opened->readings)), formatTrace(whole->readings));
         QVERIFY(opened->readings->outcome());
@@ -365,7 +367,7 @@ void TraceFileTest::aFileWithAFaultIsNotPlayed() {
     QCOMPARE(openTrace("/nowhere/trace.csv").error().code, ErrorCode::fileNotFound);
 }
 
-/// Who plays it must hear that it was not all.
+/// The player must be informed that the trace was incomplete.
 void TraceFileTest::aFileThatShrinksWhileItIsPlayedIsTold() {
     std::string text = std::string(traceHeader) + "\n";
     for (int i = 0; i < 100; ++i) text += std::to_string(i) + ",0,0,0,1,0,0,0,0\n";

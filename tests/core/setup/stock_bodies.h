@@ -16,7 +16,7 @@ inline Body bodyOf(const std::string& name, TriangleMesh mesh) {
     body.name = name;
     body.box = boundingBox(mesh);
     body.volume = signedVolume(mesh);
-    body.area = 6.0 * body.box.size().x * body.box.size().y; // of its order
+    body.area = 6.0 * body.box.size().x * body.box.size().y; // of the right order of magnitude
     body.mesh = std::move(mesh);
     return body;
 }
@@ -36,7 +36,7 @@ inline Property materialOf(const std::string& id, double energy, double weight) 
     return material;
 }
 
-/// A metal, a wood, a foam, and one that nobody measured.
+/// A metal, a wood, a foam, and an unmeasured material.
 inline std::vector<Property> fourMaterials() {
     std::vector<Property> materials{materialOf("metal", 1.0, 2.7), materialOf("brass", 0.8, 8.5),
                                     materialOf("beech", 0.1, 0.7), materialOf("foam", 0.02, 0.1)};
@@ -61,7 +61,7 @@ inline Result<EmbeddedSetup> embedded(const Model& model, const Setup& asked) {
     return embed(model, *setup, fourMaterials(), progress);
 }
 
-/// Id of what a place lies in; "" for air. The place's scanline is the one whose centre is nearest.
+/// Id of the material at a point; "" for air. The scanline used is the one whose centre is nearest.
 inline std::string materialAt(const RunVolume& volume, const glm::dvec3& place) {
     const Grid& grid = volume.grid();
     const auto line = [&](int axis) {
@@ -76,7 +76,7 @@ inline std::string materialAt(const RunVolume& volume, const glm::dvec3& place) 
     return {};
 }
 
-/// mm³ of one entry; 0 where there is none of that id.
+/// mm³ of one entry; 0 if there is none with that id.
 inline double volumeOf(const RunVolume& volume, const std::string& id) {
     for (int i = 1; i < volume.properties().size(); ++i)
         if (const auto index = static_cast<PropertyIndex>(i); volume.properties()[index].id == id)

@@ -150,7 +150,7 @@ private slots:
             QCOMPARE(finding.body, std::string("Torn"));
             QCOMPARE(finding.openEdges, std::size_t{4});
             QCOMPARE(finding.rims, std::size_t{1});
-            // Lines along x and y pass the opening by.
+            // Lines along x and y miss the opening.
             QVERIFY(finding.kind ==
                     (axis == RunAxis::z ? EmbeddingFinding::Kind::openSurface : EmbeddingFinding::Kind::unseenOpening));
             if (axis != RunAxis::z) continue;
@@ -159,7 +159,7 @@ private slots:
         }
     }
 
-    /// Each kind of trouble, in a body of its own, is told once, of that body and no other.
+    /// Each kind of fault, in a body of its own, is reported once, for that body and no other.
     void everyDoubtIsTold() {
         using Kind = EmbeddingFinding::Kind;
         TriangleMesh slit = boxMesh({0, 0, 0}, {4, 4, 4}); // open between two scanlines, 1.5 and 2.5 mm
@@ -197,7 +197,7 @@ private slots:
             const auto embedded = embedIn(part, setup);
             QVERIFY(embedded);
             QVERIFY(embedded->workpiece.grid().axis() == axis);
-            // Across the runs a face lies on the voxel face that is nearest to it: 7.25 mm from 2.25 mm are 4.5 to 19
+            // Perpendicular to the runs a face is moved to the nearest voxel face: 7.25 mm from 2.25 mm are 4.5 to 19
             // voxels, whose lower end is a tie.
             QVERIFY(std::abs(embedded->partVolume - 20 * 10 * 7.25) <= 20 * 10 * 0.25);
             QVERIFY(std::abs(embedded->partVolume + embedded->stockVolume - 24.5 * 14.5 * 11.75) <= 24.5 * 14.5 * 0.25);
@@ -259,7 +259,7 @@ private slots:
         QVERIFY(!embedded && embedded.error().code == ErrorCode::cancelled);
     }
 
-    /// As embedding anew would make it, but with what was cut so far.
+    /// The same as embedding again, but with the cuts made so far.
     void anotherMaterialKeepsTheWorkpiece() {
         const Model part = model({body("block", boxMesh({0, 0, 0}, {10, 8, 6}))});
         Setup wax = withVoxel(0.5, 2.0);

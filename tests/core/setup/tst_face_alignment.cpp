@@ -33,7 +33,7 @@ private slots:
         }));
     }
 
-    /// An axis has two ends: it lies along the direction after the shorter of the two turns.
+    /// An axis has two ends: it is aligned with the direction by the smaller of the two rotations.
     void anAxisLiesAlongItByTheShorterTurn() {
         QVERIFY(rc::check("axes", [] {
             const PartFace face{PartFace::Kind::round, {}, someDirection()};

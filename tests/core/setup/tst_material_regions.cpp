@@ -47,7 +47,7 @@ Setup stockOf(std::vector<MaterialRegion> regions, RunAxis runs = RunAxis::z) {
     return setup;
 }
 
-/// The specific cutting energy of what a place lies in.
+/// The specific cutting energy of the material at a point.
 double energyAt(const RunVolume& volume, const glm::dvec3& place) {
     const std::string id = materialAt(volume, place);
     for (int i = 1; i < volume.properties().size(); ++i)
@@ -86,7 +86,7 @@ private slots:
         const auto made = embedded(block(), setup);
         QVERIFY(made);
         const RunVolume& workpiece = made->workpiece;
-        QCOMPARE(volumeOf(workpiece, "foam"), 2.5 * 16.0 * 12.0); // the later one has the place
+        QCOMPARE(volumeOf(workpiece, "foam"), 2.5 * 16.0 * 12.0); // the later region takes precedence
         QCOMPARE(volumeOf(workpiece, "beech"), 17.5 * 16.0 * 6.0 - 10.0 * 8.0 * 4.0);
         QCOMPARE(volumeOf(workpiece, "metal"), 17.5 * 16.0 * 6.0);
         QCOMPARE(volumeOf(workpiece, "metal (Block)"), 320.0);
@@ -94,7 +94,7 @@ private slots:
         QCOMPARE(made->stockVolume, 20.0 * 16.0 * 12.0 - 320.0);
     }
 
-    /// Along the runs a plane is kept to 1/256 voxel.
+    /// Along the runs a plane is exact to 1/256 voxel.
     void aPlaneWithinAVoxelIsKept() {
         const auto made = embedded(block(), stockOf({layer("Top", "beech", 2, 9.3, 1e9)}));
         QVERIFY(made);
@@ -196,7 +196,7 @@ private slots:
         QVERIFY(refused.error().detail.find("Z4 mm") != std::string::npos);
     }
 
-    /// 8 machinable materials are what a recorded sample has room for.
+    /// A recorded sample has room for 8 machinable materials.
     void tooManyMaterialsAreRefused() {
         std::vector<MaterialRegion> regions;
         for (int i = 0; i < 8; ++i)

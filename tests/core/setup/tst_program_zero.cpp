@@ -72,7 +72,7 @@ private slots:
         QCOMPARE(placed({54, ZeroReference::point, {}, {0.0, none, 0.0}}).error().code, ErrorCode::stockInvalid);
     }
 
-    /// A vertex that was picked is one of the part: it goes along. What stands on a box is found on the new one.
+    /// A picked vertex belongs to the part and moves with it. A point on a box is determined again on the new one.
     void aPointGoesWithThePart() {
         const Placement turn = turnedAbout({0.0, 0.0, 1.0}, 0.5 * M_PI, {0.0, 0.0, 0.0});
         const ProgramZero point{59, ZeroReference::point, {}, {10.0, 20.0, 30.0}};

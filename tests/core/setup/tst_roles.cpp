@@ -19,7 +19,7 @@ namespace {
 
 constexpr double blockSide = 20.0;
 
-/// A block in the middle of everything, and four bodies in or beside it.
+/// A block in the middle, and four bodies in it or next to it.
 Model workholding() {
     return modelOf(
         {bodyOf("Block", boxMesh({0, 0, 0}, {20, 20, 10})), bodyOf("Bush", boxMesh({24, 8, 0}, {28, 12, 10})),
@@ -34,7 +34,7 @@ Setup workheld() {
     return setup;
 }
 
-/// Whether a point lies in a cylinder, by its definition; nothing so near to its surface that rounding decides.
+/// Whether a point is in a cylinder, by definition; empty if it is so near to its surface that rounding decides.
 std::optional<bool> liesIn(const CylinderShape& cylinder, const glm::dvec3& point, double skin) {
     const glm::dvec3 way = point - cylinder.base;
     const double along = glm::dot(way, cylinder.axis);
@@ -57,7 +57,7 @@ private slots:
         QVERIFY(!stockFormFromId("sphere"));
     }
 
-    /// The stock is laid around part and inserts; what only stands there is not embedded.
+    /// The stock encloses part and inserts; fixtures are not embedded.
     void eachRoleIsWhatItSays() {
         const Model model = workholding();
         const Result<Setup> setup = placeStock(model, workheld());
@@ -106,7 +106,7 @@ private slots:
         QVERIFY(placeStock(workholding(), setup));
     }
 
-    /// Figure 13b of the paper: a block, a tool and nothing that pushes back.
+    /// Figure 13b of the paper: a block, a tool and no part that limits it.
     void freeCarvingNeedsNoModel() {
         Setup setup = setupOf(0.5, 5.0);
         setup.freeCarving = true;
@@ -144,7 +144,7 @@ private slots:
         const auto refused = embedded(workholding(), setup);
         QVERIFY(!refused && refused.error().code == ErrorCode::resourceInvalid);
         QCOMPARE(refused.error().subject, std::string("unmeasured"));
-        setup.bodyMaterials = {"unmeasured", "brass", "unmeasured", "", ""}; // what is protected is never felt
+        setup.bodyMaterials = {"unmeasured", "brass", "unmeasured", "", ""}; // protected materials are never felt
         QVERIFY(embedded(workholding(), setup));
     }
 
@@ -179,7 +179,7 @@ private slots:
         RunVolume volume = *RunVolume::make(grid, list);
         QVERIFY(fillCylinder(volume, cylinder, metal));
         const double exact = pi * 81.0 * 25.0;
-        // 36 scanlines to the radius: whole lines along the axis make the circle as coarse as that.
+        // 36 scanlines per radius: whole lines along the axis limit the accuracy of the circle to that.
         QVERIFY2(std::abs(volumeOf(volume, "metal") - exact) < 0.004 * exact,
                  qPrintable(QString::number(volumeOf(volume, "metal") / exact)));
         std::mt19937 random(7);
@@ -199,7 +199,7 @@ private slots:
         QVERIFY(judged > 18'000);
     }
 
-    /// A round bar around a square part reaches to its corners and no farther.
+    /// A round bar around a square part extends to its corners and no farther.
     void aCylinderIsLaidAroundThePart() {
         const Model model = modelOf({bodyOf("Block", boxMesh({0, 0, 0}, {blockSide, blockSide, 10}))});
         Setup setup = setupOf(0.5, 2.0);
@@ -220,7 +220,7 @@ private slots:
         Setup setup = setupOf(0.5, 2.0);
         setup.form = StockForm::cylinder;
         setup.stated = true;
-        setup.cylinder = {{10, 10, -1}, {0, 0, 1}, 13.0, 12.0}; // its box holds the part, its corners don't fit
+        setup.cylinder = {{10, 10, -1}, {0, 0, 1}, 13.0, 12.0}; // its box contains the part, but the corners do not fit
         const auto refused = embedded(model, setup);
         QVERIFY(!refused);
         QCOMPARE(refused.error().code, ErrorCode::partOutsideStock);

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <vector>
 
-/// One cutter of every type, with the radius of its flutes over the height written straight from its drawing.
+/// One cutter of every type, with the radius of its flutes as a function of the height, derived directly from its
+/// drawing.
 namespace burin::cutters {
 
 inline Cutter make(CutterType type, double diameter, double corner, double fluteLength) {
@@ -24,7 +25,7 @@ inline Cutter flat() {
 inline Cutter bullNose() {
     return make(CutterType::bullNose, 6.0, 1.0, 12.0);
 }
-inline Cutter taper() { // rounded by 0.5, 10° a side, the cone ends at about 8.9
+inline Cutter taper() { // rounded by 0.5, 10° per side, the cone ends at about 8.9
     Cutter cutter = make(CutterType::taper, 6.0, 0.5, 12.0);
     cutter.tipDiameter = 3.0;
     cutter.taperAngle = 10.0 * pi / 180.0;
@@ -49,12 +50,12 @@ inline Cutter chamfer() {
 inline Cutter lollipop() {
     return make(CutterType::lollipop, 6.0, 3.0, 5.4);
 }
-/// A cutter for a rail: a flat, a bead, a hollow, a shoulder, a cylinder.
+/// A cutter for a rail: a flat, a convex and a concave arc, a shoulder, a cylinder.
 inline Cutter profile() {
     Cutter cutter = make(CutterType::profile, 10.0, 0.0, 9.0);
     cutter.profile = {{1.0, 0.0},            // flat tip
-                      {2.0, 1.0, 1.0},       // bead: quarter of a circle about (1, 1)
-                      {4.0, 3.0, 2.0, true}, // hollow: quarter of a circle about (4, 1)
+                      {2.0, 1.0, 1.0},       // convex: quarter of a circle about (1, 1)
+                      {4.0, 3.0, 2.0, true}, // concave: quarter of a circle about (4, 1)
                       {5.0, 3.0},
                       {5.0, 9.0}}; // shoulder and cylinder
     return cutter;
@@ -76,7 +77,7 @@ inline std::vector<Named> all() {
             {"profile", profile()}};
 }
 
-/// Radius of the flutes at a height, from the drawing. At a shoulder: of the wider side.
+/// Radius of the flutes at a height, from the drawing. At a shoulder the larger radius.
 inline double drawnRadius(const Cutter& cutter, double height) {
     const double widest = 0.5 * cutter.diameter, corner = cutter.cornerRadius;
     const auto circle = [](double radius, double up) { return std::sqrt(std::max(0.0, radius * radius - up * up)); };
@@ -87,7 +88,7 @@ inline double drawnRadius(const Cutter& cutter, double height) {
     case CutterType::bullNose:
         return height >= corner ? widest : widest - corner + circle(corner, height - corner);
     case CutterType::taper: {
-        // The rounding lies where a disc of its radius rests in the corner of level and cone.
+        // The rounding is where a disc of its radius touches both the level line and the cone.
         const double ring = 0.5 * cutter.tipDiameter - corner * std::tan(0.5 * (0.5 * pi - cutter.taperAngle));
         const double touch = corner - corner * std::sin(cutter.taperAngle);
         if (height < touch) return ring + circle(corner, height - corner);
@@ -104,7 +105,7 @@ inline double drawnRadius(const Cutter& cutter, double height) {
         return std::min(widest, 0.5 * cutter.tipDiameter + height * slope);
     case CutterType::lollipop:
         return circle(widest, height - widest);
-    case CutterType::profile: // the one above
+    case CutterType::profile: // as in profile() above
         if (height < 1.0) return 1.0 + circle(1.0, height - 1.0);
         if (height < 3.0) return 4.0 - circle(2.0, height - 1.0);
         return 5.0;

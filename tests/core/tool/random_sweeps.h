@@ -16,7 +16,7 @@ inline double real(double low, double high) {
     return low + (high - low) * *rc::gen::inRange(0, 1000001) / 1e6;
 }
 
-/// Ball, flat, bull nose, frusta; all that move upright in closed form.
+/// Ball, flat, bull nose, frusta; all pieces that have a closed form for upright moves.
 inline RevolvedPiece straightPiece() {
     const double bottom = real(-2.0, 2.0), radius = real(0.2, 4.0), other = real(0.2, 4.0);
     const double top = bottom + real(4.0, 9.0);
@@ -34,7 +34,7 @@ inline RevolvedPiece straightPiece() {
     }
 }
 
-/// Zone of a sphere, or of a torus whose ring lies outside the axis or beyond it.
+/// Zone of a sphere, or of a torus whose ring is at a positive radius or beyond the axis.
 inline RevolvedPiece roundPiece() {
     const double radius = real(0.5, 5.0), height = real(-3.0, 8.0);
     const double ring = *rc::gen::element(0.0, 1.0, -1.0) * real(0.05, 0.9) * radius;
@@ -46,7 +46,7 @@ inline RevolvedPiece roundPiece() {
                         height, radius);
 }
 
-/// Also tips of cones, which have a point.
+/// Also cone tips, which end in a point.
 inline RevolvedPiece anyPiece() {
     switch (*rc::gen::inRange(0, 8)) {
     case 0:
@@ -82,7 +82,7 @@ inline glm::dvec3 move() {
     }
 }
 
-/// Any, and those along the frame's axes or nearly so.
+/// Any direction, and directions parallel or nearly parallel to the frame's axes.
 inline glm::dvec3 axis() {
     const glm::dvec3 any(real(-1.0, 1.0), real(-1.0, 1.0), real(-1.0, 1.0));
     const glm::dvec3 level(any.x, any.y, 0.0);
@@ -103,7 +103,7 @@ inline glm::dvec3 axis() {
     }
 }
 
-/// Along the axis, across it or any: where outlines of a moved piece are of a different kind.
+/// Parallel to the axis, perpendicular to it or any: the kinds of outlines of a moved piece differ.
 inline glm::dvec3 moveFor(const glm::dvec3& axis) {
     const glm::dvec3 any = move();
     switch (*rc::gen::inRange(0, 4)) {

@@ -30,11 +30,11 @@ Tool toolOf(const Cutter& cutter) {
 
 } // namespace
 
-/// Values of a cutter that follow its type.
+/// Values of a cutter that depend on its type.
 class TestCutterShape : public QObject {
     Q_OBJECT
 private slots:
-    /// Whatever was entered for one type, and whichever comes next: a valid tool.
+    /// Whatever was entered for one type, and whichever comes next, the tool is valid.
     void everyTypeFollowsEveryOther() {
         QVERIFY(rc::check([] {
             Cutter cutter;
@@ -59,7 +59,7 @@ private slots:
         }));
     }
 
-    /// What fits stays: every shipped tool is as it is.
+    /// Values that fit are kept: every shipped tool is unchanged.
     void shippedToolsStay() {
         QVERIFY(toolIds().size() >= 60);
         for (const std::string& id : toolIds()) {
@@ -71,7 +71,7 @@ private slots:
         }
     }
 
-    /// Of so many ids those are named that may have been meant.
+    /// Of so many ids only similar ones are suggested.
     void anUnknownToolNamesThoseLikeIt() {
         const Result<Tool> none = loadTool("flat-4.0");
         QVERIFY(!none);

@@ -22,7 +22,7 @@ Tool toolWith(Cutter cutter) {
     return tool;
 }
 
-/// Largest radius of the pieces at a height; nothing where no piece is.
+/// Largest radius of the pieces at a height; empty where there is no piece.
 double piecesRadius(const std::vector<RevolvedPiece>& pieces, double height) {
     double radius = -1.0;
     for (const RevolvedPiece& piece : pieces)
@@ -40,15 +40,15 @@ Cutter cutterOf(int index) {
     return cutters::all()[static_cast<std::size_t>(index)].cutter;
 }
 
-/// An element of a profile by what it is drawn from; places are (radius, height), mm.
+/// An element of a profile with its construction data; points are (radius, height), mm.
 struct Drawn {
     glm::dvec2 from{0.0}, to{0.0};
-    double arcRadius = 0.0; ///< 0: a line; negative: hollow
+    double arcRadius = 0.0; ///< 0: a line; negative: concave
     glm::dvec2 centre{0.0}; ///< of an arc
 
     bool hollow() const { return arcRadius < 0.0; }
     bool isFace() const { return arcRadius == 0.0 && from.y == to.y; }
-    /// How far a place stands outside of the element, away from the axis; negative: within the tool.
+    /// Distance of a point beyond the element, away from the axis; negative: within the tool.
     double beyond(const glm::dvec2& place) const {
         if (arcRadius != 0.0) {
             const double out = glm::distance(place, centre) - std::abs(arcRadius);
@@ -57,17 +57,17 @@ struct Drawn {
         const glm::dvec2 along = glm::normalize(to - from);
         return glm::dot(place - from, glm::dvec2(along.y, -along.x));
     }
-    glm::dvec2 at(double angle) const { // of an arc: 0 where it is upright
+    glm::dvec2 at(double angle) const { // of an arc: 0 where it is vertical
         return centre + glm::dvec2(arcRadius * std::cos(angle), std::abs(arcRadius) * std::sin(angle));
     }
 };
 
-/// A random element that goes on from a place, or nothing where the throw falls across the axis.
+/// A random element that continues from a point, or empty if it would cross the axis.
 std::optional<Drawn> anyElement(const glm::dvec2& from) {
     Drawn element;
     element.from = from;
-    const int kind = *rc::gen::inRange(0, 6); // hollow ones often fall across the axis
-    if (kind < 2) {                           // a line, now and then level
+    const int kind = *rc::gen::inRange(0, 6); // concave ones often cross the axis
+    if (kind < 2) {                           // a line, sometimes level
         element.to = {random::real(0.0, 8.0), from.y + (kind == 0 ? random::real(0.01, 4.0) : 0.0)};
         if (std::abs(element.to.x - from.x) < 0.01 && kind == 1) return std::nullopt;
         return element;
@@ -103,7 +103,7 @@ Cutter cutterOf(const std::vector<Drawn>& drawing) {
     double widest = 0.0;
     for (const Drawn& element : drawing) {
         widest = std::max({widest, element.from.x, element.to.x});
-        // A bulging arc that passes its equator is widest there.
+        // A convex arc that passes its equator is widest there.
         if (element.arcRadius > 0.0 && element.from.y < element.centre.y && element.centre.y < element.to.y)
             widest = std::max(widest, element.centre.x + element.arcRadius);
     }
@@ -115,7 +115,7 @@ Cutter cutterOf(const std::vector<Drawn>& drawing) {
 
 } // namespace
 
-/// The forms of flutes: what a file says is the solid that mills.
+/// The forms of flutes: the solid that mills is the one described by the file.
 class FluteFormTest : public QObject {
     Q_OBJECT
 
@@ -131,8 +131,9 @@ private slots:
         for (int step = 0; step <= 5000; ++step) {
             const double height = cutter.fluteLength * step / 5000.0;
             const double found = piecesRadius(pieces, height), drawn = cutters::drawnRadius(cutter, height);
-            // Hollow arcs may stand out by their chord, never in: the tool is not smaller than it is in truth. Where
-            // the arc is nearly level the radius says little: half a micrometre across the arc is more along it.
+            // Concave arcs may protrude by their chord error, but never the other way: the tool is not smaller than the
+            // true one. Where the arc is nearly level the radius is not significant: half a micrometre across the arc
+            // is more along it.
             const bool hollow = cutter.type == CutterType::profile && height > 1.0 && height < 3.0;
             const double slope = hollow ? std::hypot(1.0, (height - 1.0) / std::max(4.0 - drawn, 0.05)) : 1.0;
             QVERIFY2(found >= drawn - 1e-6 && found <= drawn + (hollow ? profileChord * slope : 0.0) + 1e-6,
@@ -162,7 +163,7 @@ private slots:
         QVERIFY(toJson(toolWith(cutters::drill())).find("\"taper_angle_deg\": 59.0,") != std::string::npos);
     }
 
-    /// Every piece is convex: between two radii it never falls short of the straight line.
+    /// Every piece is convex: between two radii it is never below the straight line.
     void piecesAreConvex() {
         for (const cutters::Named& named : cutters::all())
             for (const RevolvedPiece& piece : flutePieces(named.cutter))
@@ -194,9 +195,9 @@ private slots:
                                   cutters::profile(), cutters::profile(), cutters::profile(),   cutters::profile(),
                                   cutters::profile(), cutters::profile(), cutters::flat(),      cutters::ball()};
         wrong[0].cornerRadius = 2.9;
-        wrong[1].cornerRadius = 2.0; // a rounding that the tip has no room for
+        wrong[1].cornerRadius = 2.0; // the tip is too small for the rounding
         wrong[2].cornerRadius = 2.5; // larger than the cutter
-        wrong[3].fluteLength = 5.0;  // the cone does not get that wide
+        wrong[3].fluteLength = 5.0;  // the cone never becomes that wide
         wrong[4].taperAngle = 0.0;
         wrong[5].tipDiameter = 0.1; // a drill has a point
         wrong[6].tipDiameter = 6.0;
@@ -204,7 +205,7 @@ private slots:
         wrong[8].profile.clear();
         wrong[9].profile[1].height = -1.0;
         wrong[10].profile[1].arcRadius = 0.6;  // too small to reach
-        wrong[11].profile[2].arcRadius = 1.45; // has to turn back on its way
+        wrong[11].profile[2].arcRadius = 1.45; // would have to turn back on its way
         wrong[12].diameter = 9.0;
         wrong[13].fluteLength = 8.0;
         wrong[14].profile = cutters::profile().profile;
@@ -218,15 +219,15 @@ private slots:
 
     void aCuppedTipIsRefusedInWords() {
         Cutter cutter = cutters::make(CutterType::profile, 6.0, 0.0, 6.0);
-        cutter.profile = {{1.0, 1.0}, {3.0, 0.5}, {3.0, 6.0}}; // hollow about the axis, so that the rim lies below
+        cutter.profile = {{1.0, 1.0}, {3.0, 0.5}, {3.0, 6.0}}; // concave about the axis, so that the rim is lowest
         const Result<void> valid = validate(toolWith(cutter));
         QVERIFY(!valid);
         QCOMPARE(valid.error().subject, std::string("cutter.profile[1].height_mm"));
         QVERIFY(valid.error().detail.find("a cupped tip can't be drawn") != std::string::npos);
     }
 
-    /// Random profiles of lines and arcs, bulging and hollow, drawn by their centres and angles: every one is valid,
-    /// and its pieces stand on each line and bulging arc, and off a hollow one by no more than the stated chord,
+    /// Random profiles of lines and arcs, convex and concave, given by their centres and angles: each is valid, and its
+    /// pieces coincide with each line and convex arc, and deviate from a concave one by at most the stated chord error,
     /// outwards.
     void anyProfileIsItsDrawing() {
         int lines = 0, bulging = 0, hollow = 0;
@@ -253,7 +254,7 @@ private slots:
                  qPrintable(QStringLiteral("%1, %2, %3").arg(lines).arg(bulging).arg(hollow)));
     }
 
-    /// A sphere drawn as two arcs about a point on the axis is a sphere, to the last bit of its centre.
+    /// A sphere drawn as two arcs about a point on the axis is a sphere, with a bitwise equal centre.
     void arcsAboutTheAxisAreSpheres() {
         Cutter cutter = cutters::make(CutterType::profile, 6.0, 0.0, 6.0);
         cutter.profile = {{3.0, 3.0, 3.0}, {0.0, 6.0, 3.0}};

@@ -50,11 +50,11 @@ bool sameHolder(const Cutter& one, const Cutter& other) {
 
 } // namespace
 
-/// Tools of other programs. The libraries are as those programs write them, by other means than Burin's.
+/// Tools of other programs. The libraries are as those programs write them, made without Burin's code.
 class TestForeignTools : public QObject {
     Q_OBJECT
 private slots:
-    /// Packed by Python's zipfile, in Fusion's keys.
+    /// Packed by Python's zipfile, with Fusion's keys.
     void aFusionLibraryIsRead() {
         const auto read = toolsFromFile(BURIN_FIXTURES "/tools/fusion.tools", lender(), 1.0);
         QVERIFY(read);
@@ -72,7 +72,8 @@ private slots:
         QCOMPARE(ball->tool.cutter.holder[0].upperDiameter, 16.0);
         QVERIFY(tells(ball->notes, "presets") && !tells(ball->notes, "holder"));
         QVERIFY(ball->tool.source.find("Acme") != std::string::npos);
-        // How deep it may cut is in no such file: the lender's, which is told, and not the length of the flutes.
+        // No such file contains the maximum depth of cut: that of the template tool is used, which is reported, and not
+        // the flute length.
         QCOMPARE(ball->tool.maximumDepthOfCut, std::min(12.0, lender().maximumDepthOfCut));
         QVERIFY(lender().maximumDepthOfCut < 12.0 && tells(ball->notes, "Limits and strength"));
 
@@ -94,7 +95,7 @@ private slots:
                 tells(read->leftOut, "No diameter"));
     }
 
-    /// What Fusion's form can hold comes back, for every tool that Burin is shipped with.
+    /// Everything that Fusion's form can express is read back, for every tool that Burin is shipped with.
     void fusionGivesBackWhatItTook() {
         const std::vector<Tool> tools = shipped();
         const auto written = fusionLibrary(tools);
@@ -162,7 +163,7 @@ private slots:
         QCOMPARE(camoticsTable({loadTool("lollipop-6").value()}).error().code, ErrorCode::notSupported);
     }
 
-    /// Numbers, diameters and names; the form is the lender's. Of a machine in inches, where that is said.
+    /// Numbers, diameters and names; the form is that of the template tool. For a machine in inches, if that is stated.
     void aLinuxcncTableIsRead() {
         const std::string table =
             "; my tools\nT1 P1 Z0.511 D0.125 ;1/8 inch\n\nT16 P16 D0.5 Z-0.1\nT3 P3 Z0 ;no diameter\n";
@@ -198,7 +199,7 @@ private slots:
         QVERIFY(tells(read->leftOut, "gone.fctb"));
     }
 
-    /// The same name twice is two tools.
+    /// A name that occurs twice belongs to two tools.
     void idsAreUnique() {
         const auto read =
             readText(R"({"1": {"shape": "cylindrical", "length": 9, "diameter": 3, "description": "End mill"},

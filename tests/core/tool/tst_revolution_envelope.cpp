@@ -49,7 +49,7 @@ private slots:
         QVERIFY(made->excess < 1e-9);
     }
 
-    /// A step stays a step, however coarse the tolerance.
+    /// A step is kept, however coarse the tolerance.
     void stepsStay() {
         TriangleMesh mesh = shapes::box({-1.0, 0.0, 0.0}, {1.0, 0.001, 4.0});
         append(mesh, shapes::box({-2.0, 0.0, 4.0}, {2.0, 0.001, 6.0}));
@@ -59,8 +59,8 @@ private slots:
         QVERIFY(std::abs(radiusAt(made->profile, 4.01) - 2.0) < 1e-6);
     }
 
-    /// Points on the triangles are the oracle: none is farther from the axis than the profile, and where the profile
-    /// is, the mesh is no farther within than stated.
+    /// Points on the triangles are the oracle: none is farther from the axis than the profile, and the profile is
+    /// nowhere farther outside the mesh than stated.
     void nothingSticksOut() {
         QVERIFY(rc::check([] {
             TriangleMesh mesh = shapes::box({real(-3.0, -0.5), real(-3.0, -0.5), 0.0},
@@ -84,7 +84,7 @@ private slots:
                             (1.0 - s - t) * mesh.vertices[a] + s * mesh.vertices[b] + t * mesh.vertices[c];
                         RC_ASSERT(std::hypot(p.x, p.y) <= radiusAt(made->profile, std::clamp(p.z, 0.0, top)) + 1e-6);
                     }
-            // The edges are where a turning block is widest; they are met from below and above at each height.
+            // The edges are where a rotating block is widest; they are approached from below and above at each height.
             for (int k = 1; k < 50; ++k) {
                 const double height = top * (k + 0.37) / 51.0;
                 double widest = 0.0;

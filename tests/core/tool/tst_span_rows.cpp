@@ -30,7 +30,7 @@ RevolvedPiece grown(const RevolvedPiece& piece, double by) {
             piece.topRadius + by, corner};
 }
 
-/// Lines of a row that are asked for.
+/// The lines of a row that are needed.
 LineStretch reachOf(SpanRows& rows, int v) {
     RowSpans row;
     const LineStretch all{-1000, 1000};
@@ -50,7 +50,8 @@ class SpanRowsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Between the exact spans of a piece that is smaller and one that is larger by the outline's bound, to one unit.
+    /// The span lies between the exact spans of a smaller and a larger piece, offset by the outline's bound, to one
+    /// unit.
     void agreesWithTheExactSpans() {
         const bool held = rc::check("spans", [] {
             const RevolvedPiece piece = randomPiece();
@@ -91,7 +92,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// What an upright piece covers, and which lines are asked, does not depend on the machine, to the last bit.
+    /// The spans of an upright piece, and the lines needed, are bitwise identical on every machine.
     void coversTheSameOnEveryProcessor() {
         const bool held = rc::check("processors", [] {
             RevolvedPiece form = randomPiece();
@@ -103,8 +104,8 @@ private slots:
             way *= *rc::gen::element(0.01, 0.3, 1.0, 5.0);
             spans.begin({from, {0, 0, 1}}, from + way, *rc::gen::arbitrary<bool>());
             SpanRows::Upright piece = spans.upright();
-            // Where it rises within the grid and goes on, a line that is covered all the way may be told as covered
-            // from the start's upper face on or from farther below: the same to whoever has cut there.
+            // Where the piece rises within the grid and continues, a fully covered line may be reported as covered from
+            // the start's upper face on or from farther below: the same for a volume that was cut there already.
             if (!piece.withStart) piece.topRises = false;
             const int first = *rc::gen::inRange(230, 370);
             SpanRows::UprightRows here{}, elsewhere{};
@@ -112,7 +113,7 @@ private slots:
             kernels::any_processor::planRows(piece, first, elsewhere);
             RC_ASSERT(std::memcmp(&here, &elsewhere, sizeof here) == 0);
 
-            constexpr int mostGroups = 90; // no piece reaches farther
+            constexpr int mostGroups = 90; // no piece extends farther
             std::vector<BrickOfSpans> bricks(mostGroups), others(mostGroups);
             std::vector<RowSpans> asked, askedElsewhere;
             for (int row = first; row <= (first | 7); ++row) {
@@ -137,8 +138,8 @@ private slots:
         QVERIFY(held);
     }
 
-    /// A leaning piece: places that some pose on the way covers by a margin lie in the span; places of the span lie, to
-    /// the bounds, in what the poses cover. Against signed distances at finely sampled poses.
+    /// A tilted piece: points that some pose of the motion covers by a margin are in the span; points of the span are,
+    /// within the bounds, covered by the poses. Compared with signed distances at finely sampled poses.
     void leaningSpansHoldWhatThePosesCover() {
         const bool held = rc::check("leaning spans", [] {
             RevolvedPiece piece = randomPiece();

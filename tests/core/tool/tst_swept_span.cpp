@@ -24,7 +24,7 @@ class SweptSpanTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The heart of the matter: whatever moves whichever way, a line meets what sampled poses meet.
+    /// The central test: for any piece and any move, a line meets what sampled poses meet.
     void agreesWithSampledPoses() {
         const bool held = rc::check("span of a moved piece", [] {
             const RevolvedPiece piece = random::straightPiece();
@@ -36,7 +36,7 @@ private slots:
                 const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
                 const oracles::SampledSpan expected = oracles::sampledSpan(piece, from, to, x, y);
                 const double room = oracles::outlineOf(piece) - expected.closest;
-                if (std::abs(room) < 1e-9) continue; // touching to rounding: either answer
+                if (std::abs(room) < 1e-9) continue; // touching within rounding: either answer is valid
                 const std::optional<Span> found = swept.along(x, y);
                 RC_ASSERT(found.has_value() == (room > 0.0));
                 if (!found) continue;
@@ -67,11 +67,11 @@ private slots:
         QVERIFY(held);
     }
 
-    /// A swept ball is a capsule: closed formula along the way of its centre.
+    /// A swept ball is a capsule: closed formula along the motion of its centre.
     void ballIsACapsule() {
         const RevolvedPiece ball{0.0, 20.0, 3.0, 3.0, 3.0};
         const SweptPiece swept(ball, {0.0, 0.0, 0.0}, {4.0, 0.0, 3.0});
-        // Below the middle of the way the lowest place touches the slanted cylinder: 3 / cos of the slope under its
+        // Below the middle of the motion the lowest point touches the slanted cylinder: 3 / cos of the slope below its
         // axis.
         const std::optional<Span> span = swept.along(2.0, 0.0);
         QVERIFY(span.has_value());
@@ -105,7 +105,7 @@ private slots:
         QCOMPARE(span->high, 12.0);
     }
 
-    /// Two ways that meet in a tip agree there to the last bit: the second covers all that the first left at its end.
+    /// Two moves that meet in a tip agree there bitwise: the second covers everything that the first left at its end.
     void waysThatMeetAgreeToTheLastBit() {
         const bool held = rc::check("ends of ways", [] {
             const RevolvedPiece piece = random::straightPiece();
@@ -126,7 +126,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// The shadow holds exactly the lines that are met: none is missed by going through shadows row by row.
+    /// The shadow contains exactly the lines that are met: processing shadows row by row misses none.
     void shadowHoldsEveryLineThatIsMet() {
         const bool held = rc::check("shadow", [] {
             const RevolvedPiece piece = random::straightPiece();

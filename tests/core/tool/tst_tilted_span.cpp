@@ -24,7 +24,7 @@ glm::dvec3 randomTip() {
     return {real(-5.0, 5.0), real(-5.0, 5.0), real(-5.0, 5.0)};
 }
 
-/// Quarters of a millimetre, all exact numbers.
+/// Quarters of a millimetre, all exactly representable.
 double quarters(int low, int high) {
     return 0.25 * *rc::gen::inRange(low, high + 1);
 }
@@ -32,7 +32,7 @@ glm::dvec3 roundPlace() {
     return {quarters(-20, 20), quarters(-20, 20), quarters(-20, 20)};
 }
 
-/// What a grid in line with the machine asks for: axes of the frame and the slopes of a 3-4-5 triangle.
+/// Directions typical of a grid aligned with the machine: axes of the frame and the slopes of a 3-4-5 triangle.
 glm::dvec3 roundAxis() {
     return *rc::gen::element(glm::dvec3(1, 0, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, -1, 0),
                              glm::dvec3(0.6, 0, 0.8), glm::dvec3(0, -0.8, 0.6), glm::dvec3(0.6, 0.8, 0));
@@ -59,7 +59,7 @@ RevolvedPiece roundSizedPiece() {
     }
 }
 
-/// Steps between lines: along the grid, along the way and along the axis, in which sides and outlines run.
+/// Steps between lines: along the grid, along the move and along the axis, the directions of sides and outlines.
 std::vector<glm::dvec2> stepsFor(const glm::dvec3& way, const glm::dvec3& axis) {
     std::vector<glm::dvec2> steps{{1e-3, 0.0}, {0.0, 1e-3}};
     for (const glm::dvec2 along : {glm::dvec2(way), glm::dvec2(axis)})
@@ -67,7 +67,7 @@ std::vector<glm::dvec2> stepsFor(const glm::dvec3& way, const glm::dvec3& axis) 
     return steps;
 }
 
-/// The line lies well inside of the solid, not in a side of it: there it touches it, met or not.
+/// Whether the line is well inside the solid, not in a side of it: there it only touches, and may be met or not.
 bool isInside(const SweptPiece& swept, double x, double y) {
     for (const glm::dvec2 step :
          {glm::dvec2(1e-7, 0.0), glm::dvec2(-1e-7, 0.0), glm::dvec2(0.0, 1e-7), glm::dvec2(0.0, -1e-7)}) {
@@ -77,7 +77,7 @@ bool isInside(const SweptPiece& swept, double x, double y) {
     return true;
 }
 
-/// The piece in two, cut across its axis.
+/// The piece divided in two, perpendicular to its axis.
 std::array<RevolvedPiece, 2> halves(const RevolvedPiece& piece, double height) {
     RevolvedPiece lower = piece, upper = piece;
     const double part = (height - piece.bottom) / (piece.top - piece.bottom);
@@ -93,7 +93,7 @@ class TiltedSpanTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Whatever moves whichever way, whichever way it leans: a line meets what a search over poses and heights finds.
+    /// For any piece, move and tilt: a line meets what a search over poses and heights finds.
     void agreesWithASearchOverPoses() {
         int met = 0, missed = 0;
         const bool held = rc::check("span of a moved piece with any axis", [&] {
@@ -104,7 +104,7 @@ private slots:
             for (int line = 0; line < 12; ++line) {
                 const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
                 const oracles::SearchedLine expected(piece, from, to, axis, x, y);
-                if (std::abs(expected.depth()) < 1e-7) continue; // touching: either answer
+                if (std::abs(expected.depth()) < 1e-7) continue; // touching: either answer is valid
                 const std::optional<Span> found = swept.along(x, y);
                 RC_ASSERT(found.has_value() == (expected.depth() < 0.0));
                 (found ? met : missed) += 1;
@@ -119,8 +119,8 @@ private slots:
         QVERIFY(met > 300 && missed > 50);
     }
 
-    /// A bull nose that moves square to its axis but for rounding: its ring is seen from the side, where all of its
-    /// places lie on one line. (These came out up to 0.2 too long.)
+    /// A bull nose that moves perpendicular to its axis except for rounding: its ring is seen edge-on, where all of its
+    /// points lie on one line. (The spans used to be up to 0.2 too long.)
     void moveSquareToTheAxisButForRounding_data() {
         QTest::addColumn<RevolvedPiece>("piece");
         QTest::addColumn<glm::dvec3>("axis");
@@ -153,7 +153,7 @@ private slots:
         QFETCH(const glm::dvec3, way);
         QFETCH(const glm::dvec2, line);
         for (int i = -50; i <= 50; ++i) {
-            RevolvedPiece other = piece; // next to it, rounding falls another way
+            RevolvedPiece other = piece; // a neighbour whose rounding differs
             other.bottomRadius = other.topRadius = piece.bottomRadius + 1e-3 * i;
             const std::optional<Span> found = SweptPiece(other, from, from + way, axis).along(line.x, line.y);
             const glm::dvec2 at = line - glm::dvec2(from);
@@ -164,8 +164,8 @@ private slots:
         }
     }
 
-    /// A bull nose with a level axis whose tip lies on the line: seen along the way, two arcs of its rounding meet
-    /// right there. (Neither was taken to reach so far, and 0.65 was left standing.)
+    /// A bull nose with a level axis whose tip is on the line: seen along the move, two arcs of its rounding meet right
+    /// there. (Neither was taken to extend that far, and 0.65 was left uncut.)
     void linesThroughTheTipOfALevelBullNose() {
         const RevolvedPiece piece{0.0, 5.986541276972801, 3.652108, 3.652108, 1.7144485012064004};
         const glm::dvec3 axis(0.75599714519731798, -0.65457491278959445, 0.0);
@@ -177,8 +177,8 @@ private slots:
         QVERIFY(near(found->high, span.high, 1e-6));
     }
 
-    /// A ball on a way square to its axis over whose pole the line passes: the pole is its lowest point there. (It was
-    /// taken to lie beyond the ball, by rounding, and 1.9 mm were left standing.)
+    /// A ball on a move perpendicular to its axis with the line passing over its pole: the pole is its lowest point
+    /// there. (By rounding it was taken to lie outside the ball, and 1.9 mm were left uncut.)
     void lineThroughThePoleOfABall() {
         const RevolvedPiece ball{0.0, 9.0, 1.5, 1.5, 1.5};
         const glm::dvec3 from(1.5, 4.75, 3.25), way(-5.0, 1.5, 3.75), axis(0.6, 0.0, 0.8);
@@ -189,8 +189,8 @@ private slots:
         QVERIFY(near(found->high, span.high, 1e-6));
     }
 
-    /// Three lines that touch the solid: along a straight outline of the piece, or in a side of its way. All of them
-    /// meet nothing. (As rounding fell, some were met and others not, each for itself.)
+    /// Three lines that touch the solid: along a straight outline of the piece, or in a side of its sweep. All of them
+    /// meet nothing. (Depending on rounding, some were met and others not, independently.)
     void linesThatOnlyTouchMeetNothing_data() {
         QTest::addColumn<RevolvedPiece>("piece");
         QTest::addColumn<glm::dvec3>("axis");
@@ -199,7 +199,7 @@ private slots:
         QTest::addColumn<glm::dvec2>("line");
         QTest::addColumn<glm::dvec2>("step");
         const RevolvedPiece cone{0.0, 4.0, 0.0, 3.0, 0.0}, shortCone{0.0, 2.0, 0.0, 1.5, 0.0};
-        const glm::dvec3 level(0.6, 0.8, 0.0); // the cones have a side along y
+        const glm::dvec3 level(0.6, 0.8, 0.0); // the cones have a side parallel to y
         const glm::dvec2 alongY(0.0, 1e-3), alongLevel(6e-4, 8e-4);
         QTest::newRow("cone that stands")
             << cone << level << glm::dvec3(-5.0) << glm::dvec3(0.0) << glm::dvec2(-5.0, -0.25) << alongY;
@@ -239,15 +239,15 @@ private slots:
             const glm::dvec2 place = line + part * step;
             QVERIFY(!swept.along(place.x, place.y).has_value());
         }
-        // Next to them, towards the piece, there is something to cut.
+        // Next to them, towards the piece, there is material to cut.
         const glm::dvec2 inward = 1e-6 * glm::normalize(glm::dvec2(-step.y, step.x));
         QVERIFY(swept.along(line.x + inward.x, line.y + inward.y).has_value() !=
                 swept.along(line.x - inward.x, line.y - inward.y).has_value());
     }
 
-    /// What a convex piece sweeps on a straight way is convex: of three lines at even distances, the middle one's span
-    /// holds the mean of the others'. With all numbers round, ways begin and end over lines, and walls with them: there
-    /// whole lines were left uncut, which no random numbers show.
+    /// The sweep of a convex piece on a straight move is convex: of three equidistant lines, the middle one's span
+    /// contains the mean of the others'. With round numbers, moves and walls begin and end exactly over lines: there
+    /// whole lines were left uncut, which random numbers do not show.
     void roundNumbersLeaveNoLineOut() {
         int between = 0;
         const bool held = rc::check("convex on round numbers", [&] {
@@ -262,7 +262,8 @@ private slots:
                                                   other = swept.along(x + step.x, y + step.y);
                         if (!one || !other) continue;
                         const std::optional<Span> middle = swept.along(x, y);
-                        // Lines that graze the piece touch it in a point: there is nothing to cut, found or not.
+                        // Lines that graze the piece touch it in a point: there is nothing to cut, whether found or
+                        // not.
                         const bool grazes = 0.5 * (one->high - one->low + other->high - other->low) <= 1e-7;
                         if (!middle && grazes) continue;
                         RC_ASSERT(middle.has_value());
@@ -275,7 +276,7 @@ private slots:
         QVERIFY(between > 10000);
     }
 
-    /// A piece in two sweeps what the whole one does, also where lines lie in the face between both.
+    /// A piece divided in two sweeps what the whole one does, also where lines are in the face between both.
     void aPieceInTwoCoversWhatTheWholeOneDoes() {
         int inFace = 0;
         const bool held = rc::check("pieces in two", [&] {
@@ -306,8 +307,8 @@ private slots:
         QVERIFY(inFace > 100);
     }
 
-    /// The line lies in the face between both, to rounding, at the start of the way and at its end. (One piece had it
-    /// at the start alone, the other at the end: 1.8 mm in the middle were left standing.)
+    /// The line is in the face between both, within rounding, at the start of the move and at its end. (One piece
+    /// contained it only at the start, the other at the end: 1.8 mm in the middle were left uncut.)
     void lineInTheFaceBetweenPiecesBothOfWhichMove() {
         const RevolvedPiece whole{0.0, 3.5, 2.5, 2.5, 0.0};
         const glm::dvec3 from(-5.0), axis(0.6, 0.8, 0.0), any(-4.75, -4.75, -5.0);
@@ -316,13 +317,14 @@ private slots:
         for (const RevolvedPiece& piece : {lower, upper, whole}) {
             const std::optional<Span> found = SweptPiece(piece, from, to, axis).along(-6.5, -3.25);
             QVERIFY(found.has_value());
-            // The line passes the axis by 2.25 mm at the start, at a height of -5, and by 1.3 mm at the end, at -10.
+            // The distance of the line from the axis is 2.25 mm at the start, at a height of -5, and 1.3 mm at the end,
+            // at -10.
             QVERIFY(near(found->high, -5.0 + std::sqrt(2.5 * 2.5 - 2.25 * 2.25), 1e-9));
             QVERIFY(near(found->low, -10.0 - std::sqrt(2.5 * 2.5 - 1.3 * 1.3), 1e-9));
         }
     }
 
-    /// An axis along the lines is the upright case, in which everything is found another way.
+    /// An axis parallel to the lines is the upright case, which uses different formulas throughout.
     void agreesWithTheUprightFormsNextToThem() {
         const bool held = rc::check("tilted by next to nothing", [] {
             const RevolvedPiece piece = random::straightPiece();
@@ -334,7 +336,7 @@ private slots:
                 const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
                 const std::optional<Span> expected = upright.along(x, y), found = tilted.along(x, y);
                 if (expected.has_value() != found.has_value()) {
-                    const double clear = 1e-9; // touching, to rounding
+                    const double clear = 1e-9; // touching within rounding
                     const std::optional<Span> shadow = upright.shadow(y);
                     RC_ASSERT(!shadow || x < shadow->low + clear || x > shadow->high - clear);
                     continue;
@@ -347,7 +349,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// Closed formula: a ball on its way is a capsule, whatever its axis.
+    /// Closed formula: a swept ball is a capsule, whatever its axis.
     void sweptSphereIsACapsule() {
         const bool held = rc::check("capsule", [] {
             const double radius = real(0.5, 4.0);
@@ -355,7 +357,7 @@ private slots:
             const glm::dvec3 axis = random::axis(), from = randomTip(),
                              way(real(1.0, 6.0), real(-6.0, 6.0), real(-6.0, 6.0));
             const SweptPiece swept(sphere, from, from + way, axis);
-            // A line at a part of the way, and beside it, over the middle of the capsule.
+            // A line at a part of the move, offset to the side, over the middle of the capsule.
             const double length = glm::length(way), level = std::hypot(way.x, way.y);
             const double beside = real(-0.99, 0.99) * radius, ahead = real(0.0, 1.0);
             const glm::dvec3 centre = from + radius * axis + ahead * way;
@@ -372,7 +374,7 @@ private slots:
         QVERIFY(held);
     }
 
-    /// Two ways that meet in a tip agree there to the last bit.
+    /// Two moves that meet in a tip agree there bitwise.
     void waysThatMeetAgreeToTheLastBit() {
         const bool held = rc::check("ends of ways", [] {
             const RevolvedPiece piece = random::anyPiece();
@@ -402,7 +404,7 @@ private slots:
             const Box box = swept.bounds();
             for (int line = 0; line < 20; ++line) {
                 const double x = real(box.low.x, box.high.x), y = real(box.low.y, box.high.y);
-                bool inside = true, outside = true; // by more than touching, whichever way
+                bool inside = true, outside = true; // by more than touching, in both cases
                 for (const double beside : {-1e-7, 0.0, 1e-7}) {
                     const std::optional<Span> near = swept.shadow(y + beside);
                     inside = inside && near && x > near->low + 1e-7 && x < near->high - 1e-7;

@@ -185,7 +185,7 @@ private slots:
             QCOMPARE(stack.back().top, cutter.length());
         }
         Cutter stub = exampleTool().cutter;
-        stub.stickOut = stub.fluteLength; // flutes reach the holder: no shank
+        stub.stickOut = stub.fluteLength; // the flutes reach the holder: no shank
         QCOMPARE(pieces(stub).size(), stub.holder.size() + 1);
         QCOMPARE(pieces(stub)[1].bottomRadius, 14.0);
     }

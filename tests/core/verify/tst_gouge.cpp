@@ -82,8 +82,8 @@ struct Job {
         return made;
     }
 
-    /// Rows over the waves with every tool in turn, long and short moves, the tip lowered until the tool only just
-    /// touches and then displaced; between them rapids far above.
+    /// Rows over the waves with every tool in turn, long and short moves, the tip lowered until the tool just touches
+    /// and then displaced; between them rapids far above.
     void makeRows(double displaced, double spread) {
         std::mt19937_64 engine(7);
         std::uniform_real_distribution<double> number(-1.0, 1.0);
@@ -94,7 +94,7 @@ struct Job {
                 add({-6.0, y, 30.0}, tool, true, 0.0);
                 for (double x = -2.0; x < side + 2.0; x += step) {
                     glm::dvec3 tip(x, y + 0.1 * number(engine), 30.0);
-                    for (int i = 0; i < 12; ++i) // down to the part: never farther than there is room
+                    for (int i = 0; i < 12; ++i) // down to the part: never farther than the clearance
                         tip.z -= std::max(0.0, part.clearance(stack, {tip, {0.0, 0.0, 1.0}}, 40.0).clearance - 1e-9);
                     tip.z = std::max(tip.z, -1.0) + displaced + spread * number(engine);
                     add(tip, tool, false, x < 3.0 ? 300.0 : 600.0);
@@ -125,7 +125,7 @@ struct Job {
     }
 };
 
-/// Every sample by itself.
+/// The results for single samples.
 struct Answers {
     double deepest = 0.0;
     std::map<std::uint32_t, double> tooDeep; ///< by line, mm
@@ -180,7 +180,7 @@ void GougeTest::asSampleBySample_data() {
     QTest::newRow("clear by a finish allowance") << 0.12 << 0.04;
 }
 
-/// Whole stretches are judged at once; what is told has to be what every sample by itself would tell.
+/// Whole moves are judged at once; the result must equal that of judging each sample separately.
 void GougeTest::asSampleBySample() {
     QFETCH(double, displaced);
     QFETCH(double, spread);
@@ -214,7 +214,7 @@ void GougeTest::asSampleBySample() {
     for (const auto& [line, depth] : wanted.tooDeep) QVERIFY(std::abs(told[line] - depth) < 1e-6);
 }
 
-/// As many as are to be measured again on the exact part, and no deeper one left out.
+/// As many as are to be measured again on the exact part, and none deeper is left out.
 void GougeTest::theDeepestAreFound() {
     Job job({toolOf({CutterType::ball, 3.0, 1.5, 6.0, 3.0, 12.0, {{12.0, 14.0, 10.0}}})});
     job.makeRows(0.0, 0.03);
@@ -230,7 +230,7 @@ void GougeTest::theDeepestAreFound() {
         std::sort(near.worst.begin(), near.worst.end(), [](const GougeSample& a, const GougeSample& b) {
             return a.clearance.clearance < b.clearance.clearance;
         });
-        for (std::size_t i = 0; i < there; ++i) // what is clear is told to 1e-4 mm
+        for (std::size_t i = 0; i < there; ++i) // clearances are accurate to 1e-4 mm
             QVERIFY(std::abs(-near.worst[i].clearance.clearance - wanted.depths[i]) < 1.1e-4);
     }
 }

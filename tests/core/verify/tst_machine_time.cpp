@@ -38,7 +38,7 @@ double secondsFrom(const ParsedProgram& program, std::uint32_t line, const Machi
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Behind the moves that every program here begins with.
+/// After the moves that every program here begins with.
 constexpr std::uint32_t firstLine = 5;
 const std::string begin = "G0 X0 Y0 Z5\n";
 
@@ -46,8 +46,9 @@ bool near(double value, double expected, double relative = 1e-9) {
     return std::abs(value - expected) <= relative * expected;
 }
 
-/// Speed over a finely cut way of straight blocks, from a definition alone: no faster than the block, at corners no
-/// faster than GRBL's rule, nowhere more than the acceleration. Forward, back, then the time of each piece.
+/// Speed along a finely divided path of straight blocks, directly from the definition: no faster than the block's feed,
+/// at corners no faster than GRBL's rule, nowhere more than the acceleration. A forward pass, a backward pass, then the
+/// time of each piece.
 double bruteForce(const std::vector<glm::dvec2>& places, double speed, double acceleration, double deviation) {
     constexpr int pieces = 4000; // of each block
     std::vector<double> squares, lengths;
@@ -77,7 +78,7 @@ double bruteForce(const std::vector<glm::dvec2>& places, double speed, double ac
     return seconds;
 }
 
-/// Up to 20 straight moves to any places.
+/// Up to 20 straight moves to random points.
 std::string anyLines() {
     std::string text = begin + "G1 F3000\n";
     const int count = *rc::gen::inRange(1, 20);
@@ -135,12 +136,12 @@ void MachineTimeTest::twoMovesInLineAreOne() {
     QVERIFY(near(stops, 100.0 / 50.0 + 2.0 * 50.0 / a));
 }
 
-/// 20 mm, a square corner, 20 mm at 50 mm/s: each side loses (v - vc)²/(2 a v) where it slows down for the corner
-/// instead of going through, and v/2a at its other end.
+/// 20 mm, a square corner, 20 mm at 50 mm/s: on each side slowing down for the corner instead of passing at full speed
+/// costs (v - vc)²/(2 a v), and the other end costs v/2a.
 void MachineTimeTest::aSquareCornerIsTakenAsTheMachineSays() {
     const ParsedProgram program = read(begin + "G1 X20 F3000\nY20\n");
     const double v = 50.0, sine = std::sqrt(0.5);
-    // Along the bisector both axes work together: sqrt(2) times what one does.
+    // Along the bisector both axes accelerate together: sqrt(2) times a single axis.
     const double along = a * std::sqrt(2.0);
     const auto expected = [&](double corner) {
         const double ramps = v / a + (v - corner) / a;
@@ -149,7 +150,7 @@ void MachineTimeTest::aSquareCornerIsTakenAsTheMachineSays() {
     };
     const double deviation = std::sqrt(along * 0.01 * sine / (1.0 - sine));
     QVERIFY(near(secondsFrom(program, firstLine, mill(JunctionRule::deviation)), expected(deviation)));
-    const double leg = 2.0 * 0.01 / std::cos(0.25 * pi); // of the parabola that leaves the corner by 0.01 mm
+    const double leg = 2.0 * 0.01 / std::cos(0.25 * pi); // of the parabola that deviates from the corner by 0.01 mm
     const double blend = std::sqrt(along * leg / std::cos(0.25 * pi));
     QVERIFY(near(secondsFrom(program, firstLine, mill(JunctionRule::blend)), expected(blend)));
     QVERIFY(near(secondsFrom(program, firstLine, mill(JunctionRule::exactStop)), expected(0.0)));
@@ -162,7 +163,7 @@ void MachineTimeTest::aZigZagIsWhatAnIntegrationSays() {
         std::string text = begin;
         const int count = *rc::gen::inRange(2, 12);
         for (int i = 0; i < count; ++i) {
-            // Diagonals: both axes take the same part of every block, so that its limit is a sqrt(2).
+            // Diagonals: both axes have the same share of every block, so that its limit is a sqrt(2).
             const double length = *rc::gen::inRange(1, 4000) / 1000.0;
             const double turn = *rc::gen::inRange(0, 3) == 0 ? -1.0 : 1.0;
             places.push_back(places.back() + glm::dvec2(length, turn * length));
@@ -172,7 +173,7 @@ void MachineTimeTest::aZigZagIsWhatAnIntegrationSays() {
         MachineProfile machine = mill();
         machine.junctionTolerance = tolerance;
         machine.axisAccelerations = {a, a, a};
-        // At these corners the direction changes along Y alone, where the limit is a, not a sqrt(2).
+        // At these corners the direction only changes along Y, where the limit is a, not a sqrt(2).
         const double expected = bruteForce(places, 50.0, a * std::sqrt(2.0), tolerance / std::sqrt(2.0));
         RC_ASSERT(near(secondsFrom(read(text), firstLine, machine), expected, 1e-3));
     });
@@ -183,7 +184,7 @@ void MachineTimeTest::anAxisThatIsSlowSlowsTheWay() {
     MachineProfile machine = mill();
     machine.axisRates = {6000.0, 6000.0, 600.0}; // Z: 10 mm/s
     machine.axisAccelerations = {500.0, 500.0, 100.0};
-    // 3 : 4 : the way is 5/4 of its Z.
+    // 3 : 4 : the distance is 5/4 of its Z.
     const ParsedProgram program = read(begin + "G1 X30 Z-35 F6000\n");
     const double v = 10.0 * 1.25, slow = 100.0 * 1.25;
     QVERIFY(near(secondsFrom(program, firstLine, machine), 50.0 / v + v / slow));
@@ -191,11 +192,11 @@ void MachineTimeTest::anAxisThatIsSlowSlowsTheWay() {
 }
 
 void MachineTimeTest::anArcIsNoFasterThanItsCurvatureAllows() {
-    // A whole circle of radius 2: no faster than sqrt(500 * 2) = 31.6 mm/s, though 100 are asked for.
+    // A full circle of radius 2: no faster than sqrt(500 * 2) = 31.6 mm/s, although 100 are programmed.
     const ParsedProgram program = read(begin + "G2 I2 J0 F6000\n");
     const double v = std::sqrt(a * 2.0), length = 2.0 * pi * 2.0;
     QVERIFY(near(secondsFrom(program, firstLine, mill()), length / v + v / a));
-    // A tangent line before it is gone through without a stop.
+    // A tangent line before it joins without a stop.
     const double line = secondsFrom(read(begin + "G1 Y40 F6000\nG2 X4 I2 J0\n"), firstLine, mill());
     const double entered = 100.0, way = 40.0;
     const double ramps = entered / a + (entered - v) / a;
@@ -209,7 +210,7 @@ void MachineTimeTest::rapidsOfIndependentAxesTakeTheLongest() {
     machine.rapids = RapidMode::independent;
     machine.axisRates = {6000.0, 3000.0, 6000.0};
     const ParsedProgram program = read(begin + "G0 X60 Y50\n");
-    QVERIFY(near(secondsFrom(program, firstLine, machine), 50.0 / 50.0 + 50.0 / a)); // Y, though X goes farther
+    QVERIFY(near(secondsFrom(program, firstLine, machine), 50.0 / 50.0 + 50.0 / a)); // Y, although X moves farther
 }
 
 void MachineTimeTest::dwellsAndToolChangesCount() {
@@ -224,7 +225,7 @@ void MachineTimeTest::dwellsAndToolChangesCount() {
         QVERIFY(time.motions[i].start >= time.motions[i - 1].start + time.motions[i - 1].duration - 1e-12);
 }
 
-/// The first move comes from nowhere; the way home goes where the machine's own zero is.
+/// The first move has no known start; the move home ends at the machine's own zero.
 void MachineTimeTest::movesOfWhichTheWayIsNotKnownAreCounted() {
     const MachiningTime away = machiningTime(read(begin + "G1 X10 F600\n"), mill());
     QCOMPARE(away.untimedMoves, 1);
@@ -257,7 +258,7 @@ void MachineTimeTest::feedsMayBeTimesOrTurns() {
     QVERIFY(near(secondsFrom(read(begin + "G95\nG1 X30 F0.003\n"), firstLine + 1, machine), 60.0)); // 10,000 turns
 }
 
-/// Under LinuxCNC the program's own words count, whatever the machine is set to.
+/// For LinuxCNC the program's own words take precedence over the machine's settings.
 void MachineTimeTest::theProgramSaysHowCornersAreTaken() {
     const std::string corner = begin + "G1 X20 F3000\nY20\n", bend = begin + "G1 X20 F3000\nX40\nY20\n";
     const auto seconds = [](const std::string& text, const MachineProfile& machine) {
@@ -272,7 +273,7 @@ void MachineTimeTest::theProgramSaysHowCornersAreTaken() {
     }
     QVERIFY(near(secondsFrom(read("G20 G64 P0.01\nG21\n" + corner), firstLine + 2, fine),
                  secondsFrom(read("G21\nG64 P0.254\n" + corner), firstLine + 2, fine)));
-    // G61 stops where the way bends and goes on where it does not.
+    // G61 stops where the path bends and continues where it does not.
     const double v = 50.0, twenty = 20.0 / v + v / a, forty = 40.0 / v + v / a;
     QVERIFY(near(seconds("G61\n" + corner, fine), 2.0 * twenty));
     QVERIFY(near(seconds("G61\n" + bend, fine), forty + twenty));
@@ -283,12 +284,13 @@ void MachineTimeTest::theProgramSaysHowCornersAreTaken() {
     QVERIFY(stated[1].mode == PathMode::exactStop && stated[1].line == 8);
     QVERIFY(stated[2].mode == PathMode::blend && stated[2].tolerance == 0.0 && stated[2].line == 10);
     QVERIFY(statedPathModes(read(corner)).empty());
-    // Without P it leaves the path as far as half of a block: as with a tolerance of many millimetres.
+    // Without P the deviation may be up to half of a block: as with a tolerance of many millimetres.
     coarse.junctionTolerance = 100.0;
     QVERIFY(near(seconds("G64\n" + corner, fine), seconds("F1\n" + corner, coarse)));
 }
 
-/// One move from rest to rest: L / v + v / a + a / j where both limits are reached, else by the ramps' own formulas.
+/// One move from rest to rest: L / v + v / a + a / j where both limits are reached, otherwise by the formulas of the
+/// ramps.
 void MachineTimeTest::jerkRoundsARamp() {
     const double j = 10000.0;
     MachineProfile machine = mill();
@@ -297,9 +299,9 @@ void MachineTimeTest::jerkRoundsARamp() {
     // a²/j = 25 mm/s: at 50 mm/s the acceleration is reached, at 20 it is not.
     QVERIFY(near(seconds("G1 X100 F3000\n"), 100.0 / 50.0 + 50.0 / a + a / j));
     QVERIFY(near(seconds("G1 X100 F1200\n"), 100.0 / 20.0 + 2.0 * std::sqrt(20.0 / j)));
-    // Too short for its feed and for its acceleration: four equal stretches of jerk, L = 2 j (t / 4)³.
+    // Too short for its feed and for its acceleration: four equal intervals of jerk, L = 2 j (t / 4)³.
     QVERIFY(near(seconds("G1 X0.5 F6000\n"), 4.0 * std::cbrt(0.5 / (2.0 * j))));
-    // Divided into blocks in line it is the same move.
+    // Divided into collinear blocks it is the same move.
     std::string blocks = "G1 F3000\n";
     for (int i = 1; i <= 400; ++i) blocks += "X" + std::to_string(0.25 * i) + "\n";
     QVERIFY(near(secondsFrom(read(begin + blocks), firstLine + 1, machine), 100.0 / 50.0 + 50.0 / a + a / j));

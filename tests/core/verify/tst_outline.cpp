@@ -19,7 +19,7 @@ Property protectedPart() {
     return part;
 }
 
-/// The definition, word for word: no scanline within the distance is without part.
+/// The definition, taken literally: every scanline within the distance contains the part.
 bool slowlyContains(const std::vector<bool>& held, int width, int height, int u, int v, double limit) {
     const int reach = static_cast<int>(std::ceil(limit)) + 1;
     for (int dv = -reach; dv <= reach; ++dv)

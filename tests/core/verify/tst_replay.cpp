@@ -23,7 +23,7 @@ constexpr glm::dvec3 size(18.4, 14.0, 10.0);      // mm, of the grid
 constexpr double stockTop = 9.3, partTop = 2.7;   // mm
 constexpr glm::dvec2 partLow(4.0), partHigh(9.0); // mm
 
-/// Stock with a protected block in it and a hollow under an overhang.
+/// Stock with a protected block in it and a cavity under an overhang.
 RunVolume workpiece(RunAxis axis) {
     PropertyList list;
     Property stock, part;
@@ -61,7 +61,8 @@ Tool toolOf(CutterType type) {
     return tool;
 }
 
-/// Its holder's cone is drawn in steps of a quarter of a voxel, none of which touches by a quarter of one.
+/// Its holder's cone is drawn in steps of a quarter of a voxel, none of which has a contact of a quarter of a voxel by
+/// itself.
 Tool withSteps(Tool tool) {
     constexpr int steps = 40;
     tool.cutter.holder.clear();
@@ -72,8 +73,9 @@ Tool withSteps(Tool tool) {
     return tool;
 }
 
-/// Moves in and around the stock, some from nowhere, some rapid, some with a spindle that stands. None has an axis on a
-/// scanline: others would lie exactly on the tool's wall then (3, 4, 5 voxels), and the last bit decides of them.
+/// Moves in and around the stock, some with unknown start, some rapid, some with a stationary spindle. None has its
+/// axis on a scanline: other lines would then be exactly on the tool's wall (3, 4, 5 voxels), where the last bit
+/// decides.
 std::vector<ToolMove> someMoves(std::size_t tools) {
     std::vector<ToolMove> moves;
     glm::dvec3 tip(5.0, 5.0, 20.0);
@@ -96,7 +98,7 @@ std::vector<ToolMove> someMoves(std::size_t tools) {
     return moves;
 }
 
-/// One move after the other, each in steps of at most a voxel, each looked at over the whole grid without a memory.
+/// One move after the other, each in steps of at most a voxel, each checked over the whole grid without a cache.
 struct SlowReplay {
     std::vector<double> volumes;
     Findings findings;
@@ -165,12 +167,13 @@ private slots:
     void neverLeavesOutALineThatIsCut();
 };
 
-/// What is rounded to a run unit may differ by one where steps split a way; nothing else may.
+/// Values rounded to a run unit may differ by one where steps divide a move; nothing else may.
 void ReplayTest::isThatOfOneStepAfterTheOther() {
     const std::vector<Tool> tools{toolOf(CutterType::ball), toolOf(CutterType::flat), toolOf(CutterType::bullNose),
                                   toolOf(CutterType::drill), withSteps(toolOf(CutterType::flat))};
     const bool holds = rc::check("whole moves by rows equal single steps over the whole grid", [&] {
-        constexpr RunAxis axis = RunAxis::z; // across the tool a face may lie on a row of lines, and a bit decides
+        constexpr RunAxis axis = RunAxis::z; // with runs perpendicular to the tool a face may lie on a row of lines,
+                                             // and a bit decides
         const std::vector<ToolMove> moves = someMoves(tools.size());
         RunVolume slow = workpiece(axis), fast = workpiece(axis);
         const SlowReplay expected(moves, tools, slow);
@@ -193,7 +196,8 @@ void ReplayTest::isThatOfOneStepAfterTheOther() {
     QVERIFY(holds);
 }
 
-/// A ball has been where its centre was within its radius: asked of points on a lattice of a sixth of a voxel.
+/// A point was cut by a ball if its centre came within its radius: checked for points on a lattice of a sixth of a
+/// voxel.
 void ReplayTest::takesWhatADenseGridSays() {
     const std::vector<Tool> tools{toolOf(CutterType::ball)};
     std::vector<ToolMove> moves(2);
@@ -224,7 +228,7 @@ void ReplayTest::takesWhatADenseGridSays() {
                     bool taken = false;
                     for (const ToolMove& move : moves) {
                         const double nearest = distance(p, move.from.tip + up, move.to.tip + up);
-                        taken = taken || nearest < 2.0; // the flutes go on upwards from the ball's centre
+                        taken = taken || nearest < 2.0; // the flutes continue upwards from the ball's centre
                         const glm::dvec2 plan(p);
                         const double flat =
                             distance({plan, 0.0}, {glm::dvec2(move.from.tip), 0.0}, {glm::dvec2(move.to.tip), 0.0});
@@ -264,7 +268,7 @@ void ReplayTest::doesNotDependOnTheNumberOfThreads() {
     QVERIFY(holds);
 }
 
-/// The second pass of a slot at the same depth takes nothing, one deeper by a millimetre takes its own millimetre.
+/// A second pass of a slot at the same depth removes nothing, one deeper by a millimetre removes its own millimetre.
 void ReplayTest::tellsWhatEachMoveTook() {
     const std::vector<Tool> tools{toolOf(CutterType::flat)};
     std::vector<ToolMove> moves(4);

@@ -18,8 +18,8 @@ struct Driven {
     double seconds = 0.0, way = 0.0;
 };
 
-/// From one speed to a higher one, acceleration none at both ends, driven step by step: full jerk up as long as the
-/// acceleration is below its limit and can still be taken back in time, then full jerk down.
+/// From one speed to a higher one, with zero acceleration at both ends, simulated step by step: full jerk up as long as
+/// the acceleration is below its limit and can still be reduced in time, then full jerk down.
 Driven speedUp(double from, double to, double acceleration, double jerk) {
     Driven driven;
     const double step = 2e-5 * (2.0 * std::sqrt((to - from) / jerk) + (to - from) / acceleration + 1e-9);
@@ -47,7 +47,7 @@ private slots:
     void withoutALimitToJerkItIsATrapezoid();
 };
 
-/// Between any two speeds, neither of them zero but by chance, with room for a greatest one between.
+/// Between any two speeds, neither of them zero except by chance, with room for a higher one between.
 void SpeedRampTest::anSCurveIsWhatAnAxisDrives() {
     const auto number = [](double low, double high) { return low + (high - low) * 1e-4 * *rc::gen::inRange(0, 10001); };
     int cruising = 0, shorter = 0;
@@ -57,7 +57,7 @@ void SpeedRampTest::anSCurveIsWhatAnAxisDrives() {
         const double peak = std::max(from, to) + number(0.5, 60.0), cruise = *rc::gen::element(0.0, 30.0);
         const Driven up = speedUp(from, peak, acceleration, jerk), down = speedUp(to, peak, acceleration, jerk);
         const double length = up.way + down.way + cruise;
-        // Without a cruise the length alone sets the greatest speed: more is asked for.
+        // Without a cruise phase only the length determines the highest speed: a higher one is requested.
         const RampTime ramp = sCurve(length, from, to, cruise > 0.0 ? peak : 2.0 * peak, acceleration, jerk);
         RC_ASSERT(std::abs(ramp.peak - peak) <= 2e-3 * peak);
         const double seconds = up.seconds + down.seconds + cruise / peak;

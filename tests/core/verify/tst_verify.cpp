@@ -21,7 +21,7 @@ namespace burin::tst_verify {
 
 namespace {
 
-/// A box as a closed mesh with outward triangles.
+/// A box as a closed, outward-oriented mesh.
 TriangleMesh boxMesh(const glm::dvec3& low, const glm::dvec3& high) {
     TriangleMesh mesh;
     for (int corner = 0; corner < 8; ++corner)
@@ -59,7 +59,7 @@ Tool ballTool() {
     Tool tool;
     tool.id = "ball";
     tool.cutter = {CutterType::ball, 6.0, 3.0, 8.0, 6.0, 30.0, {{20.0, 20.0, 15.0}}};
-    tool.maximumDepthOfCut = 28.0; // some tests give it flutes as long
+    tool.maximumDepthOfCut = 28.0; // some tests give it flutes of that length
     return tool;
 }
 
@@ -91,7 +91,7 @@ struct Case {
 
 const std::string start = "G21 G90 G17 G54\nT1 M6\nS10000 M3\n";
 
-/// Number of the line that holds some words.
+/// Number of the line that contains the given words.
 std::uint32_t lineOf(const std::string& program, const std::string& words) {
     const auto end = program.begin() + static_cast<std::ptrdiff_t>(program.find(words));
     return 1U + static_cast<std::uint32_t>(std::count(program.begin(), end, '\n'));
@@ -167,7 +167,7 @@ void VerifyTest::aProgramInAirPasses() {
     QVERIFY(report.passed());
     QCOMPARE(report.removed, 0.0);
     QCOMPARE(report.gougeMax, 0.0);
-    // 20 mm at 600 mm/min is 2 s; the rapids before it come from nowhere but for 5 mm up at 6000 mm/min.
+    // 20 mm at 600 mm/min is 2 s; the rapids before it have no known start except for 5 mm up at 6000 mm/min.
     QVERIFY(std::abs(report.machiningSeconds - (2.0 + 0.05)) < 1e-9);
 }
 
@@ -184,7 +184,7 @@ void VerifyTest::gougeIsTheDepthInThePart() {
     QFETCH(double, tip);
     QFETCH(double, depth);
     Case job;
-    job.request.tool.cutter.fluteLength = 28.0; // so that the depth under the stock's top is no matter
+    job.request.tool.cutter.fluteLength = 28.0; // so that the depth below the stock's top is irrelevant
     const std::string level = std::to_string(tip);
     const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y0\nG1 Z" + level + " F300\nG1 X10 F600\nG1 Z5\n");
     QVERIFY2(std::abs(report.gougeMax - depth) < 1e-6, qPrintable(QString::number(report.gougeMax)));
@@ -214,7 +214,7 @@ void VerifyTest::rapidThroughStockIsFound() {
     Case job;
     const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y0\nG0 Z-3\nG0 X10\nG0 Z5\n");
     QVERIFY(!report.passed());
-    QCOMPARE(countOf(report, FindingKind::rapidInStock), 1); // the move down and the one across are one mistake
+    QCOMPARE(countOf(report, FindingKind::rapidInStock), 1); // the move down and the one across are a single mistake
     QCOMPARE(report.findings.front().line, 6U);
     QCOMPARE(report.findings.front().count, 2U);
 }
@@ -228,7 +228,7 @@ void VerifyTest::rapidThatGrazesLessThanAVoxelIsFound_data() {
     QTest::newRow("more") << 0.3;
 }
 
-/// Along the side of the block, which lies at y = -5 mm, with 0.25 mm voxels.
+/// Along the side of the block, which is at y = -5 mm, with 0.25 mm voxels.
 void VerifyTest::rapidThatGrazesLessThanAVoxelIsFound() {
     QFETCH(const double, by);
     Case job;
@@ -238,7 +238,7 @@ void VerifyTest::rapidThatGrazesLessThanAVoxelIsFound() {
     if (by > 0.01) QCOMPARE(report.findings.front().line, 7U);
 }
 
-/// Up and along in a groove that bends: rapids that touch walls where they were cut touch nothing.
+/// Up and along in a groove that bends: rapids next to walls that were cut there touch nothing.
 void VerifyTest::aRapidInWhatWasCutTouchesNothing() {
     Case job;
     const VerifyReport report =
@@ -253,14 +253,16 @@ void VerifyTest::blendedCornersGougeByTheFormula_data() {
     QTest::newRow("P 0.8") << "G64 P0.8" << 0.8;
     QTest::newRow("P 1.3") << "G64 P1.3" << 1.3;
     QTest::newRow("P 1.6") << "G64 P1.6" << 1.6;
-    // Blocks of 16 mm: the parabola begins 8 mm before the corner, and leaves it by half of 8 mm times the sine of 45°.
+    // Blocks of 16 mm: the parabola begins 8 mm before the corner, and deviates from it by half of 8 mm times the sine
+    // of 45°.
     QTest::newRow("no tolerance") << "G64" << 0.5 * 8.0 * std::sqrt(0.5);
     QTest::newRow("exact") << "G61" << 0.0;
 }
 
 namespace {
 
-/// How near to (0, 0) the parabola comes that leaves the corner at (-3, -3), between ways along the axes, by so much.
+/// The least distance from (0, 0) of the parabola that deviates from the corner at (-3, -3), between lines along the
+/// axes, by `leaves`.
 double nearestOfParabola(double leaves) {
     const double leg = 2.0 * leaves * std::sqrt(2.0);
     double nearest = 1e9;
@@ -332,7 +334,7 @@ void VerifyTest::theAllowanceIsComparedWithThePath_data() {
     QTest::newRow("allowance that is gone") << 0.5 << 0.2 << true;
 }
 
-/// Passes over the part's top, which lies 20 mm below program zero.
+/// Passes over the part's top, which is 20 mm below program zero.
 void VerifyTest::theAllowanceIsComparedWithThePath() {
     QFETCH(const double, path);
     QFETCH(const double, program);
@@ -362,7 +364,7 @@ void VerifyTest::theAllowanceIsComparedWithThePath() {
     QCOMPARE(countOf(job.judge(text + "G0 Z5\n"), FindingKind::allowanceDiffers), 0);
 }
 
-/// A flat cutter takes a strip off the side where the block ends within a voxel.
+/// A flat cutter removes a strip from the side where the block ends within a voxel.
 void VerifyTest::stockEndsWithinAVoxel() {
     for (const double margin : {5.0, 5.06, 5.1, 5.14, 5.2}) {
         Case job;
@@ -384,7 +386,7 @@ void VerifyTest::stockEndsWithinAVoxel() {
 void VerifyTest::spindleThatStandsStillIsFound() {
     Case job;
     const VerifyReport report = job.judge("G21 G90 G17\nT1 M6\nG0 Z5\nG0 X-10 Y0\nG1 Z-2 F300\nG1 X10\nG1 Z5\n");
-    QCOMPARE(countOf(report, FindingKind::spindleOff), 1); // of a spindle that nobody started
+    QCOMPARE(countOf(report, FindingKind::spindleOff), 1); // of a spindle that was never started
     QCOMPARE(report.findings.front().line, 5U);
     QCOMPARE(report.findings.front().count, 2U);
 }
@@ -438,13 +440,13 @@ void VerifyTest::whatTheShankTouchesIsToldAsVoxels() {
                 }
     QCOMPARE(touched.centres.size(), expected);
     QVERIFY(expected > 100);
-    const std::optional<VerifyReport> again = reportFromJson(toJson(report)); // as a project keeps it
+    const std::optional<VerifyReport> again = reportFromJson(toJson(report)); // as stored in a project
     QVERIFY(again && again->touched.size() == 2 && again->touched.front().centres == touched.centres);
     QVERIFY(job.judge(start + "G0 Z5\nG0 X0 Y0\nG1 Z-7 F300\nG1 Z5\n").touched.empty());
 }
 
 void VerifyTest::aToolInAFixtureIsFound_data() {
-    QTest::addColumn<double>("x"); // program X that the tip goes to beside a block whose face is at X = -25
+    QTest::addColumn<double>("x"); // program X of the tip next to a block whose face is at X = -25
     QTest::addColumn<bool>("on");
     QTest::addColumn<double>("depth");
     QTest::newRow("a third of a millimetre in") << -22.3 << true << 0.3;
@@ -461,7 +463,7 @@ void VerifyTest::aToolInAFixtureIsFound() {
     Obstacle block;
     block.name = "block";
     block.shape = Box{{-20.0, 5.0, 0.0}, {-10.0, 15.0, 45.0}};
-    block.margin = 2.0; // the hand's alone
+    block.margin = 2.0; // only for the haptic boundary
     block.on = on;
     job.request.obstacles = {block};
     for (const char* move : {"G0", "G1 F600"}) {
@@ -475,15 +477,16 @@ void VerifyTest::aToolInAFixtureIsFound() {
     }
 }
 
-/// The stock is the part, 10 mm high. The tool goes down beside it until its holder, 30 mm above the tip and 10 mm wide
-/// all round, is so far above the part's top; and in another run beside a fixture of the same height.
+/// The stock is the part, 10 mm high. The tool goes down next to it until its holder, which begins 30 mm above the tip
+/// and has a radius of 10 mm, is the given distance above the part's top; and in another run next to a fixture of the
+/// same height.
 void VerifyTest::aHolderThatPassesNearIsToldAndIsNoFault_data() {
     QTest::addColumn<double>("gap");
     QTest::addColumn<bool>("told");
     QTest::newRow("well above") << 1.2 << false;
     QTest::newRow("near") << 0.7 << true;
     QTest::newRow("nearly touching") << 0.05 << true;
-    QTest::newRow("in it") << -0.5 << false; // that is a finding
+    QTest::newRow("in it") << -0.5 << false; // contact, which is a finding
 }
 
 void VerifyTest::aHolderThatPassesNearIsToldAndIsNoFault() {
@@ -497,8 +500,8 @@ void VerifyTest::aHolderThatPassesNearIsToldAndIsNoFault() {
     Obstacle clamp;
     clamp.shape = Box{{-40.0, 0.0, 0.0}, {-20.0, 20.0, 10.0 - 2.0 * gap}};
     job.request.obstacles = {clamp};
-    // Over x = -6: 9 mm of stock and part lie under the holder, and none of the clamp; over x = -14 it is the other
-    // way.
+    // Over x = -6, 9 mm of stock and part are below the holder, and none of the clamp; over x = -14 it is the other way
+    // round.
     const std::string depth = std::to_string(gap - 30.0), deeper = std::to_string(-gap - 30.0);
     const VerifyReport report =
         job.judge(start + "G0 Z50\nG0 X-21 Y0\nG1 Z" + depth + " F300\nG0 Z50\nX-29\nG1 Z" + deeper + "\nG0 Z50\n");
@@ -522,7 +525,7 @@ void VerifyTest::aHolderThatPassesNearIsToldAndIsNoFault() {
     QVERIFY(std::abs(clampPass->distance - gap) < 1e-6);
 }
 
-/// A slot deeper than the flutes, milled in two passes: the shank, half a millimetre thinner all round, passes its
+/// A slot deeper than the flutes, milled in two passes: the shank, half a millimetre smaller in radius, passes its
 /// walls.
 void VerifyTest::aShankBesideAWallOfStockIsTold() {
     Case job;
@@ -541,8 +544,8 @@ void VerifyTest::aShankBesideAWallOfStockIsTold() {
     QVERIFY(job.judge(start + moves).nearPasses.empty());
 }
 
-/// A wall along 50 mm that the shank passes on a hundred lines: one warning every 10 to 20 mm, the nearest first, and
-/// together they count every line.
+/// The shank passes a wall of 50 mm on a hundred lines: one warning every 10 to 20 mm, the nearest first, and together
+/// they count every line.
 void VerifyTest::aWallPassedOnManyLinesIsToldByPlaces() {
     Case job;
     job.request.tool.cutter.shankDiameter = 5.0;
@@ -571,7 +574,7 @@ void VerifyTest::limitsAreFound() {
     QCOMPARE(countOf(report, FindingKind::travelLimit), 1);
 }
 
-/// 300 mm are enough for the way, but the table does not stand in the middle.
+/// 300 mm are enough for the distance, but the table is not centred.
 void VerifyTest::theEndOfTheTravelIsFoundWhereItIsKnown() {
     Case job;
     const std::string moves = start + "G0 Z5\nG0 X-40 Y0\nG1 X10 F600\n";
@@ -611,7 +614,7 @@ void VerifyTest::excessOverAFacedTopIsWhatWasLeft() {
 void VerifyTest::finishingMovesLieOnThePart() {
     Case job;
     job.request.tool.cutter.fluteLength = 28.0;
-    // Two passes over the part at the cutting feed, one on it and one 1 mm above it, equally long.
+    // Two passes over the part at the cutting feed, one on it and one 1 mm above it, of equal length.
     const VerifyReport report = job.judge(start + "G0 Z5\nG0 X-10 Y-3\nG1 Z-19 F300\nG1 X10 F600\nG1 Y3 F300\n"
                                                   "G1 Z-20 F300\nG1 X-10 F600\nG1 Z5 F300\n");
     QVERIFY(std::abs(report.onPartShare - 0.5) < 0.01);
@@ -629,7 +632,7 @@ void VerifyTest::anArcIsJudgedAsAnArc() {
     QCOMPARE(report.loads.back().line, 7U);
 }
 
-/// To (60, 50, 10): Z is there first, then X, then Y, which is slow.
+/// To (60, 50, 10): Z arrives first, then X, then Y, which is slow.
 void VerifyTest::independentAxesBendARapid() {
     MachineProfile bent = machine();
     bent.rapids = RapidMode::independent;
@@ -644,7 +647,7 @@ void VerifyTest::independentAxesBendARapid() {
     QCOMPARE(rapidWay(glm::dvec3(0.0), {60.0, 50.0, 10.0}, bent).size(), std::size_t(1));
 }
 
-/// Straight up and away it clears the stock; with a slow Z it is dragged through its side.
+/// Straight up and away the tool clears the stock; with a slow Z it is dragged through the side of the stock.
 void VerifyTest::aBentRapidIsJudgedOnItsBend() {
     const std::string moves = start + "G0 Z5\nG0 X40 Y0\nG0 Z-10\nG0 X0 Z20\n";
     Case straight;
@@ -727,8 +730,8 @@ Property alloy() {
     return property;
 }
 
-/// A block of 150 × 40 × 20 mm without margins but on top, cut in alloy by an end mill of 10 mm with 3 teeth. Program
-/// zero: centre of its top, so that it reaches from X-75 to X75, Y-20 to Y20.
+/// A block of 150 × 40 × 20 mm with a margin only on top, cut in alloy by an end mill of 10 mm with 3 teeth. Program
+/// zero: centre of its top, so that it extends from X-75 to X75, Y-20 to Y20.
 struct Slotting {
     Model model;
     std::unique_ptr<MeshDistance> part;
@@ -771,8 +774,8 @@ struct Slotting {
 } // namespace
 
 /// The slot of issue 29: 6 mm deep, F350, S3800, with approaches in air of 5, 20, 55 and 105 mm, in one block and in
-/// many. K of the mean chip of a slot, 2 fz / pi, is 2.14 J/mm³; 350 mm³/s of it at 1.99 m/s are 376 N; to them comes
-/// the edge's: 3 teeth, half a turn, 6 mm, 7.5 N/mm.
+/// many. K of the mean chip of a slot, 2 fz / pi, is 2.14 J/mm³; 350 mm³/s of it at 1.99 m/s are 376 N; the edge force
+/// is added: 3 teeth, half a turn, 6 mm, 7.5 N/mm.
 void VerifyTest::thePeakOfASlotDoesNotDependOnItsApproach() {
     const double expected = 376.4 + 3.0 * 0.5 * 6.0 * kte;
     for (const double approach : {5.0, 20.0, 55.0, 105.0})
@@ -788,7 +791,7 @@ void VerifyTest::thePeakOfASlotDoesNotDependOnItsApproach() {
             const CutLoad& peak = peakLoad(report.loads)->peak;
             QVERIFY2(std::abs(peak.force / expected - 1.0) < 0.02,
                      qPrintable(QStringLiteral("%1: %2 N").arg(approach).arg(peak.force)));
-            // Over time: nothing while it approaches.
+            // Over time: no load during the approach.
             const double entered = (approach - 0.5) / (350.0 / 60.0);
             QVERIFY(peak.at > entered && peak.place.x > 0.0);
             for (const LoadStep& step : report.loadSteps) QVERIFY(step.start > entered * 0.9);
@@ -803,13 +806,13 @@ void VerifyTest::partialCutsHaveTheForceOfTheClosedFormula_data() {
     QTest::newRow("full") << 10.0;
 }
 
-/// Written anew: arc acos(1 - 2 ae / D); a tooth's force integrated over it in small angles, for the mean over a turn
-/// Kt(h) sin-weighted with K of the mean chip; sideways components by the same sum.
+/// Independent computation: arc acos(1 - 2 ae / D); a tooth's force integrated over it in small angles, for the mean
+/// over a turn Kt(h) sin-weighted with K of the mean chip; sideways components by the same sum.
 void VerifyTest::partialCutsHaveTheForceOfTheClosedFormula() {
     QFETCH(double, width);
     constexpr double diameter = 10.0, depth = 6.0, feed = 600.0, turns = 3800.0 / 60.0, teeth = 3.0;
     Slotting job;
-    // The material is on the left of the move along +X: from Y-20 on.
+    // The material is on the left of the move along +X, starting at Y-20.
     const std::string y = std::to_string(width >= 10.0 ? 0.0 : -20.0 - 5.0 + width);
     const VerifyReport report = job.judge("G0 X-85 Y" + y + " Z5\nG0 Z-6\nG1 X0 F600\nG0 Z5\n");
     const CutLoad& peak = peakLoad(report.loads)->peak;
@@ -817,14 +820,14 @@ void VerifyTest::partialCutsHaveTheForceOfTheClosedFormula() {
     const double perTooth = feed / 60.0 / (turns * teeth), arc = std::acos(1.0 - 2.0 * width / diameter);
     const double chip = perTooth * width / (0.5 * diameter * arc); // mean over the arc
     const double energy = kc11 * std::pow(chip, -mc);
-    // The +Y side of the cutter is in the stock; the teeth of a clockwise spindle go from +Y towards +X.
+    // The +Y side of the cutter is in the stock; the teeth of a clockwise spindle move from +Y towards +X.
     double tangential = 0.0, radial = 0.0;
     glm::dvec2 force(0.0);
     constexpr int parts = 20000;
     for (int i = 0; i < parts; ++i) {
         const double turn = arc * (i + 0.5) / parts; // from the side of the material
         const double share = depth * arc / parts * teeth / (2.0 * pi);
-        // Where the tooth is: +Y turned towards +X.
+        // Position of the tooth: +Y rotated towards +X.
         const glm::dvec2 out(std::sin(turn), std::cos(turn)), along(out.y, -out.x);
         const double thick = perTooth * out.x;
         const double t = (energy * thick + kte) * share, r = (kr * energy * thick + kre) * share;
@@ -842,7 +845,7 @@ void VerifyTest::partialCutsHaveTheForceOfTheClosedFormula() {
     const glm::dvec2 told(peak.vector);
     QVERIFY2(glm::length(told - force) < 0.05 * glm::length(force),
              qPrintable(QStringLiteral("%1 %2, %3 %4").arg(told.x).arg(told.y).arg(force.x).arg(force.y)));
-    QVERIFY(std::abs(peak.axial) < 0.02 * peak.force); // walls alone
+    QVERIFY(std::abs(peak.axial) < 0.02 * peak.force); // only walls
 }
 
 void VerifyTest::aPlungeAndABallPushAlongTheAxis() {
@@ -850,13 +853,13 @@ void VerifyTest::aPlungeAndABallPushAlongTheAxis() {
     const VerifyReport plunge = job.judge("G0 X0 Y0 Z5\nG1 Z-5 F100\nG0 Z5\n");
     const CutLoad& flat = peakLoad(plunge.loads)->peak;
     QVERIFY(flat.axial > 0.3 * flat.force && flat.side < 0.05 * flat.axial);
-    // The bottom's whole disc is engaged: R²pi of it, each mm² of it in all three teeth's way.
+    // The whole disc of the bottom is engaged: R²pi of it, each mm² passed by all three teeth.
     QVERIFY(std::abs(flat.removalRate / (25.0 * pi * 100.0 / 60.0) - 1.0) < 0.02);
     job.request.tool.cutter = {CutterType::ball, 10.0, 5.0, 25.0, 10.0, 50.0, {}};
     const VerifyReport groove = job.judge("G0 X-85 Y0 Z5\nG0 Z-2\nG1 X0 F600\nG0 Z5\n");
     const CutLoad& ball = peakLoad(groove.loads)->peak;
     QVERIFY(ball.axial > 0.2 * ball.force); // its round bottom is pushed up
-    QVERIFY(ball.vector.x < 0.0);           // and it is held back
+    QVERIFY(ball.vector.x < 0.0);           // and pushed back against the motion
 }
 
 void VerifyTest::eachLimitIsFoundAtItsLine_data() {
@@ -871,7 +874,7 @@ void VerifyTest::eachLimitIsFoundAtItsLine_data() {
     row("bending", FindingKind::toolBending);
 }
 
-/// A light cut on line 6 and a heavy one on line 9; limits between them.
+/// A light cut on line 6 and a heavy one on line 9, with limits between them.
 void VerifyTest::eachLimitIsFoundAtItsLine() {
     QFETCH(int, kind);
     const auto wanted = static_cast<FindingKind>(kind);
@@ -880,7 +883,7 @@ void VerifyTest::eachLimitIsFoundAtItsLine() {
     Slotting job;
     job.request.gougeTolerance = 0.02;
     const VerifyReport free = job.judge(moves);
-    QVERIFY(free.passed() && free.warnings.empty()); // nothing is stated, nothing is judged
+    QVERIFY(free.passed() && free.warnings.empty()); // without stated limits nothing is judged
     QCOMPARE(free.loads.size(), std::size_t(2));
     const CutLoad &light = free.loads[0].peak, &heavy = free.loads[1].peak;
     const auto between = [](double a, double b) { return std::sqrt(a * b); };
@@ -917,8 +920,8 @@ void VerifyTest::eachLimitIsFoundAtItsLine() {
     QVERIFY(found.front().amount > found.front().limit && found.front().limit > 0.0);
     QVERIFY(std::string(idOf(wanted)) != "unknown" && std::string(unitOf(wanted)) != "");
     if (wanted == FindingKind::toolBending) {
-        // A cantilever of 8 mm from the force at 4 mm up to 25 mm, then of 10 mm up to 50 mm; one of 8 mm alone would
-        // bend by 0.08 mm.
+        // A cantilever of 8 mm from the force at 4 mm up to 25 mm, then of 10 mm up to 50 mm; one of 8 mm over the
+        // whole length would bend by 0.08 mm.
         const double inner = std::pow(21.0, 3), whole = std::pow(46.0, 3);
         const double expected = 0.08 * (inner + (whole - inner) * std::pow(0.8, 4)) / whole;
         QVERIFY2(std::abs(found.front().amount / expected - 1.0) < 0.03,
@@ -926,7 +929,7 @@ void VerifyTest::eachLimitIsFoundAtItsLine() {
     }
 }
 
-/// Of a slot: P = (K(2 fz / pi) D ap v / edge speed + Kte z ap / 2) times the edge's speed; at 400 mm/min here.
+/// For a slot: P = (K(2 fz / pi) D ap v / edge speed + Kte z ap / 2) times the edge's speed; at 400 mm/min here.
 void VerifyTest::theFeedThatIsBorneIsThatOfTheClosedFormula() {
     constexpr double depth = 8.0, turns = 3800.0 / 60.0, borne = 400.0 / 60.0, edgeSpeed = pi * 10.0 * turns;
     const double edge = 3.0 * 0.5 * depth * kte; // N
@@ -942,7 +945,7 @@ void VerifyTest::theFeedThatIsBorneIsThatOfTheClosedFormula() {
     QCOMPARE(report.feedLimits.front().motion, report.loads.back().motion);
     QVERIFY2(std::abs(report.feedLimits.front().feed / 400.0 - 1.0) < 0.03,
              qPrintable(QString::number(report.feedLimits.front().feed)));
-    job.request.machine.spindlePower = 0.9 * edge * edgeSpeed / 1000.0; // less than the edge alone asks for
+    job.request.machine.spindlePower = 0.9 * edge * edgeSpeed / 1000.0; // less than the edge force alone requires
     QVERIFY(job.judge(moves).feedLimits.back().feed < 1.0);
 }
 
@@ -960,7 +963,7 @@ void VerifyTest::estimatedLimitsWarn() {
             report.warnings[1].amount / report.warnings[1].limit); // the worst first
 }
 
-/// A slot in 300 blocks of 0.5 mm: every 10 mm one finding, with the lines that it stands for.
+/// A slot in 300 blocks of 0.5 mm: one finding every 10 mm, with the lines that it represents.
 void VerifyTest::manyLinesMakeOneFinding() {
     Slotting job;
     job.request.machine.spindlePower = 10.0;
@@ -973,8 +976,8 @@ void VerifyTest::manyLinesMakeOneFinding() {
     QVERIFY(lines > 270 && lines <= 300);
 }
 
-/// Steps of 0.04 mm with a sharp bend at each: less than a voxel, of which whole columns go at once. Whatever a tool
-/// does, it meets no more than it is wide.
+/// Steps of 0.04 mm with a sharp bend at each: less than a voxel, so that whole columns of voxels are removed at once.
+/// However a tool moves, its cut is no wider than the tool.
 void VerifyTest::noCutIsWiderThanTheTool() {
     Slotting job;
     std::string moves = "G0 X-85 Y0 Z5\nG0 Z-6\nG1 X-60 F350\n";
@@ -982,7 +985,7 @@ void VerifyTest::noCutIsWiderThanTheTool() {
         moves += "G1 X" + std::to_string(-60.0 + 0.03 * i) + " Y" + (i % 2 == 0 ? "0" : "0.03") + "\n";
     const VerifyReport report = job.judge(moves + "G0 Z5\n");
     QVERIFY(report.loads.size() > 20);
-    double most = 0.0; // mm², seen along the move
+    double most = 0.0; // mm², projected along the move
     for (const MotionLoad& load : report.loads) {
         QVERIFY(load.peak.width <= 10.0);
         most = std::max(most, load.peak.removalRate / (load.peak.feedPerTooth * 3.0 * 3800.0 / 60.0));
@@ -993,7 +996,7 @@ void VerifyTest::noCutIsWiderThanTheTool() {
 void VerifyTest::aPlungeNeedsMaterialToBeOne_data() {
     QTest::addColumn<QString>("moves");
     QTest::addColumn<bool>("centreCutting");
-    QTest::addColumn<int>("line"); // 0: nothing to say
+    QTest::addColumn<int>("line"); // 0: no message
     const QString above = "G0 X0 Y0 Z5\n", feed = " F200\n";
     QTest::newRow("in air") << above + "G1 Z0.5" + feed << false << 0;
     QTest::newRow("beside the stock") << "G0 X-85 Y0 Z5\nG1 Z-8" + feed + "G1 X-70\n" << false << 0;
@@ -1025,7 +1028,7 @@ void VerifyTest::theDeepestCutBendsTheToolByWhatItMay_data() {
     QTest::newRow("a tenth") << 1.0;
 }
 
-/// A cantilever of one thickness under the closed formula of a straight cut.
+/// A cantilever of constant thickness with the closed formula of a straight cut.
 void VerifyTest::theDeepestCutBendsTheToolByWhatItMay() {
     QFETCH(double, width);
     Tool tool;
@@ -1050,7 +1053,7 @@ void VerifyTest::theDeepestCutBendsTheToolByWhatItMay() {
     const double expected = force * std::pow(50.0 - 0.5 * depth, 3) / (3.0 * 600000.0 * inertia);
     QVERIFY2(std::abs(expected / bending - 1.0) < 0.01, qPrintable(QString("%1 mm: %2").arg(depth).arg(expected)));
     MachineProfile weak;
-    weak.spindlePower = 0.5 * (chip + 10.0 * edge) * edgeSpeed / 1000.0; // of half the depth
+    weak.spindlePower = 0.5 * (chip + 10.0 * edge) * edgeSpeed / 1000.0; // for half of the depth
     QVERIFY(std::abs(bearableDepth(tool, conditions, material, weak, {width, bending}) / depth - 0.5) < 0.01);
 }
 
@@ -1085,7 +1088,7 @@ void VerifyTest::aPlaceOfThePartHasItsNumber() {
                            Row{"-20.3", -0.3, DeviationBand::gouge}}) {
         const VerifyReport report = pass(row.level);
         const DeviationMap map(report.deviations, job.request.setup.voxel);
-        // Gouges are marked where the tool was found deepest: somewhere on the pass.
+        // Gouges are marked where the tool was deepest: somewhere on the pass.
         std::size_t at = map.nearest(middle, 1.0).value();
         if (row.deviation < 0.0)
             for (std::size_t i = 0; i < report.deviations.size(); ++i)
@@ -1117,8 +1120,8 @@ double lightness(const DeviationColour& colour) {
 
 } // namespace
 
-/// The farther from nominal the darker, without a step, and blue against red, which no common colour blindness mixes
-/// up.
+/// The farther from nominal the darker, without a jump, and blue against red, which are distinguishable with all common
+/// kinds of colour blindness.
 void VerifyTest::theScaleTellsTheSidesApart() {
     for (const DeviationTolerance& tolerance :
          {DeviationTolerance{0.02, 0.1, 0.0}, DeviationTolerance{0.05, 0.1, 0.3}}) {
@@ -1152,7 +1155,7 @@ void VerifyTest::theScaleTellsTheSidesApart() {
     QVERIFY(colourOf(overhang, DeviationScale({}), {}) == unmeasuredColour);
 }
 
-/// A floor whose stock rises evenly, at a wall with 5 mm of stock: up to the edge the floor keeps its own value.
+/// A floor whose stock rises evenly, next to a wall with 5 mm of stock: up to the edge the floor keeps its own value.
 void VerifyTest::aPointOfThePartHasTheValuesOfItsFace() {
     constexpr double apart = 0.4;
     std::vector<DeviationSample> samples;

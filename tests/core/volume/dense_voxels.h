@@ -11,7 +11,7 @@
 
 namespace burin::test {
 
-/// One property for each whole voxel, in the order of `fromDense`: the paper's voxel array, to look things up in.
+/// One property for each whole voxel, in the order of `fromDense`: the paper's voxel array, for direct look-up.
 struct DenseVoxels {
     explicit DenseVoxels(glm::ivec3 size) : count(size), properties(total()) {}
 
@@ -23,10 +23,10 @@ struct DenseVoxels {
         return glm::all(glm::greaterThanEqual(voxel, glm::ivec3(0))) && glm::all(glm::lessThan(voxel, count));
     }
     PropertyIndex& at(glm::ivec3 voxel) { return properties[place(voxel)]; }
-    /// Air beyond the grid.
+    /// Air outside the grid.
     PropertyIndex at(glm::ivec3 voxel) const { return contains(voxel) ? properties[place(voxel)] : airProperty; }
 
-    /// Calls visit(voxel) for each voxel within one step, itself included; also beyond the grid.
+    /// Calls visit(voxel) for each voxel within one step, including the voxel itself and voxels outside the grid.
     template <class Visit>
     static void around(glm::ivec3 voxel, Visit visit) {
         for (int k = -1; k <= 1; ++k)

@@ -16,7 +16,7 @@ inline Grid randomlyTurnedGrid(glm::ivec3 count) {
     return *Grid::make({-3.0, 5.0, 1.0}, surfaceVoxel, count, static_cast<RunAxis>(*rc::gen::inRange(0, 3)));
 }
 
-/// Stock with slots beside bosses, splinters, and balls of any material or none.
+/// Stock with slots next to bosses, splinters, and balls of any material or air.
 inline void fillAtRandom(RunVolume& volume) {
     const Grid& grid = volume.grid();
     RC_ASSERT(volume.fillBlock({0, 0}, {grid.lineCountU(), grid.lineCountV()}, *rc::gen::inRange<RunPosition>(0, 9000),

@@ -12,7 +12,7 @@
 
 namespace burin::test {
 
-/// The segments of every scanline of a volume, written out: u counts fastest.
+/// A copy of the segments of every scanline of a volume, u counting fastest.
 class LineCopies {
 public:
     LineCopies() = default;
@@ -28,7 +28,7 @@ public:
         return lines_[static_cast<std::size_t>(line.v) * static_cast<std::size_t>(width_) +
                       static_cast<std::size_t>(line.u)];
     }
-    /// Lines where `differs(line)` may be anything else.
+    /// Whether all lines are equal, except those for which `mayDiffer(line)` is true.
     template <class Volume, class MayDiffer>
     bool equalsBut(const Volume& volume, MayDiffer mayDiffer) const {
         for (LineIndex line; line.v < depth_; ++line.v)
@@ -57,7 +57,7 @@ private:
     std::vector<std::vector<Segment>> lines_;
 };
 
-/// What a random volume looks like.
+/// Kinds of random volumes.
 enum class Content : int { air, sheets, creases, lattice, noise, mixed };
 inline constexpr int contentCount = 6;
 
@@ -97,7 +97,7 @@ private:
         return std::uniform_int_distribution<std::uint32_t>(low, high)(random_);
     }
 
-    /// Materials one above the other with curved surfaces between; `crease` breaks them.
+    /// Materials on top of each other with curved surfaces between; `crease` breaks the surfaces.
     std::vector<Segment> sheets(LineIndex line, RunPosition end, double crease) const {
         std::vector<Segment> segments;
         const double u = line.u / 16.0, v = line.v / 16.0;

@@ -27,7 +27,7 @@ inline SurfaceMesh wholeSurface(const VolumeSnapshot& workpiece, const SurfaceDe
     return whole;
 }
 
-/// Points of different tiles at the same place become one.
+/// Merges points of different tiles at the same position.
 inline TriangleMesh triangleMesh(const SurfaceMesh& surface) {
     TriangleMesh mesh;
     mesh.vertices.assign(surface.points.begin(), surface.points.end());
@@ -36,8 +36,8 @@ inline TriangleMesh triangleMesh(const SurfaceMesh& surface) {
     return weldIdenticalVertices(mesh);
 }
 
-/// Directed edges that are not used as often as their reverse: 0 for a surface without a hole. (Where two sheets touch
-/// along an edge, four triangles may meet in it.)
+/// Number of directed edges that are not used as often as their reverse: 0 for a surface without a hole. (Where two
+/// sheets touch along an edge, four triangles may share it.)
 inline std::size_t countGaps(const TriangleMesh& mesh) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> balance;
     for (const auto& triangle : mesh.triangles)
@@ -50,7 +50,8 @@ inline std::size_t countGaps(const TriangleMesh& mesh) {
     return gaps;
 }
 
-/// Fills each scanline where `inside` finds material: `inside(place across the runs)` answers a stretch along them, mm.
+/// Fills each scanline where `inside` finds material: `inside(point perpendicular to the runs)` returns an interval
+/// along them, mm.
 template <class Inside>
 void fillLines(RunVolume& volume, PropertyIndex property, Inside inside) {
     const Grid& grid = volume.grid();

@@ -42,7 +42,7 @@ Result<RunVolume> combined(Operation operation, const VolumeSnapshot& a, const V
                                                : differenceOf(a, b);
 }
 
-/// Two bricks and a bit each way; unit by unit of 1/256 voxel.
+/// A little more than two bricks in each direction; compared unit by unit of 1/256 voxel.
 const Grid& grid() {
     static const Grid it = cubeGrid({19, 18, 2});
     return it;
@@ -63,7 +63,7 @@ struct Pair {
     }
 };
 
-/// Bricks of air, solid ones and ragged ones.
+/// Bricks of air, solid ones and irregular ones.
 void scatter(Pair& pair) {
     const int blocks = *rc::gen::inRange(0, 4), lines = *rc::gen::inRange(0, 60);
     for (int i = 0; i < blocks; ++i) {
@@ -79,8 +79,8 @@ void scatter(Pair& pair) {
     }
 }
 
-/// Leaning layers: neighbouring lines are mostly alike, but ends meet and pass each other here and there, and now and
-/// then a line is ragged.
+/// Inclined layers: adjacent lines are mostly similar, but ends meet and pass each other in places, and sometimes a
+/// line is irregular.
 void layer(Pair& pair) {
     const int layers = *rc::gen::inRange(1, 10);
     std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
@@ -122,7 +122,7 @@ PropertyList listOf(std::initializer_list<const char*> ids) {
     return list;
 }
 
-/// Properties called by their numbers; protected, as of those a list may be full.
+/// Properties named by their numbers; protected, because a list may be full of those.
 PropertyList protectedList(int first, int last) {
     PropertyList list;
     for (int i = first; i <= last; ++i) {
@@ -211,13 +211,13 @@ private slots:
         QCOMPARE(idAt(result, {3, 3}, 1), std::string("wax"));
         QVERIFY(result.line({3, 3})[1].end() == 300);
 
-        // What only the second operand of a difference is made of need not be known.
+        // Properties that only the second operand of a difference contains need not be known.
         RunVolume waxAlone = *RunVolume::make(line, listOf({"wax", "steel"}), room);
         QVERIFY(subtractInto(waxAlone, a.snapshot(), b.snapshot()));
         QCOMPARE(uniteInto(waxAlone, a.snapshot(), b.snapshot()).error().place, std::string("brass"));
     }
 
-    /// The list's last entry, 255, is all bits of a segment's property: it is no less a property than the others.
+    /// The list's last entry, 255, sets all bits of a segment's property: it is a property like the others.
     void fullListsAreJoined() {
         QVERIFY(rc::check("entries of full lists against a dense grid", [] {
             const PropertyList full = protectedList(1, 255);
@@ -247,7 +247,7 @@ private slots:
         QTest::newRow("the first one full") << 255 << 1 << false;
         QTest::newRow("both full") << 255 << 255 << false;
     }
-    /// Only a union takes the second one's properties up; where it can't, it says so and nothing is changed.
+    /// Only a union adds the second one's properties; if it can't, it reports that and nothing is changed.
     void listsThatTogetherAreTooLongAreRefused() {
         QFETCH(int, own);
         QFETCH(int, others);
@@ -266,7 +266,7 @@ private slots:
             QCOMPARE(list[both->line({18, 3})[1].property()].id, b.volume.properties()[othersLast].id);
         } else {
             QCOMPARE(both.error().code, ErrorCode::argumentInvalid);
-            // The first that found no room, and why.
+            // The first property that found no room, and the reason.
             const int refused = 256 - own;
             QCOMPARE(both.error().place, b.volume.properties()[static_cast<PropertyIndex>(refused)].id);
             QCOMPARE(both.error().detail, std::string("at most 255 properties beside air"));
@@ -276,7 +276,7 @@ private slots:
         QVERIFY((common.line({5, 3})[1] == Segment(300, ownLast)));
         QVERIFY((rest.line({5, 3})[1] == Segment(100, ownLast)));
 
-        // Into a volume that has not all of them: what stood there stays.
+        // Into a volume that lacks some of them: its contents stay.
         Pair result(a.volume.properties());
         result.fill({2, 2}, {17, 17}, 0, 99, 1);
         const Result<void> into = uniteInto(result.volume, first, second);
@@ -289,7 +289,7 @@ private slots:
         QCOMPARE(b.volume.properties().size(), 1 + others);
     }
 
-    /// Of machinable materials a list holds fewer: the same rule.
+    /// A list has room for fewer machinable materials: the same rule.
     void tooManyMachinableMaterialsAreRefused() {
         RunVolume a = *RunVolume::make(grid(), listOf({"1", "2", "3", "4", "5"}), reserve);
         RunVolume b = *RunVolume::make(grid(), listOf({"5", "6", "7", "8", "9"}), reserve);

@@ -32,7 +32,7 @@ std::vector<VoxelIndex> denseBoundary(const RunVolume& volume) {
     return found;
 }
 
-/// Gives a block of lines one property somewhere along them.
+/// Gives one property to a block of lines over an interval along them.
 void fillSomewhere(RunVolume& volume, std::int32_t largest, PropertyIndex property) {
     const Grid& grid = volume.grid();
     const LineIndex low{*rc::gen::inRange(0, grid.lineCountU()), *rc::gen::inRange(0, grid.lineCountV())};
@@ -42,7 +42,7 @@ void fillSomewhere(RunVolume& volume, std::int32_t largest, PropertyIndex proper
     RC_ASSERT(volume.fillBlock(low, high, from, to, property));
 }
 
-/// Bricks whole and cut off at the grid's end, mostly full, so that there is an inside.
+/// Bricks complete and cut off at the grid's end, mostly full, so that there are inner voxels.
 RunVolume someVolume() {
     const glm::ivec3 count(*rc::gen::inRange(1, 28), *rc::gen::inRange(1, 28), *rc::gen::inRange(1, 28));
     const auto axis = static_cast<RunAxis>(*rc::gen::inRange(0, 3));

@@ -15,14 +15,15 @@ using burin::oracles::DenseGrid;
 
 namespace {
 
-/// Places are multiples of this, so that ends meet often.
+/// Positions are multiples of this, so that ends often coincide.
 constexpr RunPosition step = 64;
 
 RunPosition placeUpTo(RunPosition end) {
     return step * *rc::gen::inRange<RunPosition>(0, end / step + 1);
 }
 
-/// A brick as a cut workpiece has them: lines like those beside them, with a stretch of air, and some of their own.
+/// A brick typical of a cut workpiece: lines similar to their neighbours, with an interval of air, and some different
+/// ones.
 void fillBrick(RunVolume& volume, DenseGrid& dense) {
     const RunPosition end = volume.grid().lineEnd();
     const int layers = *rc::gen::element(0, 1, 3, 6, 14);
@@ -52,7 +53,7 @@ Spans anySpans(RunPosition end) {
     for (std::size_t line = 0; line < spans.from.size(); ++line) {
         if (*rc::gen::inRange(0, 5) == 0) continue;
         const RunPosition one = placeUpTo(end), other = placeUpTo(end);
-        const bool widens = *rc::gen::inRange(0, 2) == 0; // the air that fillBrick leaves
+        const bool widens = *rc::gen::inRange(0, 2) == 0; // the air left by fillBrick
         spans.from[line] = widens ? end / 4 - std::min(one / 8, end / 4) : std::min(one, other);
         spans.to[line] = widens ? end / 2 + other / 8 : std::max(one, other);
         if (spans.from[line] < spans.to[line]) spans.lines |= std::uint64_t{1} << line;
@@ -66,7 +67,7 @@ class BrickClearingTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Lines of any number of runs, protected ones among them, cleared once and again, shown by a snapshot or not.
+    /// Lines with any number of runs, including protected ones, cleared once and again, held by a snapshot or not.
     void clearedBricksEqualADenseGrid() {
         const Grid grid = cubeGrid({8, 8, 4});
         const bool held = rc::check("clearing", [&] {

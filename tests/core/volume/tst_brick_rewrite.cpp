@@ -32,7 +32,7 @@ Lines linesOf(const Volume& volume) {
     return lines;
 }
 
-/// Rising ends, some equal, neighbours of one property now and then.
+/// Rising ends, some equal, sometimes adjacent segments of one property.
 std::vector<Segment> someSegments(std::mt19937& random, RunPosition lineEnd, int most) {
     std::vector<Segment> segments;
     RunPosition end = 0;
@@ -124,7 +124,7 @@ private slots:
     }
 
     void whatFillsTheMemoryHalfIsStillRewrittenRowByRow() {
-        // New bricks stand beside the old ones for a while: more than there is room for at once.
+        // New bricks exist together with the old ones for a while: more than fits at once.
         const Grid grid = cubeGrid({128, 128, 32});
         const auto comb = [&](PropertyIndex property) {
             Lines lines;
@@ -152,7 +152,7 @@ private slots:
         const Lines lines = someLines(grid, random, 30);
         QVERIFY(!rewrite(volume, lines));
         QVERIFY(volume.amounts() == volume.snapshot().amounts());
-        // Nothing leaked: taken back to where it was, what found room gives it back.
+        // Nothing leaked: after restoring the start, the memory that was allocated is free again.
         volume.restore(start);
         QCOMPARE(volume.usedBytes(), used);
     }
@@ -172,7 +172,7 @@ private slots:
         QVERIFY(volume.usedBytes() < empty + 2000);
         QCOMPARE(volume.amounts().units[wax], std::uint64_t{512 * 512 * 1000});
         QCOMPARE(copyOf(volume.line({511, 3})).size(), std::size_t{3});
-        // One of them goes its own way, the others stay.
+        // One of them is changed, the others stay shared.
         QVERIFY(volume.fillSpan({5, 5}, 0, 300, part));
         QCOMPARE(volume.amounts().units[part], std::uint64_t{300});
         QVERIFY(volume.amounts() == volume.snapshot().amounts());

@@ -57,7 +57,7 @@ glm::dvec3 middleOf(const Grid& grid, LineIndex line, RunPosition unit) {
     return place;
 }
 
-/// Every 1/256 voxel against the value there; what was not wax is as it was.
+/// Compares every 1/256 voxel with the value there; everything except wax is unchanged.
 void checkEveryUnit(const Graded& graded, const VolumeSnapshot& before) {
     const Grid& grid = before.grid();
     const PropertyList& list = graded.volume.properties();
@@ -151,7 +151,7 @@ private slots:
                                             {2048 - 77, static_cast<PropertyIndex>(first + 3)},
                                             {2048, airProperty}};
         QVERIFY(std::ranges::equal(block.volume.line({0, 0}), expected));
-        // Volumes and the total are those of before.
+        // Volumes and the total are the same as before.
         const VolumeMoments found = moments(block.volume.snapshot());
         QCOMPARE(found.byProperty[waxEntry].volume, 0.0);
     }
@@ -178,7 +178,7 @@ private slots:
         QVERIFY(rc::check("a wave: each 1/256 voxel within half a band", [] {
             const Grid grid = cubeGrid({9, 8, 12}, static_cast<RunAxis>(*rc::gen::inRange(0, 3)));
             const double length = *rc::gen::inRange(5, 20);
-            // Even within a voxel it rises or falls only, but for its crests; those are far flatter than a band.
+            // Even within a voxel it only rises or falls, except for its crests; those are far flatter than a band.
             const auto wave = [length](const glm::dvec3& place) {
                 return std::floor(place.x) + 10.0 * std::sin((place.y + place.z) / length);
             };
@@ -190,7 +190,7 @@ private slots:
             RC_ASSERT(now.amounts() == block.volume.amounts());
             RC_ASSERT(before.amounts().units[partEntry] == now.amounts().units[partEntry]);
             RC_ASSERT(now.amounts().units[waxEntry] == std::uint64_t{0});
-            // Within half a band, and what the wave does within one voxel beside its crest.
+            // Within half a band, plus the change of the wave within one voxel next to its crest.
             const PropertyList& list = block.volume.properties();
             const double slack = 10.0 / (length * length) / 8.0;
             for (LineIndex line; line.v < grid.lineCountV(); ++line.v)

@@ -37,7 +37,8 @@ BodyMoments boxMoments(const glm::dvec3& low, const glm::dvec3& high) {
     return body;
 }
 
-/// Sums over every 1/256 voxel as a box of its own, about a centroid that is found first: the definition, step by step.
+/// Sums over every 1/256 voxel as a box of its own, about a centroid that is computed first: the definition, step by
+/// step.
 BodyMoments denseMoments(const DenseGrid& dense, const Grid& grid, PropertyIndex property) {
     const auto each = [&](auto&& visit) {
         for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
@@ -119,7 +120,7 @@ private slots:
                                std::abs(found.volume / volume - 1.0);
             qInfo("%d voxels: second moments and volume %.2e off, centroid %.2e mm", voxels, off,
                   glm::length(found.centroid - centre));
-            // An eighth of the voxel: second order would be a 64th.
+            // With an eighth of the voxel, second order would be a 64th.
             if (voxels == 192) QVERIFY(off < before / 32.0);
             if (voxels == 24) before = off;
             QVERIFY(glm::length(found.centroid - centre) < 0.02 * 12.0 / voxels);

@@ -37,7 +37,7 @@ RunVolume someRuns(const Grid& grid, std::mt19937& random) {
     return volume;
 }
 
-/// What a volume has at a place, from its runs alone.
+/// The property of a volume at a point, from its runs alone.
 PropertyIndex at(const RunVolume& volume, const glm::dvec3& place) {
     const Grid& grid = volume.grid();
     const glm::dvec3 local = (place - grid.low()) / grid.edge();
@@ -50,7 +50,7 @@ PropertyIndex at(const RunVolume& volume, const glm::dvec3& place) {
     return airProperty;
 }
 
-/// One of the turns that take axes to axes, about some place, and a way.
+/// A rotation that maps axes to axes, about some point, and a translation.
 Placement someTurnAlongAxes() {
     Placement placement;
     for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
@@ -68,7 +68,7 @@ class TestMoved : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Run ends within voxels too: a workpiece that is turned over is the same workpiece.
+    /// With run ends within voxels, too: a workpiece that is turned over is the same workpiece.
     void turnsAlongAxesLoseNothingThereAndBack() {
         QVERIFY(rc::check("there and back", [] {
             std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
@@ -89,7 +89,7 @@ private slots:
         }));
     }
 
-    /// Place by place: what lay somewhere lies where the placement takes that.
+    /// Point by point: the material of each point is at the point that the placement maps it to.
     void everyPlaceKeepsItsMaterial() {
         QVERIFY(rc::check("places", [] {
             std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
@@ -99,7 +99,7 @@ private slots:
             const MovedVolume result = move(volume, placement);
             std::uniform_real_distribution<double> share(0.0, 1.0);
             for (int i = 0; i < 300; ++i) {
-                // Across the runs in the middle of columns: their borders belong to either.
+                // Perpendicular to the runs in the middle of columns: their borders may belong to either.
                 glm::dvec3 place = grid.low();
                 place[grid.axisOfU()] += (std::floor(share(random) * grid.lineCountU()) + 0.5) * grid.edge();
                 place[grid.axisOfV()] += (std::floor(share(random) * grid.lineCountV()) + 0.5) * grid.edge();
@@ -110,7 +110,7 @@ private slots:
         }));
     }
 
-    /// Whatever the turn: on each new scanline the material is what the old volume has there, to a run unit.
+    /// For any rotation: on each new scanline the material is that of the old volume there, to a run unit.
     void aTiltedScanlineMeetsTheOldRuns() {
         QVERIFY(rc::check("tilted", [] {
             std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
@@ -133,13 +133,13 @@ private slots:
                 ++looked;
                 if (at(result.volume, place) != at(volume, back.point(place))) ++differ;
             }
-            // A run end is rounded to 1/256 voxel: a place may fall into that.
+            // A run end is rounded to 1/256 voxel: a point may be within the rounding.
             RC_ASSERT(differ <= looked / 20);
             RC_ASSERT((result.greatestDisplacement > 0.0) == !alongAxes(placement));
         }));
     }
 
-    /// A bar that is turned by any angle keeps its volume.
+    /// A bar that is rotated by any angle keeps its volume.
     void volumeStaysAsItIsTurned() {
         const Grid grid = cubeGrid({80, 40, 40}, RunAxis::z, 0.25);
         RunVolume bar = emptyVolume(grid);

@@ -22,7 +22,7 @@ using namespace burin::test;
 
 namespace {
 
-/// A sphere around the origin without what lies above a height.
+/// A sphere around the origin without the part above a height.
 TriangleMesh openSphere(double radius, double height) {
     TriangleMesh mesh = sphereMesh({0, 0, 0}, radius, 200);
     std::erase_if(mesh.triangles, [&](const auto& triangle) {
@@ -53,7 +53,7 @@ bool isBox(const Box& box, const glm::dvec3& low, const glm::dvec3& high) {
 
 } // namespace
 
-/// What is not one clean closed shell, and the rules for it (voxelisation.h).
+/// Meshes that are not a single clean closed shell, and the rules for them (voxelisation.h).
 class TestOpenMeshes : public QObject {
     Q_OBJECT
 
@@ -117,19 +117,20 @@ private slots:
                         triangle, [&](std::uint32_t v) { return glm::distance(whole.vertices[v], middle) < reach; });
                 });
             }
-            // A cone over the rim stays within the hole's own bulge and saddle: of the tube's curvature at most.
+            // A cone over the rim stays within the hole's own convexity and saddle: at most the curvature of the tube.
             const double bulge = 3.0 - std::sqrt(3.0 * 3.0 - reach * reach);
             const double bound = holes * pi * reach * reach * bulge;
             for (const RunAxis axis : everyAxis) {
                 const double difference = volumeAlong(mesh, 90, axis) - volumeAlong(whole, 90, axis);
-                RC_ASSERT(std::abs(difference) < bound + 2.0); // and the grid's own error
+                RC_ASSERT(std::abs(difference) < bound + 2.0); // plus the grid's own error
             }
         });
         QVERIFY(held);
     }
 
     void aSieveIsFilledAsIfItWereWhole() {
-        // Each hole is a triangle, so its cap is what is missing. Looked at closely, and too many for that.
+        // Each hole is a triangle, so its cap is exactly what is missing. With few holes that are examined closely, and
+        // with too many for that.
         const TriangleMesh whole = sphereMesh({0.1, 0.2, 0.3}, 10.0, 160);
         for (const std::size_t every : {std::size_t{40}, std::size_t{5}}) {
             TriangleMesh sieve = whole;
@@ -171,7 +172,7 @@ private slots:
 
     void sixLooseFacesStillMakeABox() {
         const TriangleMesh box = boxMesh({2, 2, 2}, {14, 14, 14});
-        for (const double gap : {1e-6, 0.02, 0.6}) { // of no account, a slit, and wider than any slit
+        for (const double gap : {1e-6, 0.02, 0.6}) { // negligible, a slit, and wider than any slit
             TriangleMesh mesh;
             for (std::size_t face = 0; face < 6; ++face) {
                 TriangleMesh single;
@@ -222,7 +223,7 @@ private slots:
     }
 
     void junctionsInTheMiddleOfAnEdgeLeaveNoGap() {
-        // The floor's neighbour has a corner halfway along their edge; it lies off the edge by what rounding does.
+        // The floor's neighbour has a corner halfway along their edge; it deviates from the edge by rounding.
         const bool held = testing::holdsInShare("T-junctions", [] {
             TriangleMesh mesh = boxMesh({1.3, 1.2, 1.1}, {12.7, 13.1, 12.9});
             const double share = *rc::gen::inRange(1, 100) / 100.0, off = *rc::gen::inRange(-5, 6) * 0.01;
@@ -273,7 +274,7 @@ private slots:
             std::vector<Box> boxes;
             TriangleMesh mesh;
             for (int i = *rc::gen::inRange(2, 5); i > 0; --i) {
-                glm::dvec3 low, size; // on 1/32 voxel: overlaps of next to nothing are among them
+                glm::dvec3 low, size; // multiples of 1/32 voxel: tiny overlaps are among them
                 for (int axis = 0; axis < 3; ++axis) {
                     low[axis] = static_cast<double>(random() % 200) / 32.0 + 1.0 / 128.0;
                     size[axis] = static_cast<double>(1 + random() % 250) / 32.0;
@@ -292,7 +293,7 @@ private slots:
                 boxes.push_back({low, low + size});
                 append(mesh, boxMesh(low, low + size));
             }
-            const bool inwards = random() % 2 == 0; // which way all of it is turned does not matter
+            const bool inwards = random() % 2 == 0; // the orientation of the whole does not matter
             if (inwards)
                 for (auto& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
             for (const RunAxis axis : everyAxis) {
@@ -311,7 +312,7 @@ private slots:
                             now = holding > 1 ? now + 1 : 0;
                             longest = std::max(longest, now);
                         }
-                        wanted += longest > 16 ? 1U : 0U; // 1/16 voxel is still touching
+                        wanted += longest > 16 ? 1U : 0U; // 1/16 voxel still counts as touching
                     }
                 RunVolume volume = emptyVolume(grid);
                 const auto report = fill(mesh, volume);
@@ -324,7 +325,7 @@ private slots:
         QVERIFY2(overlapping > 8 && apart > 8, qPrintable(QStringLiteral("%1, %2").arg(overlapping).arg(apart)));
     }
 
-    /// Neither shells of one body that meet in a face, however it lies, nor bodies of their own that overlap.
+    /// Neither shells of one body that meet in a face, at any position, nor separate bodies that overlap are reported.
     void shellsThatTouchAndBodiesThatOverlapAreInOrder() {
         const bool held = testing::holdsInShare("a box in two halves", [] {
             std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
@@ -353,12 +354,12 @@ private slots:
         const TriangleMesh mesh = readBinaryStl(BURIN_FIXTURES "/models/featuretype.stl", 25.4);
         QVERIFY(mesh.triangles.size() > 3000);
         for (const RunAxis axis : everyAxis) {
-            // Walls along the runs lie within half a voxel, so that one grid alone may be a percent off.
+            // Walls along the runs are within half a voxel, so that a single grid may be a percent off.
             double sum = 0.0;
             for (const double shift : {0.05, 0.25, 0.45, 0.65, 0.85}) {
                 VoxelisationReport report;
                 sum += volumeAlong(mesh, 200, axis, &report, shift) / 190544.5;
-                QCOMPARE(report.linesWithOddCrossings, std::size_t{0}); // slits, all of them
+                QCOMPARE(report.linesWithOddCrossings, std::size_t{0}); // all of them are slits
             }
             qInfo("%+.4f %%", 100.0 * (sum / 5.0 - 1.0));
             QVERIFY(std::abs(sum / 5.0 - 1.0) < 0.004);

@@ -19,7 +19,7 @@ PackedVolume packedOf(const VolumeSnapshot& snapshot) {
     return PackedVolume::pack(snapshot, progress).value();
 }
 
-/// A line of a packed volume as a volume gives it.
+/// Lines of a packed volume in the form in which a volume returns them.
 struct PackedLines {
     const PackedVolume& volume;
     const Grid& grid() const { return volume.grid(); }
@@ -93,7 +93,7 @@ private slots:
         QVERIFY(back.snapshot().amounts() == volume.amounts());
     }
 
-    /// Slopes that whole numbers can hold leave next to nothing: 64 ends in the bytes of a few.
+    /// Slopes of integer values leave almost no residuals: 64 ends take a few bytes.
     void surfacesTakeWhatTheirShapeTakes() {
         const PackedTileFrame frame{1U << 18, 4};
         const std::size_t level = packedSize(surfaceTile(frame.lineEnd, [](int, int) { return 70000; }), frame);
@@ -127,7 +127,7 @@ private slots:
         QCOMPARE(length, bytes.size() - 6);
     }
 
-    /// Whatever the bytes are, what is read is gapless, rises and ends where lines end, or it is refused.
+    /// For any bytes, the lines read are without gaps, rise and end at the line end, or the bytes are refused.
     void damagedBytesGiveSoundLinesOrNone() {
         const PackedTileFrame frame{1U << 14, 4};
         int refused = 0, read = 0;
@@ -165,7 +165,7 @@ private slots:
         QVERIFY(refused > 0 && read > 0);
     }
 
-    /// A property that stood twice in a brick's palette would let one run follow another of the same property.
+    /// A property that occurred twice in a brick's palette would let one run follow another of the same property.
     void aPaletteThatDoesNotRiseIsRefused() {
         const PackedTileFrame frame{1024, 41};
         const auto isRead = [&](PropertyIndex first, PropertyIndex second) {
@@ -198,7 +198,7 @@ private slots:
         QCOMPARE(packedOf(volume.snapshot()).unpack(progress).error().code, ErrorCode::cancelled);
     }
 
-    /// The parts add up to what the arena has handed out, and shared bricks count once.
+    /// The parts add up to the memory allocated by the arena, and shared bricks count once.
     void memoryIsCountedToTheByte() {
         const Grid grid = cubeGrid({61, 43, 64});
         RunVolume volume = emptyVolume(grid);
@@ -207,7 +207,7 @@ private slots:
         QCOMPARE(filled.runs, std::size_t{61 * 43});
         QCOMPARE(filled.lines, std::size_t{61 * 43});
         QCOMPARE(filled.places, std::size_t{8 * 6});
-        QCOMPARE(filled.tiles, std::size_t{1 + 8 + 5}); // all inner ones are one, those at the rim are filled each
+        QCOMPARE(filled.tiles, std::size_t{1 + 8 + 5}); // inner ones are shared, those at the rim are not
         RandomContent(5, Content::creases).fill(volume);
         (void)volume.snapshot();
         const VolumeMemory memory = memoryOf(volume.snapshot());
@@ -220,7 +220,7 @@ private slots:
                 }
         QCOMPARE(memory.tiles, memory.places);
         QCOMPARE(memory.runs, runs);
-        QCOMPARE(memory.segmentBytes, (segments + (64 * 48 - 61 * 43)) * sizeof(Segment)); // air beyond the grid
+        QCOMPARE(memory.segmentBytes, (segments + (64 * 48 - 61 * 43)) * sizeof(Segment)); // air outside the grid
         const std::size_t root = sizeof(std::uint32_t); // one page, in the snapshot itself
         QCOMPARE(memory.bytes() - root, volume.usedBytes());
     }

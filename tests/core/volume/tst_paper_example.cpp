@@ -15,8 +15,8 @@ namespace burin::tst_paper_example {
 
 using namespace burin::test;
 
-// The example slice of Chen & Yang 2004, section 3, and what each of the paper's operations makes of it, written out by
-// hand. Voxels and runs count from 1 as the paper's do and lie along x: R(x', x''; y, z).
+// The example slice of Chen & Yang 2004, section 3, and the results of each of the paper's operations on it, written
+// out by hand. Voxels and runs count from 1 as in the paper and are parallel to x: R(x', x''; y, z).
 
 namespace {
 
@@ -55,7 +55,7 @@ RunVolume paperExample() {
                      {3, 4, 8, sliceZ}});
 }
 
-/// The same slice three times, one above the other.
+/// The same slice three times, on top of each other.
 RunVolume paperExampleAsAPrism() {
     RunVolume volume = emptyVolume(grid());
     const RunVolume slice = paperExample();
@@ -69,7 +69,7 @@ std::vector<Run> runsOf(const RunVolume& volume, int y) {
 }
 
 using Rows = std::vector<std::vector<Run>>;
-/// Of the slice, y = 1 … 9.
+/// The rows of the slice, y = 1 … 9.
 Rows rowsOf(const RunVolume& volume) {
     Rows rows;
     for (int y = 1; y <= 9; ++y) rows.push_back(runsOf(volume, y));
@@ -214,7 +214,7 @@ private slots:
                          voxel(4, 6, 3), voxel(3, 7, 3), voxel(4, 7, 3), voxel(3, 8, 3), voxel(4, 8, 3)}));
     }
 
-    /// The paper's insertions and removals, the boundary kept up to date after each.
+    /// The paper's insertions and removals, with the boundary updated after each.
     void boundaryFollowsThePapersEdits() {
         RunVolume volume = paperExample();
         BoundaryList list(volume.snapshot());
@@ -233,12 +233,12 @@ private slots:
         QCOMPARE(list.voxelCount(), std::uint64_t{17});
     }
 
-    /// Three such slices, widened to R(2, 4; 4, z) and R(2, 4; 7, z): in the middle one (3; 5) and (3; 6) lie inside,
-    /// until what is beside them goes.
+    /// Three such slices, widened to R(2, 4; 4, z) and R(2, 4; 7, z): in the middle one (3; 5) and (3; 6) are inner
+    /// voxels, until their neighbours are removed.
     void boundaryOfAPrismHasAnInside() {
         RunVolume volume = paperExampleAsAPrism();
         BoundaryList list(volume.snapshot());
-        QCOMPARE(list.voxelCount(), std::uint64_t{3 * 17}); // too slender for an inside as it is
+        QCOMPARE(list.voxelCount(), std::uint64_t{3 * 17}); // too narrow for inner voxels as it is
         for (int z = 1; z <= 3; ++z) {
             QVERIFY(volume.insert(voxel(4, 4, z), wax) == VoxelEdit::done);
             QVERIFY(volume.insert(voxel(2, 7, z), wax) == VoxelEdit::done);
@@ -262,7 +262,7 @@ private slots:
         QVERIFY(BoundaryList(volume.snapshot()).voxels() == list.voxels());
         QCOMPARE(list.voxelCount(), std::uint64_t{3 * 19 - 2});
 
-        QVERIFY(volume.remove(voxel(4, 7, 3)) == VoxelEdit::done); // a corner of (3; 6) alone
+        QVERIFY(volume.remove(voxel(4, 7, 3)) == VoxelEdit::done); // only a corner of (3; 6)
         list.update(volume.snapshot());
         middle[6 - 1] = {stretch(2, 4)};
         QVERIFY(boundaryRows(list, 2) == middle);
@@ -329,7 +329,7 @@ private slots:
             (rowsOf(rest) ==
              Rows{{}, {run(2, 3)}, {run(2, 3)}, {run(2, 2)}, {run(2, 3)}, {run(2, 4)}, {run(3, 4)}, {run(3, 4)}, {}}));
         for (const RunVolume* result : {&both, &ofTwo, &common, &rest}) QVERIFY(isEmptyBelow(*result));
-        QVERIFY(rowsOf(slice) == rowsOf(paperExample())); // the operands stay
+        QVERIFY(rowsOf(slice) == rowsOf(paperExample())); // the operands are unchanged
     }
 };
 

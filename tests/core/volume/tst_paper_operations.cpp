@@ -18,7 +18,7 @@ using burin::oracles::DenseGrid;
 
 namespace {
 
-/// Blobs rather than noise: each voxel takes after one before it.
+/// Connected blobs rather than noise: each voxel copies one before it.
 DenseVoxels someVoxels() {
     DenseVoxels voxels({5, 4, 6});
     for (std::size_t i = 0; i < voxels.total(); ++i)
@@ -43,14 +43,14 @@ class TestPaperOperations : public QObject {
 private slots:
     void subVoxelRunsShowAsTheVoxelsWhoseCentresTheyHold() {
         RunVolume volume = emptyVolume(cubeGrid({1, 1, 8}));
-        QVERIFY(volume.fillSpan({0, 0}, 128, 3 * 256 + 128, wax)); // from the first centre to the fourth, without it
+        QVERIFY(volume.fillSpan({0, 0}, 128, 3 * 256 + 128, wax)); // from the first centre up to, excluding, the fourth
         QVERIFY((volume.runs({0, 0}) == std::vector{Run{0, 2, wax}}));
-        QVERIFY(volume.fillSpan({0, 0}, 256 + 10, 256 + 100, aluminium)); // holds no centre
+        QVERIFY(volume.fillSpan({0, 0}, 256 + 10, 256 + 100, aluminium)); // contains no centre
         QVERIFY((volume.runs({0, 0}) == std::vector{Run{0, 2, wax}}));
         QVERIFY((volume.locate({0, 0, 1}) == Run{0, 2, wax}));
     }
 
-    /// A caller can tell the paper's failure flag from a reserve that is used up.
+    /// A caller can distinguish the paper's failure flag from an exhausted reserve.
     void usedUpMemoryIsNoFailureFlag_data() {
         QTest::addColumn<bool>("removing");
         QTest::newRow("removing") << true;
@@ -58,7 +58,7 @@ private slots:
     }
     void usedUpMemoryIsNoFailureFlag() {
         QFETCH(bool, removing);
-        constexpr std::int32_t bricks = 16; // each way; a first change gives each a block of its own
+        constexpr std::int32_t bricks = 16; // in each direction; a first change gives each a block of its own
         RunVolume volume = emptyVolume(cubeGrid({16, 8 * bricks, 8 * bricks}, RunAxis::x), 4096);
         if (removing) QVERIFY(volume.fillBlock({0, 0}, {8 * bricks, 8 * bricks}, 0, 16 * 256, wax));
         const auto edit = [&](VoxelIndex at) { return removing ? volume.remove(at) : volume.insert(at, wax); };
@@ -76,7 +76,7 @@ private slots:
         QVERIFY(done > 0 && last == VoxelEdit::outOfMemory);
         QVERIFY(volume.amounts() == before);
         const VoxelIndex first{5, 3, 3};
-        QVERIFY(edit(first) == VoxelEdit::nothing); // done already: no memory is asked for
+        QVERIFY(edit(first) == VoxelEdit::nothing); // no change: no memory is needed
         QVERIFY((removing ? volume.insert(first, wax) : volume.remove(first)) == VoxelEdit::done); // its block has room
         QVERIFY(volume.belongs(first) == removing);
     }
@@ -104,7 +104,7 @@ private slots:
     void boundaryVoxelsHaveAnEmptyNeighbour() {
         const bool held = rc::check("boundary against 27 look-ups a voxel", [] {
             DenseVoxels some = someVoxels();
-            for (PropertyIndex& property : some.properties) // mostly full, or nothing would be inside
+            for (PropertyIndex& property : some.properties) // mostly full, otherwise there would be no inner voxels
                 if (property == airProperty && *rc::gen::inRange(0, 8) > 0) property = wax;
             const DenseVoxels& voxels = some;
             const Grid grid = cubeGrid(voxels.count, anyAxis());

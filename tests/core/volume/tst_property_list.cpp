@@ -59,7 +59,7 @@ private slots:
         }
         property.id = "one more";
         QVERIFY(!list.add(property));
-        property.base = "m3"; // grades of a material are recorded as it, but a cut has to tell them apart
+        property.base = "m3"; // grades of a material are recorded as the material, but a cut has to distinguish them
         for (int i = maximumMachinableMaterials; i < maximumMachinableProperties; ++i) {
             property.id = "g" + std::to_string(i);
             QVERIFY(list.add(property));
@@ -82,7 +82,7 @@ private slots:
         Property stock, grade;
         stock.id = grade.base = "stock";
         grade.id = "grade";
-        QVERIFY(list.add(grade).error().code == ErrorCode::argumentInvalid); // of what is not there yet
+        QVERIFY(list.add(grade).error().code == ErrorCode::argumentInvalid); // not in the list yet
         const PropertyIndex stockEntry = *list.add(stock), gradeEntry = *list.add(grade);
         QCOMPARE(list.baseOf(gradeEntry), stockEntry);
         QCOMPARE(list.baseOf(stockEntry), stockEntry);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double step = 0.002; // of the marching oracle, mm; the voxels are 1 mm
 
-/// Some balls of different materials in a small grid, written to a dense one as well.
+/// Some balls of different materials in a small grid, also written to a dense one.
 struct Pile {
     Grid grid;
     RunVolume volume;
@@ -91,7 +91,7 @@ void RayCastTest::meetsWhatMarchingMeets() {
     QVERIFY(rc::check("a ray meets what small steps along it meet", [] {
         Pile pile = anyPile();
         const glm::dvec3 origin = pile.grid.box().centre() + anyPlace(-1500, 1500) / 100.0;
-        // Off the middle by odd amounts: marching skips corners thinner than its step.
+        // Offset from the centre by irregular amounts: marching skips corners thinner than its step.
         const glm::dvec3 aim = pile.grid.box().low + anyPlace(0, 1000) / 100.0 + glm::dvec3(0.00371, 0.00513, 0.00297);
         RC_PRE(glm::length(aim - origin) > 0.1);
         const glm::dvec3 way = glm::normalize(aim - origin);
@@ -102,7 +102,7 @@ void RayCastTest::meetsWhatMarchingMeets() {
             RC_ASSERT(!expected);
             return;
         }
-        // What it met is there, and nothing was met before.
+        // The hit material is there, and nothing was hit before.
         RC_ASSERT(pile.at(found->place + way * 1e-9) == found->property);
         RC_ASSERT(glm::length(found->place - (origin + way * found->distance)) < 1e-9);
         if (!expected)
@@ -174,7 +174,7 @@ void RayCastTest::whatIsNoRayMeetsNothing() {
     }
 }
 
-/// However little of its digits is left when it comes to the grid.
+/// However few significant digits are left when it arrives at the grid.
 void RayCastTest::aRayFromFarAwayArrives() {
     RunVolume volume = emptyVolume(cubeGrid({10, 10, 10}));
     (void)volume.fillBlock({0, 0}, {10, 10}, 0, 10 * unitsPerVoxel, wax);
@@ -212,7 +212,7 @@ void RayCastTest::highestIsWhatADenseGridShows() {
         const glm::dvec2 low(grid.low()[grid.axisOfU()], grid.low()[grid.axisOfV()]);
         const glm::dvec2 place = low + glm::dvec2(*rc::gen::inRange(-300, 1500), *rc::gen::inRange(-300, 1500)) / 100.0;
         const double radius = *rc::gen::inRange(0, 500) / 100.0;
-        // The column counts when any of it lies within the radius; where it just touches, rounding decides.
+        // A column counts if any part of it is within the radius; where it just touches, rounding decides.
         constexpr double touching = 1e-9; // mm
         RunPosition least = 0, most = 0;
         for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
@@ -232,7 +232,7 @@ void RayCastTest::highestIsWhatADenseGridShows() {
     }));
 }
 
-/// Each place of the plane lies in one patch of its property, or in none where there is air.
+/// Each point of the plane is in one patch of its property, or in none where there is air.
 void RayCastTest::aSectionIsWhatThePlaneMeets() {
     QVERIFY(rc::check("a section shows what the dense grid holds", [] {
         Pile pile = anyPile();

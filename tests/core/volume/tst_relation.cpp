@@ -29,7 +29,7 @@ SpatialRelation relationOf(bool intersecting, bool adjacent) {
                         : SpatialRelation::separate;
 }
 
-/// By the 26 neighbours of each voxel, and itself.
+/// By examining the 26 neighbours of each voxel, and the voxel itself.
 SpatialRelation denseRelation(const DenseVoxels& a, const DenseVoxels& b) {
     bool intersecting = false, adjacent = false;
     a.each([&](glm::ivec3 voxel) {
@@ -40,7 +40,7 @@ SpatialRelation denseRelation(const DenseVoxels& a, const DenseVoxels& b) {
     return relationOf(intersecting, adjacent);
 }
 
-/// The same for pieces of 1/256 voxel: they touch with a face, an edge or a corner.
+/// The same for pieces of 1/256 voxel: they touch in a face, an edge or a corner.
 SpatialRelation denseRelation(const Grid& grid, const DenseGrid& a, const DenseGrid& b) {
     bool intersecting = false, adjacent = false;
     const auto look = [&](LineIndex line, RunPosition unit) {
@@ -64,7 +64,7 @@ RunAxis anyAxis() {
     return *rc::gen::element(RunAxis::x, RunAxis::y, RunAxis::z);
 }
 
-/// Scanlines of two voxels along any axis, 18 … 40 of them each way.
+/// Scanlines of two voxels along any axis, 18 … 40 of them in each direction.
 Grid anyGridOfShortLines() {
     const RunAxis axis = anyAxis();
     const int along = static_cast<int>(axis);
@@ -74,14 +74,14 @@ Grid anyGridOfShortLines() {
     return cubeGrid(count, axis);
 }
 
-/// Mostly at one side or the other of a border between bricks of 8 × 8 scanlines.
+/// Mostly on one side or the other of a border between bricks of 8 × 8 scanlines.
 int anyPlace(int count) {
     const int border = 8 * *rc::gen::inRange(1, std::max(2, (count + 7) / 8));
     const int near = border + *rc::gen::inRange(-1, 1);
     return near<count&& * rc::gen::inRange(0, 4)> 0 ? near : *rc::gen::inRange(0, count);
 }
 
-/// A few voxels side by side along a random axis; those beyond the grid are left out.
+/// A few voxels in a row along a random axis; those outside the grid are left out.
 void fillRow(DenseVoxels& voxels, glm::ivec3 from) {
     const int axis = *rc::gen::inRange(0, 3), length = *rc::gen::inRange(1, 5);
     for (int i = 0; i < length; ++i, ++from[axis])
@@ -101,7 +101,7 @@ struct Objects {
     DenseVoxels a, b;
 };
 
-/// Four draws a case, so that each relation comes up whatever the seed: one of a hundred draws may lack one.
+/// Four draws per case, so that each relation occurs whatever the seed: a hundred draws may lack one.
 template <class Property>
 bool holdsForMany(const char* name, const Property& property) {
     return rc::check(name, [&] {
@@ -109,7 +109,7 @@ bool holdsForMany(const char* name, const Property& property) {
     });
 }
 
-/// Tells at the end whether all cases came up; a test that saw but one says little.
+/// Checks at the end whether all cases occurred; a test that saw only one proves little.
 class Seen {
 public:
     void add(SpatialRelation relation) { ++counts_[relation]; }
@@ -157,7 +157,7 @@ private slots:
         QVERIFY(seen.all());
     }
 
-    /// Voxels at all four lines around the corner where four bricks meet, the other up to two steps away.
+    /// Voxels on all four lines around the corner where four bricks meet, the other one up to two steps away.
     void everyOffsetAcrossTheCornerOfFourBricks() {
         for (const RunAxis axis : {RunAxis::x, RunAxis::y, RunAxis::z}) {
             const Grid grid = cubeGrid({18, 19, 20}, axis);
@@ -254,7 +254,7 @@ private slots:
         QVERIFY(relation(snapshot, wax, part) == SpatialRelation::separate);
     }
 
-    /// Where both objects are, the first one's property stands; a third one stands about.
+    /// Where both objects are, the first one's property is set; a third property is elsewhere.
     void propertiesOfOneVolumeRelateByTheirVoxels() {
         int adjacent = 0, separate = 0;
         QVERIFY(rc::check("relation of two properties over several bricks against pairs of voxels", [&] {

@@ -42,7 +42,7 @@ bool sameLines(const RunVolume& a, const RunVolume& b) {
     return true;
 }
 
-/// The place that has the coordinates of `point`, which belongs to a grid of runs along z, in one along another axis.
+/// The point with the coordinates of `point`, which belongs to a grid of runs along z, in a grid along another axis.
 glm::dvec3 moved(const glm::dvec3& point, const Grid& goal) {
     glm::dvec3 place(0.0);
     place[goal.axisOfU()] = point.x;
@@ -62,7 +62,7 @@ std::set<std::array<int, 3>> asSet(const std::vector<VoxelIndex>& voxels, const 
 
 } // namespace
 
-/// What an operation says of runs along x and y is what it says of the turned volume along z.
+/// The result of an operation with runs along x and y equals that for the rotated volume along z.
 class TestRunAxes : public QObject {
     Q_OBJECT
 

@@ -68,7 +68,7 @@ void setLine(DenseGrid& dense, LineIndex line, const std::vector<Segment>& segme
     }
 }
 
-/// What a snapshot holds, counted line by line on the caller's thread.
+/// The contents of a snapshot, counted line by line on the caller's thread.
 RunAmounts recount(const VolumeSnapshot& snapshot) {
     RunAmounts sum;
     for (LineIndex line; line.v < snapshot.grid().lineCountV(); ++line.v)
@@ -131,7 +131,8 @@ private slots:
             RC_ASSERT(dense.equals(volume));
             RC_ASSERT(volume.amounts() == dense.amounts());
             RC_ASSERT(volume.snapshot().amounts() == dense.amounts());
-            // One after the other they go; what the others and the volume show must not be taken for new blocks.
+            // They are released one after the other; memory used by the others and the volume must not be taken for new
+            // blocks.
             for (;; snapshots.erase(snapshots.begin())) {
                 for (const auto& [snapshot, then] : snapshots) RC_ASSERT(then.equals(snapshot));
                 if (snapshots.empty()) break;
@@ -208,14 +209,15 @@ private slots:
         VolumeSnapshot scene;
         std::size_t most = 0;
         for (int i = 0; i < 50; ++i) {
-            scene = volume.snapshot(); // the one before goes
+            scene = volume.snapshot(); // the previous one is released
             touchAll(32);
             most = std::max(most, volume.usedBytes());
         }
-        // The present state, what undo holds, what the scene holds, and what waits for the next snapshot.
+        // The current state, the one held for undo, the one held by the scene, and the one waiting for the next
+        // snapshot.
         QVERIFY2(most < 4 * alone, qPrintable(QString("%1 of %2 bytes").arg(most).arg(alone)));
         scene = undo = VolumeSnapshot();
-        for (int i = 0; i < 2; ++i) (void)volume.snapshot(); // what waited for the next snapshot is free now
+        for (int i = 0; i < 2; ++i) (void)volume.snapshot(); // memory that waited for the next snapshot is free now
         QCOMPARE(volume.usedBytes(), alone);
     }
 
@@ -228,9 +230,9 @@ private slots:
         };
         mark(wax);
         VolumeSnapshot before = volume.snapshot();
-        mark(aluminium); // the tiles of wax die
+        mark(aluminium); // the tiles of wax are released
         VolumeSnapshot after = volume.snapshot();
-        volume.restore(before); // and live again
+        volume.restore(before); // and used again
         before = after = VolumeSnapshot();
         for (int i = 0; i < 3; ++i) (void)volume.snapshot();
         for (LineIndex line; line.v < 64; line.v += 2 * 8)
@@ -251,7 +253,7 @@ private slots:
         const RunAmounts then = volume.amounts();
         const VolumeSnapshot first = volume.snapshot();
         VolumeSnapshot second = volume.snapshot();
-        mark(aluminium); // what both show dies after the second
+        mark(aluminium); // tiles in both are released after the second
         const VolumeSnapshot third = volume.snapshot();
         second = VolumeSnapshot();
         mark(part); // takes free blocks

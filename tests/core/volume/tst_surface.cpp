@@ -38,7 +38,7 @@ double exactVolume(const VolumeSnapshot& workpiece) {
     return static_cast<double>(units) * workpiece.grid().unitVolume();
 }
 
-/// A block with a ball's trace, a pocket with slanting walls and a protected dome.
+/// A block with the groove of a ball, a pocket with inclined walls and a protected dome.
 RunVolume milledBlock(RunAxis axis = RunAxis::z) {
     const Grid grid = gridOf({100, 90, 60}, axis);
     RunVolume volume = filled(grid, aluminium);
@@ -109,7 +109,8 @@ void SurfaceTest::ballIsRound_data() {
     QTest::addColumn<int>("axis");
     QTest::addColumn<int>("level");
     QTest::addColumn<double>("voxelsOff");
-    QTest::addColumn<double>("voxelsOffWhereFlat"); // where the surface leans less than 45 degrees across the runs
+    QTest::addColumn<double>("voxelsOffWhereFlat"); // where the slope of the surface relative to the runs' normal plane
+                                                    // is below 45 degrees
     QTest::addColumn<double>("degreesOff");
     QTest::addColumn<double>("degreesOffWhereFlat");
     for (int axis = 0; axis < 3; ++axis) { // walls along the runs: a scanline is in or out
@@ -232,7 +233,7 @@ void SurfaceTest::hasNoGaps() {
             fillSphere(volume, property, grid.box().low + share / 100.0 * grid.box().size(),
                        voxel * *rc::gen::inRange(1, 30));
         }
-        for (int i = 0; i < 60; ++i) { // ragged runs as well
+        for (int i = 0; i < 60; ++i) { // irregular runs as well
             const LineIndex line{*rc::gen::inRange(0, 70), *rc::gen::inRange(0, 70)};
             const auto from = *rc::gen::inRange<RunPosition>(0, grid.lineEnd());
             (void)volume.removeSpan(line, from, from + *rc::gen::inRange<RunPosition>(0, 5000), removed);
@@ -249,7 +250,7 @@ void SurfaceTest::solidInsideCostsNothing() {
     SurfaceExtractor extractor;
     SurfaceMesh mesh;
     extractor.extract(workpiece, {1, 1}, {}, mesh);
-    QCOMPARE(mesh.triangles.size(), std::size_t{2 * 3 * 32 * 32 * 2}); // top and bottom alone
+    QCOMPARE(mesh.triangles.size(), std::size_t{2 * 3 * 32 * 32 * 2}); // only top and bottom
 }
 
 void SurfaceTest::changedTilesAreAllThatChanged() {
@@ -271,7 +272,7 @@ void SurfaceTest::changedTilesAreAllThatChanged() {
         const VolumeSnapshot before = volume.snapshot();
         cut();
         if (*rc::gen::arbitrary<bool>()) cut();
-        RunVolume copy = filled(grid, aluminium); // a volume of its own, as a workpiece in the past is one
+        RunVolume copy = filled(grid, aluminium); // a volume of its own, as for a past workpiece
         const VolumeSnapshot held = volume.snapshot();
         for (LineIndex line{0, 0}; line.v < 140; ++line.v)
             for (line.u = 0; line.u < 200; ++line.u) RC_ASSERT(copy.setLine(line, held.line(line)));
@@ -379,7 +380,7 @@ void SurfaceTest::bareWithinAVoxelIsPart() {
     const RunPosition face = 20 * unitsPerVoxel;
     (void)volume.fillBlock({0, 0}, {40, 40}, face, grid.lineEnd(), airProperty);
     (void)volume.fillBlock({0, 0}, {20, 40}, face, face + 60, wax);   // a film of a quarter of a voxel
-    (void)volume.fillBlock({20, 0}, {40, 40}, face, face + 700, wax); // stock that is still there
+    (void)volume.fillBlock({20, 0}, {40, 40}, face, face + 700, wax); // remaining stock
     const SurfaceMesh surface = wholeSurface(volume.snapshot(), {});
     const glm::dvec3 middle = grid.low() + glm::dvec3(40, 40, 40) * voxel * 0.5;
     for (const std::uint32_t i : surface.triangles) {

@@ -106,7 +106,7 @@ void TestSurfaceBricks::changedBricksAreAllThatChanged() {
             RC_ASSERT(old.properties == fresh.properties);
             RC_ASSERT(old.triangles == fresh.triangles);
         });
-        RC_ASSERT(named == changed.size()); // each once, and of the grid
+        RC_ASSERT(named == changed.size()); // each once, and inside the grid
     }));
 }
 
@@ -120,7 +120,7 @@ void TestSurfaceBricks::changesAreFoundAlongTheRuns() {
     (void)volume.removeSpan({48, 48}, 112 * unitsPerVoxel, 113 * unitsPerVoxel, removed);
     std::vector<SurfaceBrick> changed;
     changedSurfaceBricks(before, volume.snapshot(), changed);
-    // In the middle of a brick: it alone, though its lines go on in both directions.
+    // In the middle of a brick: only that brick, although its lines continue in both directions.
     QCOMPARE(changed, (std::vector<SurfaceBrick>{{1, 1, 3}}));
     changedSurfaceBricks(before, before, changed);
     QVERIFY(changed.empty());
@@ -134,7 +134,8 @@ void TestSurfaceBricks::slantedPlanesAreFlat_data() {
     for (const auto& [u, v] : {std::pair(0.0, 0.0), {0.1, 0.0}, {0.3, 0.2}, {-0.5, 0.4}, {0.7, -0.7}, {1.0, 0.0}})
         QTest::addRow("%g, %g", u, v) << u << v;
 }
-/// A plane that leans up to 45 degrees across the runs stands where the run ends put it, and is shaded flat.
+/// A plane inclined by up to 45 degrees against the runs' normal plane is where the run ends put it, and is shaded
+/// flat.
 void TestSurfaceBricks::slantedPlanesAreFlat() {
     QFETCH(double, slopeU);
     QFETCH(double, slopeV);

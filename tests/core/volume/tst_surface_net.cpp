@@ -18,7 +18,8 @@ namespace {
 using Face = std::array<DenseSurfaceNet::Cube, 4>; ///< sorted
 using Faces = std::multiset<Face>;
 
-/// Whether each face has its other side in the same place, as where solid is too thin for the net: it encloses nothing.
+/// Whether each face has an opposite face at the same position, as where the solid is too thin for the net: it encloses
+/// nothing.
 bool isFilm(const Faces& faces) {
     return std::ranges::all_of(faces, [&](const Face& face) {
         const bool hasArea = std::set(face.begin(), face.end()).size() > 2;
@@ -37,7 +38,7 @@ private slots:
 
 void TestSurfaceNet::bricksAreTheDenseNet() {
     QVERIFY(testing::holdsInShare("the faces and points of a dense net of doubles, closed and turned outwards", [] {
-        // Two tiles either way; or three bricks along the runs, of which the middle one sees neither end.
+        // Two tiles in either direction; or three bricks along the runs, of which the middle one contains no line end.
         const Grid grid =
             randomlyTurnedGrid(*rc::gen::element(glm::ivec3(34, 33, 41), glm::ivec3(34, 9, 75), glm::ivec3(9, 33, 75)));
         RunVolume volume = emptyVolume(grid);

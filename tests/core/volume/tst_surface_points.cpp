@@ -18,7 +18,7 @@ namespace {
 constexpr int columns = 20, stride = 16;
 constexpr std::size_t places = columns * stride;
 
-/// A row of a field, as random as it comes.
+/// A random row of a field.
 struct RandomRow {
     std::vector<std::int16_t> values, smooth;
     std::vector<std::uint64_t> below;
@@ -35,7 +35,7 @@ RandomRow drawRow() {
     return row;
 }
 
-/// The cubes between some rows, up to what a batch holds.
+/// The cubes between some rows, up to the size of a batch.
 void addCubes(const std::vector<RandomRow>& rows, SurfaceBatch& batch) {
     const SurfaceCubes::Owned all{0, columns - 1, (std::uint64_t{1} << (stride - 1)) - 1};
     std::vector<std::uint32_t> pointAt(places);
@@ -100,7 +100,7 @@ void TestSurfacePoints::everyProcessorPlacesTheSamePoints() {
     }));
 }
 
-/// Of each cube the three edges at its lowest corner are looked at one by one.
+/// For each cube the three edges at its lowest corner are checked one by one.
 void TestSurfacePoints::edgesAreTheirCubesOwn() {
     QVERIFY(rc::check("each edge whose ends lie on either side, from the first that are owned on", [] {
         const std::vector<RandomRow> rows = *rc::gen::exec([] {

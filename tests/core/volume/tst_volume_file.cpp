@@ -31,7 +31,7 @@ Result<VolumeFileContent> contentOf(const std::string& bytes, std::size_t reserv
     return readVolume(stream, "test", progress, reservedBytes);
 }
 
-constexpr std::size_t smallReserve = std::size_t{1} << 20; ///< for what is read thousands of times
+constexpr std::size_t smallReserve = std::size_t{1} << 20; ///< for files that are read thousands of times
 
 bool isLost(const std::vector<VolumeLoss>& losses, LineIndex line) {
     return std::ranges::any_of(losses, [&](const VolumeLoss& loss) {
@@ -39,7 +39,7 @@ bool isLost(const std::vector<VolumeLoss>& losses, LineIndex line) {
     });
 }
 
-/// Everything that is not named as lost is what it was, and what is named is air.
+/// Everything that is not reported as lost is unchanged, and everything reported is air.
 bool givesBackTheRest(const LineCopies& copies, const VolumeFileContent& content) {
     const Grid& grid = content.volume.grid();
     for (LineIndex line; line.v < grid.lineCountV(); ++line.v)
@@ -51,7 +51,7 @@ bool givesBackTheRest(const LineCopies& copies, const VolumeFileContent& content
     return copies.equalsBut(content.volume, [&](LineIndex line) { return isLost(content.lost, line); });
 }
 
-/// Six groups of bricks, most of them narrow, few scanlines of which are not air.
+/// Six groups of bricks, most of them narrow, with few scanlines that are not air.
 RunVolume volumeOfSixGroups() {
     RunVolume volume = emptyVolume(cubeGrid({260, 136, 16}));
     RandomContent content(11, Content::sheets);
@@ -123,7 +123,7 @@ private slots:
         QCOMPARE(found.values.at("hardness of the day").source, std::string("a table"));
     }
 
-    /// Every byte in turn, each bit once: nothing is lost silently, nothing that is not named is changed.
+    /// Every byte in turn, each bit once: nothing is lost silently, and nothing is changed without being reported.
     void everyFlippedByteIsFoundOrHarmless() {
         RunVolume volume = volumeOfSixGroups();
         const LineCopies copies(volume);
@@ -164,7 +164,7 @@ private slots:
             before = lost;
         }
         QCOMPARE(before, std::size_t{0});
-        // The front is gone: the header at the end is as good.
+        // The front is gone: the header at the end is equivalent.
         const Result<VolumeFileContent> back = contentOf(whole.substr(afterHeader - 5));
         QVERIFY(back && back->headerWasDamaged && back->lost.empty());
         QVERIFY(copies.equals(back->volume));
@@ -186,7 +186,7 @@ private slots:
             QVERIFY(givesBackTheRest(copies, *back));
             QVERIFY((back->lost[0].low == LineIndex{256, 0}));
         }
-        const Result<VolumeFileContent> back = contentOf(twice); // said twice: no harm
+        const Result<VolumeFileContent> back = contentOf(twice); // duplicates are harmless
         QVERIFY(back && back->lost.empty() && copies.equals(back->volume));
         std::string blockless = whole;
         blockless.erase(third, fourth - third);
@@ -299,7 +299,7 @@ private slots:
         QCOMPARE(writeVolume(full, "full", volume.snapshot(), progress).error().code, ErrorCode::diskFull);
     }
 
-    /// 83,000 segments on a line: more than 16 bits count, in a brick and on a line.
+    /// 83,000 segments on a line: counts above 16 bits, in a brick and on a line.
     void aBrickOfManySegmentsComesBack() {
         const Grid grid = cubeGrid({9, 3, 32768});
         RunVolume volume = emptyVolume(grid, std::size_t{64} << 20);

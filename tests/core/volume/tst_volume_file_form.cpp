@@ -18,8 +18,8 @@ namespace burin::tst_volume_file_form {
 using namespace burin::oracles;
 using fixture::VolumeFixture;
 
-// The file form holds, whatever becomes of writer and reader together: files that version 1 wrote are read, and both
-// they and what is written today stand to the word of volume_file.md.
+// The file form is stable, even if writer and reader change together: files written by version 1 are read, and both
+// they and today's files conform literally to volume_file.md.
 
 namespace {
 
@@ -47,7 +47,7 @@ std::int32_t bricksFor(std::int32_t lines) {
     return (lines + 7) / 8;
 }
 
-/// Segments of all bricks; those of air share one, and lines beyond the grid are one segment each.
+/// Segments of all bricks; those of air share one, and lines outside the grid have one segment each.
 std::uint64_t segmentsOf(const VolumeFixture& fixture) {
     const Grid& grid = fixture.grid;
     std::uint64_t sum = 0;
@@ -182,7 +182,7 @@ private slots:
         QVERIFY(file.rest() == header.bytes);
     }
 
-    /// Byte by byte, but for the length, which depends on how a property's JSON is laid out.
+    /// Byte by byte, except for the length, which depends on the layout of a property's JSON.
     void theHeaderBeginsAsWrittenOut_data() {
         QTest::addColumn<bool>("today");
         QTest::newRow("as version 1 wrote it") << false;
@@ -200,7 +200,7 @@ private slots:
         QCOMPARE(part(40, 8), QByteArray("00 00 00 00 00 00 d0 3f"));                  // edge 0.25
         QCOMPARE(part(48, 12), QByteArray("0a 00 00 00 06 00 00 00 84 00 00 00"));     // 10, 6, 132 voxels
         QCOMPARE(part(60, 4), QByteArray("01 00 00 00"));                              // y
-        QCOMPARE(part(72, 4), QByteArray("04 00 00 00"));                              // properties beside air
+        QCOMPARE(part(72, 4), QByteArray("04 00 00 00"));                              // properties in addition to air
     }
 
     void aPropertyIsTheJsonOfAMaterial_data() { theHeaderBeginsAsWrittenOut_data(); }

@@ -14,7 +14,7 @@ using namespace burin::test;
 
 namespace {
 
-/// A groove: a stretch of each line in a rectangle.
+/// Cuts a groove: an interval of each line in a rectangle.
 void cutSomewhere(RunVolume& volume, std::mt19937& random) {
     const Grid& grid = volume.grid();
     const auto any = [&](std::int32_t end) { return std::uniform_int_distribution<std::int32_t>(0, end - 1)(random); };
@@ -53,7 +53,7 @@ struct Milled {
     std::size_t present = 0;
 };
 
-/// Steps that snapshots hold, those that can be redone included.
+/// Steps held by snapshots, including those that can be redone.
 std::size_t heldSteps(const VolumeHistory& history) {
     std::size_t held = 0;
     for (std::size_t step = 0; step < history.undoSteps() + history.redoSteps(); ++step)
@@ -89,7 +89,7 @@ private slots:
         }));
     }
 
-    /// Steps, undo, redo, packing and forgetting in any order: the volume is always exactly what it was then.
+    /// Steps, undo, redo, packing and forgetting in any order: the volume is always restored exactly.
     void anyWalkThroughTheHistoryIsExact() {
         QVERIFY(rc::check("walks", [] {
             VolumeHistory::Budget budget;
@@ -138,9 +138,9 @@ private slots:
         QVERIFY(milled.history.cost(0).heldBytes > 0 && milled.history.cost(0).packedBytes == 0);
         QVERIFY(milled.history.packAll());
         QVERIFY(milled.history.cost(0).heldBytes == 0 && milled.history.cost(0).packedBytes > 0);
-        for (int i = 0; i < 2; ++i) (void)milled.volume.snapshot(); // what waited for the next snapshot is free now
+        for (int i = 0; i < 2; ++i) (void)milled.volume.snapshot(); // frees memory kept for the next snapshot
         QVERIFY(milled.volume.usedBytes() < used);
-        // 11 packed steps take less than the snapshots of them held back.
+        // 11 packed steps take less memory than their snapshots held back.
         QVERIFY(milled.history.totalCost().packedBytes < used - milled.volume.usedBytes());
         while (milled.history.undo(milled.volume)) {
             --milled.present;
@@ -169,7 +169,7 @@ private slots:
         QVERIFY(most <= budget.packedBytes);
         QVERIFY2(mostUsed < 2 * usedEarly, qPrintable(QString("%1, %2").arg(usedEarly).arg(mostUsed)));
         const std::size_t steps = milled.history.undoSteps();
-        QVERIFY(steps > 10 && steps < 200); // the oldest went, the newest are exact
+        QVERIFY(steps > 10 && steps < 200); // the oldest were removed, the newest are exact
         while (milled.history.undo(milled.volume)) {
             --milled.present;
             QVERIFY(milled.isAtPresent());
@@ -177,8 +177,8 @@ private slots:
         QCOMPARE(milled.present, 200 - steps);
     }
 
-    /// What snapshots hold back of the reserve stays below its limit, and no more is packed than has to be. Measured at
-    /// the reserve itself as well: what is in use beyond the present state.
+    /// The memory that snapshots hold back from the reserve stays below its limit, and no more is packed than
+    /// necessary. Also measured at the reserve itself: the memory used in addition to the current state.
     void heldMemoryStaysInTheBudget_data() {
         QTest::addColumn<qulonglong>("limit");
         QTest::newRow("as it is given") << qulonglong{100'000};
@@ -188,7 +188,7 @@ private slots:
         QFETCH(qulonglong, limit);
         VolumeHistory::Budget budget;
         budget.heldBytes = limit;
-        budget.heldSteps = budget.mostHeldSteps = 1000; // memory alone decides
+        budget.heldSteps = budget.mostHeldSteps = 1000; // only memory decides
         constexpr std::size_t reserve = 1'000'000;
         Milled milled(8, Content::sheets, budget, reserve);
         const std::size_t most = limit != 0 ? limit : milled.volume.reservedBytes() / 8;
@@ -196,7 +196,7 @@ private slots:
         for (int i = 0; i < 60; ++i) {
             VolumeSnapshot before = milled.volume.snapshot();
             milled.mill(2);
-            // What the newest step replaced is not known to the history yet and comes on top.
+            // The memory replaced by the newest step is not known to the history yet and is added.
             const std::size_t newest = bytesHeldBack(before, milled.volume.snapshot());
             before = {};
             packEverything(milled.history);
@@ -204,7 +204,7 @@ private slots:
             QVERIFY2(held <= most, qPrintable(QString("%1 of %2").arg(held).arg(most)));
             mostHeld = std::max(mostHeld, held);
             mostHeldSteps = std::max(mostHeldSteps, heldSteps(milled.history));
-            for (int k = 0; k < 2; ++k) (void)milled.volume.snapshot(); // what waited for the next snapshot is free now
+            for (int k = 0; k < 2; ++k) (void)milled.volume.snapshot(); // frees memory kept for the next snapshot
             const std::size_t used = milled.volume.usedBytes(), present = memoryOf(milled.volume.snapshot()).bytes();
             QVERIFY2(used <= present + most + newest, qPrintable(QString("%1 beyond %2").arg(used).arg(present)));
         }
@@ -215,7 +215,7 @@ private slots:
         }
     }
 
-    /// Somebody who never comes to tidy: adding packs what is too much.
+    /// Without any call of the tidying function: adding packs the excess.
     void heldStepsAreBoundedWithoutTidying() {
         VolumeHistory::Budget budget;
         budget.mostHeldSteps = 5;
@@ -237,7 +237,7 @@ private slots:
         QCOMPARE(milled.present, std::size_t{0});
     }
 
-    /// Steps that were all taken back count, too: those that would be redone last go.
+    /// Steps that were all undone count, too: those that would be redone last are removed.
     void stepsTakenBackStayInTheBudget() {
         VolumeHistory::Budget budget;
         budget.packedBytes = 8'000;
@@ -259,7 +259,8 @@ private slots:
         QCOMPARE(milled.present, steps);
     }
 
-    /// A reserve that others hold: the packed step is refused, nothing is changed; once they are gone it goes back.
+    /// With a reserve that others hold: unpacking the step is refused, nothing is changed; once the memory is free the
+    /// step can be undone.
     void withoutMemoryTheVolumeStaysAsItIs() {
         const Grid grid = cubeGrid({64, 64, 64});
         RunVolume volume = emptyVolume(grid, 400'000);
@@ -272,7 +273,7 @@ private slots:
         first = volume.snapshot();
         history.add(first);
         QVERIFY(history.packAll());
-        // Something else fills the volume up, and a reader looks at it.
+        // Something else fills the volume, and a reader holds it.
         QVERIFY(history.undo(volume)); // the empty step
         const LineCopies empty(volume);
         std::vector<VolumeSnapshot> readers;

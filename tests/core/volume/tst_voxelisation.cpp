@@ -17,7 +17,7 @@ using namespace burin::test;
 
 namespace {
 
-/// Volume, mm³, that a mesh has in a grid about the origin. Negative: the report is not clean.
+/// Volume, mm³, of a mesh in a grid about the origin. Negative: the report is not clean.
 double voxelisedVolume(const TriangleMesh& mesh, double edge, RunAxis axis) {
     const Grid grid = *Grid::make(glm::dvec3(-11.0), edge, glm::ivec3(static_cast<int>(std::ceil(22.0 / edge))), axis);
     RunVolume volume = emptyVolume(grid, 8'000'000);
@@ -27,7 +27,7 @@ double voxelisedVolume(const TriangleMesh& mesh, double edge, RunAxis axis) {
     return static_cast<double>(volume.amounts().units[part]) * grid.unitVolume();
 }
 
-/// Of the volume at places and turns that have nothing to do with the grid. @param finest mm, edge of a voxel; others
+/// Errors of the volume at positions and orientations unrelated to the grid. @param finest mm, edge of a voxel; others
 /// are up to a fifth larger, as the radii in voxels count as well
 oracles::Scatter scatterOf(const TriangleMesh& mesh, double finest, double surface, int trials) {
     std::mt19937 random(static_cast<unsigned>(100.0 / finest));
@@ -85,15 +85,16 @@ private slots:
                                << 4.0 * pi * pi * 5.7 * 2.1 << true;
         QTest::newRow("box") << boxMesh({-4, -3, -5}, {4, 3, 5}) << 480.0 << 376.0 << false;
     }
-    /// An exact voxelisation errs by nothing but its lines: 0 in the mean, and for round bodies second order and of a
-    /// known size in its deviation (line_scatter.h). Of a box that is all in few turns, where a face or an edge lies
-    /// along the lattice; at the others its corners alone count, and their transforms fall as k^-3: third order.
+    /// An exact voxelisation has no error except that of its lines: zero mean, and for round bodies a deviation of
+    /// second order and known magnitude (line_scatter.h). For a box all of that comes from few orientations, where a
+    /// face or an edge is parallel to the lattice; at the others only its corners contribute, and their transforms
+    /// decrease as k^-3: third order.
     void volumesConvergeToTheClosedFormula() {
         QFETCH(const TriangleMesh, mesh);
         QFETCH(const double, volume);
         QFETCH(const double, surface);
         QFETCH(const bool, isRound);
-        QVERIFY(std::abs(signedVolume(mesh) - volume) < 2e-4 * volume); // the mesh itself
+        QVERIFY(std::abs(signedVolume(mesh) - volume) < 2e-4 * volume); // accuracy of the mesh itself
         std::array<double, 3> typical{};
         for (std::size_t i = 0; i < typical.size(); ++i) {
             const double edge = std::ldexp(0.5, -static_cast<int>(i));
@@ -128,7 +129,7 @@ private slots:
             const auto report = fill(mesh, volume);
             RC_ASSERT(report.linesWithOddCrossings == 0U);
             RC_ASSERT(report.turnedFaces.count == 0U);
-            // The lines pass exactly through corners and edges: a touch beside them decides as the tie was decided.
+            // The lines pass exactly through corners and edges: an adjacent contact decides as the tie was decided.
             std::mt19937 random(seed);
             for (int i = 0; i < 60; ++i) {
                 const LineIndex line{static_cast<int>(random() % 16), static_cast<int>(random() % 16)};

@@ -9,7 +9,7 @@
 #include <vector>
 
 /// The volumes of tests/fixtures/volumes: small, made by rule, the same in every run. A rule never changes once its
-/// file is written, or the file says nothing any more.
+/// file is written, otherwise the file would prove nothing any more.
 namespace burin::fixture {
 
 struct VolumeFixture {
@@ -19,21 +19,21 @@ struct VolumeFixture {
     std::vector<Segment> (*line)(LineIndex line);
 };
 
-/// Runs along y, of 6 voxels. 17 × 2 bricks of 8 × 8 scanlines in two groups; those at the end of v are cut off, the
-/// last of u as well. Ends to 1/256 voxel. What a brick holds goes by its place along u.
+/// Runs along y, of 6 voxels. 17 × 2 bricks of 8 × 8 scanlines in two groups; those at the end of v are cut off, and so
+/// is the last of u. Ends to 1/256 voxel. The contents of a brick depend on its position along u.
 inline std::vector<Segment> lineOfSeveralBricks(LineIndex line) {
     enum : PropertyIndex { air, wax, aluminium, part, softWax };
     constexpr RunPosition end = 6 * unitsPerVoxel;
     const int u = line.u % 8, v = line.v % 8;
     const auto at = [](int unit) { return static_cast<RunPosition>(unit); };
     switch (line.u / 8 % 6) {
-    case 1: // leaning planes
+    case 1: // inclined planes
         return {{at(301 + 5 * u + 11 * v), wax}, {at(1100 - 7 * u + v), aluminium}, {end, air}};
     case 2: // a bowl
         return {{at(700 + 3 * (u - 4) * (u - 4) + 2 * (v - 3) * (v - 3) + u * v), part}, {end, air}};
     case 3: // solid
         return {{end, wax}};
-    case 4: { // ragged
+    case 4: { // irregular
         std::vector<Segment> segments;
         int which = u + v;
         for (RunPosition place = 1 + at(31 * u + 17 * v) % 97; place < end; place += 1 + place * 7919 % 211)
@@ -72,7 +72,7 @@ inline VolumeFixture severalBricks() {
             lineOfSeveralBricks};
 }
 
-/// 2 × 2 bricks, runs along z, and 40 properties: beyond 32 a brick names those that it holds in another way.
+/// 2 × 2 bricks, runs along z, and 40 properties: with more than 32 a brick stores its properties differently.
 inline std::vector<Segment> lineOfManyProperties(LineIndex line) {
     std::vector<Segment> segments;
     const RunPosition step = 61 + static_cast<RunPosition>(line.u);
@@ -96,7 +96,7 @@ inline VolumeFixture manyProperties() {
     return {"many-properties", *Grid::make({0.0, 0.0, 0.0}, 1.0, {9, 10, 4}, RunAxis::z), list, lineOfManyProperties};
 }
 
-/// Lines that are air alone are not touched, so that bricks of nothing else share their memory.
+/// Lines that contain only air are not touched, so that bricks of air share their memory.
 inline RunVolume volumeOf(const VolumeFixture& fixture) {
     constexpr std::size_t reserve = std::size_t{1} << 20;
     RunVolume volume = RunVolume::make(fixture.grid, fixture.properties, reserve).value();

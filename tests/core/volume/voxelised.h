@@ -21,7 +21,7 @@ inline PropertyIndex propertyAt(const RunVolume& volume, LineIndex line, RunPosi
     return airProperty;
 }
 
-/// Volume, mm³, on a grid around the mesh; its low corner lies `shift` of a voxel from a voxel face.
+/// Volume, mm³, on a grid around the mesh; its low corner is `shift` of a voxel from a voxel face.
 inline double volumeAlong(const TriangleMesh& mesh, int voxels, RunAxis axis, VoxelisationReport* report = nullptr,
                           double shift = 0.37) {
     const Box box = boundingBox(mesh);

@@ -38,7 +38,7 @@ DhdStandIn& dhdStandIn() {
     return *burin::testing::burinDhdStandIn();
 }
 
-/// Runs on an open, plugged device; -1 where there is none.
+/// Runs `act` on an open, plugged device; returns -1 if there is none.
 template <class Act>
 int with(char id, const char* call, const Act& act) {
     DhdStandIn& dhd = dhdStandIn();

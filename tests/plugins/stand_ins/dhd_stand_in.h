@@ -9,7 +9,7 @@
 
 namespace burin::testing {
 
-/// One device of the library that stands in for libdrd. Its own frame: x towards the user, y right, z up.
+/// One device of the stand-in for libdrd. Its own frame: x towards the user, y right, z up.
 struct DhdDevice {
     int type = 33; ///< omega.3
     std::string name = "omega.3";
@@ -18,7 +18,7 @@ struct DhdDevice {
     std::array<double, 3> place{};                                                    ///< m
     std::array<std::array<double, 3>, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; ///< rows
     unsigned int buttons = 0;
-    int failingReads = 0; ///< that many poses are refused
+    int failingReads = 0; ///< number of poses that will be refused
     bool deaf = false;    ///< refuses forces
 
     bool forcesOn = false, regulated = false, emulatesButton = false;
@@ -27,19 +27,19 @@ struct DhdDevice {
     double maximumForce = 0.0;     ///< N
     int watchdog = 0, gravity = 0, brakes = 0, autoInitialisations = 0, forcesSwitchedOn = 0;
 
-    /// N: what its motors do.
+    /// The output of its motors, N.
     std::array<double, 3> force() const {
         if (!forcesOn || !plugged) return {};
         return {asked[0], asked[1], asked[2]};
     }
-    /// As the device itself does it.
+    /// Switches the forces off, as the device itself does.
     void cut(int why) {
         forcesOn = false;
         cause = why;
     }
 };
 
-/// What stands behind the functions. Thread: all under `mutex`, but the test's own while nothing runs.
+/// State behind the functions. Everything is protected by `mutex`, except from the test while nothing runs.
 class DhdStandIn {
 public:
     std::recursive_mutex mutex;
@@ -47,11 +47,12 @@ public:
     std::vector<std::string> complaints;
 
     void complain(const std::string& what) { complaints.push_back(what); }
-    /// The device of an id that is open; null, and a complaint, where there is none.
+    /// The open device with an ID; null, with a complaint, if there is none.
     DhdDevice* find(char id, const char* call);
 };
 
-/// The one of the process, in the library; a test finds it there as "burinDhdStandIn", with StandIn.
+/// The single instance in the process, inside the library; a test finds it there as "burinDhdStandIn" by means of
+/// StandIn.
 extern "C" DhdStandIn* burinDhdStandIn();
 
 } // namespace burin::testing

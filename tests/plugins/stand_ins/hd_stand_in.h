@@ -11,43 +11,43 @@
 
 namespace burin::testing {
 
-/// One device of the library that stands in for libHD. Its own frame: x right, y up, z towards the user.
+/// One device of the stand-in for libHD. Its own frame: x right, y up, z towards the user.
 struct HdDevice {
-    std::array<double, 16> transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; ///< by columns, mm
+    std::array<double, 16> transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}; ///< column-major, mm
     int buttons = 0;
     double heat = 0.0;
     bool plugged = true;
     int outputFreedoms = 3;
     double stiffness = 0.5;            ///< N/mm
-    unsigned int calibration = 0x5000; ///< what hdCheckCalibration says
-    unsigned int afterUpdate = 0x5000; ///< what it says once it was updated
+    unsigned int calibration = 0x5000; ///< what hdCheckCalibration returns
+    unsigned int afterUpdate = 0x5000; ///< what it returns after an update
     int calibrationStyles = 4;
-    unsigned int updatedWith = 0; ///< style of the newest update
+    unsigned int updatedWith = 0; ///< style of the latest update
     bool initialised = false, forcesOn = false;
-    std::array<double, 3> force{}, torque{}; ///< N, mN·m: what the motors do
-    std::array<double, 3> setForce{};        ///< of the frame under way
+    std::array<double, 3> force{}, torque{}; ///< N, mN·m: output of the motors
+    std::array<double, 3> setForce{};        ///< of the current frame
     int frames = 0;
 };
 
-/// What stands behind the functions: state for a test to set and read, and complaints about calls that the reference
-/// forbids. Thread: all fields under `mutex`, but the test's own while nothing runs.
+/// State behind the functions, which a test sets and reads, and complaints about calls that the reference forbids. All
+/// fields are protected by `mutex`, except from the test while nothing runs.
 class HdStandIn {
 public:
     std::recursive_mutex mutex;
-    std::map<std::string, HdDevice> devices; ///< by the name that hdInitDevice takes
+    std::map<std::string, HdDevice> devices; ///< by the name passed to hdInitDevice
     std::vector<std::string> complaints;
     unsigned long rate = 0;
     int initialisations = 0;
-    bool byHand = true; ///< no thread: `step` is the scheduler's tick
-    /// A hand moves the device round a circle, 20 mm wide, once a second, and holds its first button. So it is, with a
-    /// device and without `byHand`, in a program that is started with BURIN_STAND_IN_TOUCH set.
+    bool byHand = true; ///< without a thread: `step` is the scheduler's tick
+    /// A hand moves the device along a circle 20 mm wide, once a second, and holds its first button. A program that is
+    /// started with BURIN_STAND_IN_TOUCH set begins in this state, with a device and without `byHand`.
     bool circles = false;
 
     virtual ~HdStandIn() = default;
     virtual void reset();
-    /// One tick of the scheduler, where it is started.
+    /// One tick of the scheduler, if it is started.
     virtual void step();
-    /// As if the last call had failed. @param device 0: the current one
+    /// Behaves as if the last call had failed. @param device  0: the current one
     virtual void raise(unsigned int code, unsigned int device = 0);
     bool schedulerRuns() const { return running_; }
 
@@ -69,7 +69,8 @@ public:
     unsigned long next_ = 1;
 };
 
-/// The one of the process, in the library; a test finds it there as "burinHdStandIn", with StandIn.
+/// The single instance in the process, inside the library; a test finds it there as "burinHdStandIn" by means of
+/// StandIn.
 extern "C" HdStandIn* burinHdStandIn();
 
 } // namespace burin::testing

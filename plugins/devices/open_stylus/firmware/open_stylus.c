@@ -61,7 +61,7 @@ static uint32_t get32(const uint8_t* from) {
     return (uint32_t)get16(from) | ((uint32_t)get16(from + 2) << 16);
 }
 
-/* Two's complement, whatever the machine does with unsigned values beyond INT32_MAX. */
+/* Converts from two's complement, independently of how the machine converts unsigned values above INT32_MAX. */
 static int32_t signed32(uint32_t value) {
     return value <= INT32_MAX ? (int32_t)value : (int32_t)(value - 0x80000000u) + INT32_MIN;
 }
@@ -73,7 +73,7 @@ static uint32_t square_root(uint64_t value) { /* rounded up */
     return (uint32_t)(root * root < value && root < UINT32_MAX ? root + 1 : root);
 }
 
-/* Shortens a vector to a length and keeps its direction. True when it did. */
+/* Limits a vector to a length, keeping its direction. Returns whether it had to be shortened. */
 static bool shorten(int32_t vector[3], uint32_t length) {
     uint64_t square = 0;
     for (int i = 0; i < 3; ++i) {
@@ -93,7 +93,7 @@ static void off(open_stylus* stylus) {
     stylus->port.motors_off(stylus->port.context);
 }
 
-/* Motors turn on only after the host has said "off" since the last fault. */
+/* The motors turn on only if the host has sent "off" since the last fault. */
 static void drive(open_stylus* stylus) {
     const bool on = stylus->enabled && stylus->disarmed && stylus->faults == 0;
     if (on)
@@ -115,7 +115,7 @@ bool open_stylus_receive(open_stylus* stylus, const uint8_t* report, size_t size
     if (size != OPEN_STYLUS_OUTPUT_SIZE || report[0] != OPEN_STYLUS_OUTPUT_ID) return false;
     if (get16(report + size - 2) != open_stylus_crc(report, size - 2)) return false;
     const uint16_t number = get16(report + 2);
-    if (stylus->has_heard && number == stylus->echo) return false; /* sent again by some buffer: no sign of life */
+    if (stylus->has_heard && number == stylus->echo) return false; /* a buffer's repeat is no sign of life */
     stylus->echo = number;
     stylus->has_heard = true;
     stylus->heard = stylus->port.microseconds(stylus->port.context);
@@ -142,13 +142,13 @@ static bool too_fast(open_stylus* stylus, const open_stylus_reading* reading, ui
     }
     const bool known = stylus->has_position;
     stylus->has_position = true;
-    /* mm/s times us is nm; 65536 steps are 10^6 nm. A second at the most keeps it within 64 bits. */
+    /* mm/s times us is nm; 65536 steps are 10^6 nm. Limiting the time to a second keeps it within 64 bits. */
     const uint64_t time = elapsed < 1000000 ? elapsed : 1000000;
     const uint64_t allowed = (uint64_t)stylus->limits.maximum_speed * time * 65536 / 1000000;
     return known && square > allowed * allowed;
 }
 
-/* Latches what is wrong; forgets what is over once the host has switched the motors off. */
+/* Latches faults; clears those that are no longer present once the host has switched the motors off. */
 static void judge(open_stylus* stylus, const open_stylus_reading* reading, uint32_t now) {
     uint16_t present = (uint16_t)(reading->faults & known_faults);
     const uint32_t silence = now - stylus->heard;

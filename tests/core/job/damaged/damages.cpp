@@ -21,7 +21,7 @@ namespace {
 
 constexpr glm::dvec3 zero{15.0, 10.0, 9.0}; // the tray's program zero, setup frame, mm
 
-/// A program's lines, counted from 1, with what its moves are.
+/// A program's lines, counted from 1, with its moves.
 class Program {
 public:
     Program(const std::string& text, const std::string& dialect) : control_(*findControl(dialect)) {
@@ -59,7 +59,7 @@ public:
     void replace(std::uint32_t number, const char* expression, const std::string& by) {
         line(number) = std::regex_replace(line(number), std::regex(expression), by);
     }
-    /// Lines that feed, of a tool.
+    /// Lines with feed moves of a tool.
     std::vector<std::uint32_t> feeding(int tool) const {
         std::vector<std::uint32_t> found;
         for (const NcMotion& motion : parsed_.motions)
@@ -73,7 +73,7 @@ public:
             if (line >= number) return line;
         return size();
     }
-    /// Adds to the number of a word; false: the line has none of it.
+    /// Adds to the number of a word; false if the line has no such word.
     bool addTo(std::uint32_t number, char letter, double amount) {
         std::string& text = line(number);
         if (text.starts_with("(") || text.find("G53") != std::string::npos || text.find("G28") != std::string::npos)
@@ -88,7 +88,7 @@ public:
         text.replace(at + 1, end - at - 1, written.data());
         return true;
     }
-    /// mm, of the deepest place of the moves of a text in the part; nothing where it can't be read.
+    /// mm, greatest depth of the moves of a text in the part; empty if it can't be read.
     std::optional<double> depth(const std::string& changed) const {
         const Result<ParsedProgram> read = parseProgram(changed, "damaged", control_);
         if (!read) return std::nullopt;
@@ -180,12 +180,12 @@ Damaged endMissing(const std::string& text, const std::string& dialect, std::uin
     std::uint32_t last = program.size();
     while (program.line(last).starts_with("M2") || program.line(last).starts_with("M30") || program.line(last) == "%")
         --last;
-    last -= n * 3; // a transfer that broke off
+    last -= n * 3; // an interrupted transfer
     program.truncate(last);
     return program.damaged(last, last, "ends behind line " + std::to_string(last));
 }
 
-/// Another G64 among the finishing moves, before the last of what a corner matters to.
+/// Inserts another G64 among the finishing moves, before the last move at which corners matter.
 Damaged blended(const std::string& text, const std::string& dialect, const std::string& words, std::uint32_t n) {
     Program program(text, dialect);
     if (n == 0) {
@@ -206,7 +206,7 @@ Damaged blendWide(const std::string& text, const std::string& dialect, std::uint
     return blended(text, dialect, "G64 P" + number(tolerances.at(n % 10)), n);
 }
 
-/// Where the tool is at its height of travel and has X, Y and Z: lines of rapids that end there.
+/// Lines of rapids that end at the clearance height and have X, Y and Z.
 std::vector<NcMotion> travelling(const Program& program) {
     std::vector<NcMotion> found;
     const std::vector<NcMotion>& motions = program.motions();
@@ -231,7 +231,7 @@ Damaged shifted(const std::string& text, const std::string& dialect, std::uint32
             sideways ? "G92 X" + number(place.to[Axis::x] - amount) : "G92 Z" + number(place.to[Axis::z] - amount);
         program.insert(place.line + 1, line);
         const std::optional<double> depth = sound.depth(program.text());
-        if ((sideways || amount < 0.0) && depth && *depth < 0.05) continue; // harms nothing from here on
+        if ((sideways || amount < 0.0) && depth && *depth < 0.05) continue; // without effect from here on
         return program.damaged(place.line + 1, place.line + 1, line);
     }
     return {};

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Gives damaged programs to the check and tells which it finds at the right line, and what it finds in sound ones:
+// Runs the check on damaged programs and reports which faults it finds at the right line, and findings in valid ones:
 // burin_judge_damaged [how many of each kind [the kind]]. Status 1 below 97 %, or with a false alarm.
 #include "tests/core/job/damaged/trial.h"
 
@@ -26,7 +26,7 @@ struct Tally {
 
 using Texts = std::map<std::string, std::string>; ///< by dialect
 
-/// The sound programs. @param alarms how many of them the check refuses
+/// The valid programs. @param alarms number of them that the check refuses
 Texts soundTexts(const TrayJob& job, int& alarms) {
     Texts sound;
     for (const char* dialect : {"linuxcnc", "fanuc", "haas", "mach", "grblhal", "grbl"}) {

@@ -53,7 +53,7 @@ public:
         point.arc = PathArc{centre, 2, true};
         path.points.push_back(point);
     }
-    /// Down at a place that is free, and up again there.
+    /// Moves down at a free position, and up again there.
     void descend(double x, double y, double z) {
         rapid({x, y, safe});
         rapid({x, y, z});
@@ -90,7 +90,7 @@ public:
     Path path;
 };
 
-/// Around the outside, at each level from beside and back. @param off mm from the walls
+/// Around the outside, at each level from the side and back. @param off mm from the walls
 void addRings(PathWriter& writer, std::initializer_list<double> levels, double beside, double off) {
     for (const double z : levels) {
         writer.descend(beside, 10.0, z);

@@ -8,19 +8,19 @@
 
 namespace burin::test {
 
-/// A tray to be milled from a block with two tools: faced, cleared inside and outside with 0.3 mm of allowance by T1,
-/// finished by T2. What is part and what is stock is known by formula.
+/// A tray milled from a block with two tools: faced, cleared inside and outside with 0.3 mm of allowance by T1,
+/// finished by T2. Part and stock are known by formula.
 struct TrayJob {
     TrayJob();
 
     MillingContext milling;
-    ProgramPaths paths;      ///< of T1, then of T2
+    ProgramPaths paths;      ///< of T1 and T2, in that order
     std::vector<Tool> tools; ///< T1 … T3; nothing is milled with T3
     ProgramRequest request(const std::string& dialect) const;
-    /// The posted text; what it is of on a control that changes no tools: the first tool's path alone.
+    /// The posted text; for a control without tool changes only the first tool's path.
     std::string post(const std::string& dialect) const;
 
-    /// mm by which a flat cutter at a tip (setup frame) is in the part; <= 0: it is not.
+    /// mm, depth of a flat cutter in the part at a tip (setup frame); <= 0: no contact.
     static double depthInPart(const glm::dvec3& tip, double radius);
 };
 

@@ -10,11 +10,11 @@
 
 namespace burin::test {
 
-/// What the check says of a text.
+/// The result of checking a text.
 struct Verdict {
-    std::vector<std::uint32_t> lines; ///< that it names, of findings, of what the control rejects, of a syntax error
+    std::vector<std::uint32_t> lines; ///< named by findings, rejections of the control or a syntax error
     std::string text;                 ///< for people
-    std::size_t findings = 0;         ///< with what the control rejects; 1 for a syntax error
+    std::size_t findings = 0;         ///< including rejections of the control; 1 for a syntax error
 
     bool passed() const { return findings == 0; }
     bool names(std::uint32_t first, std::uint32_t last) const;
