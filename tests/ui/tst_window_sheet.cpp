@@ -16,7 +16,7 @@ using namespace burin::testing;
 class TestWindowSheet : public QObject {
     Q_OBJECT
 private slots:
-    /// It is of the job as the window has it, saved or not; and it does not stop the work.
+    /// It shows the job as the window has it, saved or not, and does not interrupt the work.
     void theSetupSheetIsWritten() {
         WindowDriver driver;
         QVERIFY(!menuAction(driver, "exportSheetAction")->isEnabled());
@@ -36,10 +36,39 @@ private slots:
         driver.shoot("sheet-1-written");
     }
 
+    /// A sheet that was asked for is written although the window is closed at once.
+    void closingTheWindowLosesNoSheet() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        const QString file = driver.folder().filePath("closed.html");
+        chooseFile(driver, file);
+        driver.key(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver.waitFor([&] { return workbenchOf(driver).sheet.writing(); }));
+        QVERIFY(!QFile::exists(file));
+        driver.whenDialogStands([](QWidget& dialog) { answer(dialog, "discardButton"); });
+        driver.window().close();
+        QVERIFY(driver.waitFor([&] { return !driver.window().isVisible(); }));
+        QFile page(file);
+        QVERIFY(page.open(QIODevice::ReadOnly));
+        QVERIFY(page.readAll().endsWith("</html>\n"));
+    }
+
+    void aSheetIsCancelledAsAnyTask() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        const QString file = driver.folder().filePath("cancelled.html");
+        workbenchOf(driver).sheet.write(QStringLiteral("job"), file);
+        QVERIFY(driver.waitFor([&] { return workbenchOf(driver).tasks().running(TaskKind::sheet); }));
+        workbenchOf(driver).tasks().cancelAll();
+        QVERIFY(driver.waitFor([&] { return !workbenchOf(driver).sheet.writing(); }));
+        QVERIFY(driver.settle());
+        QVERIFY(!QFile::exists(file));
+    }
+
     void aFolderThatIsNotThereIsSaid() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
-        workbenchOf(driver).sheet.gather(QStringLiteral("job"), driver.folder().filePath("none/sheet.html"));
+        workbenchOf(driver).sheet.write(QStringLiteral("job"), driver.folder().filePath("none/sheet.html"));
         QVERIFY(driver.waitFor([&] { return driver.message().contains("sheet.html"); }));
         QVERIFY(!QFile::exists(driver.folder().filePath("none")));
     }

@@ -38,13 +38,13 @@ void ActionStates::update() {
     enable(ActionId::previousSetup, free && own != setups.setups().begin());
     for (const ActionId id : {ActionId::faceDown, ActionId::turnAboutX, ActionId::turnAboutY, ActionId::turnAboutZ})
         enable(id, workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.placing() && free);
-    enable(ActionId::exportSheet, workbench.setup.usable() && !workbench.sheet.gathering());
+    enable(ActionId::exportSheet, workbench.setup.usable() && !workbench.sheet.writing());
     enable(ActionId::pickZero, workbench.setup.usable() && free);
     enable(ActionId::touchZero, workbench.mill.active() && !showing);
     enable(ActionId::embed, workbench.setup.usable() && !workbench.setup.locked() && !workbench.workpiece.embedding());
     enable(ActionId::stockFile,
            workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.readingStock());
-    enable(ActionId::tools, !workbench.tool.locked()); // what is in the spindle stays as it is
+    enable(ActionId::tools, !workbench.tool.locked()); // the tool in the spindle must not change
     enable(ActionId::toolShape, !workbench.tool.locked() && !workbench.tool.shaping());
     enable(ActionId::addFixtureFile,
            workbench.setup.hasPart() && !workbench.surroundings.locked() && !workbench.surroundings.importing());

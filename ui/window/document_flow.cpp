@@ -19,6 +19,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QStandardPaths>
+#include <QTimer>
 
 namespace burin {
 
@@ -49,10 +50,14 @@ DocumentFlow::DocumentFlow(Workbench& workbench, UserSettings& settings, QWidget
     connect(&workbench.document, &DocumentController::opened, this, [this] { noteSaved(); });
     connect(&workbench.program, &ProgramController::exported, this, &DocumentFlow::exported);
     connect(&workbench.workpiece, &WorkpieceController::exported, this, &DocumentFlow::workpieceExported);
-    connect(&workbench.sheet, &SheetController::gathered, this, &DocumentFlow::writeSheet);
+    workbench.sheet.setDraw([this](const std::shared_ptr<const SheetContent>& content, Progress& progress) {
+        return drawSheet(
+            *this, content, [this] { return settings_.preferences().unit; }, progress);
+    });
     connect(&workbench.program, &ProgramController::restarted, this,
             [this](const std::shared_ptr<const RestartedProgram>& rest) {
-                // Its dialog stays open: whoever delivers the rest ends first, and with it the progress that is shown.
+                // Queued, as its dialog stays open: the task that delivers the result, and its progress display,
+                // must end first.
                 QMetaObject::invokeMethod(
                     this, [this, rest] { exportRestart(*rest); }, Qt::QueuedConnection);
             });
@@ -118,7 +123,7 @@ void DocumentFlow::openProject(const QString& file) {
     });
 }
 
-/// A program is looked at on a workpiece: that of the open project.
+/// A program is shown on a workpiece: that of the open project.
 void DocumentFlow::openProgram(const QString& file) {
     if (!workbench_.workpiece.embedded()) {
         emit refused(tr("“%1” is an NC program: open its project or embed its part first, then open the program again.")
@@ -131,7 +136,8 @@ void DocumentFlow::openProgram(const QString& file) {
         return;
     }
     QString text = QString::fromStdString(*bytes);
-    if (text.toStdString() != *bytes) text = QString::fromLatin1(QByteArray::fromStdString(*bytes)); // of old controls
+    // Files of old controls are in Latin-1.
+    if (text.toStdString() != *bytes) text = QString::fromLatin1(QByteArray::fromStdString(*bytes));
     workbench_.program.openText(text);
     emit programOpened();
 }
@@ -157,7 +163,7 @@ void DocumentFlow::addProgramPath(const QString& file) {
         workbench_.passes.addProgram(*text, file.toStdString(), workbench_.target.dialect());
 }
 
-/// Nothing has changed. A file of the list that is not there any more needs a decision, anything else a sentence.
+/// Nothing has changed. A missing file of the recent list needs a decision, any other error only a message.
 void DocumentFlow::refuse(const QString& file, const Error& error) {
     if (error.code != ErrorCode::fileNotFound || !settings_.isRecentFile(file)) {
         emit refused(Messages::sentence(error));
@@ -205,7 +211,7 @@ void DocumentFlow::importFile(const QString& file, double fileUnit) {
             workbench_.adoptPart(part, false);
             return;
         }
-        if (workbench_.document.isOpen()) workbench_.model.dropPreview(); // what is asked is about that
+        if (workbench_.document.isOpen()) workbench_.model.dropPreview(); // the question is about the open project
         settle([this, part](bool abandon) { workbench_.adoptPart(part, abandon); });
     });
 }
@@ -284,7 +290,7 @@ void DocumentFlow::saveAsThen(std::function<void()> then) {
             if (then) then();
         });
     };
-    // A recording belongs to one file: it ends, mill mode goes on.
+    // A recording belongs to one file: it ends, mill mode continues.
     if (workbench_.session.running())
         workbench_.mill.interrupt(save);
     else
@@ -298,7 +304,7 @@ void DocumentFlow::noteSaved() {
 }
 
 void DocumentFlow::exportProgram() {
-    workbench_.collectText(); // what is being typed is not what was checked
+    workbench_.collectText(); // text being typed has not been checked
     if (!workbench_.program.exportable()) return;
     const QString file = askProgramToExport(&window_, folder(), programName(workbench_));
     if (file.isEmpty()) return;
@@ -331,11 +337,11 @@ void DocumentFlow::shapeTool() {
 }
 
 void DocumentFlow::exportSheet() {
-    if (!workbench_.setup.usable() || workbench_.sheet.gathering()) return;
+    if (!workbench_.setup.usable() || workbench_.sheet.writing()) return;
     const QString file = askSheetToExport(&window_, folder(), QFileInfo(programName(workbench_)).completeBaseName());
     if (file.isEmpty()) return;
     keepFolder(file);
-    workbench_.sheet.gather(workbench_.document.title(), file);
+    workbench_.sheet.write(workbench_.document.title(), file);
 }
 
 void DocumentFlow::exportPicture(const QImage& picture) {
@@ -352,18 +358,6 @@ void DocumentFlow::exportPicture(const QImage& picture) {
         emit pictureExported(file);
 }
 
-void DocumentFlow::writeSheet(const std::shared_ptr<const SheetContent>& content, const QString& file) {
-    auto* drawing = new SheetDrawing(content, settings_.preferences().unit, this);
-    connect(drawing, &SheetDrawing::drawn, this, [this, drawing, file](const Result<std::string>& page) {
-        drawing->deleteLater();
-        const Result<void> written = page ? writeFileAtomically(pathOf(file), *page) : Result<void>(page.error());
-        if (written)
-            emit sheetExported(file);
-        else
-            emit workbench_.failed(written.error());
-    });
-}
-
 void DocumentFlow::exportWorkpiece() {
     if (!workbench_.workpiece.embedded() || workbench_.session.running()) return;
     const QString name = QFileInfo(workbench_.document.title()).completeBaseName();
@@ -374,7 +368,7 @@ void DocumentFlow::exportWorkpiece() {
 }
 
 void DocumentFlow::restartProgram(int line) {
-    workbench_.collectText(); // what is being typed is not what was checked
+    workbench_.collectText(); // text being typed has not been checked
     if (line < 1) return;
     workbench_.program.restart(static_cast<std::uint32_t>(line), restartName(programName(workbench_), line));
 }
@@ -405,10 +399,21 @@ void DocumentFlow::settle(std::function<void(bool)> then) {
         workbench_.comeToRest([this, then = std::move(then)] { saveThen([then] { then(false); }); });
 }
 
+/// The sheet was asked for before: closing the window must not lose it. It can be cancelled like any task.
+void DocumentFlow::whenSheetIsWritten(std::function<void()> then) {
+    constexpr int patience = 20; // ms
+    if (workbench_.sheet.writing())
+        QTimer::singleShot(patience, this, [this, then = std::move(then)] { whenSheetIsWritten(then); });
+    else
+        then();
+}
+
 void DocumentFlow::closeProject(bool abandon, std::function<void()> then) {
     workbench_.comeToRest([this, abandon, then = std::move(then)] {
-        workbench_.tasks().cancelAll();
-        workbench_.document.close(abandon, [then](bool) { then(); });
+        whenSheetIsWritten([this, abandon, then] {
+            workbench_.tasks().cancelAll();
+            workbench_.document.close(abandon, [then](bool) { then(); });
+        });
     });
 }
 

@@ -12,11 +12,11 @@
 
 namespace burin {
 
-/// New, open, import, save, export, close: what the user is asked on the way, and what is done then.
+/// New, open, import, save, export, close: the questions to the user, and the operations.
 class DocumentFlow final : public QObject {
     Q_OBJECT
 public:
-    /// All outlive it. @param window parent of the dialogs
+    /// All arguments outlive it. @param window parent of the dialogs
     DocumentFlow(Workbench& workbench, UserSettings& settings, QWidget& window);
 
     void connectActions(const Actions& actions);
@@ -25,47 +25,47 @@ public:
     void import();
     void importFile(const QString& file,
                     double fileUnit = 1.0); ///< @param fileUnit mm per unit of a file that states none
-    void importAgain(double fileUnit);      ///< the part, whose file meant another unit
-    void updatePart();                      ///< from its file, or one that the user chooses where that is gone
-    void importFixture();                   ///< that the tool keeps out of
+    void importAgain(double fileUnit);      ///< the part, whose file used another unit
+    void updatePart();                      ///< from its file, or one that the user chooses if that no longer exists
+    void importFixture();                   ///< a fixture that the tool keeps clear of
     void importSample();
     void showSample(); ///< imports the sample part and lets the virtual operator mill it
-    /// A project or a part, as its content says. The file is looked at, and read as a whole, before anything is asked
-    /// or what is open changes; a file that can't be used costs a sentence and nothing else.
+    /// Opens a project or a part, as its content indicates. The file is read completely before any question is asked or
+    /// the open project changes; a file that can't be used only causes a message.
     void openAny(const QString& file);
     void save();
     void saveAs();
     void exportProgram();
     void readStock(); ///< from a file
-    void shapeTool(); ///< of models
+    void shapeTool(); ///< from models
     void exportWorkpiece();
     void exportSheet();
     /// Asks for a file and writes a picture to it.
     void exportPicture(const QImage& picture);
     void addProgramPath(); ///< asks for the program
-    /// The rest of the program from a line of its text on; asks for the file once it passed its check.
+    /// Makes the remaining program from a line of its text on; asks for the file once it passed its check.
     void restartProgram(int line);
 
     /// Asks about unsaved changes and calls `then` unless the user cancels or saving fails.
-    /// @param then is told whether the changes are discarded
+    /// @param then its argument tells whether to discard the changes
     void settle(std::function<void(bool abandon)> then);
-    /// Ends session and project as `settle` decided, then calls `then`.
+    /// Ends session and project as decided in `settle`, then calls `then`. A setup sheet that is being written is
+    /// finished first.
     void closeProject(bool abandon, std::function<void()> then);
 
 signals:
     void recentFilesChanged();
-    void begun();                          ///< another file is looked at: what was said of the last one is past
-    void alreadyOpen();                    ///< what was to be opened is the open project
-    void refused(const QString& sentence); ///< a file, and why; nothing has changed
-    void programOpened();                  ///< its text is the program's now, unchecked
+    void begun();                          ///< another file is being read: messages about the last one are obsolete
+    void alreadyOpen();                    ///< the file to open is the open project
+    void refused(const QString& sentence); ///< the file and the reason; nothing has changed
+    void programOpened();                  ///< its text is now that of the program, unchecked
     void exported(const QString& file);    ///< a program
     void workpieceExported(const QString& file);
-    void sheetExported(const QString& file);
     void pictureExported(const QString& file);
     void restartExported(int line, const QString& file);
 
 private:
-    void writeSheet(const std::shared_ptr<const SheetContent>& content, const QString& file);
+    void whenSheetIsWritten(std::function<void()> then);
     void openProject(const QString& file);
     void openProgram(const QString& file);
     void addProgramPath(const QString& file);
@@ -80,10 +80,10 @@ private:
     Workbench& workbench_;
     UserSettings& settings_;
     QWidget& window_;
-    bool asking_ = false; ///< a question stands open
+    bool asking_ = false; ///< a question is open
 };
 
-/// The part that Burin is shipped with.
+/// The part shipped with Burin.
 QString samplePart();
 
 } // namespace burin

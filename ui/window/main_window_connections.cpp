@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// What follows when an action is chosen, when work is done, and when something is asked for on the welcome page.
+// Connections of actions, of completed work, and of requests from the welcome page.
 #include "core/base/numbers.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
@@ -18,7 +18,7 @@ namespace burin {
 
 void MainWindow::connectActions() {
     for (std::size_t id = 0; id < static_cast<std::size_t>(ActionId::count); ++id)
-        addAction(actions_[static_cast<ActionId>(id)]); // shortcuts hold wherever the keyboard is
+        addAction(actions_[static_cast<ActionId>(id)]); // so that shortcuts work wherever the focus is
     flow_.connectActions(actions_);
     presenters_->connectActions(actions_, *viewport_);
     const auto on = [this](ActionId id, auto what) { connect(actions_[id], &QAction::triggered, this, what); };
@@ -53,7 +53,7 @@ void MainWindow::connectActions() {
         panels_->program->editor().startSearch();
     });
     on(ActionId::programDock, [this](bool docked) {
-        if (docked) showStep(JobStep::program); // where one sees what it did
+        if (docked) showStep(JobStep::program); // the step in which its effect is visible
     });
     on(ActionId::overrideCheck, [this] { overrideCheck(); });
     on(ActionId::restart, [this] {
@@ -108,8 +108,7 @@ void MainWindow::connectActions() {
     connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openAny);
 }
 
-/// What a part that was read again differs in.
-/// What became of a program that is edited as a path now.
+/// Describes how a program was converted to a path.
 QString MainWindow::programPathText(const ProgramPasses& passes) const {
     QStringList text{
         tr("A path was made of %1 of feed moves, with the feeds and speeds of the program. Links replace its rapids.")
@@ -129,6 +128,7 @@ QString MainWindow::programPathText(const ProgramPasses& passes) const {
     return text.join(QLatin1Char(' '));
 }
 
+/// Describes the differences of a part that was read again.
 QString MainWindow::updateText(const PartUpdate& update) {
     const auto listed = [](const std::vector<std::string>& names) {
         QStringList texts;
@@ -145,7 +145,7 @@ QString MainWindow::updateText(const PartUpdate& update) {
     return sentences.join(QLatin1Char(' '));
 }
 
-/// What moves the view beside the stylus.
+/// The device that moves the view in addition to the stylus.
 void MainWindow::connectViewDevice() {
     ViewDevice& device = workbench_.viewDevice;
     device.choose(settings_.viewDevice());
@@ -192,7 +192,7 @@ void MainWindow::connectWorkbench() {
         tellAboutOpened();
         const auto left = leftAtFromJson(contents.leftAt);
         if (left) goTo(*left);
-        // Without a word of a window: it was embedded by the command line.
+        // Without a window's state the project was embedded by the command line.
         if (left ? left->embedded : contents.setup.has_value()) workbench_.ensureWorkpiece();
     });
     connect(&workbench_.document, &DocumentController::keptEarlier, this, [this](const std::filesystem::path& file) {
@@ -211,7 +211,7 @@ void MainWindow::connectWorkbench() {
         if (workbench_.showMe.showing()) showStep(JobStep::mill);
     });
     connect(&workbench_.showMe, &ShowMe::finished, this, [this] {
-        // What was just recorded may not be in the list yet.
+        // A take recorded just before may not be in the list yet.
         workbench_.mill.refreshTakes([this] {
             if (workbench_.mill.takes().empty() || ending_) return;
             showStep(JobStep::path);
@@ -231,7 +231,7 @@ void MainWindow::connectWorkbench() {
     connect(&flow_, &DocumentFlow::pictureExported, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed, tr("The picture was written to “%1”.").arg(QFileInfo(file).fileName()));
     });
-    connect(&flow_, &DocumentFlow::sheetExported, this, [this](const QString& file) {
+    connect(&workbench_.sheet, &SheetController::written, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed,
                        tr("The setup sheet was written to “%1”.").arg(QFileInfo(file).fileName()));
     });

@@ -7,23 +7,34 @@
 
 #include <QString>
 
+#include <functional>
+#include <memory>
+#include <string>
+
 namespace burin {
 
-/// Gathers what the sheet of the setup in use tells, in the background: how the stock lies before anything is milled is
-/// made anew for it.
+/// Writes the setup sheet of the setup in use, in the background; the stock before any milling is embedded again for
+/// it.
 class SheetController final : public Controller {
     Q_OBJECT
 public:
+    /// Makes the page of a sheet, HTML. Called in a thread of the task; may wait for the user interface's thread.
+    using Draw = std::function<Result<std::string>(const std::shared_ptr<const SheetContent>&, Progress&)>;
+
     using Controller::Controller;
-    bool gathering() const { return asked_ || desk_.tasks.running(TaskKind::sheet); }
-    /// @param project its title @param file where the sheet is to be written, handed on to `gathered`
-    void gather(const QString& project, const QString& file);
+    void setDraw(Draw draw) { draw_ = std::move(draw); } ///< before the first `write`
+    /// A sheet is being prepared, drawn or written.
+    bool writing() const { return asked_ || desk_.tasks.running(TaskKind::sheet); }
+    /// @param project its title @param file is written completely or not at all
+    void write(const QString& project, const QString& file);
 
 signals:
-    void gathered(const std::shared_ptr<const burin::SheetContent>& content, const QString& file);
+    void written(const QString& file);
 
 private:
-    void embed(SheetSource source, const QString& file);
+    void make(SheetSource source, const QString& file);
+
+    Draw draw_;
     bool asked_ = false; ///< the project is being read
 };
 
