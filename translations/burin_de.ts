@@ -827,6 +827,14 @@
         <source>Stop a play of the program before the line of the cursor, or no longer. A click on the line&apos;s number does the same.</source>
         <translation>Das Abspielen des Programms vor der Zeile des Cursors anhalten, oder nicht mehr. Ein Klick auf die Nummer der Zeile tut dasselbe.</translation>
     </message>
+    <message>
+        <source>C&amp;ompare paths…</source>
+        <translation>Bahnen &amp;vergleichen…</translation>
+    </message>
+    <message>
+        <source>Compare the path with another one, with the recording or with itself without an edit: lengths, time and deviation.</source>
+        <translation>Vergleicht die Bahn mit einer anderen, mit der Aufnahme oder mit sich selbst ohne einen Schritt: Längen, Zeit und Abweichung.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -1971,6 +1979,74 @@
     <message>
         <source>%1 mm of feed moves</source>
         <translation>%1 mm Vorschubbewegungen</translation>
+    </message>
+    <message>
+        <source>without edit %1 (%2)</source>
+        <translation>ohne Schritt %1 (%2)</translation>
+    </message>
+    <message>
+        <source>a second path, --without or --recorded</source>
+        <translation>eine zweite Bahn, --without oder --recorded</translation>
+    </message>
+    <message>
+        <source>without edits</source>
+        <translation>ohne Schritte</translation>
+    </message>
+    <message>
+        <source>%1 and %2 (%3)</source>
+        <translation>%1 und %2 (%3)</translation>
+    </message>
+    <message>
+        <source>at most %1 mm at (%2) mm, mean %3 mm; %4 % of its cuts (%5 mm) are farther</source>
+        <translation>höchstens %1 mm bei (%2) mm, im Mittel %3 mm; %4 % ihrer Schnitte (%5 mm) liegen weiter entfernt</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Plunges</source>
+        <translation>Eintauchen</translation>
+    </message>
+    <message>
+        <source>Rapids and retracts</source>
+        <translation>Eilgänge und Rückzüge</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Arcs</source>
+        <translation>Bögen</translation>
+    </message>
+    <message>
+        <source>Time at feed</source>
+        <translation>Zeit im Vorschub</translation>
+    </message>
+    <message>
+        <source>Time at feed: unknown, as a path has moves without a feed</source>
+        <translation>Zeit im Vorschub: unbekannt, da eine Bahn Bewegungen ohne Vorschub hat</translation>
+    </message>
+    <message>
+        <source>No deviation: one of the paths has no cuts</source>
+        <translation>Keine Abweichung: eine der Bahnen hat keine Schnitte</translation>
+    </message>
+    <message>
+        <source>First from second</source>
+        <translation>Erste von der zweiten</translation>
+    </message>
+    <message>
+        <source>Second from first</source>
+        <translation>Zweite von der ersten</translation>
+    </message>
+    <message>
+        <source>Comparing</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>%1 and %2, tolerance %3 mm</source>
+        <translation>%1 und %2, Toleranz %3 mm</translation>
     </message>
 </context>
 <context>
@@ -6321,6 +6397,26 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Colour the workpiece by the stock that is left on the part, with a scale</source>
         <translation>Das Werkstück nach dem Restmaterial auf dem Teil färben, mit Skala</translation>
     </message>
+    <message>
+        <source>Number of the path to compare with</source>
+        <translation>Nummer der Bahn, mit der verglichen wird</translation>
+    </message>
+    <message>
+        <source>Compare with the path without this edit: its position in the list, from 0</source>
+        <translation>Mit der Bahn ohne diesen Schritt vergleichen: seine Stelle in der Liste, ab 0</translation>
+    </message>
+    <message>
+        <source>Compare with the path without its edits, as it was recorded or computed</source>
+        <translation>Mit der Bahn ohne ihre Schritte vergleichen, wie sie aufgenommen oder berechnet wurde</translation>
+    </message>
+    <message>
+        <source>Compare a path with another one, or with a version of itself</source>
+        <translation>Eine Bahn mit einer anderen oder mit einer Fassung ihrer selbst vergleichen</translation>
+    </message>
+    <message>
+        <source>Distance in mm beyond which parts of the paths count as different</source>
+        <translation>Abstand in mm, ab dem Teile der Bahnen als verschieden gelten</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -8977,6 +9073,124 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Keep these materials as your own; Undo takes each back</source>
         <translation>Diese Werkstoffe als eigene behalten; Rückgängig nimmt jeden zurück</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ComparisonDialog</name>
+    <message>
+        <source>Compare paths</source>
+        <translation>Bahnen vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>This path in another version, or another path of the setup</source>
+        <translation>Diese Bahn in einer anderen Fassung oder eine andere Bahn der Aufspannung</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Cuts farther apart than this are marked red in the view</source>
+        <translation>Schnitte, die weiter auseinanderliegen, sind in der Ansicht rot markiert</translation>
+    </message>
+    <message>
+        <source>This path</source>
+        <translation>Diese Bahn</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Plunges</source>
+        <translation>Eintauchen</translation>
+    </message>
+    <message>
+        <source>Rapids and retracts</source>
+        <translation>Eilgänge und Rückzüge</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Arcs</source>
+        <translation>Bögen</translation>
+    </message>
+    <message>
+        <source>Time at feed</source>
+        <translation>Zeit im Vorschub</translation>
+    </message>
+    <message>
+        <source>Mean deviation</source>
+        <translation>Mittlere Abweichung</translation>
+    </message>
+    <message>
+        <source>Farther than the tolerance</source>
+        <translation>Jenseits der Toleranz</translation>
+    </message>
+    <message>
+        <source>The other path is drawn thin, in light blue. Deviations are those of the cuts of either path from the cuts of the other.</source>
+        <translation>Die andere Bahn ist dünn und hellblau gezeichnet. Abweichungen sind die der Schnitte jeder Bahn von den Schnitten der anderen.</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>Größte Abweichung</translation>
+    </message>
+    <message>
+        <source>Largest deviation of the other path</source>
+        <translation>Größte Abweichung der anderen Bahn</translation>
+    </message>
+    <message>
+        <source>Largest deviation of this path</source>
+        <translation>Größte Abweichung dieser Bahn</translation>
+    </message>
+    <message>
+        <source>There is no deviation to show</source>
+        <translation>Es gibt keine Abweichung zu zeigen</translation>
+    </message>
+    <message>
+        <source>Show the point in the view</source>
+        <translation>Den Punkt in der Ansicht zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ComparisonPresenter</name>
+    <message>
+        <source>The paths are being compared.</source>
+        <translation>Die Bahnen werden verglichen.</translation>
+    </message>
+    <message>
+        <source>Waits until both paths are up to date.</source>
+        <translation>Wartet, bis beide Bahnen aktuell sind.</translation>
+    </message>
+    <message>
+        <source>One of the paths has no cuts: there is no deviation.</source>
+        <translation>Eine der Bahnen hat keine Schnitte: es gibt keine Abweichung.</translation>
+    </message>
+    <message>
+        <source>itself without edits, as recorded or computed</source>
+        <translation>sich selbst ohne Schritte, wie aufgenommen oder berechnet</translation>
+    </message>
+    <message>
+        <source>itself without edit %1: %2</source>
+        <translation>sich selbst ohne Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>path %1, %2: %3</source>
+        <translation>Bahn %1, %2: %3</translation>
     </message>
 </context>
 <context>
@@ -12177,6 +12391,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Kind of move</source>
         <translation>Art der Bewegung</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PathComparer</name>
+    <message>
+        <source>Comparing paths</source>
+        <translation>Bahnen vergleichen</translation>
     </message>
 </context>
 <context>

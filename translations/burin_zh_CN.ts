@@ -827,6 +827,14 @@
         <source>Stop a play of the program before the line of the cursor, or no longer. A click on the line&apos;s number does the same.</source>
         <translation>播放程序时在光标所在行之前停止，或取消停止。单击行号效果相同。</translation>
     </message>
+    <message>
+        <source>C&amp;ompare paths…</source>
+        <translation>比较刀路(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Compare the path with another one, with the recording or with itself without an edit: lengths, time and deviation.</source>
+        <translation>将刀路与另一条刀路、与录制或与去掉某个编辑步骤后的自身比较：长度、时间和偏差。</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -1971,6 +1979,74 @@
     <message>
         <source>%1 mm of feed moves</source>
         <translation>进给移动 %1 mm</translation>
+    </message>
+    <message>
+        <source>without edit %1 (%2)</source>
+        <translation>去掉编辑步骤 %1（%2）</translation>
+    </message>
+    <message>
+        <source>a second path, --without or --recorded</source>
+        <translation>第二条刀路、--without 或 --recorded</translation>
+    </message>
+    <message>
+        <source>without edits</source>
+        <translation>不含编辑步骤</translation>
+    </message>
+    <message>
+        <source>%1 and %2 (%3)</source>
+        <translation>%1和%2（%3）</translation>
+    </message>
+    <message>
+        <source>at most %1 mm at (%2) mm, mean %3 mm; %4 % of its cuts (%5 mm) are farther</source>
+        <translation>最大 %1 mm，位于 (%2) mm，平均 %3 mm；其切削移动的 %4 %（%5 mm）超出公差</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>切削移动</translation>
+    </message>
+    <message>
+        <source>Plunges</source>
+        <translation>垂直下刀</translation>
+    </message>
+    <message>
+        <source>Rapids and retracts</source>
+        <translation>快速移动和抬刀</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Arcs</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>Time at feed</source>
+        <translation>进给时间</translation>
+    </message>
+    <message>
+        <source>Time at feed: unknown, as a path has moves without a feed</source>
+        <translation>进给时间：未知，因为有刀路含没有进给的移动</translation>
+    </message>
+    <message>
+        <source>No deviation: one of the paths has no cuts</source>
+        <translation>没有偏差：其中一条刀路没有切削移动</translation>
+    </message>
+    <message>
+        <source>First from second</source>
+        <translation>第一条到第二条</translation>
+    </message>
+    <message>
+        <source>Second from first</source>
+        <translation>第二条到第一条</translation>
+    </message>
+    <message>
+        <source>Comparing</source>
+        <translation>正在比较</translation>
+    </message>
+    <message>
+        <source>%1 and %2, tolerance %3 mm</source>
+        <translation>%1和%2，公差 %3 mm</translation>
     </message>
 </context>
 <context>
@@ -6320,6 +6396,26 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>Colour the workpiece by the stock that is left on the part, with a scale</source>
         <translation>按零件上的残料为工件着色并显示色标</translation>
     </message>
+    <message>
+        <source>Number of the path to compare with</source>
+        <translation>要与之比较的刀路编号</translation>
+    </message>
+    <message>
+        <source>Compare with the path without this edit: its position in the list, from 0</source>
+        <translation>与去掉此编辑步骤的刀路比较：它在列表中的位置，从 0 开始</translation>
+    </message>
+    <message>
+        <source>Compare with the path without its edits, as it was recorded or computed</source>
+        <translation>与不含编辑步骤的刀路比较，即录制或计算时的样子</translation>
+    </message>
+    <message>
+        <source>Compare a path with another one, or with a version of itself</source>
+        <translation>将刀路与另一条刀路或其自身的另一版本比较</translation>
+    </message>
+    <message>
+        <source>Distance in mm beyond which parts of the paths count as different</source>
+        <translation>超过此距离（mm）的刀路部分视为不同</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -8970,6 +9066,124 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Keep these materials as your own; Undo takes each back</source>
         <translation>将这些材料保存为自己的材料；可用撤销逐个取消</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ComparisonDialog</name>
+    <message>
+        <source>Compare paths</source>
+        <translation>比较刀路</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>比较对象</translation>
+    </message>
+    <message>
+        <source>This path in another version, or another path of the setup</source>
+        <translation>此刀路的另一版本，或该装夹的另一条刀路</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>公差</translation>
+    </message>
+    <message>
+        <source>Cuts farther apart than this are marked red in the view</source>
+        <translation>相距超过此值的切削移动在视图中标为红色</translation>
+    </message>
+    <message>
+        <source>This path</source>
+        <translation>此刀路</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>另一条</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差值</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>切削移动</translation>
+    </message>
+    <message>
+        <source>Plunges</source>
+        <translation>垂直下刀</translation>
+    </message>
+    <message>
+        <source>Rapids and retracts</source>
+        <translation>快速移动和抬刀</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>点</translation>
+    </message>
+    <message>
+        <source>Arcs</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>Time at feed</source>
+        <translation>进给时间</translation>
+    </message>
+    <message>
+        <source>Mean deviation</source>
+        <translation>平均偏差</translation>
+    </message>
+    <message>
+        <source>Farther than the tolerance</source>
+        <translation>超出公差</translation>
+    </message>
+    <message>
+        <source>The other path is drawn thin, in light blue. Deviations are those of the cuts of either path from the cuts of the other.</source>
+        <translation>另一条刀路以浅蓝色细线显示。偏差是每条刀路的切削移动与另一条的切削移动之间的偏差。</translation>
+    </message>
+    <message>
+        <source>Largest deviation</source>
+        <translation>最大偏差</translation>
+    </message>
+    <message>
+        <source>Largest deviation of the other path</source>
+        <translation>另一条刀路的最大偏差</translation>
+    </message>
+    <message>
+        <source>Largest deviation of this path</source>
+        <translation>此刀路的最大偏差</translation>
+    </message>
+    <message>
+        <source>There is no deviation to show</source>
+        <translation>没有可显示的偏差</translation>
+    </message>
+    <message>
+        <source>Show the point in the view</source>
+        <translation>在视图中显示该点</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ComparisonPresenter</name>
+    <message>
+        <source>The paths are being compared.</source>
+        <translation>正在比较刀路。</translation>
+    </message>
+    <message>
+        <source>Waits until both paths are up to date.</source>
+        <translation>等待两条刀路都更新完毕。</translation>
+    </message>
+    <message>
+        <source>One of the paths has no cuts: there is no deviation.</source>
+        <translation>其中一条刀路没有切削移动：没有偏差。</translation>
+    </message>
+    <message>
+        <source>itself without edits, as recorded or computed</source>
+        <translation>不含编辑步骤的自身，即录制或计算时的样子</translation>
+    </message>
+    <message>
+        <source>itself without edit %1: %2</source>
+        <translation>去掉编辑步骤 %1 的自身：%2</translation>
+    </message>
+    <message>
+        <source>path %1, %2: %3</source>
+        <translation>刀路 %1，%2：%3</translation>
     </message>
 </context>
 <context>
@@ -12160,6 +12374,13 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Kind of move</source>
         <translation>移动类型</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PathComparer</name>
+    <message>
+        <source>Comparing paths</source>
+        <translation>正在比较刀路</translation>
     </message>
 </context>
 <context>

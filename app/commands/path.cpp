@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/commands/path_compare.h"
 #include "app/commands/path_pass.h"
 #include "app/commands/path_program.h"
 #include "app/path_report.h"
@@ -35,6 +36,7 @@ struct PathArguments {
     std::size_t place = 0;
     ProgramPathArguments program;
     PassArguments pass;
+    CompareArguments compare;
     std::optional<std::int64_t> meantPass; ///< the pass to be deleted or recomputed
 };
 
@@ -290,6 +292,25 @@ int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& con
     return 0;
 }
 
+void addCompare(CommandParser part, PathArguments& arguments) {
+    CompareArguments& compare = arguments.compare;
+    const Argument second = part.positional(BURIN_TEXT("Argument", "OTHER"), compare.second,
+                                            BURIN_TEXT("Help", "Number of the path to compare with"));
+    const Argument without =
+        part.option("--without", compare.without,
+                    BURIN_TEXT("Help", "Compare with the path without this edit: its position in the list, from 0"))
+            .excludes(second);
+    part.flag("--recorded", compare.recorded,
+              BURIN_TEXT("Help", "Compare with the path without its edits, as it was recorded or computed"))
+        .excludes(second)
+        .excludes(without);
+    part.option("--tolerance", compare.tolerance,
+                BURIN_TEXT("Help", "Distance in mm beyond which parts of the paths count as different"))
+        .range(comparedTolerances.low, comparedTolerances.high)
+        .showDefault();
+    part.option("--machine", arguments.machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
+}
+
 } // namespace
 
 void registerPath(CommandParser program, CommandContext& context, int& status) {
@@ -406,6 +427,12 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
                      }));
     update.option("--place", arguments->place, BURIN_TEXT("Help", "Position of the edit in the list, from 0"))
         .required();
+    addCompare(
+        withPath(add("compare", BURIN_TEXT("Help", "Compare a path with another one, or with a version of itself"),
+                     [](const PathArguments& given, CommandContext& where) {
+                         return comparePathsOf(given.project, given.path, given.compare, given.machine, where);
+                     })),
+        *arguments);
     for (const bool asTrace : {false, true}) {
         const CommandParser part = add(
             asTrace ? "trace" : "take",

@@ -69,6 +69,7 @@ void ActionStates::update() {
     for (const ActionId id : {ActionId::brushArea, ActionId::lassoArea, ActionId::faceArea}) enable(id, paintable);
     enable(ActionId::clearArea, !workbench.area.area().empty());
     enable(ActionId::evaluatePath, workbench.path.stored() != nullptr && workbench.workpiece.embedded());
+    enable(ActionId::comparePaths, workbench.pathComparer.possible());
     enable(ActionId::drawStretch, workbench.path.selection().has_value());
     enable(ActionId::drawEdit, workbench.path.evaluated() && workbench.path.stored() != nullptr &&
                                    lastDrawn(workbench.path.stored()->edits));

@@ -213,6 +213,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "The next pass goes over the whole part again."), "Ctrl+Alt+C"},
     Row{ActionId::evaluatePath, "evaluatePathAction", QT_TRANSLATE_NOOP("Actions", "&Update path"),
         QT_TRANSLATE_NOOP("Actions", "Apply the edits to the takes again."), "F5"},
+    Row{ActionId::comparePaths, "comparePathsAction", QT_TRANSLATE_NOOP("Actions", "C&ompare paths…"),
+        QT_TRANSLATE_NOOP("Actions", "Compare the path with another one, with the recording or with itself without an "
+                                     "edit: lengths, time and deviation."),
+        "Ctrl+Alt+V"},
     Row{ActionId::drawStretch, "drawStretchAction", QT_TRANSLATE_NOOP("Actions", "&Draw instead"),
         QT_TRANSLATE_NOOP("Actions", "Draw a stroke in the view that replaces the selected part of the path."),
         "Ctrl+D"},

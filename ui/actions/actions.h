@@ -93,6 +93,7 @@ enum class ActionId : std::size_t {
     faceArea,
     clearArea,
     evaluatePath,
+    comparePaths,
     drawStretch,
     drawEdit,
     post,

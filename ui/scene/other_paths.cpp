@@ -11,10 +11,8 @@ OtherPaths::OtherPaths(vtkRenderer& renderer) : lines_(renderer) {}
 void OtherPaths::setPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths) {
     std::vector<LineEnds> lines;
     for (const auto& evaluated : paths) {
-        const std::vector<PathPoint>& points = evaluated->path.points;
-        for (std::size_t i = 1; i < points.size(); ++i)
-            if (points[i].kind == MoveKind::cut || points[i].kind == MoveKind::plunge)
-                addMove(lines, points[i - 1].pose.tip, points[i]);
+        const std::vector<LineEnds> milled = millingLines(evaluated->path);
+        lines.insert(lines.end(), milled.begin(), milled.end());
     }
     lines_.setLines(lineData(lines));
     empty_ = lines.empty();

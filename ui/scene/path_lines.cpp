@@ -20,4 +20,12 @@ void addMove(std::vector<LineEnds>& lines, const glm::dvec3& from, const PathPoi
     for (const glm::dvec3& place : places) lines.emplace_back(std::exchange(last, place), place);
 }
 
+std::vector<LineEnds> millingLines(const Path& path) {
+    std::vector<LineEnds> lines;
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+        if (path.points[i].kind == MoveKind::cut || path.points[i].kind == MoveKind::plunge)
+            addMove(lines, path.points[i - 1].pose.tip, path.points[i]);
+    return lines;
+}
+
 } // namespace burin

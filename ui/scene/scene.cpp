@@ -37,6 +37,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , otherPaths_(*solids_)
     , editedPath_(*solids_)
     , valuedPath_(*solids_)
+    , comparedPath_(*solids_, *marks_)
     , deviations_(*solids_)
     , grid_(*solids_)
     , shadow_(*solids_)
@@ -85,6 +86,7 @@ void Scene::setPalette(const Palette& palette) {
     editedPath_.setPalette(palette);
     valuedPath_.setPalette(palette);
     otherPaths_.setPalette(palette);
+    comparedPath_.setPalette(palette);
     grid_.setColour(palette.grid);
     shadow_.setPalette(palette);
     stock_.setColour(palette.quietText);
@@ -278,6 +280,7 @@ void Scene::setLineWidths(double ratio) {
     editedPath_.setLineWidth(pathLine * ratio);
     valuedPath_.setLineWidth(pathLine * ratio);
     otherPaths_.setLineWidth(pathLine * ratio);
+    comparedPath_.setLineWidth(ratio);
     section_.setLineWidth(boldLine * ratio);
     ghost_.setLineWidth(boldLine * ratio);
     touch_.setLineWidth(pathLine * ratio);
@@ -326,7 +329,7 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
                     outlines_.visible() || strokePlans_.visible() || area_.visible() || passPreview_.visible() ||
                     touch_.visible() || measure_.visible() || touchedVoxels_.visible() || zero_.visible() ||
-                    section_.plane().has_value());
+                    comparedPath_.marksVisible() || section_.plane().has_value());
 
     aimCamera(*solids_, drawnBounds(), view);
     const DepthCue cue = depthCue(*solids_);

@@ -4,6 +4,7 @@
 
 #include "ui/scene/camera_view.h"
 #include "ui/scene/colour_scale.h"
+#include "ui/scene/compared_path.h"
 #include "ui/scene/deviation_actors.h"
 #include "ui/scene/edited_path.h"
 #include "ui/scene/force_arrow.h"
@@ -87,6 +88,7 @@ public:
     LivePath& livePath() noexcept { return livePath_; }
     EditedPath& editedPath() noexcept { return editedPath_; }
     OtherPaths& otherPaths() noexcept { return otherPaths_; }
+    ComparedPath& comparedPath() noexcept { return comparedPath_; }
     /// Colours the edited path's moves at feed by a quantity; null: by kind of move.
     void setPathValues(std::shared_ptr<const PathValues> values);
     void setPathVisible(bool visible);
@@ -135,6 +137,7 @@ private:
     OtherPaths otherPaths_;
     EditedPath editedPath_;
     ValuedPath valuedPath_;
+    ComparedPath comparedPath_;
     DeviationActors deviations_;
     GroundGrid grid_;
     GroundShadow shadow_;

@@ -270,6 +270,11 @@ void Viewport::setOtherPathsVisible(bool visible) {
     impl_->refresh();
 }
 
+void Viewport::setComparison(const ComparisonMark& mark) {
+    impl_->scene.comparedPath().set(mark);
+    impl_->refresh();
+}
+
 void Viewport::setDeviations(const DeviationPicture& picture) {
     const std::uint64_t order = ++impl_->deviationsOrdered;
     if (!picture.samples || picture.samples->empty() || !impl_->part) {

@@ -11,6 +11,7 @@
 #include "core/verify/verify.h"
 #include "core/volume/runs/run_volume.h"
 #include "ui/scene/camera_push.h"
+#include "ui/scene/comparison_mark.h"
 #include "ui/scene/deviation_surface.h"
 #include "ui/scene/excess_colours.h"
 #include "ui/scene/guide_marks.h"
@@ -130,6 +131,8 @@ public:
     /// Sets the paths that the job mills with other tools.
     void setOtherPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths);
     void setOtherPathsVisible(bool visible);
+    /// Sets the path that the edited one is compared with; an empty mark: none.
+    void setComparison(const ComparisonMark& mark);
     /// Shows what a program leaves on the part, or removes from it, in colours on the part. The coloured surface is
     /// computed on a worker thread and stays until a picture without samples is set.
     void setDeviations(const DeviationPicture& picture);

@@ -26,10 +26,11 @@ constexpr ResourceKind themeResource{"theme", "themes"};
 constexpr double smallestPointSize = 10.0;
 
 /// Roles that a user's theme may lack because it was written before they were added, with their default values.
-constexpr std::array<std::pair<ColourRole, const char*>, 5> laterRoles{{{&Palette::conventionalPath, "#ff9cf2"},
+constexpr std::array<std::pair<ColourRole, const char*>, 6> laterRoles{{{&Palette::conventionalPath, "#ff9cf2"},
                                                                         {&Palette::rapidPath, "#c9c4bb"},
                                                                         {&Palette::plungePath, "#f4f6f8"},
                                                                         {&Palette::chosenPath, "#fff04a"},
+                                                                        {&Palette::comparedPath, "#52e0ff"},
                                                                         {&Palette::pathHalo, "#07090c"}}};
 
 std::optional<Palette>& applied() {

@@ -21,9 +21,10 @@ struct Palette {
     QColor accent, force, inOrder, part;                  ///< one accent, three signals: red, green, blue
     QColor sceneTop, sceneBottom, grid;                   ///< the viewport's background
     QColor flutes, shank, holder, ghost, coupling, guide, path, livePath; ///< in the viewport
-    /// Moves of a path that are not climb milling, and the selected part of a path. Every path line has an outline in
-    /// `pathHalo`, of the opposite lightness, so that one of the two contrasts with any background.
-    QColor conventionalPath, rapidPath, plungePath, chosenPath, pathHalo;
+    /// Moves of a path that are not climb milling, the selected part of a path, and the path it is compared with. Every
+    /// path line has an outline in `pathHalo`, of the opposite lightness, so that one of the two contrasts with any
+    /// background.
+    QColor conventionalPath, rapidPath, plungePath, chosenPath, comparedPath, pathHalo;
 };
 
 /// One role of a palette, such as `&Palette::accent`. Code that stores a role instead of a colour follows a change of
@@ -31,7 +32,7 @@ struct Palette {
 using ColourRole = QColor Palette::*;
 
 /// Every role with its key in the theme files.
-inline constexpr std::array<std::pair<std::string_view, ColourRole>, 26> colourRoles{{
+inline constexpr std::array<std::pair<std::string_view, ColourRole>, 27> colourRoles{{
     {"window", &Palette::window},
     {"panel", &Palette::panel},
     {"field", &Palette::field},
@@ -57,6 +58,7 @@ inline constexpr std::array<std::pair<std::string_view, ColourRole>, 26> colourR
     {"rapid_path", &Palette::rapidPath},
     {"plunge_path", &Palette::plungePath},
     {"chosen_path", &Palette::chosenPath},
+    {"compared_path", &Palette::comparedPath},
     {"path_halo", &Palette::pathHalo},
 }};
 static_assert(colourRoles.size() * sizeof(QColor) == sizeof(Palette), "every colour of a palette has a role");

@@ -55,7 +55,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              alignHand,   finerHand,  coarserHand, rateControl,    line,       showMe,      stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
             {newPath, newPass, programPath, measurePasses, brushArea, lassoArea, faceArea, clearArea, evaluatePath,
-             line, drawStretch, drawEdit});
+             comparePaths, line, drawStretch, drawEdit});
     addMenu(
         bar, tr("P&rogram"), "programMenu", actions,
         {post, exportProgram, overrideCheck, restart, line, findInProgram, breakpoint, programDock, line, machines});

@@ -35,7 +35,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , time(workbench, stage.timeline, scene, this)
     , measure(workbench, stage.viewport, this)
     , tree(workbench, stage.tree, scene, this)
-    , excess(workbench, stage.viewport, this) {
+    , excess(workbench, stage.viewport, this)
+    , comparison(workbench, stage.viewport, this) {
     connect(&scene, &ScenePresenter::hiddenBodiesChanged, this, [this](const std::set<std::size_t>& bodies) {
         part.setHiddenBodies(bodies);
         setups.setHiddenBodies(bodies);
@@ -68,13 +69,15 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
     time.connectActions(actions);
     measure.connectActions(actions);
     excess.connectActions(actions);
+    comparison.connectActions(actions);
 }
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part,         &setups,     &stock,        &zero,      &material, &layers,  &tool,    &allowance, &mill,
-             &surroundings, &guides,     &hand,         &pathScene, &path,     &program, &meters,  &status,    &job,
-             &scene,        &guideScene, &programScene, &deviation, &area,     &time,    &measure, &tree,      &excess})
+             &part,      &setups, &stock,        &zero,    &material, &layers,     &tool,
+             &allowance, &mill,   &surroundings, &guides,  &hand,     &pathScene,  &path,
+             &program,   &meters, &status,       &job,     &scene,    &guideScene, &programScene,
+             &deviation, &area,   &time,         &measure, &tree,     &excess,     &comparison})
         presenter->setUnit(unit);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/window/area_presenter.h"
+#include "ui/window/comparison_presenter.h"
 #include "ui/window/deviation_presenter.h"
 #include "ui/window/excess_presenter.h"
 #include "ui/window/guide_presenter.h"
@@ -73,6 +74,7 @@ public:
     MeasurePresenter measure;
     TreePresenter tree;
     ExcessPresenter excess;
+    ComparisonPresenter comparison;
 };
 
 } // namespace burin

@@ -26,6 +26,8 @@ public:
     const StoredPath* stored() const;
     /// The paths of the job, one for each tool, in the order of milling.
     std::vector<StoredPath> jobPaths() const;
+    /// All paths of the setup, also those that the job does not mill.
+    const std::vector<StoredPath>& all() const noexcept { return paths_; }
     /// Id of the tool of a path; empty if it is not one of the job's paths.
     std::string toolOf(std::int64_t path) const;
     /// Ids of the tools that have recordings but no path.

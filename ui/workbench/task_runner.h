@@ -32,6 +32,7 @@ enum class TaskKind {
     preview,
     measuring,
     pathValues,
+    comparison,
     measure,
     program,
     device,

@@ -42,6 +42,7 @@ Workbench::Workbench(QObject* parent)
     , passPreview(desk_, workpiece, path, tool, this)
     , passMeasurer(desk_, workpiece, path, this)
     , pathValuer(desk_, workpiece, path, this)
+    , pathComparer(desk_, workpiece, path, this)
     , measure(desk_, setup, this)
     , program(desk_, workpiece, path, target, this)
     , setups(desk_, {document, setup, workpiece, program, target}, this)
@@ -59,10 +60,10 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,   &setup,        &material,   &tool,   &target,       &workpiece,
-            &styluses, &session, &deviceTester, &viewDevice, &mill,   &surroundings, &guides,
-            &hand,     &showMe,  &path,         &area,       &passes, &passMeasurer, &pathValuer,
-            &measure,  &program, &setups,       &sheet,      &time,   &keeper};
+    return {&document,     &model,   &setup,        &material,   &tool,   &target,       &workpiece,
+            &styluses,     &session, &deviceTester, &viewDevice, &mill,   &surroundings, &guides,
+            &hand,         &showMe,  &path,         &area,       &passes, &passMeasurer, &pathValuer,
+            &pathComparer, &measure, &program,      &setups,     &sheet,  &time,         &keeper};
 }
 
 void Workbench::wire() {
@@ -133,6 +134,7 @@ void Workbench::load(const ProjectContents& contents) {
     passPreview.end();
     passMeasurer.forget();
     pathValuer.forget();
+    pathComparer.close();
     time.forget();
     keeper.forget();
     path.load(contents.paths, contents.takes, contents.generated);

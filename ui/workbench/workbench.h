@@ -13,6 +13,7 @@
 #include "ui/workbench/model_controller.h"
 #include "ui/workbench/pass_measurer.h"
 #include "ui/workbench/pass_previewer.h"
+#include "ui/workbench/path_comparer.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/path_valuer.h"
 #include "ui/workbench/program_controller.h"
@@ -68,6 +69,7 @@ public:
     PassPreviewer passPreview;
     PassMeasurer passMeasurer;
     PathValuer pathValuer;
+    PathComparer pathComparer;
     MeasureController measure;
     ProgramController program;
     SetupsController setups;

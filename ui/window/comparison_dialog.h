@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/theme/length_unit.h"
+
+#include <QDialog>
+
+#include <array>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace burin {
+
+class ChoiceBox;
+class Notice;
+class QuantityField;
+
+/// A value of both paths, and by how much the other one has more. "–" where there is none.
+struct ComparedValue {
+    QString first, second, difference;
+};
+
+/// What the dialog shows, worded.
+struct ComparisonState {
+    QStringList versions;
+    int version = 0;
+    double tolerance = 0.0; ///< mm
+    LengthUnit unit = LengthUnit::millimetre;
+    bool known = false; ///< both paths are compared: the values count
+    ComparedValue cutting, plunging, air, points, arcs, time, largest, mean, farther;
+    bool deviates = false; ///< there is a largest deviation
+    QString news;          ///< why nothing is known yet; empty: it is
+    bool problem = false;  ///< `news` is an error
+};
+
+/// Stays beside the window and shows two paths side by side. Dialog "comparisonDialog" with "comparedVersion",
+/// "comparedTolerance", "largestFirst", "largestSecond", "comparisonNotice".
+class ComparisonDialog final : public QDialog {
+    Q_OBJECT
+public:
+    explicit ComparisonDialog(QWidget* parent);
+    void setState(const ComparisonState& state);
+
+signals:
+    void versionChosen(int place);
+    void toleranceEdited(double tolerance); ///< mm
+    void largestWanted(bool ofSecond);      ///< to be shown in the view
+
+private:
+    using Member = ComparedValue ComparisonState::*;
+    struct Row {
+        Member value = nullptr;
+        std::array<QLabel*, 3> cells{}; ///< first, second, difference
+    };
+    void addRow(QGridLayout& grid, const QString& title, const char* name, Member value);
+    void addLargest(QGridLayout& grid);
+
+    ChoiceBox* version_ = nullptr;
+    QuantityField* tolerance_ = nullptr;
+    std::array<QPushButton*, 2> largest_{};
+    std::vector<Row> rows_;
+    Notice* notice_ = nullptr;
+};
+
+} // namespace burin

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/path/path_comparison.h"
+#include "ui/workbench/path_controller.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace burin {
+
+/// What the path in force is compared with.
+struct PathVersion {
+    enum class Kind {
+        recorded,    ///< itself without its edits
+        withoutEdit, ///< itself without one of them
+        path         ///< another path of the setup
+    };
+    Kind kind = Kind::recorded;
+    std::size_t edit = 0;  ///< its place, of the kind withoutEdit
+    std::int64_t path = 0; ///< its id, of the kind path
+    friend bool operator==(const PathVersion&, const PathVersion&) = default;
+};
+
+/// A path in force with what it was compared with.
+struct ComparedPaths {
+    std::shared_ptr<const EvaluatedPath> first, second; ///< never null
+    PathComparison values;
+};
+
+/// Compares the path in force with another version of it or another path, in the background, and anew whenever either
+/// is another. Changes nothing of the project.
+class PathComparer final : public Controller {
+    Q_OBJECT
+public:
+    PathComparer(const Desk& desk, const WorkpieceController& workpiece, const PathController& path, QObject* parent);
+
+    /// There is a path to be compared.
+    bool possible() const { return path_.stored() != nullptr && path_.evaluated(); }
+    void open(); ///< compares with the recording, at first
+    void close();
+    bool isOpen() const noexcept { return open_; }
+    /// All that the path in force can be compared with.
+    std::vector<PathVersion> versions() const;
+    const PathVersion& version() const noexcept { return version_; }
+    void choose(const PathVersion& version);
+    double tolerance() const noexcept { return tolerance_; } ///< mm
+    void setTolerance(double tolerance);
+    /// Of the path as it was evaluated last; null: not open, or not worked out.
+    std::shared_ptr<const ComparedPaths> compared() const;
+    std::optional<Error> problem() const { return compared_ ? std::nullopt : problem_; } ///< why there is none
+    bool busy() const noexcept { return asked_.has_value(); }
+
+private:
+    struct Question {
+        std::shared_ptr<const EvaluatedPath> first, base; ///< base: what the job mills with the other one's tool
+        PathVersion version;
+        double tolerance = 0.0;
+        bool operator==(const Question&) const = default;
+        bool isOfSamePaths(const Question& other) const {
+            return first == other.first && base == other.base && version == other.version;
+        }
+    };
+    struct Matter;
+    const StoredPath* jobPathOf(const PathVersion& version) const;
+    StoredPath storedOf(const PathVersion& version) const;
+    void goOn();
+    void gather(const Question& question);
+    void run(const Question& question, std::shared_ptr<const EvaluatedPath> second, std::shared_ptr<Matter> matter);
+    void answer(const Question& question, std::shared_ptr<const ComparedPaths> compared, std::optional<Error> problem);
+
+    const WorkpieceController& workpiece_;
+    const PathController& path_;
+    bool open_ = false;
+    PathVersion version_;
+    double tolerance_ = usualComparedTolerance; ///< mm
+    std::optional<Question> asked_, answered_;
+    std::shared_ptr<const ComparedPaths> compared_; ///< to `answered_`; null: there is a problem
+    std::optional<Error> problem_;
+};
+
+} // namespace burin
