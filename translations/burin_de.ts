@@ -3595,6 +3595,14 @@
         <source>a position more than 1e6 mm away</source>
         <translation>eine Position, die mehr als 1e6 mm entfernt ist</translation>
     </message>
+    <message>
+        <source>set-feed, then section</source>
+        <translation>set-feed, dann section</translation>
+    </message>
+    <message>
+        <source>at most %1 1/min, the limit of the tool %2</source>
+        <translation>höchstens %1 1/min, die Grenze des Werkzeugs %2</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -3970,6 +3978,10 @@
     <message>
         <source>Holding tabs</source>
         <translation>Haltestege</translation>
+    </message>
+    <message>
+        <source>Spindle and coolant</source>
+        <translation>Spindel und Kühlung</translation>
     </message>
 </context>
 <context>
@@ -4672,6 +4684,26 @@
     <message>
         <source>Height of the tab above the lowest stroke there</source>
         <translation>Höhe des Stegs über dem tiefsten Zug dort</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>unverändert</translation>
+    </message>
+    <message>
+        <source>Of these strokes; feeds stay as they are. 0: unchanged</source>
+        <translation>Dieser Züge; die Vorschübe bleiben. 0: unverändert</translation>
+    </message>
+    <message>
+        <source>Share of the speed</source>
+        <translation>Anteil der Drehzahl</translation>
+    </message>
+    <message>
+        <source>Spindle speeds of these strokes are multiplied by this</source>
+        <translation>Drehzahlen dieser Züge werden damit multipliziert</translation>
+    </message>
+    <message>
+        <source>Of these strokes, if the machine has it</source>
+        <translation>Dieser Züge, wenn die Maschine sie hat</translation>
     </message>
 </context>
 <context>

@@ -3595,6 +3595,14 @@
         <source>a position more than 1e6 mm away</source>
         <translation>距离超过 1e6 mm 的位置</translation>
     </message>
+    <message>
+        <source>set-feed, then section</source>
+        <translation>先 set-feed，后 section</translation>
+    </message>
+    <message>
+        <source>at most %1 1/min, the limit of the tool %2</source>
+        <translation>不超过 %1 1/min，即刀具 %2 的极限</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -3970,6 +3978,10 @@
     <message>
         <source>Holding tabs</source>
         <translation>连接片</translation>
+    </message>
+    <message>
+        <source>Spindle and coolant</source>
+        <translation>主轴与冷却液</translation>
     </message>
 </context>
 <context>
@@ -4671,6 +4683,26 @@
     <message>
         <source>Height of the tab above the lowest stroke there</source>
         <translation>连接片高出该处最低笔画的高度</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>不变</translation>
+    </message>
+    <message>
+        <source>Of these strokes; feeds stay as they are. 0: unchanged</source>
+        <translation>这些笔画的转速；进给保持不变。0：不变</translation>
+    </message>
+    <message>
+        <source>Share of the speed</source>
+        <translation>转速比例</translation>
+    </message>
+    <message>
+        <source>Spindle speeds of these strokes are multiplied by this</source>
+        <translation>这些笔画的主轴转速乘以此系数</translation>
+    </message>
+    <message>
+        <source>Of these strokes, if the machine has it</source>
+        <translation>这些笔画的冷却液，前提是机床具备</translation>
     </message>
 </context>
 <context>

@@ -189,15 +189,22 @@ std::string arcColumns(const PathPoint& point) {
     return text + "," + letters[point.arc->axis] + (point.arc->clockwise ? ",1" : ",0");
 }
 
+/// Of a rapid, nothing: it takes on what comes next.
+std::string spindleColumns(const Path& path, const PathPoint& point) {
+    if (point.kind == MoveKind::rapid) return ",,";
+    const double speed = point.spindleSpeed > 0.0 ? point.spindleSpeed : path.spindleSpeed;
+    return "," + formatShortest(speed) + "," + std::string(idOf(point.coolant.value_or(path.coolant)));
+}
+
 std::string csvOf(const Path& path) {
     constexpr const char* kinds[] = {"rapid", "plunge", "cut", "retract"};
     std::string text = "kind,x_mm,y_mm,z_mm,feed_mm_min,take,sample,"
-                       "arc_centre_x_mm,arc_centre_y_mm,arc_centre_z_mm,arc_axis,arc_clockwise\n";
+                       "arc_centre_x_mm,arc_centre_y_mm,arc_centre_z_mm,arc_axis,arc_clockwise,spindle_rpm,coolant\n";
     for (const PathPoint& point : path.points) {
         text += kinds[static_cast<std::size_t>(point.kind)];
         for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.pose.tip[axis]);
         text += "," + formatShortest(point.feed) + "," + std::to_string(point.source) + "," +
-                std::to_string(point.sample) + arcColumns(point) + "\n";
+                std::to_string(point.sample) + arcColumns(point) + spindleColumns(path, point) + "\n";
     }
     return text;
 }

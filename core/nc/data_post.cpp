@@ -44,7 +44,8 @@ public:
         , writer_(dialect, std::max(3, std::min(dialect.lineLength, machine.maximumLineLength)), sink)
         , arcs_(limitsOf(dialect.arcs, machine.arcs))
         , clearHeight_(std::max(program.safeHeight, machine.toolChangeHeight))
-        , home_(machine.home) {}
+        , home_(machine.home)
+        , coolantFirst_(switchesCoolantFirst(dialect)) {}
 
     Result<void> write(Progress& progress) {
         if (Result<void> fits = check(); !fits) return fits;
@@ -73,7 +74,7 @@ private:
         for (const NcSection& section : program_.sections) {
             if (section.moves.empty() || section.moves.front().kind != NcMoveKind::rapid)
                 return Error{ErrorCode::argumentInvalid, "program", program_.name, "has to begin with a rapid move"};
-            if (!dialect_.coolant[indexOf(section.coolant)])
+            if (!hasCoolants(section))
                 return Error{ErrorCode::notSupported, "this coolant for " + dialect_.name, "", ""};
             if (!std::ranges::all_of(section.moves, [](const NcMove& move) { return move.target.onlyLinear(); }))
                 return Error{ErrorCode::notSupported, "axes other than X, Y and Z", "", ""};
@@ -81,8 +82,17 @@ private:
         return {};
     }
 
+    bool hasCoolants(const NcSection& section) const {
+        const auto has = [&](Coolant coolant) { return dialect_.coolant[indexOf(coolant)].has_value(); };
+        return has(section.coolant) && std::ranges::all_of(section.moves, [&](const NcMove& move) {
+                   return has(move.coolant.value_or(Coolant::off));
+               });
+    }
+
     Result<void> writeSection(Progress& progress) {
         speed_ = section_->spindleSpeed;
+        coolant_ = section_->coolant;
+        coolantOn_ = false;
         if (Result<void> done = blocks(dialect_.toolChange); !done) return done;
         const std::vector<NcMove> moves = withoutRoundedBackSteps(section_->moves, numbers_);
         place_ = {};
@@ -132,16 +142,40 @@ private:
     }
 
     Result<void> move(const NcMove& move) {
-        if (move.spindleSpeed > 0.0)
-            if (Result<void> done = changeSpeed(move); !done) return done;
+        if (Result<void> done = changeState(move); !done) return done;
         if (!move.comment.empty()) waiting_ = move.comment;
         if (move.kind == NcMoveKind::dwell) return dwell(move.seconds);
         if (move.kind == NcMoveKind::arc) return arc(move);
         return straight(move.kind, targetOf(move.target.linear()), move.feed);
     }
 
+    /// Spindle and coolant, in the order in which the tool change has them.
+    Result<void> changeState(const NcMove& before) {
+        if (coolantFirst_)
+            if (Result<void> done = changeCoolant(before); !done) return done;
+        if (Result<void> done = changeSpeed(before); !done) return done;
+        return coolantFirst_ ? Result<void>() : changeCoolant(before);
+    }
+
+    /// Whether the dialect's tool change switches the coolant on before it starts the spindle.
+    static bool switchesCoolantFirst(const DialectData& dialect) {
+        for (const std::string& block : dialect.toolChange) {
+            const std::size_t spindle = block.find("{spindle}"), coolant = block.find("{coolant}");
+            if (spindle != coolant) return coolant < spindle;
+        }
+        return false;
+    }
+
+    Result<void> changeCoolant(const NcMove& before) {
+        if (!before.coolant || *before.coolant == coolant_) return {};
+        if (Result<void> done = writeWaiting(); !done) return done;
+        coolantOn_ = coolant_ != Coolant::off;
+        coolant_ = *before.coolant;
+        return blocks(dialect_.coolantChange);
+    }
+
     Result<void> changeSpeed(const NcMove& before) {
-        if (before.spindleSpeed == speed_) return {};
+        if (!(before.spindleSpeed > 0.0) || before.spindleSpeed == speed_) return {};
         speed_ = before.spindleSpeed;
         if (Result<void> done = writeWaiting(); !done) return done;
         if (Result<void> done = blocks(dialect_.speedChange); !done) return done;
@@ -289,7 +323,8 @@ private:
         if (word == "tool_2") return (section_->toolNumber < 10 ? "0" : "") + std::to_string(section_->toolNumber);
         if (word == "speed") return NumberWords::plain(speed_, 0);
         if (word == "spindle") return dialect_.spindle[indexOf(section_->direction)];
-        if (word == "coolant") return *dialect_.coolant[indexOf(section_->coolant)];
+        if (word == "coolant") return *dialect_.coolant[indexOf(coolant_)];
+        if (word == "coolant_off") return coolantOn_ ? dialect_.coolantOff : std::string();
         if (word == "start_dwell")
             return program_.spindleStart > 0.0 ? dwellWords(program_.spindleStart) : std::string();
         if (word == "program_number") return programNumber();
@@ -366,7 +401,10 @@ private:
     DialectArcs arcs_;
     double clearHeight_;                            // mm
     std::optional<glm::dvec3> home_;                // mm, machine frame
+    bool coolantFirst_;                             // before the spindle
     double speed_ = 0.0;                            // 1/min, of the spindle
+    Coolant coolant_ = Coolant::off;                // in force
+    bool coolantOn_ = false;                        // when it is changed: another one was
     std::array<std::optional<long long>, 3> place_; // in steps of the last digit; empty: not known
     glm::dvec3 reached_{0.0};                       // mm, the same before rounding
     std::optional<std::string> motion_;

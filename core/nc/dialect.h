@@ -23,7 +23,7 @@ public:
 /// Every coordinate is in millimetres, in the frame of the work offset in force; the dialect rounds and formats them.
 class PostProcessor {
 public:
-    static constexpr int interfaceVersion = 4; ///< +1 with any change to this declaration or to NcProgram
+    static constexpr int interfaceVersion = 5; ///< +1 with any change to this declaration or to NcProgram
     virtual ~PostProcessor() = default;
     virtual Result<void> write(const NcProgram& program, const MachineProfile& machine, LineSink& sink,
                                Progress& progress) const = 0;

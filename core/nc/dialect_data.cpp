@@ -12,9 +12,9 @@ namespace burin {
 namespace {
 
 constexpr std::array<std::string_view, 4> homeWords{"rapid", "home_x", "home_y", "home_z"};
-constexpr std::array<std::string_view, 14> blockWords{
-    "units",   "work_offset", "blend",       "blend_end",      "tool",  "tool_2",   "speed",
-    "spindle", "coolant",     "start_dwell", "program_number", "rapid", "comments", "tool_comment"};
+constexpr std::array<std::string_view, 15> blockWords{
+    "units",   "work_offset", "blend",       "blend_end",      "tool",  "tool_2",   "speed",       "spindle",
+    "coolant", "coolant_off", "start_dwell", "program_number", "rapid", "comments", "tool_comment"};
 
 std::string listOf(std::span<const std::string_view> words) {
     std::string list;
@@ -105,6 +105,7 @@ void readWords(JsonObject& file, DialectData& dialect) {
         dialect.planes = {words.text("plane_yz"), words.text("plane_zx"), words.text("plane_xy")};
         dialect.spindle = {words.text("spindle_clockwise"), words.text("spindle_anticlockwise")};
         dialect.coolant = {std::string(), optionalText(words, "mist"), optionalText(words, "flood")};
+        if (words.has("coolant_off")) dialect.coolantOff = words.text("coolant_off");
         dialect.dwell = worded(words, "dwell", dwell);
         dialect.blend = optionalText(words, "blend");
         if (dialect.blend) checkWords(words, "blend", *dialect.blend, tolerance);
@@ -159,6 +160,7 @@ Result<DialectData> dialectFromJson(std::string_view text, const std::string& or
     dialect.toolEnd = blocks(*file, "tool_end");
     dialect.end = blocks(*file, "end");
     if (file->has("speed_change")) dialect.speedChange = blocks(*file, "speed_change");
+    if (file->has("coolant_change")) dialect.coolantChange = blocks(*file, "coolant_change");
     if (file->has("home")) dialect.home = blocks(*file, "home", homeWords);
     if (Result<void> read = file->finish(); !read) return read.error();
     return dialect;

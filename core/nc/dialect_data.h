@@ -30,9 +30,10 @@ struct DialectArcs {
 /// A dialect as data: the words of a control, and how a program is composed of them. resources/dialects/<id>.json;
 /// those of the user are in dialects/ of the folder that userResourceDirectory returns, and replace ours of the same
 /// id. core/nc/README.md explains every key. A word in braces in a block stands for a value: {units} {work_offset}
-/// {blend} {blend_end} {tool} {tool_2} (two digits) {speed} {spindle} {coolant} {start_dwell} {program_number} {rapid},
-/// and in `home` {home_x} {home_y} {home_z} (the axis and its position). A block {comments} or {tool_comment} stands
-/// for a comment of as many lines as it needs. A block that is empty after that is omitted.
+/// {blend} {blend_end} {tool} {tool_2} (two digits) {speed} {spindle} {coolant} {coolant_off} (nothing if none was on)
+/// {start_dwell} {program_number} {rapid}, and in `home` {home_x} {home_y} {home_z} (the axis and its position). A block
+/// {comments} or {tool_comment} stands for a comment of as many lines as it needs. A block that is empty after that is
+/// omitted.
 struct DialectData {
     std::string id, name, source, fileSuffix;
     std::string control;                   ///< id of the Control that reads it
@@ -51,6 +52,7 @@ struct DialectData {
     std::array<std::string, 3> planes;                 ///< by the axis normal to them
     std::array<std::string, 2> spindle;                ///< by SpindleDirection
     std::array<std::optional<std::string>, 3> coolant; ///< by Coolant; none: the control does not have it
+    std::string coolantOff = "M9";                     ///< while the tool cuts
     std::string dwell;                                 ///< with {seconds} or {milliseconds}
     std::optional<std::string> blend, exactStop;       ///< {tolerance}; none: omitted
     std::optional<std::string> blendEnd;               ///< after a tool that was used with `blend`
@@ -64,6 +66,8 @@ struct DialectData {
     DialectArcs arcs;
     std::vector<std::string> begin, toolChange, toolEnd, end;   ///< blocks
     std::vector<std::string> speedChange{"S{speed} {spindle}"}; ///< blocks, written while the spindle turns
+    /// Blocks that change the coolant while the spindle turns.
+    std::vector<std::string> coolantChange{"{coolant_off}", "{coolant}"};
     /// Blocks after the end of each tool that move to MachineProfile::home, for machines that state one; empty: the
     /// control has no words for it.
     std::vector<std::string> home;

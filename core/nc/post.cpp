@@ -6,6 +6,7 @@
 #include "core/geometry/arc.h"
 #include "core/machine/axis_travel.h"
 #include "core/machine/kinematics.h"
+#include "core/path/machine_check.h"
 #include "core/path/path_source.h"
 
 #include <algorithm>
@@ -14,18 +15,6 @@
 
 namespace burin {
 namespace {
-
-Error limitError(const std::string& what, double value, const std::string& limit, const char* unit) {
-    return Error{ErrorCode::programLimit, what, formatFixed(value, 3) + " " + unit + ", limit " + limit, ""};
-}
-
-Result<void> checkSpindle(double speed, const MachineProfile& machine) {
-    if (!std::isfinite(speed) || speed <= 0.0 || speed < machine.minimumSpindleSpeed)
-        return limitError("spindle speed", speed, formatFixed(machine.minimumSpindleSpeed, 0), "1/min");
-    if (speed > machine.maximumSpindleSpeed)
-        return limitError("spindle speed", speed, formatFixed(machine.maximumSpindleSpeed, 0), "1/min");
-    return {};
-}
 
 Result<void> checkFeed(const PathPoint& point, std::size_t index, const MachineProfile& machine) {
     if (point.kind == MoveKind::rapid) return {};
@@ -61,41 +50,52 @@ double speedOf(const Path& path, const PathPoint& point) {
     return point.spindleSpeed > 0.0 ? point.spindleSpeed : path.spindleSpeed;
 }
 
-/// Spindle speed of the next move that is not a rapid, or at the end of the path of the last one, 1/min.
-double speedFrom(const Path& path, std::size_t first) {
+Coolant coolantOf(const Path& path, const PathPoint& point) {
+    return point.coolant.value_or(path.coolant);
+}
+
+/// How the machine cuts.
+struct CutState {
+    double speed = 0.0; ///< 1/min
+    Coolant coolant = Coolant::off;
+
+    friend bool operator==(const CutState&, const CutState&) = default;
+};
+
+/// Of the next move that is no rapid, or at the end of the path's last one.
+CutState stateFrom(const Path& path, std::size_t first) {
     const auto isFeed = [](const PathPoint& point) { return point.kind != MoveKind::rapid; };
+    const auto of = [&](const PathPoint& point) { return CutState{speedOf(path, point), coolantOf(path, point)}; };
     const auto begin = path.points.begin() + static_cast<std::ptrdiff_t>(first);
-    if (const auto next = std::find_if(begin, path.points.end(), isFeed); next != path.points.end())
-        return speedOf(path, *next);
+    if (const auto next = std::find_if(begin, path.points.end(), isFeed); next != path.points.end()) return of(*next);
     const auto last = std::find_if(std::make_reverse_iterator(begin), path.points.rend(), isFeed);
-    return last == path.points.rend() ? path.spindleSpeed : speedOf(path, *last);
+    return last == path.points.rend() ? CutState{path.spindleSpeed, path.coolant} : of(*last);
 }
 
-double speedAtStart(const Path& path) {
-    return speedFrom(path, 0);
-}
-
-double speedAtEnd(const NcSection& section) {
-    const auto change = std::find_if(section.moves.rbegin(), section.moves.rend(),
-                                     [](const NcMove& move) { return move.spindleSpeed > 0.0; });
-    return change == section.moves.rend() ? section.spindleSpeed : change->spindleSpeed;
+CutState stateAtEnd(const NcSection& section) {
+    CutState state{section.spindleSpeed, section.coolant};
+    for (const NcMove& move : section.moves) {
+        if (move.spindleSpeed > 0.0) state.speed = move.spindleSpeed;
+        state.coolant = move.coolant.value_or(state.coolant);
+    }
+    return state;
 }
 
 /// The section of a path: the last one if it uses the same tool in the same way.
 NcSection& sectionOf(NcProgram& program, const Path& path, const PostRequest& request) {
     const PostTool tool = toolOf(path, request);
+    const CutState start = stateFrom(path, 0);
     if (!program.sections.empty()) {
         NcSection& last = program.sections.back();
-        if (last.toolNumber == tool.number && speedAtEnd(last) == speedAtStart(path) &&
-            last.direction == tool.direction && last.coolant == path.coolant)
+        if (last.toolNumber == tool.number && last.direction == tool.direction && stateAtEnd(last) == start)
             return last;
     }
     NcSection& section = program.sections.emplace_back();
     section.toolNumber = tool.number;
     section.toolName = tool.name;
-    section.spindleSpeed = speedAtStart(path);
+    section.spindleSpeed = start.speed;
     section.direction = tool.direction;
-    section.coolant = path.coolant;
+    section.coolant = start.coolant;
     return section;
 }
 
@@ -118,13 +118,16 @@ public:
     Result<void> append(const Path& path) {
         NcSection& section = sectionOf(program_, path, request_);
         bool awaitsCut = true;
-        double speed = speedAtEnd(section);
+        CutState state = stateAtEnd(section);
         for (std::size_t i = 0; i < path.points.size(); ++i) {
             const PathPoint& point = path.points[i];
             Result<NcMove> move = moveTo(path, i);
             if (!move) return std::move(move).error();
             if (point.kind == MoveKind::rapid) awaitsCut = true;
-            if (const double wanted = speedFrom(path, i); wanted != speed) move->spindleSpeed = speed = wanted;
+            const CutState wanted = stateFrom(path, i);
+            if (wanted.speed != state.speed) move->spindleSpeed = wanted.speed;
+            if (wanted.coolant != state.coolant) move->coolant = wanted.coolant;
+            state = wanted;
             if (awaitsCut && point.kind == MoveKind::cut && point.sample >= 0) {
                 move->comment = originOf(point);
                 awaitsCut = false;
@@ -230,7 +233,7 @@ Result<NcProgram> toProgram(const std::vector<Path>& paths, const PostRequest& r
     if (Result<void> valid = checkPaths(paths, request); !valid) return valid.error();
     for (const Path& path : paths)
         for (const PathPoint& point : path.points)
-            if (Result<void> speed = checkSpindle(speedOf(path, point), machine); !speed) return speed.error();
+            if (Result<void> speed = checkSpindleSpeed(speedOf(path, point), machine); !speed) return speed.error();
     NcProgram program;
     program.name = request.programName;
     program.header = request.header;

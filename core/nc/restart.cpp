@@ -38,9 +38,18 @@ double blendOf(const NcMotion& motion) noexcept {
     return 0.0;
 }
 
-/// Cuts that agree in all of these belong to one section.
-bool sameSection(const NcMotion& a, const NcMotion& b) noexcept {
-    return a.tool == b.tool && a.spindle == b.spindle && a.mist == b.mist && a.flood == b.flood;
+/// By motion, how often the program has stopped the spindle before it.
+std::vector<std::size_t> stopsBefore(const ParsedProgram& program) {
+    std::vector<std::size_t> stops(program.motions.size(), 0);
+    auto setting = program.settings.begin();
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        for (; setting != program.settings.end() && setting->motions <= i; ++setting)
+            if (setting->kind == NcSettingKind::spindle && setting->value == static_cast<int>(SpindleState::off))
+                ++count;
+        stops[i] = count;
+    }
+    return stops;
 }
 
 /// The lowest feed at which the tool moves down into material, or `otherwise`.
@@ -115,7 +124,7 @@ Begin retractBefore(std::span<const NcMotion> motions, std::size_t cut, double f
 class RestWriter {
 public:
     RestWriter(const ParsedProgram& program, const RestartRequest& request, NcProgram& rest)
-        : motions_(program.motions), request_(request), rest_(rest) {}
+        : motions_(program.motions), request_(request), rest_(rest), stops_(stopsBefore(program)) {}
 
     Result<void> write(const Begin& begin, std::size_t cut) {
         findNextCuts();
@@ -143,28 +152,39 @@ private:
         const NcMotion& motion = motions_[i];
         if (!motion.endKnown() || nextCut_[i] == none) return {}; // the dialect's own blocks, which it writes again
         const NcMotion& asCut = motions_[nextCut_[i]];
-        if (isCut(motion)) return addCut(motion, share);
+        if (isCut(motion)) return addCut(i, share);
         if (motion.kind == NcMotionKind::dwell) {
-            if (open_ && sameSection(*open_, asCut)) push(dwellOf(motion), asCut.spindleSpeed);
+            if (goesOn(nextCut_[i])) push(dwellOf(motion), &asCut);
             return {};
         }
         if (motion.tool != asCut.tool) return {}; // returns from the last cut of a tool, as the end of the section does
-        if (!open_ || !sameSection(*open_, asCut))
-            if (Result<void> begun = beginSection(asCut); !begun) return begun;
-        push(moveTo(NcMoveKind::rapid, motion.to), asCut.spindleSpeed);
+        if (!goesOn(nextCut_[i]))
+            if (Result<void> begun = beginSection(nextCut_[i]); !begun) return begun;
+        push(moveTo(NcMoveKind::rapid, motion.to), &asCut);
         return {};
     }
 
-    Result<void> addCut(const NcMotion& motion, double share) {
+    /// Whether a cut stands in the section that is open. Speed and coolant may change within it, unless the program
+    /// stops the spindle for another coolant: it begins a section of its own then.
+    bool goesOn(std::size_t cut) const {
+        if (open_ == none) return false;
+        const NcMotion &last = motions_[open_], &next = motions_[cut];
+        return last.tool == next.tool && last.spindle == next.spindle &&
+               (stops_[open_] == stops_[cut] || (last.mist == next.mist && last.flood == next.flood));
+    }
+
+    Result<void> addCut(std::size_t i, double share) {
+        const NcMotion& motion = motions_[i];
         if (Result<void> sound = check(motion); !sound) return sound;
-        if (!open_ || !sameSection(*open_, motion)) {
-            if (Result<void> begun = beginSection(motion); !begun) return begun;
+        if (!goesOn(i)) {
+            if (Result<void> begun = beginSection(i); !begun) return begun;
             enter(placeIn(motion, share), motion);
         }
+        open_ = i;
         if (motion.kind == NcMotionKind::arc)
             addArc(motion, share);
         else
-            push(moveTo(NcMoveKind::line, motion.to, motion.feed), motion.spindleSpeed);
+            push(moveTo(NcMoveKind::line, motion.to, motion.feed), &motion);
         return {};
     }
 
@@ -187,7 +207,8 @@ private:
         return {};
     }
 
-    Result<void> beginSection(const NcMotion& cut) {
+    Result<void> beginSection(std::size_t first) {
+        const NcMotion& cut = motions_[first];
         const auto tool = request_.tools.find(cut.tool);
         if (tool == request_.tools.end())
             return Error{ErrorCode::nameUnknown, "tool", "T" + std::to_string(cut.tool), {}};
@@ -197,8 +218,8 @@ private:
         section.spindleSpeed = speed_ = cut.spindleSpeed;
         section.direction =
             cut.spindle == SpindleState::anticlockwise ? SpindleDirection::anticlockwise : SpindleDirection::clockwise;
-        section.coolant = coolantOf(cut);
-        open_ = &cut;
+        section.coolant = coolant_ = coolantOf(cut);
+        open_ = first;
         return {};
     }
 
@@ -219,13 +240,15 @@ private:
             const double end = i == pieces ? 1.0 : share + (1.0 - share) * i / pieces;
             NcMove move = moveTo(NcMoveKind::arc, placeIn(motion, end), motion.feed);
             move.arc = {motion.centre, motion.arcAxis, motion.clockwise};
-            push(std::move(move), motion.spindleSpeed);
+            push(std::move(move), &motion);
         }
     }
 
-    /// @param speed of the spindle, 1/min; 0: unchanged
-    void push(NcMove move, double speed = 0.0) {
-        if (speed > 0.0 && speed != speed_) move.spindleSpeed = speed_ = speed;
+    /// @param cut whose speed and coolant the move has; null: those in force
+    void push(NcMove move, const NcMotion* cut = nullptr) {
+        if (cut != nullptr && cut->spindleSpeed > 0.0 && cut->spindleSpeed != speed_)
+            move.spindleSpeed = speed_ = cut->spindleSpeed;
+        if (cut != nullptr && coolantOf(*cut) != coolant_) move.coolant = coolant_ = coolantOf(*cut);
         if (move.kind == NcMoveKind::line || move.kind == NcMoveKind::arc) {
             move.comment = std::move(comment_);
             comment_.clear();
@@ -236,9 +259,11 @@ private:
     std::span<const NcMotion> motions_;
     const RestartRequest& request_;
     NcProgram& rest_;
+    std::vector<std::size_t> stops_; ///< by motion
     std::vector<std::size_t> nextCut_;
-    const NcMotion* open_ = nullptr; ///< the cut that the last section was begun for
-    double speed_ = 0.0;             ///< 1/min, in force
+    std::size_t open_ = none; ///< the newest cut of the last section, or the one that it was begun for
+    double speed_ = 0.0;      ///< 1/min, in force
+    Coolant coolant_ = Coolant::off;
     std::string comment_;
 };
 

@@ -191,13 +191,16 @@ void append(std::vector<NcMove>& moves, std::span<const NcMove> run, const Numbe
         NcMove move = run[point.number];
         std::string comment;
         double speed = 0.0; // the last one requested by a point that is left out
+        std::optional<Coolant> coolant;
         for (; next < point.number; ++next) {
             if (comment.empty()) comment = run[next].comment;
             if (run[next].spindleSpeed > 0.0) speed = run[next].spindleSpeed;
+            if (run[next].coolant) coolant = run[next].coolant;
         }
         next = point.number + 1;
         if (move.comment.empty()) move.comment = std::move(comment);
         if (!(move.spindleSpeed > 0.0)) move.spindleSpeed = speed;
+        if (!move.coolant) move.coolant = coolant;
         if (point.moved)
             for (const Axis axis : linearAxes)
                 move.target.set(axis, numbers.millimetresOf(point.steps[static_cast<std::size_t>(axis)]));

@@ -36,6 +36,17 @@ std::vector<std::int64_t> endsPassed(const PathPoint& from, const PathPoint& to,
     return passed;
 }
 
+/// Calls `visit` with each point, and before it with those that divide its move at the ends of a stretch.
+template <class Visit>
+void forEachDivided(const std::vector<PathPoint>& points, const SourceStretch& stretch, const Visit& visit) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i > 0)
+            for (const std::int64_t tick : endsPassed(points[i - 1], points[i], stretch))
+                visit(pointBetween(points[i - 1], points[i], tick));
+        visit(points[i]);
+    }
+}
+
 } // namespace
 
 bool hasMoment(const PathPoint& point) noexcept {
@@ -60,24 +71,22 @@ bool leadsThrough(const Moment& from, const Moment& to, const SourceStretch& str
     return from.source == to.source && to.source == stretch.source && stretch.first < high && low < stretch.last;
 }
 
+std::vector<PathPoint> dividedAt(const std::vector<PathPoint>& points, const SourceStretch& stretch) {
+    std::vector<PathPoint> divided;
+    divided.reserve(points.size() + 2);
+    forEachDivided(points, stretch, [&](const PathPoint& point) { divided.push_back(point); });
+    return divided;
+}
+
 std::vector<std::vector<PathPoint>> pointsOf(const Path& path, const SourceStretch& stretch) {
     std::vector<std::vector<PathPoint>> chains;
     bool goesOn = false; // anything between two intervals is in neither
-    const auto add = [&](const PathPoint& point) {
-        if (!goesOn) chains.emplace_back();
-        chains.back().push_back(point);
-        goesOn = true;
-    };
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
-        const PathPoint& point = path.points[i];
-        if (i > 0)
-            for (const std::int64_t tick : endsPassed(path.points[i - 1], point, stretch))
-                add(pointBetween(path.points[i - 1], point, tick));
-        if (hasMoment(point) && stretch.contains(momentOf(point)))
-            add(point);
-        else
-            goesOn = false;
-    }
+    forEachDivided(path.points, stretch, [&](const PathPoint& point) {
+        const bool within = hasMoment(point) && stretch.contains(momentOf(point));
+        if (within && !goesOn) chains.emplace_back();
+        if (within) chains.back().push_back(point);
+        goesOn = within;
+    });
     return chains;
 }
 

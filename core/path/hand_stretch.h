@@ -23,6 +23,10 @@ Moment momentAt(const PathPoint& from, const PathPoint& to, double share) noexce
 /// as it belongs to the move before. @param from, to moments of the points; source 0: none
 bool leadsThrough(const Moment& from, const Moment& to, const SourceStretch& stretch) noexcept;
 
+/// A path's points, with one more wherever a move passes an end of a stretch, at its share of the time between the
+/// points on either side. Rapids stay whole. Both parts of a divided arc turn about its centre.
+std::vector<PathPoint> dividedAt(const std::vector<PathPoint>& points, const SourceStretch& stretch);
+
 /// The parts of a path that were made in an interval of a source: chains of consecutive points, a single moment as a
 /// chain of one. A moment whose own point an edit left out is interpolated on the move that passes it, by time between
 /// the points on either side: within the deviation of that edit from the position of the hand at another time. Copies

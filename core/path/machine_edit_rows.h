@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/machine/machine_ranges.h"
 #include "core/path/area_fields.h"
 #include "core/path/edit_row.h"
 
@@ -156,6 +157,28 @@ struct EditRow<ScaleFeed> {
         number("factor", &ScaleFeed::factor, 0.05, 5.0,
                {BURIN_TEXT("EditParameterTexts", "Factor"),
                 BURIN_TEXT("EditParameterTexts", "Feeds of these strokes are multiplied by this")})};
+};
+template <>
+struct EditRow<SpindleAndCoolant> {
+    static constexpr EditTraits traits{.id = "section",
+                                       .title = BURIN_TEXT("Edit", "Spindle and coolant"),
+                                       .group = EditGroup::feeds,
+                                       .step = EditStep::tuning};
+    static constexpr std::array<EditChoice, 4> coolings{{{"kept", BURIN_TEXT("EditParameterTexts", "unchanged")},
+                                                         {"off", BURIN_TEXT("EditParameterTexts", "off")},
+                                                         {"mist", BURIN_TEXT("EditParameterTexts", "mist (M7)")},
+                                                         {"flood", BURIN_TEXT("EditParameterTexts", "flood (M8)")}}};
+    static constexpr std::tuple fields{
+        stretch("stretch", &SpindleAndCoolant::stretch, strokesToEdit),
+        number("speed_rpm", &SpindleAndCoolant::speed, 0.0, machine_range::spindleSpeed.high,
+               {BURIN_TEXT("EditParameterTexts", "Spindle speed"),
+                BURIN_TEXT("EditParameterTexts", "Of these strokes; feeds stay as they are. 0: unchanged")}),
+        number("speed_factor", &SpindleAndCoolant::factor, 0.05, 5.0,
+               {BURIN_TEXT("EditParameterTexts", "Share of the speed"),
+                BURIN_TEXT("EditParameterTexts", "Spindle speeds of these strokes are multiplied by this")}),
+        choice("coolant", &SpindleAndCoolant::cooling, coolings,
+               {BURIN_TEXT("EditParameterTexts", "Coolant"),
+                BURIN_TEXT("EditParameterTexts", "Of these strokes, if the machine has it")})};
 };
 
 } // namespace burin

@@ -92,7 +92,21 @@ struct ScaleFeed {
 };
 EditResult apply(const ScaleFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
+/// Spindle speed and coolant of part of a path (moves are divided at its borders, arcs as well), or of all between two
+/// rapids that leads through a single moment; feeds stay, so that another speed changes the chip load. A way into a
+/// cut, and what else links made, goes with the cut that it leads to without a rapid, or else comes from.
+struct SpindleAndCoolant {
+    enum class Cooling { kept, off, mist, flood };
+    SourceStretch stretch;
+    double speed = 0.0;  ///< 1/min; 0: that which each move has
+    double factor = 1.0; ///< of that speed
+    Cooling cooling = Cooling::kept;
+};
+/// Errors: argumentInvalid (no speeds yet, a speed beyond the tool's limit), programLimit (a speed beyond the machine's
+/// range), notSupported (a coolant that the machine lacks).
+EditResult apply(const SpindleAndCoolant& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+
 /// In the order in which they may follow each other.
-using MachineEdits = EditKinds<Link, SetFeed, LevelFeed, AreaFeed, ScaleFeed>;
+using MachineEdits = EditKinds<Link, SetFeed, LevelFeed, AreaFeed, ScaleFeed, SpindleAndCoolant>;
 
 } // namespace burin

@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/geometry/arc.h"
 #include "core/path/hand_stretch.h"
+#include "core/path/machine_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,8 +149,8 @@ Result<Coolant> wantedCoolant(SetFeed::Cooling cooling, const PathContext& conte
     if (cooling == SetFeed::Cooling::advised)
         return context.machine.has(context.advisedCoolant) ? context.advisedCoolant : Coolant::off;
     const auto wanted = static_cast<Coolant>(static_cast<int>(cooling) - static_cast<int>(SetFeed::Cooling::off));
-    if (context.machine.has(wanted)) return wanted;
-    return Error{ErrorCode::notSupported, std::string(idOf(wanted)) + " coolant for " + context.machine.name, "", ""};
+    if (Result<void> has = checkCoolant(wanted, context.machine); !has) return has.error();
+    return wanted;
 }
 
 } // namespace

@@ -49,6 +49,42 @@ private slots:
         QVERIFY2(text.contains(QRegularExpression("G2 X-30(\\.0+)? Y-10(\\.0+)?")), qPrintable(text));
     }
 
+    /// The last line of the slot turns slower and dry: speed and coolant change right before it, and nothing else does.
+    void aPartOfItGetsASpeedOfItsOwn() {
+        QVERIFY(QFile::copy(in("p.burin"), in("s.burin")));
+        QCOMPARE(run({"path", in("s.burin"), "show", "1", "-o", in("points.csv")}).status, 0);
+        QList<QStringList> cuts;
+        for (const QString& line : read("points.csv").split('\n'))
+            if (line.startsWith("cut,")) cuts.append(line.split(','));
+        QVERIFY(cuts.size() > 2);
+        QCOMPARE(cuts.last().mid(12), QStringList({"9000", "flood"}));
+        const auto apply = [&](double speed) {
+            const QString edit = QStringLiteral(R"({"edit": "section", "stretch": {"take": %1, "first": %2, "last": %3},
+                                                    "speed_rpm": %4, "coolant": "off"})")
+                                     .arg(cuts.last()[5], cuts[cuts.size() - 2][6], cuts.last()[6])
+                                     .arg(speed);
+            const auto edits = run({"path", in("s.burin"), "list"}).json()["paths"][0]["edits"].toArray().size();
+            return run({"path", in("s.burin"), "apply", "1", "--edit", edit, "--place", QString::number(edits)});
+        };
+        const ProgramRun applied = apply(7000.0);
+        QVERIFY2(applied.status == 0, applied.messages.constData());
+        QCOMPARE(run({"path", in("s.burin"), "show", "1", "-o", in("changed.csv")}).status, 0);
+        QVERIFY2(read("changed.csv").contains(",7000,off\n"), qPrintable(read("changed.csv")));
+        const ProgramRun post =
+            run({"post", in("s.burin"), "-o", in("section.ngc"), "--override", "the slot is no part of the mouse"});
+        QVERIFY2(post.status == 0, post.messages.constData());
+        QString text = read("section.ngc");
+        const qsizetype change = text.indexOf("\nS7000 M3\nM9\n");
+        QVERIFY2(change > 0 && text.indexOf(QRegularExpression("(G1 )?Y-60")) > change, qPrintable(text));
+        text.remove(change, QStringLiteral("\nS7000 M3\nM9").size());
+        const auto blocks = [](const QString& all) { return all.mid(all.indexOf("\nG17")); }; // behind the header
+        QCOMPARE(blocks(text), blocks(read("out.ngc")));
+        // Beyond what the machine turns it is refused in a sentence.
+        QCOMPARE(apply(900000.0).status, 0);
+        const ProgramRun refused = run({"path", in("s.burin"), "show", "1"});
+        QVERIFY(refused.status != 0 && refused.messages.contains("spindle speed"));
+    }
+
     void cutterLocationsBecomeAPath() {
         const ProgramRun made =
             run({"path", in("p.burin"), "import", in("slot.cls"), "--tool", "flat-6", "--name", "from CAM"});

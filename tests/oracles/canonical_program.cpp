@@ -60,6 +60,8 @@ void CanonicalProgram::readCalls(const QString& output) {
     glm::dvec3 shift(0.0); // mm
     double shiftDoubt = 0.0;
     int axis = 2;
+    double speed = 0.0; // 1/min
+    bool turns = false;
     auto found = call.globalMatch(output);
     while (found.hasNext()) {
         const auto match = found.next();
@@ -85,6 +87,11 @@ void CanonicalProgram::readCalls(const QString& output) {
             now.seconds = n[0];
         } else {
             isMove = false;
+            if (name == "SET_SPINDLE_SPEED") speed = n.back();
+            if (name.startsWith("START_SPINDLE")) turns = true;
+            if (name == "STOP_SPINDLE_TURNING") turns = false;
+            if (name.startsWith("MIST_")) now.mist = name == "MIST_ON";
+            if (name.startsWith("FLOOD_")) now.flood = name == "FLOOD_ON";
             if (name == "SET_FEED_RATE") now.feed = n[0] * now.unit;
             if (name == "SET_G92_OFFSET") {
                 shift = glm::dvec3(n[0], n[1], n[2]) * now.unit;
@@ -96,6 +103,7 @@ void CanonicalProgram::readCalls(const QString& output) {
             if (name == "SELECT_PLANE") axis = arguments.endsWith("XY") ? 2 : arguments.endsWith("XZ") ? 1 : 0;
         }
         if (!isMove) continue;
+        now.spindleSpeed = turns ? speed : 0.0;
         now.doubt = 1e-4 + shiftDoubt / now.unit;
         now.to = place + shift / now.unit;
         moves.push_back(now);

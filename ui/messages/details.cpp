@@ -330,6 +330,8 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "moments that the path still has"),
     BURIN_TEXT("Detail", "takes milled with the axis fixed at +Z (--axis fixed), unlike take %1"),
     BURIN_TEXT("Detail", "set-feed, then level-feed"),
+    BURIN_TEXT("Detail", "set-feed, then section"),
+    BURIN_TEXT("Detail", "at most %1 1/min, the limit of the tool %2"),
     BURIN_TEXT("Detail", "one that has not ended"),
     BURIN_TEXT("Detail", "none: the part alone is there"),
     // computed passes and drawings

@@ -25,13 +25,10 @@ struct KeyUnit {
     std::string_view ending;
     Quantity quantity;
 };
-constexpr std::array units{KeyUnit{"_mm3_s", Quantity::removalRate},
-                           KeyUnit{"_n", Quantity::force},
-                           KeyUnit{"_mm_s", Quantity::speed},
-                           KeyUnit{"_mm", Quantity::length},
-                           KeyUnit{"_hz", Quantity::frequency},
-                           KeyUnit{"_rad", Quantity::angle},
-                           KeyUnit{"_s", Quantity::time}};
+constexpr std::array units{KeyUnit{"_mm3_s", Quantity::removalRate}, KeyUnit{"_n", Quantity::force},
+                           KeyUnit{"_mm_s", Quantity::speed},        KeyUnit{"_mm", Quantity::length},
+                           KeyUnit{"_hz", Quantity::frequency},      KeyUnit{"_rad", Quantity::angle},
+                           KeyUnit{"_rpm", Quantity::rotation},      KeyUnit{"_s", Quantity::time}};
 
 const KeyUnit* unitOf(std::string_view key) {
     const auto found = std::ranges::find_if(units, [&](const KeyUnit& unit) { return key.ends_with(unit.ending); });

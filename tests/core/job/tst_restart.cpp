@@ -264,6 +264,16 @@ std::vector<glm::dvec3> rows() {
     return corners;
 }
 
+/// A third of a hand's take, slower and dry.
+SpindleAndCoolant aPart(const PathMatter& matter) {
+    const std::int64_t last = matter.sources[0].strokes.back().points.back().sample;
+    SpindleAndCoolant edit;
+    edit.stretch = {matter.path.id, last / 3, 2 * last / 3};
+    edit.speed = 5000.0;
+    edit.cooling = SpindleAndCoolant::Cooling::off;
+    return edit;
+}
+
 /// Three levels, each of rings about one centre, from the inner one to the outer one.
 std::vector<glm::dvec3> levels() {
     std::vector<glm::dvec3> corners;
@@ -354,9 +364,11 @@ private slots:
         QTest::addColumn<bool>("inch");
         QTest::addColumn<bool>("inLevels"); // with arcs
         QTest::addColumn<int>("tools");
-        QTest::newRow("rows") << "linuxcnc" << false << false << 1;
-        QTest::newRow("levels of arcs and rows, two tools, inch") << "linuxcnc" << true << true << 2;
-        QTest::newRow("levels of arcs, GRBL") << "grbl" << false << true << 1;
+        QTest::addColumn<bool>("section"); // a part with its own speed and coolant
+        QTest::newRow("rows") << "linuxcnc" << false << false << 1 << false;
+        QTest::newRow("levels with a part at another speed") << "linuxcnc" << false << true << 1 << true;
+        QTest::newRow("levels of arcs and rows, two tools, inch") << "linuxcnc" << true << true << 2 << false;
+        QTest::newRow("levels of arcs, GRBL") << "grbl" << false << true << 1 << false;
     }
     /// Programs that Burin posts from a hand's paths, restarted at random lines: spindle, coolant, tool, offset and
     /// unit are those of the line, the tool comes from above, and the workpiece is the same.
@@ -368,6 +380,8 @@ private slots:
         QFETCH(int, tools);
         const MillingContext block = milling(flat(1));
         std::vector<PathMatter> matters{matterOfHand(1, flat(1), inLevels ? levels() : rows(), inLevels)};
+        QFETCH(bool, section);
+        if (section) matters[0].path.edits.push_back({aPart(matters[0])});
         if (tools == 2) matters.push_back(matterOfHand(2, flat(2), rows(), false));
         Progress progress;
         const Result<EvaluatedPaths> paths = evaluateInOrder(block, matters, progress);
@@ -451,6 +465,37 @@ private slots:
             const std::string& text = rest->program.text;
             QCOMPARE(QString::fromStdString(text).count("T1 M6"), 1);
         }
+    }
+
+    /// So does coolant; where the program stops the spindle for it, the rest has a section of its own.
+    void coolantThatChangesInTheCutDoesSoAgain() {
+        const MillingContext block = milling(flat(1));
+        std::string changing = program;
+        changing.insert(changing.find("G1 X-6\n"), "M9\nM7\n");
+        const auto coolantsFrom = [](const ParsedProgram& parsed, std::uint32_t line) {
+            std::string coolants;
+            for (const NcMotion& one : parsed.motions)
+                if (one.line >= line && !one.rapid() && one.kind != NcMotionKind::dwell)
+                    coolants += one.flood ? 'F' : one.mist ? 'M' : '-';
+            return coolants;
+        };
+        const auto whole = parseProgram(changing, "whole", *findControl("linuxcnc"));
+        QVERIFY(whole);
+        QVERIFY(coolantsFrom(*whole, 0).starts_with("FFFMMM"));
+        for (const std::uint32_t line : {14U, 18U, 21U}) {
+            Progress progress;
+            const Result<RestartedProgram> rest =
+                makeRestart(block, changing, line, request({flat(1), flat(2)}), progress);
+            QVERIFY(rest);
+            QVERIFY(coolantsFrom(rest->program.parsed, 0).ends_with(coolantsFrom(*whole, line)));
+            QCOMPARE(QString::fromStdString(rest->program.text).count("T1 M6"), 1);
+        }
+        changing.insert(changing.find("(a link)\n"), "M5\nM9\nM8\nS8000 M3\n");
+        Progress progress;
+        const Result<RestartedProgram> stopped =
+            makeRestart(block, changing, 14, request({flat(1), flat(2)}), progress);
+        QVERIFY(stopped);
+        QCOMPARE(QString::fromStdString(stopped->program.text).count("T1 M6"), 2);
     }
 
     /// Only the rest is cut: on a fresh workpiece the same text would cut through full stock.

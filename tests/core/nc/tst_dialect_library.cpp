@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const QByteArray goodMetadata = R"({"id": "trace", "kind": "dialect", "name": "Trace", "version": "1.0",
-    "interface_version": 4, "library": "trace.so", "file_suffix": "nc"})";
+    "interface_version": 5, "library": "trace.so", "file_suffix": "nc"})";
 
 void write(const QString& file, const QByteArray& content) {
     QFile out(file);
@@ -52,7 +52,7 @@ private slots:
         QCOMPARE(QString::fromStdString(found.front().id), "trace");
         QCOMPARE(QString::fromStdString(found.front().name), "Trace");
         QCOMPARE(QString::fromStdString(found.front().fileSuffix), "nc");
-        QCOMPARE(found.front().interfaceVersion, 4);
+        QCOMPARE(found.front().interfaceVersion, 5);
         QVERIFY(!QFile::exists(traceFile()));
     }
 
@@ -71,7 +71,7 @@ private slots:
 
     void anotherInterfaceVersionIsRefusedBeforeAnyCodeRuns() {
         QByteArray metadata = goodMetadata;
-        metadata.replace("\"interface_version\": 4", "\"interface_version\": 5");
+        metadata.replace("\"interface_version\": 5", "\"interface_version\": 6");
         install("trace", metadata, "libburin_test_dialect.so");
         const auto post = loadDialect("trace", root());
         QVERIFY(!post);
@@ -89,11 +89,11 @@ private slots:
         QTest::newRow("empty id") << QByteArray("\"id\": \"trace\"") << QByteArray("\"id\": \"\"");
         QTest::newRow("another kind") << QByteArray("\"dialect\"") << QByteArray("\"device\"");
         QTest::newRow("version is a text")
-            << QByteArray("\"interface_version\": 4") << QByteArray("\"interface_version\": \"1\"");
+            << QByteArray("\"interface_version\": 5") << QByteArray("\"interface_version\": \"1\"");
         QTest::newRow("version is a fraction")
-            << QByteArray("\"interface_version\": 4") << QByteArray("\"interface_version\": 1.5");
+            << QByteArray("\"interface_version\": 5") << QByteArray("\"interface_version\": 1.5");
         QTest::newRow("version is ours in its lower 32 bits")
-            << QByteArray("\"interface_version\": 4") << QByteArray("\"interface_version\": 4294967300");
+            << QByteArray("\"interface_version\": 5") << QByteArray("\"interface_version\": 5294967300");
         QTest::newRow("library outside its folder") << QByteArray("trace.so") << QByteArray("../trace.so");
         QTest::newRow("unknown key") << QByteArray("\"name\"") << QByteArray("\"nmae\": \"\", \"name\"");
     }

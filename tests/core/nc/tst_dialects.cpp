@@ -200,21 +200,23 @@ private slots:
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
     }
 
-    /// A point that does not differ from the previous one in the last digit is left out, but its speed is not.
+    /// What the last digit can't tell from the point before is left out, its speed and coolant are not.
     void aSpeedOutlivesThePointThatRoundingLeavesOut() {
         for (const std::string& id : ids) {
             NcProgram job = referenceJob(NcUnits::millimetre, 1);
             job.sections.front().moves = {rapidTo(0, 0, 10),           lineTo(0, 0, -1, 300),  lineTo(10, 0, -1, 900),
                                           lineTo(10.0001, 0, -1, 500), lineTo(20, 0, -1, 500), rapidTo(20, 0, 10)};
             job.sections.front().moves[3].spindleSpeed = 6000;
+            job.sections.front().moves[3].coolant = Coolant::off;
             const auto text = posted(id, job);
             QVERIFY(text);
             const auto program = parseProgram(*text, "job", *findControl(id));
             QVERIFY(program);
-            double last = 0.0;
+            NcMotion last;
             for (const NcMotion& motion : program->motions)
-                if (motion.kind == NcMotionKind::line) last = motion.spindleSpeed;
-            QCOMPARE(last, 6000.0);
+                if (motion.kind == NcMotionKind::line) last = motion;
+            QCOMPARE(last.spindleSpeed, 6000.0);
+            QVERIFY(!last.flood);
         }
     }
 

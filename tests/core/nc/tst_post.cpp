@@ -188,6 +188,32 @@ private slots:
         QCOMPARE(refused.error().code, ErrorCode::programLimit);
     }
 
+    /// As the speed does: in a cut before the move that wants it, between cuts before the first rapid.
+    void theCoolantChangesWithinASection() {
+        Path changing = path();
+        changing.coolant = Coolant::flood;
+        changing.points.insert(changing.points.begin() + 3, {{{18, 20, 30}}, MoveKind::cut, 500, 7, 130});
+        changing.points[3].coolant = Coolant::mist;
+        const auto changesOf = [](const NcSection& section) {
+            std::vector<std::pair<std::size_t, Coolant>> changes;
+            for (std::size_t i = 0; i < section.moves.size(); ++i)
+                if (section.moves[i].coolant) changes.emplace_back(i, *section.moves[i].coolant);
+            return changes;
+        };
+        using Changes = std::vector<std::pair<std::size_t, Coolant>>;
+        const auto program = toProgram({changing, changing}, request(), machine());
+        QVERIFY(program);
+        QCOMPARE(program->sections.size(), std::size_t{1}); // it ends as the second begins
+        const std::size_t count = changing.points.size();
+        QVERIFY(program->sections[0].coolant == Coolant::flood);
+        QVERIFY((
+            changesOf(program->sections[0]) ==
+            Changes{{3, Coolant::mist}, {4, Coolant::flood}, {count + 3, Coolant::mist}, {count + 4, Coolant::flood}}));
+        for (PathPoint& point : changing.points) point.coolant = Coolant::off;
+        const auto dry = toProgram({changing}, request(), machine());
+        QVERIFY(dry && dry->sections[0].coolant == Coolant::off && changesOf(dry->sections[0]).empty());
+    }
+
     void arcsArriveWhole() {
         Path turning = path();
         turning.points[2].arc = PathArc{{12.5, 20, 0}, 2, true};

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/base/numbers.h"
+#include "core/path/apply.h"
+#include "core/path/hand_stretch.h"
+#include "core/path/machine_check.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace burin {
+namespace {
+
+/// A move of a link, or of the way into a stroke: it goes with a cut.
+bool goesWithCut(const PathPoint& point) noexcept {
+    return point.kind == MoveKind::plunge || !hasMoment(point);
+}
+
+/// By point, whether the move that ends there lies in a part of the path: both of its ends do.
+std::vector<bool> movesWithin(const std::vector<PathPoint>& points, const SourceStretch& stretch) {
+    std::vector<bool> within(points.size(), false), decided(points.size(), false);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        within[i] = stretch.contains(momentOf(points[i])) &&
+                    (i == 0 || !hasMoment(points[i - 1]) || stretch.contains(momentOf(points[i - 1])));
+    std::optional<bool> other; // the nearest cut, behind a move and then before it, without a rapid between
+    for (std::size_t i = points.size(); i-- > 0;) {
+        if (points[i].kind == MoveKind::rapid) {
+            other.reset();
+        } else if (!goesWithCut(points[i])) {
+            other = within[i];
+        } else if (other) {
+            within[i] = *other;
+            decided[i] = true;
+        }
+    }
+    other.reset();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].kind == MoveKind::rapid) {
+            other.reset();
+            continue;
+        }
+        if (other && !hasMoment(points[i]) && !decided[i]) within[i] = *other;
+        other = within[i];
+    }
+    return within;
+}
+
+/// By point, whether the move that ends there lies between two rapids between which the path leads through a moment.
+std::vector<bool> strokesThrough(const std::vector<PathPoint>& points, const SourceStretch& moment) {
+    std::vector<bool> within(points.size(), false);
+    for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
+        end = begin + 1;
+        if (points[begin].kind == MoveKind::rapid) continue;
+        while (end < points.size() && points[end].kind != MoveKind::rapid) ++end;
+        bool leads = false;
+        for (std::size_t i = begin; i < end && !leads; ++i)
+            leads = leadsThrough(i > 0 ? momentOf(points[i - 1]) : Moment{}, momentOf(points[i]), moment);
+        std::fill(within.begin() + static_cast<std::ptrdiff_t>(begin),
+                  within.begin() + static_cast<std::ptrdiff_t>(end), leads);
+    }
+    return within;
+}
+
+Result<void> checkSpeed(double speed, const PathContext& context) {
+    if (context.machine.maximumSpindleSpeed > 0.0)
+        if (Result<void> range = checkSpindleSpeed(speed, context.machine); !range) return range;
+    const double most = context.tool.maximumSpindleSpeed;
+    if (most > 0.0 && speed > most)
+        return Error{ErrorCode::argumentInvalid, "spindle speed", formatFixed(speed, 0) + " 1/min",
+                     "at most " + formatFixed(most, 0) + " 1/min, the limit of the tool " + context.tool.name};
+    return {};
+}
+
+} // namespace
+
+Result<Deviation> apply(const SpindleAndCoolant& edit, PathUnderEdit& state, const PathContext& context, Progress&) {
+    using Cooling = SpindleAndCoolant::Cooling;
+    if (!(state.spindleSpeed > 0.0))
+        return Error{ErrorCode::argumentInvalid, "edits", "section", "set-feed, then section"};
+    const bool turns = edit.speed > 0.0 || edit.factor != 1.0;
+    std::optional<Coolant> coolant;
+    if (edit.cooling != Cooling::kept)
+        coolant = static_cast<Coolant>(static_cast<int>(edit.cooling) - static_cast<int>(Cooling::off));
+    if (coolant)
+        if (Result<void> has = checkCoolant(*coolant, context.machine); !has) return has.error();
+    if (!turns && !coolant) return Deviation{};
+    const bool single = edit.stretch.source != 0 && edit.stretch.first == edit.stretch.last;
+    if (!single) state.points = dividedAt(state.points, edit.stretch);
+    const std::vector<bool> within =
+        single ? strokesThrough(state.points, edit.stretch) : movesWithin(state.points, edit.stretch);
+    for (std::size_t i = 0; i < state.points.size(); ++i) {
+        PathPoint& point = state.points[i];
+        if (point.kind == MoveKind::rapid || !within[i]) continue;
+        if (coolant) point.coolant = coolant;
+        if (!turns) continue;
+        const double own = point.spindleSpeed > 0.0 ? point.spindleSpeed : state.spindleSpeed;
+        point.spindleSpeed = edit.factor * (edit.speed > 0.0 ? edit.speed : own);
+        if (Result<void> speed = checkSpeed(point.spindleSpeed, context); !speed) return speed.error();
+    }
+    return Deviation{};
+}
+
+} // namespace burin

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/test_program.h"
+#include "tests/ui/window_steps.h"
+#include "ui/scene/viewport.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QtTest>
+
+#include <algorithm>
+
+namespace burin::tst_window_section {
+
+using namespace burin::testing;
+
+namespace {
+
+bool evaluatedNow(const WindowDriver& driver, const Workbench& workbench) {
+    return driver.waitFor(
+        [&] { return !workbench.path.busy() && !workbench.path.outdated() && !workbench.path.problem(); });
+}
+
+/// The point of the hand nearest to a place along X, mm from program zero.
+PathPoint pointAt(const Workbench& workbench, double x) {
+    const std::vector<PathPoint>& points = workbench.path.evaluated()->path.points;
+    const double zero = workbench.workpiece.milling()->setup.workOffset.x;
+    return *std::ranges::min_element(points, {}, [&](const PathPoint& point) {
+        const bool cuts = point.kind == MoveKind::cut && point.sample >= 0;
+        return cuts ? std::abs(point.pose.tip.x - zero - x) : 1e9;
+    });
+}
+
+std::size_t placeOfSection(const Workbench& workbench) {
+    const std::vector<Edit>& edits = workbench.path.stored()->edits;
+    return static_cast<std::size_t>(
+        std::ranges::find(edits, std::string_view("section"), [](const Edit& edit) { return idOf(edit.parameters); }) -
+        edits.begin());
+}
+
+} // namespace
+
+/// A part of the path gets its own spindle speed and coolant, by mouse and keys.
+class TestWindowSection : public QObject {
+    Q_OBJECT
+private slots:
+    void aPartTurnsSlowerAndIsCooled() {
+        WindowDriver driver(QSize(1280, 920));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && newPath(driver));
+        QVERIFY(evaluatedNow(driver, workbench));
+        QVERIFY(postProgram(driver));
+        const QString before = workbench.program.storedText();
+        QVERIFY(driver.step(JobStep::path));
+        QVERIFY(driver.settle());
+        auto* viewport = driver.visible<Viewport>("viewport");
+        QVERIFY(viewport != nullptr);
+        QCOMPARE(workbench.path.evaluated()->path.coolant, Coolant::off);
+
+        const PathPoint from = pointAt(workbench, -6.0), to = pointAt(workbench, 6.0);
+        QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.pose.tip).toPoint());
+        QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.pose.tip).toPoint());
+        QVERIFY(workbench.path.selection() && workbench.path.selection()->last > workbench.path.selection()->first);
+        driver.window().findChild<QAction*>("add-section")->trigger();
+        QVERIFY(driver.waitFor([&] { return placeOfSection(workbench) < workbench.path.stored()->edits.size(); }));
+        QCOMPARE(placeOfSection(workbench), workbench.path.stored()->edits.size() - 1);
+        QVERIFY(evaluatedNow(driver, workbench));
+        const auto field = [&](const char* key) {
+            return QStringLiteral("edit%1_%2").arg(placeOfSection(workbench)).arg(key).toLatin1();
+        };
+        const auto edit = [&] {
+            return std::get<SpindleAndCoolant>(workbench.path.stored()->edits[placeOfSection(workbench)].parameters);
+        };
+        QCOMPARE(edit().stretch, *workbench.path.selection());
+        QVERIFY(driver.enter(field("speed_rpm"), QStringLiteral("4000")));
+        QVERIFY(driver.waitFor([&] { return edit().speed == 4000.0; }, 3000));
+        QVERIFY(evaluatedNow(driver, workbench));
+        auto* coolant = driver.visible<QComboBox>(field("coolant"));
+        QVERIFY(driver.waitFor([&] { return coolant != nullptr && coolant->isEnabled(); }, 3000));
+        coolant->setFocus();
+        driver.key(Qt::Key_End);
+        QVERIFY(driver.waitFor([&] { return edit().cooling == SpindleAndCoolant::Cooling::flood; }, 3000));
+        QVERIFY(evaluatedNow(driver, workbench));
+        driver.shoot("32-section");
+
+        // Between both places, and nowhere else.
+        const Path& path = workbench.path.evaluated()->path;
+        double low = 1e9, high = -1e9;
+        for (std::size_t i = 1; i < path.points.size(); ++i) {
+            const PathPoint& point = path.points[i];
+            QCOMPARE(point.coolant.has_value(), point.spindleSpeed == 4000.0);
+            if (!point.coolant) continue;
+            low = std::min({low, path.points[i - 1].pose.tip.x, point.pose.tip.x});
+            high = std::max({high, path.points[i - 1].pose.tip.x, point.pose.tip.x});
+        }
+        QVERIFY2(std::abs(low - from.pose.tip.x) < 0.1 && std::abs(high - to.pose.tip.x) < 0.1,
+                 qPrintable(QStringLiteral("%1 %2").arg(low).arg(high)));
+        QVERIFY(postProgram(driver));
+        const QString after = workbench.program.storedText();
+        QCOMPARE(after.count("\nS4000 M3\nM8\n"), 1);
+        QCOMPARE(after.count(QStringLiteral("\nS%1 M3\nM9\n").arg(path.spindleSpeed, 0, 'f', 0)), 1);
+        QVERIFY(driver.step(JobStep::path));
+
+        // A speed that the machine has not is refused; each step can be undone.
+        QVERIFY(driver.enter(field("speed_rpm"), QStringLiteral("900000")));
+        QVERIFY(driver.waitFor([&] { return workbench.path.problem().has_value(); }));
+        QCOMPARE(workbench.path.problem()->code, ErrorCode::programLimit);
+        driver.shoot("33-section-refused");
+        for (int i = 0; i < 4; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(driver.waitFor([&] { return placeOfSection(workbench) == workbench.path.stored()->edits.size(); }));
+        QVERIFY(evaluatedNow(driver, workbench));
+        QVERIFY(postProgram(driver));
+        QCOMPARE(workbench.program.storedText(), before);
+    }
+};
+
+BURIN_TEST(TestWindowSection, QApplication)
+
+} // namespace burin::tst_window_section
+
+#include "tst_window_section.moc"
