@@ -828,6 +828,30 @@
         <translation>Das Abspielen des Programms vor der Zeile des Cursors anhalten, oder nicht mehr. Ein Klick auf die Nummer der Zeile tut dasselbe.</translation>
     </message>
     <message>
+        <source>Mo&amp;ve the take up</source>
+        <translation>Aufnahme nach o&amp;ben</translation>
+    </message>
+    <message>
+        <source>Replay the take that is selected in the project tree or on the timeline before the take above it. The workpiece at the end and the paths stay as they are.</source>
+        <translation>Die im Projektbaum oder auf der Zeitleiste gewählte Aufnahme vor der darüber abspielen. Das Werkstück am Ende und die Bahnen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Move the take do&amp;wn</source>
+        <translation>Aufnahme nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>Replay the take that is selected in the project tree or on the timeline after the take below it. The workpiece at the end and the paths stay as they are.</source>
+        <translation>Die im Projektbaum oder auf der Zeitleiste gewählte Aufnahme nach der darunter abspielen. Das Werkstück am Ende und die Bahnen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Duplicate the ta&amp;ke</source>
+        <translation>Aufnahme dupli&amp;zieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected take with its strokes and what is switched off. No path mills the copy until its menu adds it.</source>
+        <translation>Die gewählte Aufnahme mit ihren Zügen und dem, was ausgeschaltet ist, kopieren. Keine Bahn fräst die Kopie, bis ihr Menü sie aufnimmt.</translation>
+    </message>
+    <message>
         <source>C&amp;ompare paths…</source>
         <translation>Bahnen &amp;vergleichen…</translation>
     </message>
@@ -1817,10 +1841,6 @@
         <translation>%1 mm in %2 Zügen</translation>
     </message>
     <message>
-        <source>an edit, or a pass with --pass</source>
-        <translation>eine Bearbeitung, oder ein Durchgang mit --pass</translation>
-    </message>
-    <message>
         <source>X,Y in mm</source>
         <translation>X,Y in mm</translation>
     </message>
@@ -1979,6 +1999,22 @@
     <message>
         <source>%1 mm of feed moves</source>
         <translation>%1 mm Vorschubbewegungen</translation>
+    </message>
+    <message>
+        <source>an edit, a pass with --pass, or a take with --take</source>
+        <translation>eine Bearbeitung, ein Durchgang mit --pass oder eine Aufnahme mit --take</translation>
+    </message>
+    <message>
+        <source>order of the takes: %1</source>
+        <translation>Reihenfolge der Aufnahmen: %1</translation>
+    </message>
+    <message>
+        <source>a position from 1, or --before TAKE</source>
+        <translation>eine Position ab 1 oder --before AUFNAHME</translation>
+    </message>
+    <message>
+        <source>take %1 is a copy of take %2</source>
+        <translation>Aufnahme %1 ist eine Kopie von Aufnahme %2</translation>
     </message>
     <message>
         <source>without edit %1 (%2)</source>
@@ -3594,6 +3630,22 @@
     <message>
         <source>a position more than 1e6 mm away</source>
         <translation>eine Position, die mehr als 1e6 mm entfernt ist</translation>
+    </message>
+    <message>
+        <source>another take of the setup of take %1</source>
+        <translation>eine andere Aufnahme der Aufspannung von Aufnahme %1</translation>
+    </message>
+    <message>
+        <source>a take made with %1 that path %2 does not have</source>
+        <translation>eine Aufnahme mit %1, die Bahn %2 nicht hat</translation>
+    </message>
+    <message>
+        <source>one of several sources of path %1</source>
+        <translation>eine von mehreren Quellen von Bahn %1</translation>
+    </message>
+    <message>
+        <source>each take once</source>
+        <translation>jede Aufnahme einmal</translation>
     </message>
     <message>
         <source>set-feed, then section</source>
@@ -6166,10 +6218,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Name der Bahn (Vorgabe: „path“, oder was der Durchgang ist)</translation>
     </message>
     <message>
-        <source>Add an edit or a computed pass to a path</source>
-        <translation>Einer Bahn eine Bearbeitung oder einen berechneten Durchgang hinzufügen</translation>
-    </message>
-    <message>
         <source>Tool of the pass (default: the tool of the path)</source>
         <translation>Werkzeug des Durchgangs (Vorgabe: das der Bahn)</translation>
     </message>
@@ -6188,10 +6236,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Move the drawing by X,Y, mm</source>
         <translation>Die Zeichnung um X,Y verschieben, mm</translation>
-    </message>
-    <message>
-        <source>Delete a path with its computed passes, or one of its passes; takes stay</source>
-        <translation>Eine Bahn mit ihren berechneten Durchgängen löschen, oder einen ihrer Durchgänge; Aufnahmen bleiben</translation>
     </message>
     <message>
         <source>Id of the pass, as &quot;path P list --json&quot; shows it</source>
@@ -6378,10 +6422,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Mit --workpiece: wie es zu dieser Zeit des Programms steht, s</translation>
     </message>
     <message>
-        <source>Switch takes, or parts of them, off and on; rename them</source>
-        <translation>Aufnahmen oder Teile davon aus- und einschalten; sie umbenennen</translation>
-    </message>
-    <message>
         <source>Beginning of the part, s from the start of the take (default: its start)</source>
         <translation>Beginn des Teils, s ab Beginn der Aufnahme (Vorgabe: ihr Beginn)</translation>
     </message>
@@ -6428,6 +6468,42 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Colour the workpiece by the stock that is left on the part, with a scale</source>
         <translation>Das Werkstück nach dem Restmaterial auf dem Teil färben, mit Skala</translation>
+    </message>
+    <message>
+        <source>Add an edit, a computed pass or a take to a path</source>
+        <translation>Einer Bahn eine Bearbeitung, einen berechneten Durchgang oder eine Aufnahme hinzufügen</translation>
+    </message>
+    <message>
+        <source>Take to mill last in the path; a copy of a take joins a path in this way alone</source>
+        <translation>Aufnahme, die in der Bahn zuletzt gefräst wird; nur so kommt die Kopie einer Aufnahme in eine Bahn</translation>
+    </message>
+    <message>
+        <source>Delete a path with its computed passes, or take a pass or take out of it; takes stay in the project</source>
+        <translation>Eine Bahn mit ihren berechneten Durchgängen löschen, oder einen Durchgang oder eine Aufnahme aus ihr nehmen; Aufnahmen bleiben im Projekt</translation>
+    </message>
+    <message>
+        <source>Take that the path is to mill no longer</source>
+        <translation>Aufnahme, die die Bahn nicht mehr fräsen soll</translation>
+    </message>
+    <message>
+        <source>Switch takes, or parts of them, off and on; rename, move and copy them</source>
+        <translation>Aufnahmen oder Teile davon aus- und einschalten, umbenennen, verschieben und kopieren</translation>
+    </message>
+    <message>
+        <source>Replay it earlier or later among the takes of its setup; the workpiece at the end and the paths stay</source>
+        <translation>Sie unter den Aufnahmen ihrer Aufspannung früher oder später abspielen; das Werkstück am Ende und die Bahnen bleiben</translation>
+    </message>
+    <message>
+        <source>Just before this take, by its number</source>
+        <translation>Unmittelbar vor diese Aufnahme, nach ihrer Nummer</translation>
+    </message>
+    <message>
+        <source>To this position in the order of the takes, from 1</source>
+        <translation>An diese Position in der Reihenfolge der Aufnahmen, ab 1</translation>
+    </message>
+    <message>
+        <source>Copy it with its strokes and what is switched off, behind all takes; no path mills the copy until &quot;burin path P apply PATH --take&quot; adds it</source>
+        <translation>Sie mit ihren Zügen und dem, was ausgeschaltet ist, hinter alle Aufnahmen kopieren; keine Bahn fräst die Kopie, bis „burin path P apply PATH --take“ sie aufnimmt</translation>
     </message>
     <message>
         <source>Number of the path to compare with</source>
@@ -8708,6 +8784,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>take %1</source>
         <translation>Aufnahme %1</translation>
     </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1 (Kopie)</translation>
+    </message>
 </context>
 <context>
     <name>TakeMenu</name>
@@ -8778,6 +8858,46 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Rename the marker.</source>
         <translation>Benennt die Marke um.</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Replay it before the take above it.</source>
+        <translation>Sie vor der Aufnahme darüber abspielen.</translation>
+    </message>
+    <message>
+        <source>Move do&amp;wn</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>Replay it after the take below it.</source>
+        <translation>Sie nach der Aufnahme darunter abspielen.</translation>
+    </message>
+    <message>
+        <source>Dupli&amp;cate</source>
+        <translation>Dupli&amp;zieren</translation>
+    </message>
+    <message>
+        <source>Copy it with its strokes and what is switched off. No path mills the copy until its menu adds it.</source>
+        <translation>Sie mit ihren Zügen und dem, was ausgeschaltet ist, kopieren. Keine Bahn fräst die Kopie, bis ihr Menü sie aufnimmt.</translation>
+    </message>
+    <message>
+        <source>Take out of the &amp;path</source>
+        <translation>Aus der &amp;Bahn nehmen</translation>
+    </message>
+    <message>
+        <source>Mill in the &amp;path</source>
+        <translation>In der &amp;Bahn fräsen</translation>
+    </message>
+    <message>
+        <source>The path of its tool mills this copy no longer.</source>
+        <translation>Die Bahn ihres Werkzeugs fräst diese Kopie nicht mehr.</translation>
+    </message>
+    <message>
+        <source>The path of its tool mills this copy as well, after its other takes.</source>
+        <translation>Die Bahn ihres Werkzeugs fräst auch diese Kopie, nach ihren anderen Aufnahmen.</translation>
     </message>
 </context>
 <context>
@@ -11576,6 +11696,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>delete a take</source>
         <translation>Aufnahme löschen</translation>
     </message>
+    <message>
+        <source>order of takes</source>
+        <translation>Reihenfolge der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>copy of a take</source>
+        <translation>Kopie einer Aufnahme</translation>
+    </message>
 </context>
 <context>
     <name>burin::MillPanel</name>
@@ -12477,6 +12605,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>path of a program</source>
         <translation>Bahn eines Programms</translation>
+    </message>
+    <message>
+        <source>take in the path</source>
+        <translation>Aufnahme in die Bahn</translation>
+    </message>
+    <message>
+        <source>take out of the path</source>
+        <translation>Aufnahme aus der Bahn</translation>
     </message>
 </context>
 <context>
@@ -15225,10 +15361,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Aufnahmen</translation>
     </message>
     <message>
-        <source>Right click: switch it off and on, rename or delete it.</source>
-        <translation>Rechtsklick: aus- und einschalten, umbenennen oder löschen.</translation>
-    </message>
-    <message>
         <source>Paths</source>
         <translation>Bahnen</translation>
     </message>
@@ -15354,6 +15486,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Delete this pass.</source>
         <translation>Diesen Durchgang löschen.</translation>
+    </message>
+    <message>
+        <source>Right click: switch it off and on, move, duplicate, rename or delete it.</source>
+        <translation>Rechtsklick: aus- und einschalten, verschieben, duplizieren, umbenennen oder löschen.</translation>
     </message>
 </context>
 <context>

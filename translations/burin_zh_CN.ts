@@ -828,6 +828,30 @@
         <translation>播放程序时在光标所在行之前停止，或取消停止。单击行号效果相同。</translation>
     </message>
     <message>
+        <source>Mo&amp;ve the take up</source>
+        <translation>上移录制(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Replay the take that is selected in the project tree or on the timeline before the take above it. The workpiece at the end and the paths stay as they are.</source>
+        <translation>把项目树或时间轴上所选的录制放到其上一段录制之前重放。最终的工件和刀路保持不变。</translation>
+    </message>
+    <message>
+        <source>Move the take do&amp;wn</source>
+        <translation>下移录制(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Replay the take that is selected in the project tree or on the timeline after the take below it. The workpiece at the end and the paths stay as they are.</source>
+        <translation>把项目树或时间轴上所选的录制放到其下一段录制之后重放。最终的工件和刀路保持不变。</translation>
+    </message>
+    <message>
+        <source>Duplicate the ta&amp;ke</source>
+        <translation>复制录制(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Copy the selected take with its strokes and what is switched off. No path mills the copy until its menu adds it.</source>
+        <translation>复制所选录制，连同其笔画和停用部分。在副本的菜单中加入刀路之前，没有刀路铣削该副本。</translation>
+    </message>
+    <message>
         <source>C&amp;ompare paths…</source>
         <translation>比较刀路(&amp;O)…</translation>
     </message>
@@ -1817,10 +1841,6 @@
         <translation>%1 mm，共%2个笔画</translation>
     </message>
     <message>
-        <source>an edit, or a pass with --pass</source>
-        <translation>编辑步骤，或用 --pass 指定的走刀</translation>
-    </message>
-    <message>
         <source>X,Y in mm</source>
         <translation>X,Y（mm）</translation>
     </message>
@@ -1979,6 +1999,22 @@
     <message>
         <source>%1 mm of feed moves</source>
         <translation>进给移动 %1 mm</translation>
+    </message>
+    <message>
+        <source>an edit, a pass with --pass, or a take with --take</source>
+        <translation>一个编辑步骤、用 --pass 指定的走刀，或用 --take 指定的录制</translation>
+    </message>
+    <message>
+        <source>order of the takes: %1</source>
+        <translation>录制的顺序：%1</translation>
+    </message>
+    <message>
+        <source>a position from 1, or --before TAKE</source>
+        <translation>从 1 开始的位置，或 --before 录制</translation>
+    </message>
+    <message>
+        <source>take %1 is a copy of take %2</source>
+        <translation>录制 %1 是录制 %2 的副本</translation>
     </message>
     <message>
         <source>without edit %1 (%2)</source>
@@ -3594,6 +3630,22 @@
     <message>
         <source>a position more than 1e6 mm away</source>
         <translation>距离超过 1e6 mm 的位置</translation>
+    </message>
+    <message>
+        <source>another take of the setup of take %1</source>
+        <translation>与录制 %1 同一装夹的另一段录制</translation>
+    </message>
+    <message>
+        <source>a take made with %1 that path %2 does not have</source>
+        <translation>用 %1 录制、且刀路 %2 中没有的录制</translation>
+    </message>
+    <message>
+        <source>one of several sources of path %1</source>
+        <translation>刀路 %1 的多个来源之一</translation>
+    </message>
+    <message>
+        <source>each take once</source>
+        <translation>每段录制一次</translation>
     </message>
     <message>
         <source>set-feed, then section</source>
@@ -6165,10 +6217,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>刀路的名称（默认：“path”，或走刀的类型）</translation>
     </message>
     <message>
-        <source>Add an edit or a computed pass to a path</source>
-        <translation>向刀路添加编辑步骤或计算走刀</translation>
-    </message>
-    <message>
         <source>Tool of the pass (default: the tool of the path)</source>
         <translation>走刀的刀具（默认：刀路的刀具）</translation>
     </message>
@@ -6187,10 +6235,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Move the drawing by X,Y, mm</source>
         <translation>将图形移动 X,Y，mm</translation>
-    </message>
-    <message>
-        <source>Delete a path with its computed passes, or one of its passes; takes stay</source>
-        <translation>删除刀路及其计算走刀，或删除其中一次走刀；录制保留</translation>
     </message>
     <message>
         <source>Id of the pass, as &quot;path P list --json&quot; shows it</source>
@@ -6377,10 +6421,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>与 --workpiece 合用：程序运行到此时间时的工件，s</translation>
     </message>
     <message>
-        <source>Switch takes, or parts of them, off and on; rename them</source>
-        <translation>关闭和启用录制或其中的片段；重命名录制</translation>
-    </message>
-    <message>
         <source>Beginning of the part, s from the start of the take (default: its start)</source>
         <translation>片段的起点，从录制开始算起的秒数，s（默认：录制的起点）</translation>
     </message>
@@ -6427,6 +6467,42 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Colour the workpiece by the stock that is left on the part, with a scale</source>
         <translation>按零件上的残料为工件着色并显示色标</translation>
+    </message>
+    <message>
+        <source>Add an edit, a computed pass or a take to a path</source>
+        <translation>向刀路添加编辑步骤、计算的走刀或录制</translation>
+    </message>
+    <message>
+        <source>Take to mill last in the path; a copy of a take joins a path in this way alone</source>
+        <translation>在刀路中最后铣削的录制；录制的副本只能以这种方式加入刀路</translation>
+    </message>
+    <message>
+        <source>Delete a path with its computed passes, or take a pass or take out of it; takes stay in the project</source>
+        <translation>删除刀路及其计算的走刀，或从中移出一个走刀或一段录制；录制保留在项目中</translation>
+    </message>
+    <message>
+        <source>Take that the path is to mill no longer</source>
+        <translation>刀路不再铣削的录制</translation>
+    </message>
+    <message>
+        <source>Switch takes, or parts of them, off and on; rename, move and copy them</source>
+        <translation>停用或启用录制或其一部分；重命名、移动和复制录制</translation>
+    </message>
+    <message>
+        <source>Replay it earlier or later among the takes of its setup; the workpiece at the end and the paths stay</source>
+        <translation>使其在所属装夹的录制中更早或更晚重放；最终的工件和刀路不变</translation>
+    </message>
+    <message>
+        <source>Just before this take, by its number</source>
+        <translation>放到此编号的录制之前</translation>
+    </message>
+    <message>
+        <source>To this position in the order of the takes, from 1</source>
+        <translation>放到录制顺序中的此位置，从 1 开始</translation>
+    </message>
+    <message>
+        <source>Copy it with its strokes and what is switched off, behind all takes; no path mills the copy until &quot;burin path P apply PATH --take&quot; adds it</source>
+        <translation>复制录制，连同其笔画和停用部分，放在所有录制之后；用“burin path P apply PATH --take”加入之前，没有刀路铣削该副本</translation>
     </message>
     <message>
         <source>Number of the path to compare with</source>
@@ -8701,6 +8777,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>take %1</source>
         <translation>录制%1</translation>
     </message>
+    <message>
+        <source>%1 (copy)</source>
+        <translation>%1（副本）</translation>
+    </message>
 </context>
 <context>
     <name>TakeMenu</name>
@@ -8771,6 +8851,46 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Rename the marker.</source>
         <translation>重命名标记。</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>上移(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Replay it before the take above it.</source>
+        <translation>在其上一段录制之前重放。</translation>
+    </message>
+    <message>
+        <source>Move do&amp;wn</source>
+        <translation>下移(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Replay it after the take below it.</source>
+        <translation>在其下一段录制之后重放。</translation>
+    </message>
+    <message>
+        <source>Dupli&amp;cate</source>
+        <translation>复制录制(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy it with its strokes and what is switched off. No path mills the copy until its menu adds it.</source>
+        <translation>复制录制，连同其笔画和停用部分。在副本的菜单中加入刀路之前，没有刀路铣削该副本。</translation>
+    </message>
+    <message>
+        <source>Take out of the &amp;path</source>
+        <translation>从刀路中移出(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Mill in the &amp;path</source>
+        <translation>在刀路中铣削(&amp;P)</translation>
+    </message>
+    <message>
+        <source>The path of its tool mills this copy no longer.</source>
+        <translation>其刀具的刀路不再铣削此副本。</translation>
+    </message>
+    <message>
+        <source>The path of its tool mills this copy as well, after its other takes.</source>
+        <translation>其刀具的刀路也铣削此副本，排在其他录制之后。</translation>
     </message>
 </context>
 <context>
@@ -11562,6 +11682,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>delete a take</source>
         <translation>删除录制</translation>
     </message>
+    <message>
+        <source>order of takes</source>
+        <translation>录制的顺序</translation>
+    </message>
+    <message>
+        <source>copy of a take</source>
+        <translation>录制的副本</translation>
+    </message>
 </context>
 <context>
     <name>burin::MillPanel</name>
@@ -12460,6 +12588,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>path of a program</source>
         <translation>程序的刀路</translation>
+    </message>
+    <message>
+        <source>take in the path</source>
+        <translation>将录制加入刀路</translation>
+    </message>
+    <message>
+        <source>take out of the path</source>
+        <translation>从刀路中移出录制</translation>
     </message>
 </context>
 <context>
@@ -15200,10 +15336,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>录制</translation>
     </message>
     <message>
-        <source>Right click: switch it off and on, rename or delete it.</source>
-        <translation>右击：停用和启用、重命名或删除。</translation>
-    </message>
-    <message>
         <source>Paths</source>
         <translation>刀路</translation>
     </message>
@@ -15328,6 +15460,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Delete this pass.</source>
         <translation>删除此走刀。</translation>
+    </message>
+    <message>
+        <source>Right click: switch it off and on, move, duplicate, rename or delete it.</source>
+        <translation>右键单击：停用或启用、移动、复制、重命名或删除录制。</translation>
     </message>
 </context>
 <context>

@@ -34,7 +34,8 @@ json jsonOf(const TakeInfo& take) {
             {"duration_s", take.seconds ? json(*take.seconds) : json(nullptr)},
             {"started_unix_s", take.startedUnixTime},
             {"stylus", take.stylus},
-            {"complete", take.complete}};
+            {"complete", take.complete},
+            {"copy_of", take.copyOf != 0 ? json(take.copyOf) : json(nullptr)}};
 }
 
 /// "passed" is reported only if everything that the check depended on is unchanged.

@@ -15,6 +15,7 @@
 #include "core/document/project_change.h"
 #include "core/job/computed_pass.h"
 #include "core/job/job_paths.h"
+#include "core/job/path_takes.h"
 #include "core/path/milling_side.h"
 #include "core/recording/take_csv.h"
 #include "core/setup/material_change.h"
@@ -62,7 +63,7 @@ Result<std::string> toolForNew(const Project& project, const PathArguments& argu
     if (arguments.takes.empty()) {
         const Result<std::vector<TakeInfo>> standing = standingTakes(project);
         if (!standing) return standing.error();
-        return standing->empty() ? std::string() : standing->back().toolId;
+        return standing->empty() ? std::string() : newestTake(*standing).toolId;
     }
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
@@ -115,11 +116,25 @@ Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
     return {};
 }
 
-/// Adds an edit, or a pass.
+/// Takes one of the project's takes into a path, or out of it.
+int changeTakes(const PathArguments& arguments, bool added, CommandContext& context) {
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
+    if (!project) return context.fail(project.error());
+    Result<StoredPath> path = pathWithId(**project, arguments.path);
+    if (path)
+        path = added ? withTake(**project, std::move(*path), arguments.take)
+                     : withoutTake(std::move(*path), arguments.take);
+    if (!path) return context.fail(path.error());
+    if (const Result<void> stored = (*project)->setPath(*path); !stored) return context.fail(stored.error());
+    return saveAndAnswer(*project, *path, context);
+}
+
+/// An edit, a pass or a take.
 int addTo(const PathArguments& arguments, CommandContext& context) {
+    if (arguments.take != 0) return changeTakes(arguments, true, context);
     if (arguments.pass.kind.empty() && arguments.edit.empty())
         return context.fail({ErrorCode::argumentInvalid, "--edit", "",
-                             worded(BURIN_TEXT("Command", "an edit, or a pass with --pass"))});
+                             worded(BURIN_TEXT("Command", "an edit, a pass with --pass, or a take with --take"))});
     if (arguments.pass.kind.empty())
         return change(arguments, context, [&](StoredPath& path) { return applyEdit(path, arguments); });
     Result<ProjectChange> project = projectToChange(arguments.project, context);
@@ -130,6 +145,7 @@ int addTo(const PathArguments& arguments, CommandContext& context) {
 }
 
 int remove(const PathArguments& arguments, CommandContext& context) {
+    if (arguments.take != 0) return changeTakes(arguments, false, context);
     Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return context.fail(project.error());
     const Result<StoredPath> path = pathWithId(**project, arguments.path);
@@ -383,18 +399,26 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
         .excludes(output);
     evaluateOne.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
     const CommandParser further =
-        withPath(add("apply", BURIN_TEXT("Help", "Add an edit or a computed pass to a path"), addTo));
+        withPath(add("apply", BURIN_TEXT("Help", "Add an edit, a computed pass or a take to a path"), addTo));
     const Argument furtherPass = addPass(further, arguments->pass);
     const Argument edit =
         further
             .option("--edit", arguments->edit,
                     BURIN_TEXT("Help", "The edit as JSON, as \"burin path P list --json\" shows them"))
             .excludes(furtherPass);
+    further
+        .option("--take", arguments->take,
+                BURIN_TEXT("Help", "Take to mill last in the path; a copy of a take joins a path in this way alone"))
+        .excludes(furtherPass)
+        .excludes(edit);
     further.option("--place", arguments->place, BURIN_TEXT("Help", "Position in the list of edits, from 0"))
         .needs(edit);
     further.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
     const CommandParser erase = withPath(
-        add("delete", BURIN_TEXT("Help", "Delete a path with its computed passes, or one of its passes; takes stay"),
+        add("delete",
+            BURIN_TEXT(
+                "Help",
+                "Delete a path with its computed passes, or take a pass or take out of it; takes stay in the project"),
             remove));
     const CommandParser again = withPath(add(
         "recompute", BURIN_TEXT("Help", "Compute the passes of a path again, as each was asked for"), computeAgain));
@@ -406,6 +430,7 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
                      }));
     order.option("--place", arguments->place, BURIN_TEXT("Help", "Position, from 0: the first is milled first"))
         .required();
+    erase.option("--take", arguments->take, BURIN_TEXT("Help", "Take that the path is to mill no longer"));
     for (const CommandParser& one : {erase, again, order})
         one.option(
             "--pass",

@@ -6,7 +6,9 @@
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/job/switched_off.h"
+#include "core/job/take_moves.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace burin {
@@ -17,7 +19,7 @@ using nlohmann::json;
 
 struct TakeArguments {
     std::string project, name;
-    std::int64_t take = 0;
+    std::int64_t take = 0, before = 0, place = 0; ///< place: from 1; 0: not given
     std::optional<double> from, to;
 };
 
@@ -62,9 +64,71 @@ int runChange(const TakeArguments& arguments, Change change, CommandContext& con
     return 0;
 }
 
+/// Ids of the takes of a setup in their order.
+Result<std::vector<std::int64_t>> takesInOrder(const Project& project, SetupId setup) {
+    const Result<std::vector<TakeInfo>> takes = project.takes(setup);
+    if (!takes) return takes.error();
+    std::vector<std::int64_t> ids;
+    for (const TakeInfo& take : *takes) ids.push_back(take.id);
+    return ids;
+}
+
+/// Saves, and answers with a take and the order of the takes of its setup.
+int saveAndList(ProjectChange& project, std::int64_t id, const std::string& text, const json& more,
+                CommandContext& context) {
+    const Result<TakeOutline> take = project->takeOutline(id);
+    if (!take) return context.fail(take.error());
+    const Result<std::vector<std::int64_t>> order = takesInOrder(*project, take->info.setup);
+    if (!order) return context.fail(order.error());
+    context.stage(BURIN_TEXT("Command", "Saving"));
+    if (const Result<void> saved = project.save(); !saved) return context.fail(saved.error());
+    tellKeptEarlier(context, *project);
+    json answer{{"take", id}, {"name", take->info.name}, {"takes", *order}};
+    answer.update(more);
+    std::string ids;
+    for (const std::int64_t each : *order) ids += (ids.empty() ? "" : ", ") + std::to_string(each);
+    context.answer(answer, text + worded(BURIN_TEXT("Command", "order of the takes: %1"), {ids}));
+    return 0;
+}
+
+Result<TakeOrder> wantedOrder(const Project& project, const TakeArguments& arguments) {
+    if (arguments.before != 0) return orderWithTakeBefore(project, arguments.take, arguments.before);
+    if (arguments.place < 1)
+        return Error{ErrorCode::argumentInvalid, "--to", std::to_string(arguments.place),
+                     worded(BURIN_TEXT("Command", "a position from 1, or --before TAKE"))};
+    return orderWithTakeAt(project, arguments.take, static_cast<std::size_t>(arguments.place - 1));
+}
+
+int runMove(const TakeArguments& arguments, CommandContext& context) {
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
+    if (!project) return context.fail(project.error());
+    const Result<TakeOrder> order = wantedOrder(**project, arguments);
+    if (!order) return context.fail(order.error());
+    const Result<TakeOutline> take = (*project)->takeOutline(arguments.take);
+    if (!take) return context.fail(take.error());
+    if (const Result<void> stored = (*project)->setTakeOrder(*order, take->info.setup); !stored)
+        return context.fail(stored.error());
+    return saveAndList(*project, arguments.take, {}, json::object(), context);
+}
+
+int runDuplicate(const TakeArguments& arguments, CommandContext& context) {
+    Result<ProjectChange> project = projectToChange(arguments.project, context);
+    if (!project) return context.fail(project.error());
+    const Result<std::int64_t> copy = (*project)->duplicateTake(arguments.take);
+    if (!copy) return context.fail(copy.error());
+    return saveAndList(*project, *copy,
+                       worded(BURIN_TEXT("Command", "take %1 is a copy of take %2"),
+                              {std::to_string(*copy), std::to_string(arguments.take)}) +
+                           "\n",
+                       {{"copy_of", arguments.take}}, context);
+}
+
+/// Does something with a take; its exit status.
+using TakeAction = std::function<int(const TakeArguments& arguments, CommandContext& context)>;
+
 /// Declares one such command.
-CommandParser addChange(CommandParser command, const char* name, TextId help, Change change, CommandContext& context,
-                        int& status, const std::shared_ptr<TakeArguments>& arguments) {
+CommandParser addAction(CommandParser command, const char* name, TextId help, const TakeAction& action,
+                        CommandContext& context, int& status, const std::shared_ptr<TakeArguments>& arguments) {
     const CommandParser one = command.command(name, help);
     one.passOn();
     one.positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
@@ -72,34 +136,53 @@ CommandParser addChange(CommandParser command, const char* name, TextId help, Ch
     one.positional(BURIN_TEXT("Argument", "TAKE"), arguments->take,
                    BURIN_TEXT("Help", "Take, by its number in \"burin info\""))
         .required();
-    one.run([arguments, change, &context, &status] { status = runChange(*arguments, change, context); });
+    one.run([arguments, action, &context, &status] { status = action(*arguments, context); });
     return one;
+}
+
+TakeAction changing(Change change) {
+    return [change](const TakeArguments& arguments, CommandContext& context) {
+        return runChange(arguments, change, context);
+    };
 }
 
 } // namespace
 
 void registerTake(CommandParser program, CommandContext& context, int& status) {
-    const CommandParser command =
-        program.command("take", BURIN_TEXT("Help", "Switch takes, or parts of them, off and on; rename them"));
+    const CommandParser command = program.command(
+        "take", BURIN_TEXT("Help", "Switch takes, or parts of them, off and on; rename, move and copy them"));
     command.requireCommand();
     addSetupChoice(command, context);
     addJsonFlag(command, context);
     auto arguments = std::make_shared<TakeArguments>();
-    const CommandParser off = addChange(
+    const CommandParser off = addAction(
         command, "off",
         BURIN_TEXT("Help", "Workpiece and paths are made without it, until it is switched on again; nothing is erased"),
-        &switchStretch<true>, context, status, arguments);
-    const CommandParser on = addChange(command, "on", BURIN_TEXT("Help", "It counts again"), &switchStretch<false>,
-                                       context, status, arguments);
+        changing(&switchStretch<true>), context, status, arguments);
+    const CommandParser on = addAction(command, "on", BURIN_TEXT("Help", "It counts again"),
+                                       changing(&switchStretch<false>), context, status, arguments);
     for (const CommandParser& one : {off, on}) {
         one.option("--from", arguments->from,
                    BURIN_TEXT("Help", "Beginning of the part, s from the start of the take (default: its start)"));
         one.option("--to", arguments->to,
                    BURIN_TEXT("Help", "End of the part, s from the start of the take (default: its end)"));
     }
-    addChange(command, "rename", BURIN_TEXT("Help", "Rename it"), &rename, context, status, arguments)
+    addAction(command, "rename", BURIN_TEXT("Help", "Rename it"), changing(&rename), context, status, arguments)
         .positional(BURIN_TEXT("Argument", "NAME"), arguments->name, BURIN_TEXT("Help", "Its new name"))
         .required();
+    const CommandParser move = addAction(
+        command, "move",
+        BURIN_TEXT("Help", "Replay it earlier or later among the takes of its setup; the workpiece at the end "
+                           "and the paths stay"),
+        &runMove, context, status, arguments);
+    const Argument before =
+        move.option("--before", arguments->before, BURIN_TEXT("Help", "Just before this take, by its number"));
+    move.option("--to", arguments->place, BURIN_TEXT("Help", "To this position in the order of the takes, from 1"))
+        .excludes(before);
+    addAction(command, "duplicate",
+              BURIN_TEXT("Help", "Copy it with its strokes and what is switched off, behind all takes; no path mills "
+                                 "the copy until \"burin path P apply PATH --take\" adds it"),
+              &runDuplicate, context, status, arguments);
 }
 
 } // namespace burin

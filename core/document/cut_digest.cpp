@@ -56,15 +56,18 @@ Result<CutDigest> CutDigest::of(Database& database, SetupId setup) {
         take.undone = std::move(*undone);
         take.off = std::move(*off);
     }
-    if (!made.takes_.empty()) made.end_ = {made.takes_.back().id, made.takes_.back().samples};
+    Result<TakeOrder> order = loadTakeOrder(database, setup);
+    if (!order) return std::move(order).error();
+    made.order_ = std::move(*order);
     return made;
 }
 
 std::int64_t CutDigest::at(const TakeMoment& moment) const noexcept {
     Digest digest;
     digest.add(static_cast<std::uint64_t>(stock_));
+    const std::size_t last = order_.placeOf(moment.take);
     for (const Take& take : takes_) {
-        if (take.id > moment.take) break;
+        if (order_.placeOf(take.id) > last) continue;
         const std::uint64_t until = take.id == moment.take ? moment.samples : take.samples;
         digest.add(static_cast<std::uint64_t>(take.id));
         digest.add(static_cast<std::uint64_t>(take.tool));
@@ -79,6 +82,17 @@ std::int64_t CutDigest::at(const TakeMoment& moment) const noexcept {
         }
     }
     return digest.value();
+}
+
+/// The order is part of it: it says which takes are over at the moments between.
+RecordedState CutDigest::state() const noexcept {
+    TakeMoment end;
+    for (const Take& take : takes_)
+        if (order_.placeOf(take.id) > order_.placeOf(end.take)) end = {take.id, take.samples};
+    Digest digest;
+    digest.add(static_cast<std::uint64_t>(at(end)));
+    for (const std::int64_t take : order_.takes()) digest.add(static_cast<std::uint64_t>(take));
+    return {end, digest.value()};
 }
 
 } // namespace burin

@@ -5,6 +5,7 @@
 #include "core/base/setup_id.h"
 #include "core/document/database.h"
 #include "core/document/kept_workpiece.h"
+#include "core/recording/take_order.h"
 
 #include <cstdint>
 #include <vector>
@@ -12,15 +13,16 @@
 namespace burin {
 
 /// Computes a number that identifies the content of a setup's workpiece at any moment: part, stock and materials, and
-/// what earlier recordings cut, with their tools. Recordings only grow and are never changed, so their length
-/// identifies their content. Reads the database once, for all moments.
+/// what earlier recordings cut, with their tools, in any order, since removal is a union. Recordings only grow and are
+/// never changed, so their length identifies their content. Reads the database once, for all moments.
 class CutDigest {
 public:
     /// Errors: those of Database.
     static Result<CutDigest> of(Database& database, SetupId setup);
 
     std::int64_t at(const TakeMoment& moment) const noexcept;
-    RecordedState state() const noexcept { return {end_, at(end_)}; }
+    RecordedState state() const noexcept;
+    const TakeOrder& order() const noexcept { return order_; }
 
 private:
     struct Stretch {
@@ -34,9 +36,9 @@ private:
     };
     static Result<std::vector<Stretch>> stretchesOf(Database& database, const char* table, std::int64_t take);
 
-    std::int64_t stock_ = 0; ///< before any cut
-    std::vector<Take> takes_;
-    TakeMoment end_; ///< of the last take
+    std::int64_t stock_ = 0;  ///< before anything is cut
+    std::vector<Take> takes_; ///< as they were recorded
+    TakeOrder order_;
 };
 
 } // namespace burin

@@ -42,8 +42,8 @@ constexpr std::size_t mostKept = 64; ///< for each setup
 
 /// Returns all stored workpieces, in order, and whether each is still valid.
 Result<std::vector<std::pair<TakeMoment, bool>>> allKept(Database& database, SetupId setup, const CutDigest& digest) {
-    Result<Statement> rows = Statement::prepare(
-        database, "SELECT take, samples, made_of FROM kept_workpiece WHERE setup = ? ORDER BY take, samples");
+    Result<Statement> rows =
+        Statement::prepare(database, "SELECT take, samples, made_of FROM kept_workpiece WHERE setup = ?");
     if (!rows) return std::move(rows).error();
     if (Result<void> bound = rows->bind(numberOf(setup)); !bound) return std::move(bound).error();
     std::vector<std::pair<TakeMoment, bool>> all;
@@ -53,6 +53,9 @@ Result<std::vector<std::pair<TakeMoment, bool>>> allKept(Database& database, Set
         return {};
     });
     if (!read) return std::move(read).error();
+    std::ranges::sort(
+        all, [&](const TakeMoment& one, const TakeMoment& other) { return digest.order().isBefore(one, other); },
+        &std::pair<TakeMoment, bool>::first);
     return all;
 }
 

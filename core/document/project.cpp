@@ -141,6 +141,9 @@ Result<void> Project::nameTake(std::int64_t take, const std::string& name) {
 Result<Sample> Project::sample(std::int64_t take, std::uint64_t index) const {
     return impl_->read([&](Database& database) { return loadSample(database, take, index); });
 }
+Result<std::int64_t> Project::duplicateTake(std::int64_t id) {
+    return impl_->change([id](Database& database) { return copyTake(database, id); });
+}
 Result<void> Project::removeTake(std::int64_t id) {
     return impl_->change([id](Database& database) { return hideTake(database, id); });
 }

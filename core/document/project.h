@@ -11,6 +11,7 @@
 #include "core/path/path_source.h"
 #include "core/recording/generated_moves.h"
 #include "core/recording/sample_source.h"
+#include "core/recording/take_order.h"
 #include "core/setup/axis_mode.h"
 #include "core/setup/kept_guides.h"
 #include "core/setup/obstacle.h"
@@ -172,8 +173,18 @@ public:
     Result<void> setGuides(const KeptGuides& guides, SetupId setup = setupInUse);
     Result<KeptGuides> guides(SetupId setup = setupInUse) const;
 
-    /// All takes of a setup, complete or not, in the order of their creation.
+    /// All of a setup, complete or not, in their order: that in which they were recorded, unless `setTakeOrder` said
+    /// otherwise.
     Result<std::vector<TakeInfo>> takes(SetupId setup = setupInUse) const;
+    /// Those that were removed among them: they keep their places.
+    Result<TakeOrder> takeOrder(SetupId setup = setupInUse) const;
+    /// The order in which takes are replayed and listed. Those that it does not name come behind, as they were
+    /// recorded, and so do those that are recorded from now on. Errors: nameUnknown (it is no take of the setup),
+    /// argumentInvalid (one is named twice).
+    Result<void> setTakeOrder(const TakeOrder& order, SetupId setup = setupInUse);
+    /// The id of a copy, behind all takes of the setup: the same samples, of which the same count, under the name
+    /// "NAME (copy)". Errors: as `take`.
+    Result<std::int64_t> duplicateTake(std::int64_t id);
     /// Errors: nameUnknown, projectIncomplete (there is no recording).
     Result<Take> take(std::int64_t id) const;
     /// The same without its samples. Errors: as `take`.

@@ -156,6 +156,14 @@ Result<std::vector<TakeInfo>> Project::takes(SetupId id) const {
     return impl_->read([id = impl_->meant(id)](Database& database) { return ofSetup(loadTakes(database), id); });
 }
 
+Result<TakeOrder> Project::takeOrder(SetupId id) const {
+    return impl_->read([id = impl_->meant(id)](Database& database) { return loadTakeOrder(database, id); });
+}
+Result<void> Project::setTakeOrder(const TakeOrder& order, SetupId id) {
+    return impl_->change(
+        [&, id = impl_->meant(id)](Database& database) { return storeTakeOrder(database, id, order); });
+}
+
 Result<void> Project::setMarkers(std::span<const TimeMarker> markers, SetupId id) {
     return impl_->change(
         [&, id = impl_->meant(id)](Database& database) { return storeMarkers(database, id, markers); });

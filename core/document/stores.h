@@ -78,6 +78,16 @@ Result<void> storeMarkers(Database& database, SetupId setup, std::span<const Tim
 Result<std::vector<TimeMarker>> loadMarkers(Database& database, SetupId setup);
 Result<void> renameTake(Database& database, std::int64_t take, const std::string& name);
 
+// take_order_store.cpp
+/// All of a setup, those that were removed among them.
+Result<TakeOrder> loadTakeOrder(Database& database, SetupId setup);
+/// Takes that it does not name come behind. Errors: nameUnknown (a take of the setup), argumentInvalid (one twice).
+Result<void> storeTakeOrder(Database& database, SetupId setup, const TakeOrder& wanted);
+/// The nearest take of those that one is a copy of, by way of others, and that is there; 0: none.
+Result<std::int64_t> loadOriginal(Database& database, SetupId setup, std::int64_t take);
+/// Its id. Errors: those of loadTakeOutline.
+Result<std::int64_t> copyTake(Database& database, std::int64_t id);
+
 // kept_store.cpp
 Result<RecordedState> loadRecordedState(Database& database, SetupId setup);
 /// Nothing is stored if the setup's state differs from `madeIn`.
@@ -85,7 +95,7 @@ Result<void> storeKept(Database& database, SetupId setup, const KeptWorkpiece& k
 /// Those that are still valid, in order.
 Result<std::vector<TakeMoment>> loadKeptMoments(Database& database, SetupId setup);
 Result<KeptWorkpiece> loadKept(Database& database, SetupId setup, const TakeMoment& at);
-Result<void> eraseKeptFrom(Database& database, std::int64_t take); ///< of this take and all later ones
+Result<void> eraseKeptFrom(Database& database, std::int64_t take); ///< of this take and all that were recorded later
 
 // generated_store.cpp
 /// Stores new generated moves of a setup; returns their id. Errors: those of checkGenerated, nameUnknown (the setup).

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace burin {
@@ -118,6 +119,33 @@ Result<void> loadUndone(Database& database, TakeInfo& info, std::vector<SampleRa
     return {};
 }
 
+Result<void> loadCopyOf(Database& database, TakeInfo& info) {
+    const Result<std::int64_t> original = loadOriginal(database, info.setup, info.id);
+    if (!original) return original.error();
+    info.copyOf = *original;
+    return {};
+}
+
+/// Those of each setup in its order, at the places that its takes have among all.
+Result<void> putInOrder(Database& database, std::vector<TakeInfo>& takes) {
+    std::set<SetupId> setups;
+    for (const TakeInfo& info : takes) setups.insert(info.setup);
+    for (const SetupId setup : setups) {
+        const Result<TakeOrder> order = loadTakeOrder(database, setup);
+        if (!order) return order.error();
+        std::vector<std::size_t> places;
+        std::vector<TakeInfo> own;
+        for (std::size_t i = 0; i < takes.size(); ++i) {
+            if (takes[i].setup != setup) continue;
+            places.push_back(i);
+            own.push_back(takes[i]);
+        }
+        std::ranges::sort(own, {}, [&](const TakeInfo& info) { return order->placeOf(info.id); });
+        for (std::size_t i = 0; i < own.size(); ++i) takes[places[i]] = std::move(own[i]);
+    }
+    return {};
+}
+
 } // namespace
 
 Result<std::int64_t> storeTake(Database& database, const TakeInfo& info) {
@@ -149,11 +177,13 @@ Result<std::vector<TakeInfo>> loadTakes(Database& database) {
         return {};
     });
     if (!read) return std::move(read).error();
+    if (read = putInOrder(database, takes); !read) return std::move(read).error();
     for (TakeInfo& info : takes) {
         std::vector<SampleRange> undone;
         if (read = loadUndone(database, info, undone); !read) return std::move(read).error();
         if (read = loadSeconds(database, info); !read) return std::move(read).error();
         if (read = loadMaterialIds(database, info); !read) return std::move(read).error();
+        if (read = loadCopyOf(database, info); !read) return std::move(read).error();
     }
     return takes;
 }
@@ -173,6 +203,7 @@ Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id) {
     if (Result<void> read = loadUndone(database, outline.info, outline.undone); !read) return std::move(read).error();
     if (Result<void> read = loadSeconds(database, outline.info); !read) return std::move(read).error();
     if (Result<void> read = loadMaterialIds(database, outline.info); !read) return std::move(read).error();
+    if (Result<void> read = loadCopyOf(database, outline.info); !read) return std::move(read).error();
     return outline;
 }
 
@@ -276,8 +307,7 @@ Result<void> storeMarkers(Database& database, SetupId setup, std::span<const Tim
 }
 
 Result<std::vector<TimeMarker>> loadMarkers(Database& database, SetupId setup) {
-    Result<Statement> rows =
-        Statement::prepare(database, "SELECT take, samples, name FROM marker WHERE setup = ? ORDER BY take, samples");
+    Result<Statement> rows = Statement::prepare(database, "SELECT take, samples, name FROM marker WHERE setup = ?");
     if (!rows) return std::move(rows).error();
     if (Result<void> bound = rows->bind(numberOf(setup)); !bound) return std::move(bound).error();
     std::vector<TimeMarker> markers;
@@ -287,6 +317,11 @@ Result<std::vector<TimeMarker>> loadMarkers(Database& database, SetupId setup) {
         return {};
     });
     if (!read) return std::move(read).error();
+    const Result<TakeOrder> order = loadTakeOrder(database, setup);
+    if (!order) return order.error();
+    std::ranges::sort(
+        markers, [&](const TakeMoment& one, const TakeMoment& other) { return order->isBefore(one, other); },
+        &TimeMarker::at);
     return markers;
 }
 

@@ -149,8 +149,13 @@ ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<Sour
 std::vector<SourceInfo> sourcesOf(const std::vector<TakeInfo>& takes, const std::vector<GeneratedInfo>& generated) {
     std::vector<SourceInfo> sources;
     for (const TakeInfo& take : takes) sources.push_back(sourceOf(take));
+    std::ranges::sort(sources, {}, [](const SourceInfo& each) { return each.source.id; }); // as they were recorded
     for (const GeneratedInfo& made : generated) sources.push_back(sourceOf(made));
     return sources;
+}
+
+const TakeInfo& newestTake(const std::vector<TakeInfo>& takes) {
+    return *std::ranges::max_element(takes, {}, &TakeInfo::id);
 }
 
 Result<std::vector<SourceInfo>> sourcesOf(const Project& project) {
@@ -182,7 +187,7 @@ void addNewerTakes(StoredPath& path, const std::vector<SourceInfo>& sources) {
     if (newest == path.sources.end() || !newest->isTake()) return;
     const std::int64_t last = newest->id;
     for (const SourceInfo& each : sources)
-        if (each.toolId == tool && each.source.id > last) path.sources.push_back(each.source);
+        if (each.toolId == tool && each.source.id > last && !each.copy) path.sources.push_back(each.source);
 }
 
 Result<StoredPath> standardPath(const Project& project, const std::string& toolId) {
@@ -190,7 +195,8 @@ Result<StoredPath> standardPath(const Project& project, const std::string& toolI
     if (!takes) return takes.error();
     StoredPath path;
     for (const TakeInfo& take : *takes)
-        if (take.toolId == toolId) path.sources.push_back({take.id});
+        if (take.toolId == toolId && std::ranges::find(*takes, take.copyOf, &TakeInfo::id) == takes->end())
+            path.sources.push_back({take.id});
     if (path.sources.empty()) return withoutTake();
     const Result<std::vector<StoredPath>> others = project.paths();
     if (!others) return others.error();

@@ -200,7 +200,8 @@ void addFindings(ProgramTime& made, const CheckedProgram& program) {
         const TakeMoment at = made.beginOf(place);
         if (at.take != 0) made.findings.push_back({at, i});
     }
-    std::ranges::stable_sort(made.findings, {}, &ProgramTime::FindingMoment::at);
+    std::ranges::stable_sort(
+        made.findings, {}, [&](const ProgramTime::FindingMoment& finding) { return made.time.secondsAt(finding.at); });
 }
 
 } // namespace

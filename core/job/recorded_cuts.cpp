@@ -46,10 +46,12 @@ private:
 };
 
 /// Returns the newest valid kept workpiece that is not later than a moment.
-Result<std::optional<KeptWorkpiece>> newestKept(const Project& project, const TakeMoment& until) {
+Result<std::optional<KeptWorkpiece>> newestKept(const Project& project, const TakeOrder& order,
+                                                const TakeMoment& until) {
     const Result<std::vector<TakeMoment>> moments = project.keptMoments();
     if (!moments) return moments.error();
-    const auto behind = std::ranges::upper_bound(*moments, until);
+    const auto behind = std::ranges::upper_bound(
+        *moments, until, [&](const TakeMoment& one, const TakeMoment& other) { return order.isBefore(one, other); });
     if (behind == moments->begin()) return std::optional<KeptWorkpiece>();
     Result<KeptWorkpiece> kept = project.keptWorkpiece(*std::prev(behind));
     if (!kept) return std::move(kept).error();
@@ -87,17 +89,20 @@ Result<RecordedWork> recordedWork(const Project& project, bool fromKept) {
 Result<RecordedWork> recordedWork(const Project& project, const TakeMoment& until, bool fromKept) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
+    const Result<TakeOrder> order = project.takeOrder();
+    if (!order) return order.error();
+    const std::size_t last = order->placeOf(until.take);
     RecordedWork work;
     if (fromKept) {
-        Result<std::optional<KeptWorkpiece>> kept = newestKept(project, until);
+        Result<std::optional<KeptWorkpiece>> kept = newestKept(project, *order, until);
         if (!kept) return std::move(kept).error();
         work.kept = std::move(*kept);
     }
     if (work.kept) work.strokes = work.kept->strokes;
     for (const TakeInfo& info : *takes) {
-        if (info.id > until.take) break;
+        if (order->placeOf(info.id) > last) break;
         work.end = {info.id, info.id == until.take ? std::min(until.samples, info.sampleCount) : info.sampleCount};
-        if (work.kept && work.end <= work.kept->at) continue;
+        if (work.kept && !order->isBefore(work.kept->at, work.end)) continue;
         Result<RecordedCuts> cuts = cutsOfTake(project, info);
         if (!cuts) return std::move(cuts).error();
         if (work.kept && info.id == work.kept->at.take) cuts->done = cuts->motions.countWithin(work.kept->at.samples);

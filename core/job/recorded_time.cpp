@@ -115,12 +115,13 @@ TakeMoment RecordedTime::momentAt(double seconds) const noexcept {
 }
 
 double RecordedTime::secondsAt(const TakeMoment& moment) const noexcept {
+    const bool there = trackOf(moment.take) != nullptr; // what was deleted keeps its place
     double before = 0.0;
     for (const TakeTrack& track : tracks) {
         if (track.info.id == moment.take)
             return before +
                    static_cast<double>(std::min(moment.samples, track.info.sampleCount)) * track.info.tickPeriod;
-        if (track.info.id > moment.take) break;
+        if (!there && order.placeOf(track.info.id) > order.placeOf(moment.take)) break;
         before += track.seconds();
     }
     return before;
@@ -155,6 +156,9 @@ Result<RecordedTime> readRecordedTime(const Project& project, const RecordedTime
     Result<std::vector<TimeMarker>> markers = project.markers();
     if (!markers) return std::move(markers).error();
     time.markers = std::move(*markers);
+    Result<TakeOrder> order = project.takeOrder();
+    if (!order) return std::move(order).error();
+    time.order = std::move(*order);
     const Result<RecordedState> state = project.recordedState();
     if (!state) return state.error();
     time.state = *state;

@@ -38,10 +38,12 @@ Result<SwitchedOff> withStretch(const Project& project, std::int64_t take, const
 Result<SwitchedOff> offAfter(const Project& project, const TakeMoment& moment) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
+    const Result<TakeOrder> order = project.takeOrder();
+    if (!order) return order.error();
     SwitchedOff off;
     for (const TakeInfo& info : *takes) {
         const std::uint64_t first = info.id == moment.take ? moment.samples : 0;
-        if (info.id < moment.take || first >= info.sampleCount) continue;
+        if (order->placeOf(info.id) < order->placeOf(moment.take) || first >= info.sampleCount) continue;
         Result<SwitchedOff> one = withStretch(project, info.id, {first, info.sampleCount - first}, true);
         if (!one) return one;
         off.merge(*one);

@@ -3,7 +3,6 @@
 #include "core/job/workpiece_in_time.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 namespace burin {
@@ -20,6 +19,17 @@ Error goingCancelled() {
 }
 
 } // namespace
+
+std::map<std::int64_t, std::size_t> strokesBefore(std::span<const SharedCuts> takes, const TakeMoment& moment) {
+    std::map<std::int64_t, std::size_t> strokes;
+    if (moment.take == 0) return strokes;
+    for (const SharedCuts& take : takes) {
+        const bool last = take->take == moment.take;
+        if (!last || moment.samples >= take->sampleCount) strokes[take->take] = take->strokes;
+        if (last) break;
+    }
+    return strokes;
+}
 
 Result<WorkpieceInTime> WorkpieceInTime::make(KeptWorkpiece stock, std::vector<SharedCuts> takes,
                                               std::vector<KeptWorkpiece> kept, Progress& progress) {
@@ -38,11 +48,10 @@ WorkpieceInTime::WorkpieceInTime(RunVolume stock, std::vector<SharedCuts> takes,
 }
 
 std::uint64_t WorkpieceInTime::motionsBefore(const TakeMoment& moment) const noexcept {
-    const auto take =
-        std::ranges::lower_bound(takes_, moment.take, {}, [](const SharedCuts& each) { return each->take; });
-    const auto place = static_cast<std::size_t>(take - takes_.begin());
-    if (take == takes_.end() || (*take)->take != moment.take) return before_[place];
-    return before_[place] + (*take)->motions.countWithin(moment.samples);
+    if (moment.take == 0) return 0;
+    const auto take = std::ranges::find(takes_, moment.take, [](const SharedCuts& each) { return each->take; });
+    const std::uint64_t before = before_[static_cast<std::size_t>(take - takes_.begin())];
+    return take == takes_.end() ? before : before + (*take)->motions.countWithin(moment.samples);
 }
 
 /// Places marks at each take's end, at the kept workpieces, and every thousand motions of a take in between.
@@ -136,11 +145,7 @@ Result<void> WorkpieceInTime::cut(std::uint64_t from, std::uint64_t to, const Pr
 Result<void> WorkpieceInTime::keep(std::size_t mark, Progress& progress) {
     Mark& at = marks_[mark];
     if (!at.worthKeeping || at.kept) return {};
-    std::map<std::int64_t, std::size_t> strokes;
-    for (const SharedCuts& take : takes_)
-        if (take->take < at.moment.take || (take->take == at.moment.take && take->sampleCount == at.moment.samples))
-            strokes[take->take] = take->strokes;
-    Result<KeptWorkpiece> kept = keptAs(atMark_, at.moment, strokes, progress);
+    Result<KeptWorkpiece> kept = keptAs(atMark_, at.moment, strokesBefore(takes_, at.moment), progress);
     if (!kept) return std::move(kept).error();
     at.kept = std::move(*kept);
     return {};

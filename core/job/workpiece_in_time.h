@@ -6,10 +6,15 @@
 #include "core/volume/packed/volume_delta.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace burin {
+
+/// Strokes that stand in each of the takes that are over at a moment. @param takes in order
+std::map<std::int64_t, std::size_t> strokesBefore(std::span<const SharedCuts> takes, const TakeMoment& moment);
 
 /// Restores the workpiece at any moment of a setup's recordings, bitwise exact. Repeats cuts that it has not made yet,
 /// starting from the nearest kept workpiece, and stores each step of a thousand motions packed (VolumeDelta, some bytes

@@ -22,7 +22,7 @@ std::vector<PathSource> sourcesOf(std::span<const std::int64_t> takes) {
 }
 
 SourceInfo sourceOf(const TakeInfo& take) {
-    return {{take.id}, take.toolId, take.allowance, take.tickPeriod};
+    return {{take.id}, take.toolId, take.allowance, take.tickPeriod, take.copyOf != 0};
 }
 
 SourceInfo sourceOf(const GeneratedInfo& generated) {

@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -105,12 +106,58 @@ private slots:
                  middle["workpiece_hash"].toString());
     }
 
+    /// Moved, the takes are replayed in the new order, and workpiece and path are what they were; moved back, all that
+    /// "info" lists is the same byte for byte. A copy mills nothing twice, and stands for its original.
+    void takesAreMovedAndCopied() {
+        QVERIFY(mill({"--intent", "scribble", "--seconds", "3", "--seed", "7"}).status == 0);
+        QCOMPARE(run({"path", in("p.burin"), "new"}).status, 0);
+        const QString all = hash({}), border = hash({"--at", "1"});
+        const QByteArray listing = takes(), points = pathPoints();
+        QVERIFY(all != border && border == first_ && !points.isEmpty());
+        const auto order = [](const ProgramRun& run) { return run.json()["takes"].toArray(); };
+        QCOMPARE(order(run({"take", "move", in("p.burin"), "2", "--before", "1"})), (QJsonArray{2, 1}));
+        QCOMPARE(hash({}), all);
+        QCOMPARE(pathPoints(), points);
+        QCOMPARE(run({"info", in("p.burin")}).json()["takes"].toArray()[0].toObject()["id"].toInt(), 2);
+        const QString second = hash({"--at", "2"}); // at the border: that take alone
+        QVERIFY(second != border && second != all);
+        QCOMPARE(hash({"--at", "1"}), all);
+        QCOMPARE(hash({"--at", "2:0"}), hash({"--stock"}));
+        QCOMPARE(run({"take", "off", in("p.burin"), "1"}).status, 0);
+        QCOMPARE(hash({}), second);
+        QCOMPARE(run({"take", "on", in("p.burin"), "1"}).status, 0);
+        QCOMPARE(order(run({"take", "move", in("p.burin"), "2", "--to", "2"})), (QJsonArray{1, 2}));
+        QCOMPARE(takes(), listing);
+        QCOMPARE(hash({"--at", "1"}), border);
+
+        const ProgramRun copied = run({"take", "duplicate", in("p.burin"), "1"});
+        QVERIFY2(copied.status == 0, copied.messages.constData());
+        QCOMPARE(copied.json()["take"].toInt(), 3);
+        QCOMPARE(order(copied), (QJsonArray{1, 2, 3}));
+        QVERIFY(copied.json()["name"].toString().endsWith(" (copy)"));
+        QCOMPARE(hash({}), all);
+        QCOMPARE(pathPoints(), points);
+        QCOMPARE(run({"path", in("p.burin"), "apply", "1", "--take", "3"}).json()["takes"].toArray().size(), 3);
+        QVERIFY(pathPoints().size() > points.size());
+        QCOMPARE(run({"path", in("p.burin"), "delete", "1", "--take", "3"}).json()["takes"].toArray().size(), 2);
+        QCOMPARE(pathPoints(), points);
+        QCOMPARE(run({"take", "off", in("p.burin"), "1"}).status, 0);
+        QCOMPARE(hash({}), all);
+    }
+
     void whatIsWrongChangesNothing() {
         const QByteArray before = bytes();
         for (const QStringList& wrong : {QStringList{"take", "off", in("p.burin"), "7"},
                                          {"take", "off", in("p.burin"), "1", "--from", "99"},
                                          {"take", "off", in("p.burin"), "1", "--from", "3", "--to", "2"},
                                          {"take", "rename", in("p.burin"), "1", " "},
+                                         {"take", "move", in("p.burin"), "1"},
+                                         {"take", "move", in("p.burin"), "1", "--to", "2"},
+                                         {"take", "move", in("p.burin"), "1", "--to", "0"},
+                                         {"take", "move", in("p.burin"), "1", "--before", "1"},
+                                         {"take", "move", in("p.burin"), "1", "--before", "7"},
+                                         {"take", "move", in("p.burin"), "7", "--to", "1"},
+                                         {"take", "duplicate", in("p.burin"), "7"},
                                          {"mill", in("p.burin"), "--from", "1:99"},
                                          {"mill", in("p.burin"), "--from", "x"},
                                          {"volume", "export", in("p.burin"), "--at", "9:1", "-o", in("w.srle")},
@@ -134,6 +181,13 @@ private:
         const ProgramRun written = run(QStringList{"volume", "export", in("p.burin"), "-o", in("volume.srle")} + more);
         if (written.status != 0) qWarning("%s", written.messages.constData());
         return written.json()["hash"].toString();
+    }
+    /// As "info" lists them.
+    QByteArray takes() const { return QJsonDocument(run({"info", in("p.burin")}).json()["takes"].toArray()).toJson(); }
+    QByteArray pathPoints() const {
+        if (run({"path", in("p.burin"), "show", "1", "-o", in("points.csv")}).status != 0) return {};
+        QFile file(in("points.csv"));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
     QByteArray bytes() const {
         QFile file(in("p.burin"));

@@ -146,6 +146,62 @@ private slots:
         QVERIFY(driver_->settle());
     }
 
+    /// A take is moved by key and menu, and undone: the workpiece stays, and at the border between the takes stands
+    /// what the takes before it cut. A copy cuts nothing more, and stands for its original when that is deleted.
+    void takesAreMovedAndCopied() {
+        QVERIFY(chooseInMenu(0.5, "takeOffAction"));
+        QVERIFY(driver_->waitFor([&] { return !busy() && now() != all_; }));
+        const std::uint64_t second = now(); // the second take alone
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(stands(all_));
+        const std::vector<std::int64_t> ids = listed();
+        const std::vector<std::int64_t> other{ids[1], ids[0]};
+        QVERIFY(goesBy(ids));
+        clickOnTake(1);
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return workbench().mill.chosenTake() == ids[1]; }));
+        QVERIFY(menuAction(*driver_, "takeUpAction")->isEnabled() &&
+                !menuAction(*driver_, "takeDownAction")->isEnabled());
+        driver_->key(Qt::Key_Up, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(goesBy(other));
+        QCOMPARE(now(), all_);
+        driver_->shoot("timeline-moved");
+        QVERIFY(seek(secondsOfTake(1)));
+        QCOMPARE(fingerprint(time().shown()->workpiece), second);
+        QVERIFY(seek(time().recorded()->seconds()));
+        QCOMPARE(fingerprint(time().shown()->workpiece), all_);
+        QCOMPARE(replayed(), all_);
+        driver_->key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(goesBy(ids));
+        QVERIFY(seek(secondsOfTake(1)));
+        QCOMPARE(fingerprint(time().shown()->workpiece), first_);
+        driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(goesBy(other));
+        QVERIFY(chooseInMenu(0.5, "moveTakeDownAction"));
+        QVERIFY(goesBy(ids));
+
+        clickOnTake(0);
+        driver_->key(Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver_->waitFor([&] { return listed().size() == 3 && time().recorded()->tracks.size() == 3; }));
+        const std::int64_t copy = listed().back();
+        QVERIFY(goesBy({ids[0], ids[1], copy}));
+        QCOMPARE(workbench().mill.chosenTake(), copy);
+        QCOMPARE(workbench().mill.strokesOf(copy), workbench().mill.strokesOf(ids[0]));
+        driver_->shoot("timeline-copied");
+        QCOMPARE(now(), all_);
+        QVERIFY(seek(time().recorded()->seconds()));
+        QCOMPARE(fingerprint(time().shown()->workpiece), all_);
+        QVERIFY(chooseInMenu(0.5, "deleteTakeAction"));
+        QVERIFY(goesBy({ids[1], copy}));
+        QVERIFY(stands(all_));
+        QCOMPARE(replayed(), all_);
+        for (int i = 0; i < 2; ++i) {
+            driver_->key(Qt::Key_Z, Qt::ControlModifier);
+            QVERIFY(stands(all_));
+        }
+        QVERIFY(goesBy(ids));
+    }
+
     /// In the program step the timeline is the program's: its workpiece at the end is that of the check, the current
     /// line follows, blocks are stepped through; in the other steps it is that of the takes again.
     void aProgramIsGoneThrough() {
@@ -241,6 +297,28 @@ private:
         return driver_->clickOn("millButton") &&
                driver_->waitFor([&] { return !workbench().mill.active() && !workbench().session.running(); }, 5000) &&
                driver_->settle();
+    }
+    std::vector<std::int64_t> listed() {
+        std::vector<std::int64_t> ids;
+        for (const TakeInfo& take : workbench().mill.allTakes()) ids.push_back(take.id);
+        return ids;
+    }
+    /// The takes are in that order, for list and timeline alike.
+    bool goesBy(const std::vector<std::int64_t>& ids) {
+        return driver_->waitFor(
+            [&] {
+                if (busy() || !time().possible() || time().reading()) return false;
+                std::vector<std::int64_t> tracks;
+                for (const TakeTrack& track : time().recorded()->tracks) tracks.push_back(track.info.id);
+                return listed() == ids && tracks == ids;
+            },
+            10000);
+    }
+    void clickOnTake(std::size_t take) {
+        auto* view = driver_->visible<TimelineView>("timelineView");
+        const double middle = 0.5 * (secondsOfTake(take) + secondsOfTake(take + 1));
+        const QPoint place(static_cast<int>(std::lround(view->placeOf(middle))), view->height() - 16);
+        QTest::mouseClick(view, Qt::LeftButton, Qt::NoModifier, place);
     }
     double secondsOfTake(std::size_t end) {
         double seconds = 0.0;

@@ -114,6 +114,53 @@ private slots:
         QTRY_VERIFY(rowOf(*tree, "slot") != nullptr);
     }
 
+    /// A take is moved by the keys in its row, and copied by its menu. The path has the copy when its menu says so, and
+    /// undo takes each of it back.
+    void takesAreMovedAndCopied() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}));
+        QVERIFY(recordLine(driver, {-10.0, 6.0}, {10.0, 6.0}));
+        QVERIFY(newPath(driver));
+        ProjectTree* tree = openTree(driver);
+        QVERIFY(tree);
+        const auto names = [&] {
+            QStringList texts;
+            if (QTreeWidgetItem* takes = rowOf(*tree, "Takes"))
+                for (int i = 0; i < takes->childCount(); ++i) texts << takes->child(i)->text(0);
+            return texts;
+        };
+        const auto sources = [&] { return workbenchOf(driver).path.stored()->sources; };
+        QTRY_COMPARE(names(), (QStringList{"take 1", "take 2"}));
+        const std::vector<PathSource> before = sources();
+        const quint64 version = workbenchOf(driver).path.version();
+        tree->setFocus();
+        tree->setCurrentItem(rowOf(*tree, "take 2"));
+        driver.key(Qt::Key_Up, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_COMPARE(names(), (QStringList{"take 2", "take 1"}));
+        QCOMPARE(tree->currentItem()->text(0), QString("take 2"));
+        driver.shoot("tree-3-moved");
+        QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "take 1"), "takeMenu", "moveTakeUpAction"));
+        QTRY_COMPARE(names(), (QStringList{"take 1", "take 2"}));
+        QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "take 1"), "takeMenu", "copyTakeAction"));
+        QTRY_COMPARE(names(), (QStringList{"take 1", "take 2", "take 1 (copy)"}));
+        QVERIFY(driver.settle());
+        QVERIFY(sources() == before && !workbenchOf(driver).path.outdated());
+        QCOMPARE(workbenchOf(driver).path.version(), version); // what was posted is up to date
+        QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "take 1 (copy)"), "takeMenu", "takeInPathAction"));
+        QTRY_COMPARE(sources().size(), before.size() + 1);
+        QVERIFY(driver.settle());
+        driver.shoot("tree-4-copied");
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(sources() == before);
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(names(), (QStringList{"take 1", "take 2"}));
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(names(), (QStringList{"take 2", "take 1"}));
+        driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_COMPARE(names(), (QStringList{"take 1", "take 2"}));
+    }
+
     /// A body whose box is not ticked is not drawn, without any other effect.
     void bodiesAreHiddenAndShown() {
         WindowDriver driver;

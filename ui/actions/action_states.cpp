@@ -80,6 +80,10 @@ void ActionStates::update() {
     enable(ActionId::restart, workbench.program.restartable());
     enable(ActionId::playTime, workbench.time.possible() && !showing);
     enable(ActionId::addMarker, workbench.time.possible() && !showing && !workbench.time.showsProgram());
+    const std::int64_t take = showing ? 0 : workbench.mill.chosenTake();
+    enable(ActionId::takeUp, workbench.mill.canMove(take, -1));
+    enable(ActionId::takeDown, workbench.mill.canMove(take, 1));
+    enable(ActionId::duplicateTake, workbench.mill.canCopy(take));
     enable(ActionId::presentTime, workbench.time.away());
     enable(ActionId::punchIn,
            workbench.time.away() && workbench.workpiece.ready() && !showing && !workbench.time.showsProgram());

@@ -254,6 +254,18 @@ constexpr std::array rows{
         "Ctrl+Shift+R"},
     Row{ActionId::addMarker, "addMarkerAction", QT_TRANSLATE_NOOP("Actions", "Add a mar&ker…"),
         QT_TRANSLATE_NOOP("Actions", "Set a named marker at the time shown on the timeline."), "Ctrl+K"},
+    Row{ActionId::takeUp, "takeUpAction", QT_TRANSLATE_NOOP("Actions", "Mo&ve the take up"),
+        QT_TRANSLATE_NOOP("Actions", "Replay the take that is selected in the project tree or on the timeline before "
+                                     "the take above it. The workpiece at the end and the paths stay as they are."),
+        "Ctrl+Shift+Up"},
+    Row{ActionId::takeDown, "takeDownAction", QT_TRANSLATE_NOOP("Actions", "Move the take do&wn"),
+        QT_TRANSLATE_NOOP("Actions", "Replay the take that is selected in the project tree or on the timeline after "
+                                     "the take below it. The workpiece at the end and the paths stay as they are."),
+        "Ctrl+Shift+Down"},
+    Row{ActionId::duplicateTake, "duplicateTakeAction", QT_TRANSLATE_NOOP("Actions", "Duplicate the ta&ke"),
+        QT_TRANSLATE_NOOP("Actions", "Copy the selected take with its strokes and what is switched off. No path mills "
+                                     "the copy until its menu adds it."),
+        "Ctrl+Shift+C"},
     Row{ActionId::overrideCheck, "overrideAction", QT_TRANSLATE_NOOP("Actions", "&Override the check…"),
         QT_TRANSLATE_NOOP("Actions", "Export a program that failed its check; you must state a reason."),
         "Ctrl+Shift+E"},

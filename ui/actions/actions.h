@@ -107,6 +107,9 @@ enum class ActionId : std::size_t {
     presentTime,
     punchIn,
     addMarker,
+    takeUp, ///< these three are of the chosen take
+    takeDown,
+    duplicateTake,
     overrideCheck,
     restart,
     machines,

@@ -45,6 +45,9 @@ ProjectTree::ProjectTree(QWidget* parent) : QTreeWidget(parent) {
         else
             emit opened(kindOf(*item), idOf(*item));
     });
+    connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
+        if (!filling_ && item != nullptr) emit chosen(kindOf(*item), idOf(*item));
+    });
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
         if (!filling_ && column == 0 && item->data(0, Qt::CheckStateRole).isValid())
             emit switched(kindOf(*item), idOf(*item), item->checkState(0) == Qt::Checked);
@@ -69,6 +72,14 @@ void ProjectTree::setRows(const std::vector<ProjectRow>& rows) {
         if (closed.contains({static_cast<int>(kindOf(**at)), idOf(**at)})) (*at)->setExpanded(false);
     if (QTreeWidgetItem* again = itemWith(kind, id)) setCurrentItem(again);
     filling_ = false;
+}
+
+void ProjectTree::choose(ProjectRowKind kind, qint64 id) {
+    QTreeWidgetItem* item = itemWith(kind, id);
+    if (item == nullptr || item == currentItem()) return;
+    const bool before = std::exchange(filling_, true);
+    setCurrentItem(item);
+    filling_ = before;
 }
 
 QTreeWidgetItem* ProjectTree::itemOf(const ProjectRow& node) const {

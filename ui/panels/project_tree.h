@@ -34,8 +34,10 @@ public:
     explicit ProjectTree(QWidget* parent = nullptr);
     /// Does nothing if the rows are unchanged. Groups stay open or closed, and the selected row stays selected.
     void setRows(const std::vector<ProjectRow>& rows);
+    void choose(ProjectRowKind kind, qint64 id); ///< selects that row, if it is there
 
 signals:
+    void chosen(ProjectRowKind kind, qint64 id); ///< its row was selected
     void opened(ProjectRowKind kind, qint64 id);
     void switched(ProjectRowKind kind, qint64 id, bool on);
     void menuWanted(ProjectRowKind kind, qint64 id, const QPoint& globalPosition);

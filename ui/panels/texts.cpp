@@ -59,11 +59,27 @@ QString materialName(const Property& material) {
     return Messages::resourceName(material.name);
 }
 
-QString takeName(const std::string& name) {
+namespace {
+
+QString plainTakeName(const std::string& name) {
     static const QRegularExpression numbered(QStringLiteral("^take ([0-9]+)$"));
     const QRegularExpressionMatch match = numbered.match(QString::fromStdString(name));
     if (match.hasMatch()) return QCoreApplication::translate("Take", "take %1").arg(match.captured(1));
     return QCoreApplication::translate("Take", name.c_str());
+}
+
+} // namespace
+
+QString takeName(const std::string& name) {
+    constexpr std::string_view copy = " (copy)";
+    constexpr int mostCopies = 8; // of copies; a file may come from anybody
+    std::string original = name;
+    int copies = 0;
+    for (; copies < mostCopies && original.size() > copy.size() && original.ends_with(copy); ++copies)
+        original.resize(original.size() - copy.size());
+    QString text = plainTakeName(original);
+    for (int i = 0; i < copies; ++i) text = QCoreApplication::translate("Take", "%1 (copy)").arg(text);
+    return text;
 }
 
 QString toolSummary(const Tool& tool, LengthUnit unit) {

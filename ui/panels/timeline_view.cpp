@@ -252,6 +252,10 @@ void TimelineView::paintClips(QPainter& painter) const {
         for (const SampleRange& off : track.switchedOff)
             painter.drawRect(QRectF(QPointF(placeOfSample(off.first), row.top()),
                                     QPointF(placeOfSample(off.first + off.count) - 1.0, row.bottom() - 1.0)));
+        if (track.info.id == state_.chosen) {
+            painter.setPen(QPen(palette.accent, 2));
+            painter.drawRoundedRect(clip.adjusted(1, 1, -1, -1), 3, 3);
+        }
         painter.setPen(palette.text);
         const QRectF text = clip.intersected(row).adjusted(6, 0, -4, -6);
         if (text.width() > 20)
@@ -312,6 +316,9 @@ void TimelineView::mousePressEvent(QMouseEvent* event) {
         emit sought(state_.recorded->secondsAt(state_.markers[*marker].at));
     else
         seek(event->position().x());
+    const std::optional<std::size_t> track = trackAt(secondsAt(event->position().x()));
+    if (track && clipRow().contains(event->position().toPoint()))
+        emit takeChosen(state_.recorded->tracks[*track].info.id);
 }
 
 void TimelineView::mouseMoveEvent(QMouseEvent* event) {

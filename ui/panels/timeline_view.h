@@ -19,6 +19,7 @@ struct TimelineState {
     std::vector<TimeMarker> markers;              ///< in order
     bool program = false; ///< whether it shows the time of a program; its takes are then intervals with one tool
     double seconds = 0.0; ///< position of the cursor, s
+    qint64 chosen = 0;                            ///< take that actions are for; 0: none
     bool away = false;    ///< whether the cursor is in the past
     bool enabled = false; ///< whether the user can seek
 };
@@ -42,6 +43,7 @@ public:
 signals:
     void sought(double seconds); ///< s from the first take's start
     void playToggled();
+    void takeChosen(qint64 take); ///< by a click on its clip
     /// The user requested the menu of a take. @param sample of the take, under the pointer
     void menuWanted(qint64 take, quint64 sample, const QPoint& globalPosition);
     /// The user requested the menu of a marker. @param marker index of the marker

@@ -53,18 +53,56 @@ void addSwitches(QMenu& menu, TimeController& time, const TakeTrack& track, std:
     menu.addSeparator();
 }
 
+/// What becomes of a take as a whole, the workpiece left as it is.
+void addMoves(QMenu& menu, Workbench& workbench, const TakeInfo& info) {
+    MillController& mill = workbench.mill;
+    const std::int64_t take = info.id;
+    const auto enable = [&menu](bool possible) { menu.actions().back()->setEnabled(possible); };
+    addEntry(menu, TakeMenu::tr("Move &up"), TakeMenu::tr("Replay it before the take above it."), "moveTakeUpAction",
+             [&mill, take] { mill.moveTake(take, -1); });
+    enable(mill.canMove(take, -1));
+    addEntry(menu, TakeMenu::tr("Move do&wn"), TakeMenu::tr("Replay it after the take below it."), "moveTakeDownAction",
+             [&mill, take] { mill.moveTake(take, 1); });
+    enable(mill.canMove(take, 1));
+    addEntry(menu, TakeMenu::tr("Dupli&cate"),
+             TakeMenu::tr("Copy it with its strokes and what is switched off. No path mills the copy until its menu "
+                          "adds it."),
+             "copyTakeAction", [&mill, take] { mill.duplicateTake(take); });
+    enable(mill.canCopy(take));
+    if (info.copyOf != 0 && workbench.path.pathFor(take) != nullptr) {
+        const bool milled = workbench.path.isMilled(take);
+        addEntry(menu, milled ? TakeMenu::tr("Take out of the &path") : TakeMenu::tr("Mill in the &path"),
+                 milled ? TakeMenu::tr("The path of its tool mills this copy no longer.")
+                        : TakeMenu::tr("The path of its tool mills this copy as well, after its other takes."),
+                 "takeInPathAction", [&workbench, take, milled] { workbench.path.millTake(take, !milled); });
+    }
+    menu.addSeparator();
+}
+
 } // namespace
+
+void connectTakeActions(Workbench& workbench, const Actions& actions) {
+    MillController& mill = workbench.mill;
+    const auto on = [&](ActionId id, auto what) {
+        QObject::connect(actions[id], &QAction::triggered, &mill, [&mill, what] { what(mill); });
+    };
+    on(ActionId::takeUp, [](MillController& chosen) { chosen.moveTake(chosen.chosenTake(), -1); });
+    on(ActionId::takeDown, [](MillController& chosen) { chosen.moveTake(chosen.chosenTake(), 1); });
+    on(ActionId::duplicateTake, [](MillController& chosen) { chosen.duplicateTake(chosen.chosenTake()); });
+}
 
 void showTakeMenu(Workbench& workbench, std::int64_t take, std::uint64_t sample, const QPoint& globalPosition,
                   QWidget* parent) {
     const std::vector<TakeInfo>& takes = workbench.mill.allTakes();
     const auto info = std::ranges::find(takes, take, &TakeInfo::id);
     if (info == takes.end()) return;
+    workbench.mill.chooseTake(take);
     QMenu* menu = makeContextMenu("takeMenu", takeName(info->name), parent);
     // With a hidden timeline the take has not been read; in the program step the timeline has other tracks.
     const bool read = workbench.time.recorded() && !workbench.time.showsProgram();
     const TakeTrack* track = read ? workbench.time.recorded()->trackOf(take) : nullptr;
     if (track != nullptr) addSwitches(*menu, workbench.time, *track, sample);
+    addMoves(*menu, workbench, *info);
     addEntry(*menu, TakeMenu::tr("&Rename…"), TakeMenu::tr("Rename the take."), "renameTakeAction",
              [&workbench, info = *info, parent] {
                  workbench.mill.nameTake(info.id,

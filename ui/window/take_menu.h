@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/actions/actions.h"
 #include "ui/workbench/workbench.h"
 
 #include <QWidget>
@@ -12,6 +13,9 @@ namespace burin {
 /// Deletes itself. @param sample of the take
 void showTakeMenu(Workbench& workbench, std::int64_t take, std::uint64_t sample, const QPoint& globalPosition,
                   QWidget* parent);
+
+/// What the actions on the chosen take do.
+void connectTakeActions(Workbench& workbench, const Actions& actions);
 
 /// The same for a marker of the timeline. @param marker its index
 void showMarkerMenu(Workbench& workbench, std::size_t marker, const QPoint& globalPosition, QWidget* parent);

@@ -10,7 +10,7 @@
 namespace burin {
 
 TimePresenter::TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.time, &workbench.session, &workbench.workpiece}, parent)
+    : Presenter(workbench, {&workbench.time, &workbench.session, &workbench.workpiece, &workbench.mill}, parent)
     , panel_(panel)
     , scene_(scene) {
     TimeController& time = workbench.time;
@@ -26,6 +26,9 @@ TimePresenter::TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePr
             [this](qint64 take, quint64 sample, const QPoint& position) {
                 if (!workbench_.time.showsProgram()) showTakeMenu(workbench_, take, sample, position, &panel_);
             });
+    connect(&panel.view(), &TimelineView::takeChosen, this, [this](qint64 take) {
+        if (!workbench_.time.showsProgram()) workbench_.mill.chooseTake(take);
+    });
     connect(&panel.view(), &TimelineView::markerMenuWanted, this, [this](int marker, const QPoint& position) {
         if (!workbench_.time.showsProgram())
             showMarkerMenu(workbench_, static_cast<std::size_t>(marker), position, &panel_);
@@ -47,6 +50,7 @@ void TimePresenter::connectActions(const Actions& actions) {
     connect(actions[ActionId::addMarker], &QAction::triggered, this, [this] { addMarker(workbench_, &panel_); });
     connect(actions[ActionId::breakpoint], &QAction::triggered, this, &TimePresenter::breakpointAsked);
     connect(actions[ActionId::presentTime], &QAction::triggered, &time, &TimeController::backToPresent);
+    connectTakeActions(workbench_, actions);
 }
 
 void TimePresenter::setUnit(LengthUnit unit) {
@@ -83,6 +87,7 @@ void TimePresenter::present() {
     state.view.markers = markers();
     state.view.program = time.showsProgram();
     state.view.seconds = time.seconds();
+    state.view.chosen = time.showsProgram() ? 0 : workbench_.mill.chosenTake();
     state.view.away = time.away();
     state.view.enabled = time.possible();
     state.reading = time.reading();

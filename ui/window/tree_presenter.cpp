@@ -34,6 +34,9 @@ TreePresenter::TreePresenter(Workbench& workbench, ProjectTree& tree, ScenePrese
     , scene_(scene) {
     yieldWhileHidden(tree);
     connect(&tree, &ProjectTree::opened, this, &TreePresenter::open);
+    connect(&tree, &ProjectTree::chosen, this, [this](ProjectRowKind kind, qint64 id) {
+        workbench_.mill.chooseTake(kind == ProjectRowKind::take ? id : 0);
+    });
     connect(&tree, &ProjectTree::switched, this, &TreePresenter::switchRow);
     connect(&tree, &ProjectTree::menuWanted, this, &TreePresenter::showMenu);
 }
@@ -48,6 +51,7 @@ void TreePresenter::present() {
     std::vector<ProjectRow> rows{setups(), bodies(), fixtures(), tools(), takes(), paths(), programs()};
     std::erase_if(rows, [](const ProjectRow& node) { return node.children.empty(); });
     tree_.setRows(rows);
+    tree_.choose(ProjectRowKind::take, workbench_.mill.chosenTake());
 }
 
 ProjectRow TreePresenter::setups() const {
@@ -124,7 +128,7 @@ ProjectRow TreePresenter::takes() const {
     for (const TakeInfo& take : workbench_.mill.allTakes()) {
         ProjectRow row{ProjectRowKind::take, take.id, takeName(take.name),
                        take.seconds ? durationText(*take.seconds) : QString(),
-                       tr("Right click: switch it off and on, rename or delete it.")};
+                       tr("Right click: switch it off and on, move, duplicate, rename or delete it.")};
         row.dimmed = std::ranges::find(standing, take.id, &TakeInfo::id) == standing.end();
         all.children.push_back(std::move(row));
     }

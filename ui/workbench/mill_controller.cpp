@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/mill_controller.h"
 
+#include "core/job/job_paths.h"
 #include "core/job/milling.h"
 #include "ui/workbench/done_command.h"
 #include "ui/workbench/value_command.h"
@@ -16,7 +17,7 @@ namespace {
 
 bool sameTake(const TakeInfo& one, const TakeInfo& other) {
     return one.id == other.id && one.name == other.name && one.sampleCount == other.sampleCount &&
-           one.undoneCount == other.undoneCount && one.complete == other.complete;
+           one.undoneCount == other.undoneCount && one.complete == other.complete && one.copyOf == other.copyOf;
 }
 
 } // namespace
@@ -140,7 +141,7 @@ bool MillController::startRecording() {
     if (recording() || recordingSince_) return false;
     startingRecording_ = true;
     // In English, as for the virtual operator; panels show it in the language of the reader.
-    const QString name = QStringLiteral("take %1").arg(takes_.empty() ? 1 : takes_.back().id + 1);
+    const QString name = QStringLiteral("take %1").arg(takes_.empty() ? 1 : newestTake(takes_).id + 1);
     session_.startRecording(name, [this](bool well) {
         startingRecording_ = false;
         recordingSince_ = well;
@@ -275,20 +276,6 @@ void MillController::applySwitchedOff(const SwitchedOff& off, const Then& then) 
                        });
 }
 
-void MillController::nameTake(std::int64_t id, const QString& name) {
-    const auto take = std::ranges::find(takes_, id, &TakeInfo::id);
-    if (take == takes_.end() || name.trimmed().isEmpty() || take->name == name.trimmed().toStdString()) return;
-    const auto apply = [this, id](const std::string& wanted) {
-        desk_.project.post([id, wanted](Project& project) { return project.nameTake(id, wanted); },
-                           [this](const Result<void>& outcome) {
-                               if (!outcome) emit failed(outcome.error());
-                               refreshTakes();
-                           });
-    };
-    desk_.undo.push(
-        new ValueCommand<std::string>(tr("name of a take"), -1, take->name, name.trimmed().toStdString(), apply));
-}
-
 void MillController::moveStroke(std::int64_t take, bool undo) {
     std::vector<std::uint64_t>& from = undo ? numbers_[take] : undoneNumbers_;
     std::vector<std::uint64_t>& to = undo ? undoneNumbers_ : numbers_[take];
@@ -351,30 +338,10 @@ void MillController::setStrokes(std::map<std::int64_t, std::size_t> strokes) {
     emit changed();
 }
 
-void MillController::removeTake(std::int64_t id) {
-    changeTake(id, true, [this, id] {
-        desk_.undo.push(new DoneCommand(tr("delete a take"), [this, id](bool undo) { changeTake(id, !undo, {}); }));
-    });
-}
-
-/// @param then called on success
-void MillController::changeTake(std::int64_t id, bool remove, const Then& then) {
-    desk_.project.post(
-        [id, remove](Project& project) { return remove ? project.removeTake(id) : project.restoreTake(id); },
-        [this, then](const Result<void>& outcome) {
-            if (!outcome) {
-                emit failed(outcome.error());
-                return;
-            }
-            workpiece_.remake();
-            if (then) then();
-            refreshTakes();
-        });
-}
-
 void MillController::load(std::vector<TakeInfo> takes) {
     takes_ = std::move(takes);
-    allowance_ = takes_.empty() ? 0.0 : takes_.back().allowance;
+    chosen_ = 0;
+    allowance_ = takes_.empty() ? 0.0 : newestTake(takes_).allowance;
     strokesSeen_ = workpiece_.strokes().added();
     strokes_.clear();
     numbers_.clear();

@@ -138,10 +138,7 @@ std::vector<std::string> PathController::toolsMissingBefore() const {
 }
 
 const StoredPath* PathController::stored() const {
-    if (!hasTakes()) return nullptr;
-    const auto found =
-        std::ranges::find_if(paths_, [&](const StoredPath& path) { return burin::toolOf(path, sources_) == tool_; });
-    return found == paths_.end() ? nullptr : &*found;
+    return hasTakes() ? pathOf(tool_) : nullptr;
 }
 
 std::vector<StoredPath> PathController::jobPaths() const {
@@ -209,10 +206,12 @@ RecordedKey PathController::recordedKey(const std::string& tool) const {
     RecordedKey key;
     for (const TakeInfo& take : standing_) {
         if (!tool.empty() && take.toolId != tool) continue;
+        if (take.copyOf != 0 && !isMilled(take.id)) continue;
         const auto newest = newestStrokes_.find(take.id);
         key.emplace_back(take.id, take.sampleCount - take.undoneCount, take.complete,
                          newest != newestStrokes_.end() ? newest->second : 0);
     }
+    std::ranges::sort(key); // takes may be moved
     return key;
 }
 

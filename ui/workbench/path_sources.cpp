@@ -45,9 +45,8 @@ void PathController::addProgram(const std::vector<ProgramPass>& passes) {
 void PathController::addSources(const QString& text, std::vector<NewSource> added) {
     std::map<std::string, ChangedPath> paths;
     for (const NewSource& each : added) {
-        const auto own = std::ranges::find_if(
-            paths_, [&](const StoredPath& path) { return burin::toolOf(path, sources_) == each.tool.id; });
-        const StoredPath before = own != paths_.end() ? *own : StoredPath{};
+        const StoredPath* own = pathOf(each.tool.id);
+        const StoredPath before = own != nullptr ? *own : StoredPath{};
         paths.try_emplace(each.tool.id, ChangedPath{before, before});
     }
     desk_.project.post(
@@ -112,6 +111,36 @@ void PathController::keepSources(const QString& text, const AddedSources& added)
                 [this, id = path.after.id](const std::vector<Edit>& edits) { apply(id, edits); }));
     }
     desk_.undo.endMacro();
+}
+
+const StoredPath* PathController::pathOf(const std::string& tool) const {
+    const auto path =
+        std::ranges::find_if(paths_, [&](const StoredPath& each) { return burin::toolOf(each, sources_) == tool; });
+    return path != paths_.end() ? &*path : nullptr;
+}
+
+const StoredPath* PathController::pathFor(std::int64_t take) const {
+    const auto source = std::ranges::find(sources_, PathSource{take}, &SourceInfo::source);
+    return source != sources_.end() ? pathOf(source->toolId) : nullptr;
+}
+
+bool PathController::isMilled(std::int64_t take) const {
+    const StoredPath* path = pathFor(take);
+    return path != nullptr && std::ranges::find(path->sources, PathSource{take}) != path->sources.end();
+}
+
+void PathController::millTake(std::int64_t take, bool milled) {
+    const StoredPath* path = pathFor(take);
+    if (path == nullptr || isMilled(take) == milled) return;
+    std::vector<PathSource> after = path->sources;
+    if (milled)
+        after.push_back({take});
+    else
+        std::erase(after, PathSource{take});
+    if (after.empty()) return;
+    desk_.undo.push(new ValueCommand<std::vector<PathSource>>(
+        milled ? tr("take in the path") : tr("take out of the path"), -1, path->sources, std::move(after),
+        [this, own = path->id](const std::vector<PathSource>& sources) { applySources(own, sources); }));
 }
 
 } // namespace burin

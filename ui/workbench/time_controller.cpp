@@ -267,8 +267,10 @@ void TimeController::punchIn() {
     pause();
     desk_.tasks.start(
         TaskKind::punchingIn, tr("Storing the workpiece"),
-        [workpiece = shown_->workpiece, moment = shown_->moment, strokes = strokesBefore(shown_->moment)](
-            Progress& progress) { return keptAs(workpiece, moment, strokes, progress); },
+        [workpiece = shown_->workpiece, moment = shown_->moment,
+         strokes = strokesBefore(source_->cuts, shown_->moment)](Progress& progress) {
+            return keptAs(workpiece, moment, strokes, progress);
+        },
         [this, moment = shown_->moment, state = source_->state,
          generation = generation_](const Result<KeptWorkpiece>& kept) {
             if (generation != generation_) return;
@@ -280,14 +282,6 @@ void TimeController::punchIn() {
                     recordFromHere(); // if nothing came after it, the workpiece is ready
                 });
         });
-}
-
-std::map<std::int64_t, std::size_t> TimeController::strokesBefore(const TakeMoment& moment) const {
-    std::map<std::int64_t, std::size_t> strokes;
-    for (const SharedCuts& take : source_->cuts)
-        if (take->take < moment.take || (take->take == moment.take && moment.samples >= take->sampleCount))
-            strokes[take->take] = take->strokes;
-    return strokes;
 }
 
 void TimeController::recordFromHere() {
@@ -302,7 +296,10 @@ void TimeController::addMarker(const QString& name) {
     const TimeMarker marker{recorded_->momentAt(seconds_), name.trimmed().toStdString()};
     std::vector<TimeMarker> markers = markers_;
     std::erase_if(markers, [&](const TimeMarker& other) { return other.at == marker.at; });
-    markers.insert(std::ranges::upper_bound(markers, marker.at, {}, &TimeMarker::at), marker);
+    const auto earlier = [this](const TakeMoment& one, const TakeMoment& other) {
+        return recorded_->order.isBefore(one, other);
+    };
+    markers.insert(std::ranges::upper_bound(markers, marker.at, earlier, &TimeMarker::at), marker);
     setMarkers(tr("marker"), std::move(markers));
 }
 

@@ -109,7 +109,6 @@ private:
     void keepBreakpoints(const std::string& before);
     const std::shared_ptr<Source>& source() const noexcept { return program_ ? programSource_ : source_; }
     void tick();
-    std::map<std::int64_t, std::size_t> strokesBefore(const TakeMoment& moment) const;
     void recordFromHere();
     void setMarkers(const QString& title, std::vector<TimeMarker> markers);
     std::optional<Tool> toolOf(std::int64_t take) const;

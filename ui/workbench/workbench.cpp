@@ -121,7 +121,7 @@ void Workbench::load(const ProjectContents& contents) {
     undo_.clear();
     workpiece.clear();
     model.load(contents.model);
-    tool.load(contents.tools, contents.takes.empty() ? std::string() : contents.takes.back().toolId);
+    tool.load(contents.tools, contents.takes.empty() ? std::string() : newestTake(contents.takes).toolId);
     setup.load(contents.model, contents.setup, contents.materials);
     setups.load(contents);
     target.load(contents.target);

@@ -3,14 +3,13 @@
 #include "core/job/switched_off.h"
 #include "core/job/workpiece_in_time.h"
 #include "core/volume/operations/fingerprint.h"
-#include "tests/core/job/session_stage.h"
+#include "tests/core/job/recorded_takes.h"
 #include "tests/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <random>
 
@@ -41,87 +40,6 @@ struct Recorded {
     bool good = true;
 };
 
-/// Takes of adjacent rows, each take lower than the previous one: every tick cuts. Part of it is undone.
-struct Rows {
-    explicit Rows(const std::vector<std::uint64_t>& counts)
-        : project(*Project::create(folder.filePath("p.burin").toStdString())) {
-        good = project.setModel(Model{}) && project.setSetup(blockSetup()) && project.setTool(sessionTool());
-        MillingContext milling = blockMilling();
-        for (std::size_t i = 0; i < counts.size(); ++i) {
-            TakeInfo info;
-            info.name = "rows";
-            info.toolId = sessionTool().id;
-            Result<Project::TakeWriter> writer = project.beginTake(info);
-            const std::vector<Sample> samples = rows(counts[i], 1.0 + static_cast<double>(i), milling);
-            good = good && writer && writer->append(samples) && writer->finish();
-            if (i == 1) good = good && project.undoStretch(writer->id(), {counts[i] / 3, 400});
-            if (good) takes.push_back(*project.take(writer->id()));
-        }
-    }
-    static std::vector<Sample> rows(std::uint64_t count, double depth, MillingContext& milling) {
-        MaterialRemoval removal(sessionTool().cutter, milling.embedded.workpiece.grid(), Writing::everyCut);
-        std::vector<Sample> samples;
-        double along = 0.0;
-        for (std::uint64_t i = 0; i < count; ++i, along += 0.1) {
-            const double row = std::floor(along / side), in = along - row * side;
-            Sample sample;
-            sample.tick = i;
-            sample.time = 0.001 * static_cast<double>(i);
-            sample.proxy.tip = {std::fmod(row, 2.0) == 0.0 ? in : side - in, 0.35 * row, top - depth};
-            if (!samples.empty()) {
-                const RunAmounts before = milling.embedded.workpiece.amounts();
-                (void)removal.cut(milling.embedded.workpiece, samples.back().proxy, sample.proxy);
-                const PropertyIndex stock = milling.embedded.stockProperty;
-                sample.removed[0] = {before.units[stock] - milling.embedded.workpiece.amounts().units[stock], stock};
-            }
-            samples.push_back(sample);
-        }
-        return samples;
-    }
-    QTemporaryDir folder;
-    Project project;
-    std::vector<Take> takes;
-    bool good = true;
-};
-
-/// The workpiece at given moments, with each cut applied immediately where the hand cut, from the first tick on:
-/// nothing is remembered, packed or deferred.
-std::vector<Lines> replayedTo(const std::vector<Take>& takes, const std::vector<TakeMoment>& rising) {
-    MillingContext milling = blockMilling();
-    RunVolume& volume = milling.embedded.workpiece;
-    std::vector<Lines> workpieces;
-    const auto reached = [&](const TakeMoment& now) {
-        while (workpieces.size() < rising.size() && rising[workpieces.size()] <= now)
-            workpieces.push_back(linesOf(volume));
-    };
-    for (const Take& take : takes) {
-        MaterialRemoval removal(sessionTool().cutter, volume.grid(), Writing::everyCut);
-        for (std::size_t i = 0; i < take.samples.size(); ++i) {
-            reached({take.info.id, i});
-            const bool undone =
-                std::ranges::any_of(take.undone, [&](const SampleRange& range) { return range.contains(i); });
-            const bool cut = std::ranges::any_of(take.samples[i].removed,
-                                                 [](const RemovedMaterial& removed) { return removed.units > 0; });
-            if (i > 0 && cut && !undone) (void)removal.cut(volume, take.samples[i - 1].proxy, take.samples[i].proxy);
-        }
-        reached({take.info.id, take.samples.size()});
-    }
-    reached({std::numeric_limits<std::int64_t>::max(), 0});
-    return workpieces;
-}
-
-std::vector<SharedCuts> sharedCuts(const Project& project) {
-    std::vector<SharedCuts> cuts;
-    const Result<RecordedWork> work = recordedWork(project, false);
-    for (const RecordedCuts& take : work->cuts) cuts.push_back(std::make_shared<const RecordedCuts>(take));
-    return cuts;
-}
-
-KeptWorkpiece stock() {
-    Progress progress;
-    return *keptAs(blockMilling().embedded.workpiece.snapshot(), {}, {}, progress);
-}
-
 } // namespace
 
 class TestWorkpieceInTime : public QObject {
@@ -139,10 +57,12 @@ private slots:
             moments.push_back({take.info.id, random() % (take.samples.size() + 1)});
         }
         std::vector<TakeMoment> rising = moments;
-        std::ranges::sort(rising);
+        const TakeOrder order = orderOf(recorded.takes);
+        const auto earlier = [&](const TakeMoment& one, const TakeMoment& other) { return order.isBefore(one, other); };
+        std::ranges::sort(rising, earlier);
         const std::vector<Lines> expected = replayedTo(recorded.takes, rising);
         QCOMPARE(expected.size(), moments.size());
-        std::map<TakeMoment, const Lines*> at;
+        std::map<TakeMoment, const Lines*, decltype(earlier)> at(earlier);
         for (std::size_t i = 0; i < rising.size(); ++i) at[rising[i]] = &expected[i];
 
         Progress progress;

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// How takes are named, moved, copied and deleted.
+#include "core/job/take_moves.h"
+#include "ui/workbench/done_command.h"
+#include "ui/workbench/mill_controller.h"
+#include "ui/workbench/value_command.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+void MillController::nameTake(std::int64_t id, const QString& name) {
+    const auto take = std::ranges::find(takes_, id, &TakeInfo::id);
+    if (take == takes_.end() || name.trimmed().isEmpty() || take->name == name.trimmed().toStdString()) return;
+    const auto apply = [this, id](const std::string& wanted) {
+        desk_.project.post([id, wanted](Project& project) { return project.nameTake(id, wanted); },
+                           [this](const Result<void>& outcome) {
+                               if (!outcome) emit failed(outcome.error());
+                               refreshTakes();
+                           });
+    };
+    desk_.undo.push(
+        new ValueCommand<std::string>(tr("name of a take"), -1, take->name, name.trimmed().toStdString(), apply));
+}
+
+void MillController::removeTake(std::int64_t id) {
+    changeTake(id, true, [this, id] {
+        desk_.undo.push(new DoneCommand(tr("delete a take"), [this, id](bool undo) { changeTake(id, !undo, {}); }));
+    });
+}
+
+/// @param then where that went well
+void MillController::changeTake(std::int64_t id, bool remove, const Then& then) {
+    desk_.project.post(
+        [id, remove](Project& project) { return remove ? project.removeTake(id) : project.restoreTake(id); },
+        [this, then](const Result<void>& outcome) {
+            if (!outcome) {
+                emit failed(outcome.error());
+                return;
+            }
+            workpiece_.remake();
+            if (then) then();
+            refreshTakes();
+        });
+}
+
+void MillController::chooseTake(std::int64_t id) {
+    if (std::exchange(chosen_, id) != id) emit changed();
+}
+
+std::int64_t MillController::chosenTake() const noexcept {
+    return placeOf(chosen_) ? chosen_ : 0;
+}
+
+std::optional<std::size_t> MillController::placeOf(std::int64_t take) const noexcept {
+    const auto found = std::ranges::find(takes_, take, &TakeInfo::id);
+    if (found == takes_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - takes_.begin());
+}
+
+bool MillController::canMove(std::int64_t take, int by) const noexcept {
+    const std::optional<std::size_t> place = placeOf(take);
+    return place && canCopy(take) && (by < 0 ? *place > 0 : *place + 1 < takes_.size());
+}
+
+bool MillController::canCopy(std::int64_t take) const noexcept {
+    return placeOf(take) && !recording() && !recordingSince_ && !startingRecording_;
+}
+
+void MillController::moveTake(std::int64_t id, int by) {
+    if (!canMove(id, by)) return;
+    reorder([id, by](const Project& project) -> Result<TakeOrder> {
+        const Result<std::vector<TakeInfo>> takes = project.takes(); // another move may have come before
+        if (!takes) return takes.error();
+        const auto place = std::ranges::find(*takes, id, &TakeInfo::id) - takes->begin() + (by < 0 ? -1 : 1);
+        const bool within = place >= 0 && std::cmp_less(place, takes->size());
+        return within ? orderWithTakeAt(project, id, static_cast<std::size_t>(place)) : project.takeOrder();
+    });
+}
+
+void MillController::moveTakeTo(std::int64_t id, std::size_t place) {
+    if (!canCopy(id) || placeOf(id) == place || place >= takes_.size()) return;
+    reorder([id, place](const Project& project) { return orderWithTakeAt(project, id, place); });
+}
+
+/// The workpiece stays: what takes cut is the same in any order. @param wanted on the project's thread
+void MillController::reorder(std::function<Result<TakeOrder>(const Project& project)> wanted) {
+    struct Change {
+        TakeOrder before, after;
+    };
+    desk_.project.post(
+        [wanted = std::move(wanted)](Project& project) -> Result<Change> {
+            Result<TakeOrder> before = project.takeOrder();
+            if (!before) return std::move(before).error();
+            Result<TakeOrder> after = wanted(project);
+            if (!after) return std::move(after).error();
+            if (*before != *after)
+                if (Result<void> stored = project.setTakeOrder(*after); !stored) return std::move(stored).error();
+            return Change{std::move(*before), std::move(*after)};
+        },
+        [this](const Result<Change>& change) {
+            if (!change) {
+                emit failed(change.error());
+                return;
+            }
+            if (change->before == change->after) return;
+            desk_.undo.push(new DoneCommand(tr("order of takes"), [this, orders = *change](bool undo) {
+                applyOrder(undo ? orders.before : orders.after);
+            }));
+            refreshTakes();
+        });
+}
+
+void MillController::applyOrder(const TakeOrder& order) {
+    desk_.project.post([order](Project& project) { return project.setTakeOrder(order); },
+                       [this](const Result<void>& outcome) {
+                           if (!outcome) emit failed(outcome.error());
+                           refreshTakes();
+                       });
+}
+
+/// The workpiece stays: a copy cuts nothing that its original leaves.
+void MillController::duplicateTake(std::int64_t id) {
+    if (!canCopy(id)) return;
+    desk_.project.post([id](Project& project) { return project.duplicateTake(id); },
+                       [this, id](const Result<std::int64_t>& copy) {
+                           if (!copy) {
+                               emit failed(copy.error());
+                               return;
+                           }
+                           if (const auto strokes = strokes_.find(id); strokes != strokes_.end())
+                               strokes_[*copy] = strokes->second;
+                           desk_.undo.push(new DoneCommand(tr("copy of a take"),
+                                                           [this, copy = *copy](bool undo) { showCopy(copy, !undo); }));
+                           refreshTakes([this, copy = *copy] { chooseTake(copy); });
+                       });
+}
+
+void MillController::showCopy(std::int64_t id, bool shown) {
+    desk_.project.post(
+        [id, shown](Project& project) { return shown ? project.restoreTake(id) : project.removeTake(id); },
+        [this](const Result<void>& outcome) {
+            if (!outcome) emit failed(outcome.error());
+            refreshTakes();
+        });
+}
+
+} // namespace burin
