@@ -828,6 +828,14 @@
         <translation>Das Abspielen des Programms vor der Zeile des Cursors anhalten, oder nicht mehr. Ein Klick auf die Nummer der Zeile tut dasselbe.</translation>
     </message>
     <message>
+        <source>F&amp;aces of the part…</source>
+        <translation>Fl&amp;ächen des Teils…</translation>
+    </message>
+    <message>
+        <source>List the faces of the part with the gouges and the stock that the program leaves on each; a click shows the worst point.</source>
+        <translation>Die Flächen des Teils mit den Konturverletzungen und dem Restmaterial auflisten, die das Programm auf jeder hinterlässt; ein Klick zeigt die schlimmste Stelle.</translation>
+    </message>
+    <message>
         <source>Mo&amp;ve the take up</source>
         <translation>Aufnahme nach o&amp;ben</translation>
     </message>
@@ -1999,6 +2007,14 @@
     <message>
         <source>%1 mm of feed moves</source>
         <translation>%1 mm Vorschubbewegungen</translation>
+    </message>
+    <message>
+        <source>Inspecting the faces</source>
+        <translation>Flächen werden geprüft</translation>
+    </message>
+    <message>
+        <source>face %1  gouge %2 mm  left %3 mm  in tolerance %4 %  area %5 mm^2  %6</source>
+        <translation>Fläche %1  Konturverletzung %2 mm  Rest %3 mm  in Toleranz %4 %  Inhalt %5 mm^2  %6</translation>
     </message>
     <message>
         <source>an edit, a pass with --pass, or a take with --take</source>
@@ -4967,6 +4983,14 @@
         <source>Pictures (*.png)</source>
         <translation>Bilder (*.png)</translation>
     </message>
+    <message>
+        <source>Export the table of faces</source>
+        <translation>Tabelle der Flächen exportieren</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>FileUnits</name>
@@ -5834,10 +5858,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Die Abweichungskarte als VTK-Datei (.vtp) schreiben, in den Farben des Fensters</translation>
     </message>
     <message>
-        <source>Stock to leave on the part, mm: within tolerance in the map&apos;s colours</source>
-        <translation>Aufmaß auf dem Teil, mm: in den Farben der Karte innerhalb der Toleranz</translation>
-    </message>
-    <message>
         <source>View direction of the picture</source>
         <translation>Blickrichtung des Bildes</translation>
     </message>
@@ -6525,6 +6545,18 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Distance in mm beyond which parts of the paths count as different</source>
         <translation>Abstand in mm, ab dem Teile der Bahnen als verschieden gelten</translation>
     </message>
+    <message>
+        <source>List the faces of the part with gouge, stock left and share in tolerance, the worst first</source>
+        <translation>Die Flächen des Teils mit Konturverletzung, Restmaterial und Anteil in der Toleranz auflisten, die schlechteste zuerst</translation>
+    </message>
+    <message>
+        <source>Write the list of --faces as a table (.csv)</source>
+        <translation>Die Liste von --faces als Tabelle (.csv) schreiben</translation>
+    </message>
+    <message>
+        <source>Stock to leave on the part, mm: within tolerance in the map&apos;s colours and on faces</source>
+        <translation>Aufmaß auf dem Teil, mm: in den Farben der Karte und auf Flächen innerhalb der Toleranz</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -6740,6 +6772,30 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Distance between the nearest corners or circle centres: %1.</source>
         <translation>Abstand der nächsten Ecken oder Kreismitten: %1.</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Cylinder, Ø %1</source>
+        <translation>Zylinder, Ø %1</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Sphere, Ø %1</source>
+        <translation>Kugel, Ø %1</translation>
+    </message>
+    <message>
+        <source>Torus, tube Ø %1</source>
+        <translation>Torus, Rohr Ø %1</translation>
+    </message>
+    <message>
+        <source>Free-form face</source>
+        <translation>Freiformfläche</translation>
     </message>
 </context>
 <context>
@@ -8753,6 +8809,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>test force</source>
         <translation>Testkraft</translation>
     </message>
+    <message>
+        <source>faces</source>
+        <translation>Flächen</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -9391,6 +9451,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Move the pointer over the part to read the deviation.</source>
         <translation>Auf das Teil zeigen, um den Wert dort abzulesen.</translation>
     </message>
+    <message>
+        <source>Faces…</source>
+        <translation>Flächen…</translation>
+    </message>
+    <message>
+        <source>Something has changed since the check; post and check it again</source>
+        <translation>Seit der Prüfung hat sich etwas geändert; geben Sie das Programm neu aus und prüfen Sie es</translation>
+    </message>
+    <message>
+        <source>Lists the faces of the part with gouges and stock left on each</source>
+        <translation>Listet die Flächen des Teils mit Konturverletzungen und Restmaterial auf</translation>
+    </message>
 </context>
 <context>
     <name>burin::DeviationLegend</name>
@@ -9636,10 +9708,158 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::FaceController</name>
+    <message>
+        <source>Inspecting the faces</source>
+        <translation>Flächen werden geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FaceDialog</name>
+    <message>
+        <source>Faces of the part</source>
+        <translation>Flächen des Teils</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop inspecting the faces</source>
+        <translation>Das Prüfen der Flächen abbrechen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the table in its order, in mm, to paste it into a spreadsheet (Ctrl+C)</source>
+        <translation>Die Tabelle in ihrer Reihenfolge und in mm kopieren, um sie in eine Tabellenkalkulation einzufügen (Strg+C)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the table in its order, in mm, as a CSV file</source>
+        <translation>Die Tabelle in ihrer Reihenfolge und in mm als CSV-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>What the program leaves on each face of the part.</source>
+        <translation>Was das Programm auf jeder Fläche des Teils hinterlässt.</translation>
+    </message>
+    <message>
+        <source>Faces: %1. With gouges: %2. With too much stock: %3. Select a face to see its worst point.</source>
+        <translation>Flächen: %1. Mit Konturverletzungen: %2. Mit zu viel Material: %3. Wählen Sie eine Fläche, um ihre schlimmste Stelle zu sehen.</translation>
+    </message>
+</context>
+<context>
     <name>burin::FacePicker</name>
     <message>
         <source>Esc: cancel the selection of a face</source>
         <translation>Esc: Auswahl der Fläche abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FacePresenter</name>
+    <message>
+        <source>There is no checked program, or something has changed since; post and check it again.</source>
+        <translation>Es gibt kein geprüftes Programm, oder seither hat sich etwas geändert; geben Sie es neu aus und prüfen Sie es.</translation>
+    </message>
+    <message>
+        <source>Face %1: %2 too deep</source>
+        <translation>Fläche %1: %2 zu tief</translation>
+    </message>
+    <message>
+        <source>Face %1: %2 left</source>
+        <translation>Fläche %1: %2 Rest</translation>
+    </message>
+    <message>
+        <source>Face %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>Cancelled; open the table again to inspect the faces.</source>
+        <translation>Abgebrochen; öffnen Sie die Tabelle neu, um die Flächen zu prüfen.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FaceTableModel</name>
+    <message>
+        <source>Too small for the voxels: no point of this face was looked at; use smaller voxels</source>
+        <translation>Zu klein für die Voxel: kein Punkt dieser Fläche wurde betrachtet; verwenden Sie kleinere Voxel</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Number in the order of the part&apos;s file</source>
+        <translation>Nummer in der Reihenfolge der Datei des Teils</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Shape of the face, with its diameter</source>
+        <translation>Form der Fläche, mit ihrem Durchmesser</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>Area of the whole face</source>
+        <translation>Inhalt der ganzen Fläche</translation>
+    </message>
+    <message>
+        <source>Worst gouge</source>
+        <translation>Tiefste Verletzung</translation>
+    </message>
+    <message>
+        <source>Deepest cut into the part on this face</source>
+        <translation>Tiefster Schnitt in das Teil auf dieser Fläche</translation>
+    </message>
+    <message>
+        <source>Most left</source>
+        <translation>Größter Rest</translation>
+    </message>
+    <message>
+        <source>Most stock beyond the allowance, where a tool of the program could reach it</source>
+        <translation>Größtes Restmaterial über das Aufmaß hinaus, wo ein Werkzeug des Programms hinkommt</translation>
+    </message>
+    <message>
+        <source>In tolerance</source>
+        <translation>In Toleranz</translation>
+    </message>
+    <message>
+        <source>Share of the face that is within tolerance</source>
+        <translation>Anteil der Fläche, der innerhalb der Toleranz liegt</translation>
+    </message>
+    <message>
+        <source>Gouged</source>
+        <translation>Verletzt</translation>
+    </message>
+    <message>
+        <source>Share of the face with gouges deeper than the tolerance</source>
+        <translation>Anteil der Fläche mit Konturverletzungen, die tiefer als die Toleranz sind</translation>
+    </message>
+    <message>
+        <source>Too much left</source>
+        <translation>Zu viel Rest</translation>
+    </message>
+    <message>
+        <source>Share of the face with more stock than the tolerance allows</source>
+        <translation>Anteil der Fläche mit mehr Material, als die Toleranz erlaubt</translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation>Unerreichbar</translation>
+    </message>
+    <message>
+        <source>Share of the face with stock that no tool of the program can reach</source>
+        <translation>Anteil der Fläche mit Material, zu dem kein Werkzeug des Programms kommt</translation>
     </message>
 </context>
 <context>
@@ -11172,6 +11392,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>%n Bogen wurde innerhalb von 0,001 mm in Geraden zerlegt; „Bögen einpassen“ stellt ihn wieder her.</numerusform>
             <numerusform>%n Bögen wurden innerhalb von 0,001 mm in Geraden zerlegt; „Bögen einpassen“ stellt sie wieder her.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The table of faces was written to “%1”.</source>
+        <translation>Die Tabelle der Flächen wurde in „%1“ geschrieben.</translation>
     </message>
 </context>
 <context>

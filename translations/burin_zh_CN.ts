@@ -828,6 +828,14 @@
         <translation>播放程序时在光标所在行之前停止，或取消停止。单击行号效果相同。</translation>
     </message>
     <message>
+        <source>F&amp;aces of the part…</source>
+        <translation>零件的面(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>List the faces of the part with the gouges and the stock that the program leaves on each; a click shows the worst point.</source>
+        <translation>列出零件的面，以及程序在各面上留下的过切和残料；单击即显示最差的点。</translation>
+    </message>
+    <message>
         <source>Mo&amp;ve the take up</source>
         <translation>上移录制(&amp;V)</translation>
     </message>
@@ -1999,6 +2007,14 @@
     <message>
         <source>%1 mm of feed moves</source>
         <translation>进给移动 %1 mm</translation>
+    </message>
+    <message>
+        <source>Inspecting the faces</source>
+        <translation>正在检查各面</translation>
+    </message>
+    <message>
+        <source>face %1  gouge %2 mm  left %3 mm  in tolerance %4 %  area %5 mm^2  %6</source>
+        <translation>面 %1  过切 %2 mm  残料 %3 mm  公差内 %4 %  面积 %5 mm^2  %6</translation>
     </message>
     <message>
         <source>an edit, a pass with --pass, or a take with --take</source>
@@ -4966,6 +4982,14 @@
         <source>Pictures (*.png)</source>
         <translation>图片 (*.png)</translation>
     </message>
+    <message>
+        <source>Export the table of faces</source>
+        <translation>导出面的表格</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>表格 (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>FileUnits</name>
@@ -5833,10 +5857,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>把偏差图写为 VTK 文件 (.vtp)，采用窗口中的颜色</translation>
     </message>
     <message>
-        <source>Stock to leave on the part, mm: within tolerance in the map&apos;s colours</source>
-        <translation>零件上要留的余量，mm：在偏差图的颜色中算作公差之内</translation>
-    </message>
-    <message>
         <source>View direction of the picture</source>
         <translation>图片的视图方向</translation>
     </message>
@@ -6524,6 +6544,18 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>Distance in mm beyond which parts of the paths count as different</source>
         <translation>超过此距离（mm）的刀路部分视为不同</translation>
     </message>
+    <message>
+        <source>List the faces of the part with gouge, stock left and share in tolerance, the worst first</source>
+        <translation>列出零件的面及其过切、残料和公差内的比例，最差的在前</translation>
+    </message>
+    <message>
+        <source>Write the list of --faces as a table (.csv)</source>
+        <translation>把 --faces 的列表写成表格 (.csv)</translation>
+    </message>
+    <message>
+        <source>Stock to leave on the part, mm: within tolerance in the map&apos;s colours and on faces</source>
+        <translation>零件上要留的余量，mm：在偏差图的颜色中和各面上算在公差内</translation>
+    </message>
 </context>
 <context>
     <name>ImportFormat</name>
@@ -6739,6 +6771,30 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Distance between the nearest corners or circle centres: %1.</source>
         <translation>最近的角点或圆心之间的距离：%1。</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Cylinder, Ø %1</source>
+        <translation>圆柱面，Ø %1</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>圆锥面</translation>
+    </message>
+    <message>
+        <source>Sphere, Ø %1</source>
+        <translation>球面，Ø %1</translation>
+    </message>
+    <message>
+        <source>Torus, tube Ø %1</source>
+        <translation>圆环面，管 Ø %1</translation>
+    </message>
+    <message>
+        <source>Free-form face</source>
+        <translation>自由曲面</translation>
     </message>
 </context>
 <context>
@@ -8746,6 +8802,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>test force</source>
         <translation>测试力</translation>
     </message>
+    <message>
+        <source>faces</source>
+        <translation>面</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -9384,6 +9444,18 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Move the pointer over the part to read the deviation.</source>
         <translation>将指针移到零件上可读取偏差。</translation>
     </message>
+    <message>
+        <source>Faces…</source>
+        <translation>面…</translation>
+    </message>
+    <message>
+        <source>Something has changed since the check; post and check it again</source>
+        <translation>检查之后有改动；须重新后处理并检查</translation>
+    </message>
+    <message>
+        <source>Lists the faces of the part with gouges and stock left on each</source>
+        <translation>列出零件的面，以及各面上的过切和残料</translation>
+    </message>
 </context>
 <context>
     <name>burin::DeviationLegend</name>
@@ -9629,10 +9701,158 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
+    <name>burin::FaceController</name>
+    <message>
+        <source>Inspecting the faces</source>
+        <translation>正在检查各面</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FaceDialog</name>
+    <message>
+        <source>Faces of the part</source>
+        <translation>零件的面</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop inspecting the faces</source>
+        <translation>停止检查各面</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy the table in its order, in mm, to paste it into a spreadsheet (Ctrl+C)</source>
+        <translation>按当前顺序以 mm 复制表格，以便粘贴到电子表格 (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Write the table in its order, in mm, as a CSV file</source>
+        <translation>按当前顺序以 mm 把表格写成 CSV 文件</translation>
+    </message>
+    <message>
+        <source>What the program leaves on each face of the part.</source>
+        <translation>程序在零件各面上留下的结果。</translation>
+    </message>
+    <message>
+        <source>Faces: %1. With gouges: %2. With too much stock: %3. Select a face to see its worst point.</source>
+        <translation>面：%1。有过切的：%2。残料过多的：%3。选择一个面即可看到其最差的点。</translation>
+    </message>
+</context>
+<context>
     <name>burin::FacePicker</name>
     <message>
         <source>Esc: cancel the selection of a face</source>
         <translation>Esc：取消选择面</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FacePresenter</name>
+    <message>
+        <source>There is no checked program, or something has changed since; post and check it again.</source>
+        <translation>没有检查过的程序，或检查之后有改动；须重新后处理并检查。</translation>
+    </message>
+    <message>
+        <source>Face %1: %2 too deep</source>
+        <translation>面 %1：过深 %2</translation>
+    </message>
+    <message>
+        <source>Face %1: %2 left</source>
+        <translation>面 %1：残留 %2</translation>
+    </message>
+    <message>
+        <source>Face %1</source>
+        <translation>面 %1</translation>
+    </message>
+    <message>
+        <source>Cancelled; open the table again to inspect the faces.</source>
+        <translation>已取消；重新打开表格即可检查各面。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FaceTableModel</name>
+    <message>
+        <source>Too small for the voxels: no point of this face was looked at; use smaller voxels</source>
+        <translation>对体素来说太小：这个面上没有取到点；可改用更小的体素</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>Number in the order of the part&apos;s file</source>
+        <translation>按零件文件中的顺序编号</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Shape of the face, with its diameter</source>
+        <translation>面的形状及其直径</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>面积</translation>
+    </message>
+    <message>
+        <source>Area of the whole face</source>
+        <translation>整个面的面积</translation>
+    </message>
+    <message>
+        <source>Worst gouge</source>
+        <translation>最深过切</translation>
+    </message>
+    <message>
+        <source>Deepest cut into the part on this face</source>
+        <translation>这个面上切入零件最深之处</translation>
+    </message>
+    <message>
+        <source>Most left</source>
+        <translation>最大残料</translation>
+    </message>
+    <message>
+        <source>Most stock beyond the allowance, where a tool of the program could reach it</source>
+        <translation>超出余量的最大残料（程序中的刀具能够到达之处）</translation>
+    </message>
+    <message>
+        <source>In tolerance</source>
+        <translation>公差内</translation>
+    </message>
+    <message>
+        <source>Share of the face that is within tolerance</source>
+        <translation>这个面在公差内的比例</translation>
+    </message>
+    <message>
+        <source>Gouged</source>
+        <translation>过切</translation>
+    </message>
+    <message>
+        <source>Share of the face with gouges deeper than the tolerance</source>
+        <translation>过切深度超过公差的比例</translation>
+    </message>
+    <message>
+        <source>Too much left</source>
+        <translation>残料过多</translation>
+    </message>
+    <message>
+        <source>Share of the face with more stock than the tolerance allows</source>
+        <translation>残料超过公差的比例</translation>
+    </message>
+    <message>
+        <source>Out of reach</source>
+        <translation>刀具够不到</translation>
+    </message>
+    <message>
+        <source>Share of the face with stock that no tool of the program can reach</source>
+        <translation>程序中没有刀具能到达其残料的比例</translation>
     </message>
 </context>
 <context>
@@ -11159,6 +11379,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>
             <numerusform>%n个圆弧已转换为直线，误差不超过 0.001 mm；“拟合圆弧”可恢复它们。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>The table of faces was written to “%1”.</source>
+        <translation>面的表格已写入“%1”。</translation>
     </message>
 </context>
 <context>

@@ -21,24 +21,6 @@ nlohmann::json jsonOf(const glm::dvec3& place) {
     return {place.x, place.y, place.z};
 }
 
-const char* idOf(MeasuredFace::Kind kind) {
-    switch (kind) {
-    case MeasuredFace::Kind::plane:
-        return "plane";
-    case MeasuredFace::Kind::cylinder:
-        return "cylinder";
-    case MeasuredFace::Kind::cone:
-        return "cone";
-    case MeasuredFace::Kind::sphere:
-        return "sphere";
-    case MeasuredFace::Kind::torus:
-        return "torus";
-    case MeasuredFace::Kind::other:
-        break;
-    }
-    return "other";
-}
-
 nlohmann::json jsonOf(const std::optional<double>& value) {
     return value ? nlohmann::json(*value) : nlohmann::json();
 }

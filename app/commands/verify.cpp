@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/face_report.h"
 #include "app/report.h"
 #include "app/surroundings.h"
 #include "core/base/file.h"
@@ -29,8 +30,18 @@ struct VerifyArguments {
     double tolerance = 0.02, allowance = 0.0;
     std::optional<double> excess, until;
     std::size_t exactSamples = 500;
-    std::string workpiece;
+    std::string workpiece, faceTable;
+    bool faces = false;
 };
+
+/// What the map's colours and the faces' shares go by.
+DeviationTolerance shownTolerance(const VerifyArguments& arguments) {
+    DeviationTolerance tolerance;
+    tolerance.gouge = arguments.tolerance;
+    if (arguments.excess.value_or(0.0) > 0.0) tolerance.excess = *arguments.excess;
+    tolerance.allowance = arguments.allowance;
+    return tolerance;
+}
 
 /// The requested tool, or that of the first take.
 Result<Tool> chosenTool(const Project& project, const std::string& id) {
@@ -76,6 +87,23 @@ Result<void> writeWorkpiece(const CheckedProgram& checked, const MillingContext&
     return {};
 }
 
+/// How each face of the part came out, the worst first; adds it to the answer, and writes the table that was asked for.
+Result<std::string> inspectFaces(const CheckedProgram& checked, const MillingContext& milling,
+                                 const VerifyArguments& arguments, nlohmann::json& answer, Progress& progress) {
+    const Result<std::vector<PartFacePatch>> patches = partFaces(*milling.partModel, {}, progress);
+    if (!patches) return patches.error();
+    Result<std::vector<FaceQuality>> faces =
+        faceQualities(*patches, checked.report.deviations, shownTolerance(arguments), progress);
+    if (!faces) return std::move(faces).error();
+    sortByQuality(*faces);
+    answer["faces"] = jsonOf(*faces);
+    if (arguments.faceTable.empty()) return textOf(*faces);
+    if (const Result<void> written = writeFileAtomically(arguments.faceTable, faceTable(*faces, ',')); !written)
+        return written.error();
+    answer["face_table"] = std::filesystem::absolute(arguments.faceTable).lexically_normal().string();
+    return textOf(*faces);
+}
+
 int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     const std::array<std::filesystem::path, 2> inputs{arguments.program, arguments.project};
     if (!arguments.map.empty())
@@ -83,6 +111,9 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
             return context.fail(free.error());
     if (!arguments.workpiece.empty())
         if (const Result<void> free = checkOutput("--workpiece", arguments.workpiece, inputs); !free)
+            return context.fail(free.error());
+    if (!arguments.faceTable.empty())
+        if (const Result<void> free = checkOutput("--face-table", arguments.faceTable, inputs); !free)
             return context.fail(free.error());
     Result<std::string> text = readFile(arguments.program);
     if (!text) return context.fail(text.error());
@@ -130,10 +161,15 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     answer["part_warnings"] = doubts;
     answer["tool"] = jsonOf(checked->tools.front());
     answer["work_offset_mm"] = burin::jsonOf(milling->setup.workOffset);
+    std::string faces;
+    if (arguments.faces || !arguments.faceTable.empty()) {
+        context.stage(BURIN_TEXT("Command", "Inspecting the faces"));
+        Result<std::string> inspected = inspectFaces(*checked, *milling, arguments, answer, context.progress());
+        if (!inspected) return context.fail(inspected.error());
+        faces = std::move(*inspected);
+    }
     if (!arguments.map.empty()) {
-        DeviationTolerance tolerance;
-        tolerance.gouge = arguments.tolerance;
-        tolerance.allowance = arguments.allowance;
+        const DeviationTolerance tolerance = shownTolerance(arguments);
         const auto written = writeDeviationMap(checked->report.deviations, tolerance, arguments.map);
         if (!written) return context.fail(written.error());
         answer["map_scale"] = jsonOf(DeviationScale(tolerance));
@@ -143,7 +179,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
         if (const Result<void> written = writeWorkpiece(*checked, *milling, arguments, answer, context.progress());
             !written)
             return context.fail(written.error());
-    context.answer(answer, textOf(*checked, arguments.tolerance, milling->machine) +
+    context.answer(answer, textOf(*checked, arguments.tolerance, milling->machine) + faces +
                                textOfDoubts(*milling->model, milling->embedded));
     return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
@@ -179,6 +215,11 @@ void registerVerify(CommandParser program, CommandContext& context, int& status)
         .showDefault();
     command.option("--map", arguments->map,
                    BURIN_TEXT("Help", "Write the deviation map as a VTK file (.vtp), in the colours of the window"));
+    command.flag("--faces", arguments->faces,
+                 BURIN_TEXT("Help", "List the faces of the part with gouge, stock left and share in tolerance, the "
+                                    "worst first"));
+    command.option("--face-table", arguments->faceTable,
+                   BURIN_TEXT("Help", "Write the list of --faces as a table (.csv)"));
     command.option(
         "--workpiece", arguments->workpiece,
         BURIN_TEXT("Help", "Write the workpiece that the program leaves, in the forms of \"volume export\""));
@@ -187,8 +228,9 @@ void registerVerify(CommandParser program, CommandContext& context, int& status)
                 BURIN_TEXT("Help", "With --workpiece: as it stands at this time of the program, s"))
         .range(0.0, 1e9);
     command
-        .option("--allowance", arguments->allowance,
-                BURIN_TEXT("Help", "Stock to leave on the part, mm: within tolerance in the map's colours"))
+        .option(
+            "--allowance", arguments->allowance,
+            BURIN_TEXT("Help", "Stock to leave on the part, mm: within tolerance in the map's colours and on faces"))
         .range(0.0, 100.0)
         .showDefault();
     addSetupChoice(command, context);

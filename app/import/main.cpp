@@ -84,6 +84,8 @@ burin::WorkerAnswer answerTo(const burin::WorkerRequest& request) {
     if (const auto* face = std::get_if<burin::FaceRequest>(&request)) return toAnswer(burin::findFace(*face));
     if (const auto* measure = std::get_if<burin::MeasureRequest>(&request))
         return toAnswer(burin::measureFaces(*measure));
+    if (const auto* patches = std::get_if<burin::PatchRequest>(&request))
+        return toAnswer(burin::meshFaces(*patches, reportFraction));
     return toAnswer(burin::measureDistances(*std::get_if<burin::DistanceRequest>(&request), reportFraction));
 }
 

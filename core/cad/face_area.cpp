@@ -3,9 +3,9 @@
 #include "core/cad/face_area.h"
 
 #include "core/base/numbers.h"
+#include "core/cad/face_neighbours.h"
 #include "core/geometry/triangle.h"
 
-#include <cmath>
 #include <limits>
 #include <string>
 #include <unordered_map>
@@ -14,9 +14,8 @@ namespace burin {
 
 namespace {
 
-constexpr double reach = 1.0;          // mm, largest distance from a point to its face
-constexpr double leastCosine = 0.9397; // of the angle of a bend, 20 degrees
-constexpr double leastUpwards = 1e-3;  // z of a normal; steeper triangles have no area from above
+constexpr double reach = 1.0;         // mm from a place to its face
+constexpr double leastUpwards = 1e-3; // z of a normal: what is steeper has no area from above
 
 /// A triangle of one of a model's bodies.
 struct Spot {
@@ -43,17 +42,14 @@ Spot nearestSpot(const Model& model, const glm::dvec3& place) {
 /// The face of a mesh that contains a triangle.
 class Face {
 public:
-    explicit Face(const TriangleMesh& mesh) : mesh_(mesh), places_(firstAtSamePlace(mesh)) {
-        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-            for (int side = 0; side < 3; ++side) sides_.emplace(keyOf(i, side), static_cast<std::uint32_t>(i));
-    }
+    explicit Face(const TriangleMesh& mesh) : mesh_(mesh), neighbours_(mesh) {}
 
     /// Returns its outlines, with the material of the face to the left.
     std::vector<PlanRing> outlines(std::size_t from) {
         std::vector<char> on(mesh_.triangles.size(), 0);
         std::vector<std::size_t> open;
         const auto reachTo = [&](std::size_t triangle) {
-            if (on[triangle] || normalOf(triangle).z < leastUpwards) return;
+            if (on[triangle] || neighbours_.normal(triangle).z < leastUpwards) return;
             on[triangle] = 1;
             open.push_back(triangle);
         };
@@ -63,34 +59,17 @@ public:
             const std::size_t triangle = open.back();
             open.pop_back();
             for (int side = 0; side < 3; ++side)
-                if (const auto next = beside(triangle, side)) reachTo(*next);
+                if (const auto next = neighbours_.beside(triangle, side)) reachTo(*next);
         }
         for (std::size_t i = 0; i < on.size(); ++i)
             for (int side = 0; on[i] && side < 3; ++side) {
-                const auto next = beside(i, side);
-                if (!next || !on[*next]) border.emplace(corner(i, side), corner(i, side + 1));
+                const auto next = neighbours_.beside(i, side);
+                if (!next || !on[*next]) border.emplace(neighbours_.corner(i, side), neighbours_.corner(i, side + 1));
             }
         return chained(std::move(border));
     }
 
 private:
-    std::uint32_t corner(std::size_t triangle, int which) const {
-        return places_[mesh_.triangles[triangle][static_cast<std::size_t>(which % 3)]];
-    }
-    std::uint64_t keyOf(std::size_t triangle, int side) const {
-        return std::uint64_t{corner(triangle, side)} << 32 | corner(triangle, side + 1);
-    }
-    glm::dvec3 normalOf(std::size_t triangle) const {
-        const glm::dvec3 normal = areaNormal(cornersOf(mesh_, triangle));
-        const double length = glm::length(normal);
-        return length > 0.0 ? normal / length : glm::dvec3(0.0);
-    }
-    /// Returns the triangle on the other side of an edge, unless the face ends there.
-    std::optional<std::size_t> beside(std::size_t triangle, int side) const {
-        const auto found = sides_.find(std::uint64_t{corner(triangle, side + 1)} << 32 | corner(triangle, side));
-        if (found == sides_.end() || glm::dot(normalOf(triangle), normalOf(found->second)) < leastCosine) return {};
-        return found->second;
-    }
     std::vector<PlanRing> chained(std::unordered_multimap<std::uint32_t, std::uint32_t> border) const {
         std::vector<PlanRing> rings;
         while (!border.empty()) {
@@ -108,8 +87,7 @@ private:
     }
 
     const TriangleMesh& mesh_;
-    std::vector<std::uint32_t> places_;
-    std::unordered_map<std::uint64_t, std::uint32_t> sides_; ///< triangle of each directed side
+    FaceNeighbours neighbours_;
 };
 
 } // namespace

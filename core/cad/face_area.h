@@ -9,8 +9,8 @@
 namespace burin {
 
 /// The area of the model's face at a point, seen from above: everything that can be reached from the point without a
-/// bend of more than 20 degrees, which users take for one face of a B-rep or of a mesh. Frame of the model, mm.
-/// Triangles that are vertical or face down have no area from above and are left out.
+/// sharp bend (FaceNeighbours). Frame of the model, mm. Triangles that are vertical or face down have no area from
+/// above and are left out.
 /// Errors: argumentInvalid (no face lies within 1 mm of the point, or it has no area from above).
 /// Cost: linear in the triangles of the body.
 Result<PlanRegion> faceArea(const Model& model, const glm::dvec3& place);

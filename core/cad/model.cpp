@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/model.h"
 
-#include <utility>
+#include "core/geometry/mesh_parts.h"
 
 namespace burin {
 
@@ -21,9 +21,7 @@ Box placedBox(const Body& placedBody, const Box& before, double chord, const Pla
 }
 
 void place(Body& body, double chord, const Placement& placement) {
-    for (glm::dvec3& vertex : body.mesh.vertices) vertex = placement.point(vertex);
-    if (mirrors(placement)) // the corners that were counter-clockwise seen from outside are clockwise now
-        for (auto& triangle : body.mesh.triangles) std::swap(triangle[1], triangle[2]);
+    place(body.mesh, placement);
     body.box = placedBox(body, body.box, chord, placement);
 }
 

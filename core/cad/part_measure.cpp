@@ -91,6 +91,24 @@ void moveTo(const Placement& placement, MeasuredFace& face) {
 
 } // namespace
 
+const char* idOf(MeasuredFace::Kind kind) {
+    switch (kind) {
+    case Kind::plane:
+        return "plane";
+    case Kind::cylinder:
+        return "cylinder";
+    case Kind::cone:
+        return "cone";
+    case Kind::sphere:
+        return "sphere";
+    case Kind::torus:
+        return "torus";
+    case Kind::other:
+        break;
+    }
+    return "other";
+}
+
 MeasuredPair pairOf(const MeasuredFace& from, const MeasuredFace& to) {
     MeasuredPair pair;
     pair.places = glm::distance(from.place, to.place);

@@ -25,6 +25,9 @@ struct MeasuredFace {
     std::optional<double> thickness{};
 };
 
+/// Stable id of a kind, for JSON: "plane", "cylinder", …
+const char* idOf(MeasuredFace::Kind kind);
+
 /// The relation of two measured faces.
 struct MeasuredPair {
     double places = 0.0;  ///< mm, between both points

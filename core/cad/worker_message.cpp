@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::uint32_t requestMark = 0x51525542; // "BURQ"
 constexpr std::uint32_t frameMark = 0x46525542;   // "BURF"
-constexpr std::uint32_t messageVersion = 6;
+constexpr std::uint32_t messageVersion = 7;
 
-enum class FrameKind : std::uint32_t { progress, error, model, distances, edges, face, preview, measure };
+enum class FrameKind : std::uint32_t { progress, error, model, distances, edges, face, preview, measure, patches };
 
 struct FrameHead {
     std::uint32_t mark = frameMark;
@@ -270,6 +270,38 @@ std::optional<PartMeasure> readMeasure(ByteReader& from) {
     return measure;
 }
 
+void write(ByteWriter& to, const std::vector<PartFacePatch>& patches) {
+    to.value(static_cast<std::uint64_t>(patches.size()));
+    for (const PartFacePatch& patch : patches) {
+        to.value(patch.kind);
+        to.value(patch.radius);
+        to.value(patch.area);
+        to.list(patch.mesh.vertices);
+        to.list(patch.mesh.triangles);
+    }
+}
+
+bool isSound(const PartFacePatch& patch) {
+    return patch.kind <= MeasuredFace::Kind::other && std::isfinite(patch.radius) && std::isfinite(patch.area) &&
+           isSoundMesh(patch.mesh);
+}
+
+std::optional<std::vector<PartFacePatch>> readPatches(ByteReader& from) {
+    constexpr std::size_t leastPatch = 33; // bytes
+    std::vector<PartFacePatch> patches;
+    for (std::uint64_t left = from.count(leastPatch); left > 0; --left) {
+        PartFacePatch& patch = patches.emplace_back();
+        patch.kind = from.value<MeasuredFace::Kind>();
+        patch.radius = from.value<double>();
+        patch.area = from.value<double>();
+        patch.mesh.vertices = from.list<glm::dvec3>();
+        patch.mesh.triangles = from.list<std::array<std::uint32_t, 3>>();
+        if (!from.good() || !isSound(patch)) return std::nullopt;
+    }
+    if (!from.finished()) return std::nullopt;
+    return patches;
+}
+
 std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
     ByteReader from(bytes);
     switch (kind) {
@@ -307,6 +339,11 @@ std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
     case FrameKind::measure: {
         std::optional<PartMeasure> measure = readMeasure(from);
         if (measure) return WorkerAnswer(*measure);
+        return std::nullopt;
+    }
+    case FrameKind::patches: {
+        std::optional<std::vector<PartFacePatch>> patches = readPatches(from);
+        if (patches) return WorkerAnswer(std::move(*patches));
         return std::nullopt;
     }
     case FrameKind::preview: {
@@ -351,6 +388,10 @@ FrameKind writeFrame(ByteWriter& to, const WorkerFrame& frame) {
         write(to, *measure);
         return FrameKind::measure;
     }
+    if (const auto* patches = std::get_if<std::vector<PartFacePatch>>(&answer)) {
+        write(to, *patches);
+        return FrameKind::patches;
+    }
     to.list(*std::get_if<std::vector<double>>(&answer));
     return FrameKind::distances;
 }
@@ -384,6 +425,11 @@ std::string encodeRequest(const WorkerRequest& request) {
         to.text(measure->brep);
         to.list(measure->solids);
         to.list(measure->places);
+    } else if (const auto* patches = std::get_if<PatchRequest>(&request)) {
+        to.text(patches->brep);
+        to.list(patches->solids);
+        to.value(patches->chord);
+        to.value(static_cast<std::uint8_t>(patches->careful));
     }
     return to.take();
 }
@@ -420,6 +466,13 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
         measure.solids = from.list<std::uint32_t>();
         measure.places = from.list<glm::dvec3>();
         request = std::move(measure);
+    } else if (kind == 5) {
+        PatchRequest patches;
+        patches.brep = from.text();
+        patches.solids = from.list<std::uint32_t>();
+        patches.chord = from.value<double>();
+        patches.careful = from.value<std::uint8_t>() != 0;
+        request = std::move(patches);
     } else {
         FaceRequest face;
         face.brep = from.text();
@@ -447,7 +500,7 @@ std::optional<WorkerFrame> FrameReader::next() {
     if (damaged_ || waiting_.size() < sizeof(FrameHead)) return std::nullopt;
     FrameHead head;
     std::memcpy(&head, waiting_.data(), sizeof head);
-    if (head.mark != frameMark || head.version != messageVersion || head.kind > FrameKind::measure) {
+    if (head.mark != frameMark || head.version != messageVersion || head.kind > FrameKind::patches) {
         damaged_ = true;
         return std::nullopt;
     }

@@ -7,6 +7,7 @@
 #include "core/cad/model_preview.h"
 #include "core/cad/part_edge.h"
 #include "core/cad/part_face.h"
+#include "core/cad/part_faces.h"
 #include "core/cad/part_measure.h"
 
 #include <glm/glm.hpp>
@@ -61,10 +62,20 @@ struct MeasureRequest {
     std::vector<glm::dvec3> places;    ///< mm
 };
 
-using WorkerRequest = std::variant<ReadRequest, DistanceRequest, EdgeRequest, FaceRequest, MeasureRequest>;
+/// Mesh each face by itself and measure it.
+struct PatchRequest {
+    std::string brep;                  ///< `Model::brep`
+    std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
+    double chord = 0.005;              ///< mm
+    bool careful = false;              ///< as ReadRequest::careful
+};
+
+using WorkerRequest =
+    std::variant<ReadRequest, DistanceRequest, EdgeRequest, FaceRequest, MeasureRequest, PatchRequest>;
 
 /// The result that ends the program's work.
-using WorkerAnswer = std::variant<Error, Model, std::vector<double>, std::vector<PartEdge>, PartFace, PartMeasure>;
+using WorkerAnswer = std::variant<Error, Model, std::vector<double>, std::vector<PartEdge>, PartFace, PartMeasure,
+                                  std::vector<PartFacePatch>>;
 
 /// The progress of the program, 0 … 1.
 struct WorkerProgress {

@@ -124,17 +124,25 @@ std::optional<DeviationSample> DeviationMap::meanAt(const glm::dvec3& place, con
     return DeviationSample{place, most.excess / most.weight, gouge, reachable};
 }
 
+double& DeviationMap::Shares::of(DeviationBand band) noexcept {
+    switch (band) {
+    case DeviationBand::gouge:
+        return gouge;
+    case DeviationBand::inTolerance:
+        return inTolerance;
+    case DeviationBand::excess:
+        return excess;
+    case DeviationBand::unreachable:
+        break;
+    }
+    return unreachable;
+}
+
 DeviationMap::Shares DeviationMap::shares(const DeviationTolerance& tolerance) const {
     Shares shares;
     if (samples_.empty()) return shares;
     const double one = 1.0 / static_cast<double>(samples_.size());
-    for (const DeviationSample& sample : samples_) {
-        const DeviationBand band = bandOf(sample, tolerance);
-        (band == DeviationBand::gouge         ? shares.gouge
-         : band == DeviationBand::inTolerance ? shares.inTolerance
-         : band == DeviationBand::excess      ? shares.excess
-                                              : shares.unreachable) += one;
-    }
+    for (const DeviationSample& sample : samples_) shares.of(bandOf(sample, tolerance)) += one;
     return shares;
 }
 

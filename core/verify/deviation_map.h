@@ -52,6 +52,7 @@ public:
     /// Shares of the area in each band, estimated by the number of samples.
     struct Shares {
         double gouge = 0.0, inTolerance = 0.0, excess = 0.0, unreachable = 0.0; ///< 0 … 1, together 1 or all 0
+        double& of(DeviationBand band) noexcept;
     };
     Shares shares(const DeviationTolerance& tolerance) const;
 

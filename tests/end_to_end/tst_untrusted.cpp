@@ -153,6 +153,8 @@ void UntrustedTest::outputsNeverReplaceInputs_data() {
     QTest::newRow("post") << QStringList{"post", "p.burin", "-o", "OUTPUT"};
     QTest::newRow("picture") << QStringList{"picture", "p.burin", "-o", "OUTPUT"};
     QTest::newRow("verify") << QStringList{"verify", "program.ngc", "--project", "p.burin", "--map", "OUTPUT"};
+    QTest::newRow("verify faces") << QStringList{"verify",  "program.ngc",  "--project",
+                                                 "p.burin", "--face-table", "OUTPUT"};
     QTest::newRow("mill") << QStringList{"mill", "p.burin", "--stylus", "trace:hand.csv", "--trace", "OUTPUT"};
 }
 

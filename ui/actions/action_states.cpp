@@ -78,6 +78,8 @@ void ActionStates::update() {
     enable(ActionId::findInProgram, !workbench.program.storedText().isEmpty());
     enable(ActionId::overrideCheck, workbench.program.refused() && !workbench.program.busy());
     enable(ActionId::restart, workbench.program.restartable());
+    const std::shared_ptr<const CheckedProgram> judged = workbench.program.upToDate();
+    enable(ActionId::inspectFaces, judged && !judged->report.deviations.empty()); // a kept verdict is without
     enable(ActionId::playTime, workbench.time.possible() && !showing);
     enable(ActionId::addMarker, workbench.time.possible() && !showing && !workbench.time.showsProgram());
     const std::int64_t take = showing ? 0 : workbench.mill.chosenTake();

@@ -273,6 +273,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Export the rest of the program from the selected line, with a safe re-entry into "
                                      "the cut, for example after tool breakage."),
         "F8"},
+    Row{ActionId::inspectFaces, "facesAction", QT_TRANSLATE_NOOP("Actions", "F&aces of the part…"),
+        QT_TRANSLATE_NOOP("Actions", "List the faces of the part with the gouges and the stock that the program leaves "
+                                     "on each; a click shows the worst point."),
+        "Ctrl+Shift+J"},
     Row{ActionId::materials, "materialsAction", QT_TRANSLATE_NOOP("Actions", "Mate&rials…"),
         QT_TRANSLATE_NOOP("Actions", "Look at, copy, change, add and calibrate materials."), "Ctrl+Shift+T"},
     Row{ActionId::tools, "toolsAction", QT_TRANSLATE_NOOP("Actions", "&Tools…"),

@@ -112,6 +112,7 @@ enum class ActionId : std::size_t {
     duplicateTake,
     overrideCheck,
     restart,
+    inspectFaces,
     machines,
     tools,
     materials,

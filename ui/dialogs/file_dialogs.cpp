@@ -145,6 +145,11 @@ QString askPictureToExport(QWidget* parent, const QString& folder, const QString
                      FileDialogs::tr("Pictures (*.png)"));
 }
 
+QString askFacesToExport(QWidget* parent, const QString& folder, const QString& name) {
+    return askToSave(parent, FileDialogs::tr("Export the table of faces"), folder, name, QStringLiteral("csv"),
+                     FileDialogs::tr("Tables (*.csv)"));
+}
+
 QString askSheetToExport(QWidget* parent, const QString& folder, const QString& name) {
     return askToSave(parent, FileDialogs::tr("Export the setup sheet"), folder, name, QStringLiteral("html"),
                      FileDialogs::tr("Web pages (*.html)"));

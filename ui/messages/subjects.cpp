@@ -83,6 +83,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "voxel"),
     BURIN_TEXT("Subject", "margin"),
     BURIN_TEXT("Subject", "part"),
+    BURIN_TEXT("Subject", "faces"),
     BURIN_TEXT("Subject", "test force"),
     BURIN_TEXT("Subject", "stock"),
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/deviation_card.h"
 
+#include "ui/panels/buttons.h"
 #include "ui/panels/deviation_legend.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"
@@ -21,6 +22,7 @@ namespace burin {
 DeviationCard::DeviationCard(QWidget* parent)
     : QFrame(parent)
     , switch_(new QCheckBox(tr("Show the deviation"), this))
+    , faces_(makeButton(tr("Faces…"), {}, QStringLiteral("facesButton"), this))
     , legend_(new DeviationLegend(this))
     , under_(makeWrappedLabel(this))
     , bands_(new RowList(this)) {
@@ -38,7 +40,12 @@ DeviationCard::DeviationCard(QWidget* parent)
     under_->setObjectName(QStringLiteral("deviationUnderPointer"));
     under_->setProperty("look", "small");
     under_->setFont(numberFont(under_->font()));
-    column->addWidget(switch_);
+    auto* top = new QHBoxLayout;
+    top->addWidget(switch_, 1);
+    top->addWidget(faces_);
+    column->addLayout(top);
+    connect(faces_, &QPushButton::clicked, this, &DeviationCard::facesWanted);
+    setFacesPossible(true);
     column->addWidget(legend_);
     column->addWidget(under_);
     column->addWidget(bands_);
@@ -67,6 +74,11 @@ void DeviationCard::showOn(bool on) {
     bands_->setVisible(on);
     under_->setVisible(on);
     refresh();
+}
+
+void DeviationCard::setFacesPossible(bool possible) {
+    enableUnless(faces_, possible ? QString() : tr("Something has changed since the check; post and check it again"),
+                 tr("Lists the faces of the part with gouges and stock left on each"));
 }
 
 /// The legend opens below the visible area.

@@ -11,6 +11,7 @@
 
 class QCheckBox;
 class QLabel;
+class QPushButton;
 
 namespace burin {
 
@@ -26,11 +27,13 @@ public:
     void setUnit(LengthUnit unit);
     void setShares(const DeviationMap::Shares& shares, const DeviationTolerance& tolerance);
     void showOn(bool on); ///< never emits
+    void setFacesPossible(bool possible);
     /// @param sample under the pointer; std::nullopt if there is none
     void showUnderPointer(const std::optional<DeviationSample>& sample);
 
 signals:
     void switched(bool on); ///< by the user
+    void facesWanted();     ///< the table of the part's faces
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -40,6 +43,7 @@ private:
     void scrollIntoView();
 
     QCheckBox* switch_;
+    QPushButton* faces_;
     DeviationLegend* legend_;
     QLabel* under_;
     RowList* bands_;

@@ -56,6 +56,24 @@ QStringList faceSentences(const MeasuredFace& face, const glm::dvec3& zero, Leng
 
 } // namespace
 
+QString kindText(MeasuredFace::Kind kind, double radius, LengthUnit unit) {
+    switch (kind) {
+    case Kind::plane:
+        return MeasureWords::tr("Plane");
+    case Kind::cylinder:
+        return MeasureWords::tr("Cylinder, Ø %1").arg(lengthText(2.0 * radius, unit));
+    case Kind::cone:
+        return MeasureWords::tr("Cone");
+    case Kind::sphere:
+        return MeasureWords::tr("Sphere, Ø %1").arg(lengthText(2.0 * radius, unit));
+    case Kind::torus:
+        return MeasureWords::tr("Torus, tube Ø %1").arg(lengthText(2.0 * radius, unit));
+    case Kind::other:
+        break;
+    }
+    return MeasureWords::tr("Free-form face");
+}
+
 QString mainFigure(const PartMeasure& measure, LengthUnit unit) {
     if (measure.pair) {
         if (measure.pair->apart) return lengthText(*measure.pair->apart, unit);

@@ -42,9 +42,7 @@ void DeviationPresenter::setUnit(LengthUnit unit) {
 }
 
 void DeviationPresenter::present() {
-    const ProgramController& program = workbench_.program;
-    const bool fits = program.program() && !program.edited() && !program.outdated() && workbench_.workpiece.milling();
-    const bool otherScale = take(fits ? program.program() : nullptr);
+    const bool otherScale = take(workbench_.program.upToDate());
     const bool other = std::exchange(otherMap_, false) || otherScale;
     const bool drawn = shown_ && on_ && mapped_ && !workbench_.mill.active();
     if (drawn && (other || !drawn_))

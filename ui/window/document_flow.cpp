@@ -358,6 +358,16 @@ void DocumentFlow::exportPicture(const QImage& picture) {
         emit pictureExported(file);
 }
 
+void DocumentFlow::exportFaces(const std::string& table) {
+    const QString file = askFacesToExport(&window_, folder(), jobName(workbench_) + QStringLiteral("-faces"));
+    if (file.isEmpty()) return;
+    keepFolder(file);
+    if (const Result<void> written = writeFileAtomically(pathOf(file), table); !written)
+        emit workbench_.failed(written.error());
+    else
+        emit facesExported(file);
+}
+
 void DocumentFlow::exportWorkpiece() {
     if (!workbench_.workpiece.embedded() || workbench_.session.running()) return;
     const QString name = QFileInfo(workbench_.document.title()).completeBaseName();

@@ -42,7 +42,8 @@ public:
     void exportSheet();
     /// Asks for a file and writes a picture to it.
     void exportPicture(const QImage& picture);
-    void addProgramPath(); ///< asks for the program
+    void exportFaces(const std::string& table); ///< asks for a file and writes the table of the part's faces to it
+    void addProgramPath();                      ///< asks for the program
     /// Makes the remaining program from a line of its text on; asks for the file once it passed its check.
     void restartProgram(int line);
 
@@ -62,6 +63,7 @@ signals:
     void exported(const QString& file);    ///< a program
     void workpieceExported(const QString& file);
     void pictureExported(const QString& file);
+    void facesExported(const QString& file);
     void restartExported(int line, const QString& file);
 
 private:

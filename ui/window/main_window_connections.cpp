@@ -231,6 +231,11 @@ void MainWindow::connectWorkbench() {
     connect(&flow_, &DocumentFlow::pictureExported, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed, tr("The picture was written to “%1”.").arg(QFileInfo(file).fileName()));
     });
+    connect(&presenters_->faces, &FacePresenter::exportRequested, &flow_, &DocumentFlow::exportFaces);
+    connect(&flow_, &DocumentFlow::facesExported, this, [this](const QString& file) {
+        message_->tell(Notice::Kind::passed,
+                       tr("The table of faces was written to “%1”.").arg(QFileInfo(file).fileName()));
+    });
     connect(&workbench_.sheet, &SheetController::written, this, [this](const QString& file) {
         message_->tell(Notice::Kind::passed,
                        tr("The setup sheet was written to “%1”.").arg(QFileInfo(file).fileName()));

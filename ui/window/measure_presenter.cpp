@@ -48,6 +48,11 @@ void MeasurePresenter::ask(bool wanted) {
     presentSoon();
 }
 
+void MeasurePresenter::setOtherMark(const std::optional<MeasureMark>& mark) {
+    other_ = mark;
+    presentSoon();
+}
+
 void MeasurePresenter::present() {
     const bool possible = workbench_.setup.hasPart() && !workbench_.model.preview() && !workbench_.mill.active();
     picker_.setModel(possible ? workbench_.setup.part() : nullptr);
@@ -57,7 +62,7 @@ void MeasurePresenter::present() {
         action_->setChecked(asking_);
     }
     const std::shared_ptr<const PartMeasure> measure = workbench_.measure.measure();
-    viewport_.setMeasureMark(measure ? std::optional(markOf(*measure)) : std::nullopt);
+    viewport_.setMeasureMark(measure ? std::optional(markOf(*measure)) : other_);
     if (std::exchange(told_, measure) != measure && measure)
         emit told(measureText(*measure, workbench_.setup.setup().workOffset, unit()));
 }

@@ -23,6 +23,8 @@ class MeasurePresenter final : public Presenter {
 public:
     MeasurePresenter(Workbench& workbench, Viewport& viewport, QObject* parent);
     void connectActions(const Actions& actions);
+    /// What stands in the view as long as nothing is measured; nothing: none.
+    void setOtherMark(const std::optional<MeasureMark>& mark);
     void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
 
 signals:
@@ -38,6 +40,7 @@ private:
     QAction* action_ = nullptr;
     InteractiveTool* before_ = nullptr; ///< the view's previous tool
     std::shared_ptr<const PartMeasure> told_;
+    std::optional<MeasureMark> other_;
     bool asking_ = false;
 };
 

@@ -57,9 +57,9 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     addMenu(bar, tr("&Path"), "pathMenu", actions,
             {newPath, newPass, programPath, measurePasses, brushArea, lassoArea, faceArea, clearArea, evaluatePath,
              comparePaths, line, drawStretch, drawEdit});
-    addMenu(
-        bar, tr("P&rogram"), "programMenu", actions,
-        {post, exportProgram, overrideCheck, restart, line, findInProgram, breakpoint, programDock, line, machines});
+    addMenu(bar, tr("P&rogram"), "programMenu", actions,
+            {post, exportProgram, overrideCheck, restart, inspectFaces, line, findInProgram, breakpoint, programDock,
+             line, machines});
     addMenu(bar, tr("&Help"), "helpMenu", actions, {help, welcome, keyList, about});
     setRecentFiles({});
 }

@@ -36,6 +36,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , measure(workbench, stage.viewport, this)
     , tree(workbench, stage.tree, scene, this)
     , excess(workbench, stage.viewport, this)
+    , faces(workbench, stage.viewport, stage.panels.program->deviation(), this)
     , comparison(workbench, stage.viewport, this) {
     connect(&scene, &ScenePresenter::hiddenBodiesChanged, this, [this](const std::set<std::size_t>& bodies) {
         part.setHiddenBodies(bodies);
@@ -52,6 +53,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     connect(&workbench.time, &TimeController::breakpointsChanged, stage.panels.program,
             [&time = workbench.time, panel = stage.panels.program] { panel->setBreakpoints(time.breakpoints()); });
     connect(&time, &TimePresenter::lineReached, &programScene, &ProgramScenePresenter::followLine);
+    connect(&faces, &FacePresenter::marked, &measure, &MeasurePresenter::setOtherMark);
     connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);
 }
 
@@ -69,6 +71,7 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
     time.connectActions(actions);
     measure.connectActions(actions);
     excess.connectActions(actions);
+    faces.connectActions(actions);
     comparison.connectActions(actions);
 }
 
@@ -77,7 +80,7 @@ void Presenters::setUnit(LengthUnit unit) {
              &part,      &setups, &stock,        &zero,    &material, &layers,     &tool,
              &allowance, &mill,   &surroundings, &guides,  &hand,     &pathScene,  &path,
              &program,   &meters, &status,       &job,     &scene,    &guideScene, &programScene,
-             &deviation, &area,   &time,         &measure, &tree,     &excess,     &comparison})
+             &deviation, &area,   &time,         &measure, &tree,     &excess,     &faces,      &comparison})
         presenter->setUnit(unit);
 }
 

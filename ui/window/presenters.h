@@ -6,6 +6,7 @@
 #include "ui/window/comparison_presenter.h"
 #include "ui/window/deviation_presenter.h"
 #include "ui/window/excess_presenter.h"
+#include "ui/window/face_presenter.h"
 #include "ui/window/guide_presenter.h"
 #include "ui/window/guide_scene_presenter.h"
 #include "ui/window/hand_presenter.h"
@@ -74,6 +75,7 @@ public:
     MeasurePresenter measure;
     TreePresenter tree;
     ExcessPresenter excess;
+    FacePresenter faces;
     ComparisonPresenter comparison;
 };
 

@@ -120,6 +120,10 @@ bool ProgramController::outdated() const {
            kept.excessTolerance != excessTolerance_ || basis_.leftOut != leftOut_;
 }
 
+std::shared_ptr<const CheckedProgram> ProgramController::upToDate() const {
+    return program_ && !edited_ && !outdated() && workpiece_.milling() ? program_ : nullptr;
+}
+
 void ProgramController::judgeReopened() {
     if (!reopened_) return;
     desk_.project.ask([kept = reopened_->kept](Project& project) { return isJudgedSo(project, kept); },

@@ -49,7 +49,8 @@ enum class TaskKind {
     time,
     programTime,
     keeping,
-    punchingIn
+    punchingIn,
+    faces
 };
 
 /// A task as the status line shows it.

@@ -48,7 +48,8 @@ Workbench::Workbench(QObject* parent)
     , setups(desk_, {document, setup, workpiece, program, target}, this)
     , sheet(desk_, this)
     , time(desk_, workpiece, session, mill, this)
-    , keeper(desk_, workpiece, session, mill, this) {
+    , keeper(desk_, workpiece, session, mill, this)
+    , faces(desk_, this) {
     wire();
 }
 
@@ -63,7 +64,7 @@ std::vector<Controller*> Workbench::controllers() {
     return {&document,     &model,   &setup,        &material,   &tool,   &target,       &workpiece,
             &styluses,     &session, &deviceTester, &viewDevice, &mill,   &surroundings, &guides,
             &hand,         &showMe,  &path,         &area,       &passes, &passMeasurer, &pathValuer,
-            &pathComparer, &measure, &program,      &setups,     &sheet,  &time,         &keeper};
+            &measure,  &program, &setups,       &sheet,      &time,   &keeper,       &faces, &pathComparer};
 }
 
 void Workbench::wire() {
@@ -137,6 +138,7 @@ void Workbench::load(const ProjectContents& contents) {
     pathComparer.close();
     time.forget();
     keeper.forget();
+    faces.forget();
     path.load(contents.paths, contents.takes, contents.generated);
     lockSetup();
     program.load(contents.programs, contents.programDraft, contents.keptProgram);

@@ -6,6 +6,7 @@
 #include "ui/workbench/area_controller.h"
 #include "ui/workbench/device_tester.h"
 #include "ui/workbench/document_controller.h"
+#include "ui/workbench/face_controller.h"
 #include "ui/workbench/hand_controller.h"
 #include "ui/workbench/material_controller.h"
 #include "ui/workbench/measure_controller.h"
@@ -76,6 +77,7 @@ public:
     SheetController sheet;
     TimeController time;
     WorkpieceKeeper keeper;
+    FaceController faces;
 
     std::vector<Controller*> controllers();
     TaskRunner& tasks() noexcept { return tasks_; }

@@ -38,29 +38,6 @@ void describe(MeasuredFace& face, Kind kind, const gp_Ax1& axis, double radius) 
     face.radius = radius;
 }
 
-void describeShape(MeasuredFace& face, const NearestFace& nearest) {
-    const BRepAdaptor_Surface surface(nearest.face);
-    switch (surface.GetType()) {
-    case GeomAbs_Cylinder:
-        describe(face, Kind::cylinder, surface.Cylinder().Axis(), surface.Cylinder().Radius());
-        return;
-    case GeomAbs_Cone:
-        describe(face, Kind::cone, surface.Cone().Axis(), gp_Lin(surface.Cone().Axis()).Distance(nearest.foot));
-        face.taper = std::abs(surface.Cone().SemiAngle());
-        return;
-    case GeomAbs_Torus:
-        describe(face, Kind::torus, surface.Torus().Axis(), surface.Torus().MinorRadius());
-        return;
-    case GeomAbs_Sphere:
-        face.kind = Kind::sphere;
-        face.axisPlace = toVector(surface.Sphere().Location().XYZ());
-        face.radius = surface.Sphere().Radius();
-        return;
-    default:
-        if (GeomLib_IsPlanarSurface(BRep_Tool::Surface(nearest.face), flat).IsPlanar()) face.kind = Kind::plane;
-    }
-}
-
 /// Returns the distance from the foot straight in to the next surface.
 std::optional<double> thicknessAt(const TopoDS_Shape& shape, const MeasuredFace& face) {
     if (face.normal == glm::dvec3(0.0)) return std::nullopt;
@@ -80,7 +57,7 @@ MeasuredFace measured(const TopoDS_Shape& shape, const NearestFace& nearest, con
     face.place = toVector(nearest.foot.XYZ());
     face.corner = toVector(cornerAt(nearest, asked).XYZ());
     face.normal = normalAt(nearest);
-    describeShape(face, nearest);
+    describeShape(face, nearest.face, nearest.foot);
     if (face.kind == Kind::plane && face.normal == glm::dvec3(0.0)) face.kind = Kind::other;
     GProp_GProps properties;
     BRepGProp::SurfaceProperties(nearest.face, properties);
@@ -90,6 +67,29 @@ MeasuredFace measured(const TopoDS_Shape& shape, const NearestFace& nearest, con
 }
 
 } // namespace
+
+void describeShape(MeasuredFace& face, const TopoDS_Face& shape, const gp_Pnt& on) {
+    const BRepAdaptor_Surface surface(shape);
+    switch (surface.GetType()) {
+    case GeomAbs_Cylinder:
+        describe(face, Kind::cylinder, surface.Cylinder().Axis(), surface.Cylinder().Radius());
+        return;
+    case GeomAbs_Cone:
+        describe(face, Kind::cone, surface.Cone().Axis(), gp_Lin(surface.Cone().Axis()).Distance(on));
+        face.taper = std::abs(surface.Cone().SemiAngle());
+        return;
+    case GeomAbs_Torus:
+        describe(face, Kind::torus, surface.Torus().Axis(), surface.Torus().MinorRadius());
+        return;
+    case GeomAbs_Sphere:
+        face.kind = Kind::sphere;
+        face.axisPlace = toVector(surface.Sphere().Location().XYZ());
+        face.radius = surface.Sphere().Radius();
+        return;
+    default:
+        if (GeomLib_IsPlanarSurface(BRep_Tool::Surface(shape), flat).IsPlanar()) face.kind = Kind::plane;
+    }
+}
 
 Result<PartMeasure> faceMeasure(const TopoDS_Shape& shape, std::span<const glm::dvec3> places) {
     std::vector<NearestFace> nearest;

@@ -7,9 +7,14 @@
 
 #include <span>
 
+class TopoDS_Face;
 class TopoDS_Shape;
+class gp_Pnt;
 
 namespace burin {
+
+/// Sets kind, axis, radius and taper of a face. @param on mm, a point of the face: where the radius of a cone is taken
+void describeShape(MeasuredFace& face, const TopoDS_Face& shape, const gp_Pnt& on);
 
 /// Measures the faces that are nearest to one or two points, mm, in the shape's frame. Errors: fileDamaged.
 Result<PartMeasure> faceMeasure(const TopoDS_Shape& shape, std::span<const glm::dvec3> places);

@@ -7,6 +7,7 @@
 #include "core/cad/reader/exact_distance.h"
 #include "core/cad/reader/face_at.h"
 #include "core/cad/reader/face_measure.h"
+#include "core/cad/reader/face_patches.h"
 #include "core/cad/reader/file_format.h"
 #include "core/cad/reader/measure.h"
 #include "core/cad/reader/model_size.h"
@@ -141,6 +142,14 @@ Result<PartMeasure> measureFaces(const MeasureRequest& request) {
         const Result<TopoDS_Shape> shape = shapeOf(request.brep, request.solids);
         if (!shape) return shape.error();
         return faceMeasure(*shape, request.places);
+    });
+}
+
+Result<std::vector<PartFacePatch>> meshFaces(const PatchRequest& request, const std::function<void(double)>& report) {
+    return guarded<std::vector<PartFacePatch>>([&]() -> Result<std::vector<PartFacePatch>> {
+        const Result<TopoDS_Shape> shape = shapeOf(request.brep, request.solids);
+        if (!shape) return shape.error();
+        return facePatches(*shape, request.chord, request.careful, report);
     });
 }
 

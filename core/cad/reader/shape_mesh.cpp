@@ -56,15 +56,21 @@ double loopArea(const std::vector<PolygonCorner>& loop) {
 
 } // namespace
 
+std::vector<TopoDS_Face> meshedFaces(const TopoDS_Shape& shape) {
+    std::vector<TopoDS_Face> faces;
+    for (TopExp_Explorer each(shape, TopAbs_FACE); each.More(); each.Next()) {
+        const TopoDS_Face face = TopoDS::Face(each.Current());
+        if (face.Orientation() == TopAbs_FORWARD || face.Orientation() == TopAbs_REVERSED) faces.push_back(face);
+    }
+    return faces;
+}
+
 ShapeMesh::ShapeMesh(const TopoDS_Shape& shape, double chord) : chord_(chord) {
     TopExp::MapShapes(shape, TopAbs_EDGE, edges_);
     TopExp::MapShapes(shape, TopAbs_VERTEX, corners_);
     edgePoints_.resize(static_cast<std::size_t>(edges_.Extent()));
     cornerPoints_.resize(static_cast<std::size_t>(corners_.Extent()), none);
-    for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
-        const TopoDS_Face face = TopoDS::Face(faces.Current());
-        if (face.Orientation() == TopAbs_FORWARD || face.Orientation() == TopAbs_REVERSED) addFace(face);
-    }
+    for (const TopoDS_Face& face : meshedFaces(shape)) addFace(face);
 }
 
 std::uint32_t ShapeMesh::addPoint(const glm::dvec3& point) {
@@ -336,7 +342,7 @@ bool ShapeMesh::fillPlaneFace(std::size_t number) {
     return true;
 }
 
-TriangleMesh ShapeMesh::mesh() const {
+TriangleMesh ShapeMesh::mesh(std::vector<std::uint32_t>* faceOf) const {
     // Points used only by dropped triangles are left out.
     TriangleMesh mesh;
     std::vector<std::uint32_t> numbers(points_.size(), none);
@@ -348,12 +354,14 @@ TriangleMesh ShapeMesh::mesh() const {
         }
         return number;
     };
-    for (const Face& face : faces_)
-        for (const auto& triangle : face.mesh.triangles) {
-            const std::uint32_t a = face.mesh.nodes[triangle[0]], b = face.mesh.nodes[triangle[1]],
-                                c = face.mesh.nodes[triangle[2]];
+    for (std::size_t number = 0; number < faces_.size(); ++number)
+        for (const auto& triangle : faces_[number].mesh.triangles) {
+            const std::vector<std::uint32_t>& nodes = faces_[number].mesh.nodes;
+            const std::uint32_t a = nodes[triangle[0]], b = nodes[triangle[1]], c = nodes[triangle[2]];
             // A pole's nodes are the same point: the triangles between them vanish.
-            if (a != b && b != c && c != a) mesh.triangles.push_back({numberOf(a), numberOf(b), numberOf(c)});
+            if (a == b || b == c || c == a) continue;
+            mesh.triangles.push_back({numberOf(a), numberOf(b), numberOf(c)});
+            if (faceOf != nullptr) faceOf->push_back(static_cast<std::uint32_t>(number));
         }
     return mesh;
 }

@@ -15,6 +15,9 @@
 
 namespace burin {
 
+/// The faces of a shape that bound it, in its order: what ShapeMesh numbers.
+std::vector<TopoDS_Face> meshedFaces(const TopoDS_Shape& shape);
+
 /// The triangles of a meshed shape, face by face, with vertices shared along its edges. They are welded by the
 /// topology, not by distance, so that gaps of the shape stay and no new ones appear.
 class ShapeMesh {
@@ -43,8 +46,9 @@ public:
     /// Refines every face until it is within the chord of its surface.
     void refine();
 
-    /// Returns all faces in one mesh, mm, without unused points.
-    TriangleMesh mesh() const;
+    /// All faces in one mesh, mm, without points that no triangle has. @param faceOf where not null: gets the number of
+    /// the face that each triangle is of
+    TriangleMesh mesh(std::vector<std::uint32_t>* faceOf = nullptr) const;
 
 private:
     struct Face {

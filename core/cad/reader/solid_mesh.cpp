@@ -82,7 +82,7 @@ SolidMesh collect(const TopoDS_Shape& solid, double chord) {
         shape.refine();
         shape.partSharedChords();
     }
-    result.mesh = shape.mesh();
+    result.mesh = shape.mesh(&result.faceOf);
     result.openEdges = countOpenEdges(result.mesh);
     return result;
 }
@@ -135,6 +135,7 @@ SolidMesh meshSolid(const TopoDS_Solid& solid, double chord, const ReportFractio
         const TopoDS_Shape shape = attempts[i].divides ? withoutSeams(solid) : TopoDS_Shape(solid);
         runMesher(shape, attempts[i].part * chord, attempts[i].angle, attempts[i].algorithm, report);
         SolidMesh result = collect(shape, chord);
+        result.divided = attempts[i].divides;
         ++made;
         if (made == 1 || isBetter(result, best)) best = std::move(result);
         if (best.torn.IsNull()) break;

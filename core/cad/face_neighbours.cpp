@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/cad/face_neighbours.h"
+
+#include "core/geometry/triangle.h"
+
+namespace burin {
+
+namespace {
+
+constexpr double leastCosine = 0.9397; // of a bend of 20 degrees
+
+} // namespace
+
+FaceNeighbours::FaceNeighbours(const TriangleMesh& mesh) : mesh_(mesh), places_(firstAtSamePlace(mesh)) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (int side = 0; side < 3; ++side)
+            sides_.emplace(sideFrom(corner(i, side), corner(i, side + 1)), static_cast<std::uint32_t>(i));
+}
+
+std::uint32_t FaceNeighbours::corner(std::size_t triangle, int which) const {
+    return places_[mesh_.triangles[triangle][static_cast<std::size_t>(which % 3)]];
+}
+
+glm::dvec3 FaceNeighbours::normal(std::size_t triangle) const {
+    const auto& corners = mesh_.triangles[triangle];
+    const glm::dvec3 normal =
+        areaNormal({mesh_.vertices[corners[0]], mesh_.vertices[corners[1]], mesh_.vertices[corners[2]]});
+    const double length = glm::length(normal);
+    return length > 0.0 ? normal / length : glm::dvec3(0.0);
+}
+
+std::optional<std::size_t> FaceNeighbours::beside(std::size_t triangle, int side) const {
+    const auto found = sides_.find(sideFrom(corner(triangle, side + 1), corner(triangle, side)));
+    if (found == sides_.end() || glm::dot(normal(triangle), normal(found->second)) < leastCosine) return {};
+    return found->second;
+}
+
+} // namespace burin

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/window/face_table_model.h"
+
+#include <QDialog>
+#include <QSortFilterProxyModel>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableView;
+
+namespace burin {
+
+class Notice;
+
+/// The faces of the part with what a program leaves on each, as a table that sorts by a click on a header. Stays beside
+/// the window: "faceDialog" with "faceTable", "faceSummary", "faceNotice", "faceProgress", "cancelFacesButton",
+/// "copyFacesButton", "exportFacesButton".
+class FaceDialog final : public QDialog {
+    Q_OBJECT
+public:
+    explicit FaceDialog(QWidget* parent);
+
+    void setUnit(LengthUnit unit) { model_.setUnit(unit); }
+    /// The worst first. @param faces null: none @param problem why there are none; empty: nothing to say
+    void setFaces(const FaceTableModel::Faces& faces, const QString& problem);
+    /// They are being inspected. @param fraction 0 … 1; nothing: they are not
+    void setProgress(std::optional<double> fraction);
+
+signals:
+    void faceChosen(const burin::FaceQuality& face);
+    void cancelRequested();
+    void exportRequested(const std::string& table);
+    void closed();
+
+protected:
+    void done(int result) override;
+
+private:
+    void layOut();
+    void choose(const QModelIndex& index);
+    void copy();
+    std::vector<FaceQuality> shownFaces() const; ///< in the order of the rows
+    QString summary() const;
+
+    FaceTableModel model_;
+    QSortFilterProxyModel sorted_;
+    QTableView* table_ = nullptr;
+    QLabel* summary_ = nullptr;
+    Notice* notice_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    QPushButton *cancel_ = nullptr, *copy_ = nullptr, *export_ = nullptr;
+};
+
+} // namespace burin
