@@ -828,6 +828,14 @@
         <translation>Das Abspielen des Programms vor der Zeile des Cursors anhalten, oder nicht mehr. Ein Klick auf die Nummer der Zeile tut dasselbe.</translation>
     </message>
     <message>
+        <source>&amp;First job</source>
+        <translation>&amp;Erster Auftrag</translation>
+    </message>
+    <message>
+        <source>Be guided through a complete job on the sample part, step by step.</source>
+        <translation>Schritt für Schritt durch einen ganzen Auftrag am Beispielteil geführt werden.</translation>
+    </message>
+    <message>
         <source>F&amp;aces of the part…</source>
         <translation>Fl&amp;ächen des Teils…</translation>
     </message>
@@ -5254,6 +5262,105 @@
     </message>
 </context>
 <context>
+    <name>FirstJob</name>
+    <message>
+        <source>Open the sample part</source>
+        <translation>Beispielteil öffnen</translation>
+    </message>
+    <message>
+        <source>Press “Try the sample part”. It is a computer mouse, 110 mm long. A part of your own does as well.</source>
+        <translation>Drücken Sie „Mit dem Beispielteil probieren“. Es ist eine Computermaus, 110 mm lang. Ein eigenes Teil geht auch.</translation>
+    </message>
+    <message>
+        <source>Choose the stock</source>
+        <translation>Rohteil festlegen</translation>
+    </message>
+    <message>
+        <source>The margins state how much stock is around the part. Enter %1 as the voxel size: large voxels are coarse, but quick.</source>
+        <translation>Die Aufmaße geben an, wie viel Rohteil um das Teil ist. Geben Sie %1 als Voxelgröße ein: Große Voxel sind grob, aber schnell.</translation>
+    </message>
+    <message>
+        <source>Embed the part</source>
+        <translation>Teil einbetten</translation>
+    </message>
+    <message>
+        <source>Press “Embed the part”. Burin puts the part in its stock; this makes the workpiece.</source>
+        <translation>Drücken Sie „Teil einbetten“. Burin setzt das Teil in sein Rohteil; so entsteht das Werkstück.</translation>
+    </message>
+    <message>
+        <source>Choose a tool</source>
+        <translation>Werkzeug wählen</translation>
+    </message>
+    <message>
+        <source>Click “%1” in the list. Any other tool does as well.</source>
+        <translation>Klicken Sie in der Liste auf „%1“. Jedes andere Werkzeug geht auch.</translation>
+    </message>
+    <message>
+        <source>Start milling</source>
+        <translation>Fräsen beginnen</translation>
+    </message>
+    <message>
+        <source>Press “Mill”. From then on the left mouse button cuts in the view, and everything that is cut is recorded.</source>
+        <translation>Drücken Sie „Fräsen“. Von da an schneidet die linke Maustaste in der Ansicht, und alles, was geschnitten wird, wird aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Mill a stroke</source>
+        <translation>Einen Zug fräsen</translation>
+    </message>
+    <message>
+        <source>Hold the left mouse button and drag over the stock. The tool cuts where you drag, and stops at the part.</source>
+        <translation>Halten Sie die linke Maustaste und ziehen Sie über das Rohteil. Das Werkzeug schneidet, wo Sie ziehen, und hält am Teil an.</translation>
+    </message>
+    <message>
+        <source>Stop milling</source>
+        <translation>Fräsen beenden</translation>
+    </message>
+    <message>
+        <source>Press the button again. What you milled is listed as a take.</source>
+        <translation>Drücken Sie den Knopf noch einmal. Was Sie gefräst haben, steht als Aufnahme in der Liste.</translation>
+    </message>
+    <message>
+        <source>Make a path</source>
+        <translation>Bahn erstellen</translation>
+    </message>
+    <message>
+        <source>Press “New path from the takes”. The take becomes a tool path with the standard edits.</source>
+        <translation>Drücken Sie „Neue Bahn aus den Aufnahmen“. Aus der Aufnahme wird eine Werkzeugbahn mit den üblichen Bearbeitungen.</translation>
+    </message>
+    <message>
+        <source>Add an edit</source>
+        <translation>Bearbeitung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Press “Add an edit” and choose “Smooth” under “Smoother, fewer moves”. Any other edit does as well.</source>
+        <translation>Drücken Sie „Bearbeitung hinzufügen“ und wählen Sie „Glätten“ unter „Glätten und ausdünnen“. Jede andere Bearbeitung geht auch.</translation>
+    </message>
+    <message>
+        <source>Post and check</source>
+        <translation>Ausgeben und prüfen</translation>
+    </message>
+    <message>
+        <source>Press “Post and check”. Burin makes the NC program, reads it back and mills it again on the stock.</source>
+        <translation>Drücken Sie „Ausgeben und prüfen“. Burin erzeugt das NC-Programm, liest es zurück und fräst es am Rohteil noch einmal.</translation>
+    </message>
+    <message>
+        <source>Export the program (optional)</source>
+        <translation>Programm exportieren (freiwillig)</translation>
+    </message>
+    <message>
+        <source>Press “Export…” and choose a file, or skip this step.</source>
+        <translation>Drücken Sie „Exportieren…“ und wählen Sie eine Datei, oder überspringen Sie diesen Schritt.</translation>
+    </message>
+    <message>
+        <source>Return to the project.</source>
+        <translation>Kehren Sie zum Projekt zurück.</translation>
+    </message>
+    <message>
+        <source>Click “%1” at the top of the window.</source>
+        <translation>Klicken Sie oben im Fenster auf „%1“.</translation>
+    </message>
+</context>
+<context>
     <name>GuideWords</name>
     <message>
         <source>%1 apart</source>
@@ -9285,6 +9392,84 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Keep these materials as your own; Undo takes each back</source>
         <translation>Diese Werkstoffe als eigene behalten; Rückgängig nimmt jeden zurück</translation>
+    </message>
+</context>
+<context>
+    <name>burin::Coach</name>
+    <message>
+        <source>Key: %1</source>
+        <translation>Taste: %1</translation>
+    </message>
+    <message>
+        <source>Wait until Burin has done this.</source>
+        <translation>Warten Sie, bis Burin damit fertig ist.</translation>
+    </message>
+    <message>
+        <source>The check refused the program: its findings say why. Delete your edit or mill anew, then post again.</source>
+        <translation>Die Prüfung hat das Programm abgelehnt; ihre Befunde nennen den Grund. Löschen Sie Ihre Bearbeitung oder fräsen Sie neu, und geben Sie es noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>Your first job is done</source>
+        <translation>Ihr erster Auftrag ist fertig</translation>
+    </message>
+    <message>
+        <source>You milled by hand, and the machine can repeat it. The help has more on every step.</source>
+        <translation>Sie haben von Hand gefräst, und die Maschine kann es wiederholen. Die Hilfe sagt mehr zu jedem Schritt.</translation>
+    </message>
+    <message>
+        <source>You have done this step.</source>
+        <translation>Diesen Schritt haben Sie schon gemacht.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::CoachPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Show the previous step</source>
+        <translation>Den vorigen Schritt zeigen</translation>
+    </message>
+    <message>
+        <source>First job</source>
+        <translation>Erster Auftrag</translation>
+    </message>
+    <message>
+        <source>First job: step %1 of %2</source>
+        <translation>Erster Auftrag: Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Skip this step</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Go on to the step that is not done yet</source>
+        <translation>Weiter zu dem Schritt, der noch nicht gemacht ist</translation>
+    </message>
+    <message>
+        <source>Go on without this step</source>
+        <translation>Ohne diesen Schritt weitermachen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Close the first job (Esc)</source>
+        <translation>Den ersten Auftrag schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>End the first job; the project stays (Esc)</source>
+        <translation>Den ersten Auftrag beenden; das Projekt bleibt (Esc)</translation>
     </message>
 </context>
 <context>
@@ -15936,6 +16121,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>STEP, IGES, BREP, or a mesh (STL, 3MF, OBJ …). Dropping a file on the window does the same.</source>
         <translation>STEP, IGES, BREP oder ein Netz (STL, 3MF, OBJ …). Eine Datei auf das Fenster zu ziehen bewirkt dasselbe.</translation>
+    </message>
+    <message>
+        <source>First job</source>
+        <translation>Erster Auftrag</translation>
+    </message>
+    <message>
+        <source>Be guided through a complete job, step by step.</source>
+        <translation>Schritt für Schritt durch einen ganzen Auftrag geführt werden.</translation>
+    </message>
+    <message>
+        <source>From the sample part to a checked program: Burin shows what to press next.</source>
+        <translation>Vom Beispielteil zum geprüften Programm: Burin zeigt, was als Nächstes zu drücken ist.</translation>
     </message>
 </context>
 <context>

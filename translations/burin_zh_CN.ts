@@ -828,6 +828,14 @@
         <translation>播放程序时在光标所在行之前停止，或取消停止。单击行号效果相同。</translation>
     </message>
     <message>
+        <source>&amp;First job</source>
+        <translation>第一个作业(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Be guided through a complete job on the sample part, step by step.</source>
+        <translation>在示例零件上，按步骤引导完成一个完整的作业。</translation>
+    </message>
+    <message>
         <source>F&amp;aces of the part…</source>
         <translation>零件的面(&amp;A)…</translation>
     </message>
@@ -5253,6 +5261,105 @@
     </message>
 </context>
 <context>
+    <name>FirstJob</name>
+    <message>
+        <source>Open the sample part</source>
+        <translation>打开示例零件</translation>
+    </message>
+    <message>
+        <source>Press “Try the sample part”. It is a computer mouse, 110 mm long. A part of your own does as well.</source>
+        <translation>按“试用示例零件”。它是一个长 110 mm 的电脑鼠标。也可以用自己的零件。</translation>
+    </message>
+    <message>
+        <source>Choose the stock</source>
+        <translation>设定毛坯</translation>
+    </message>
+    <message>
+        <source>The margins state how much stock is around the part. Enter %1 as the voxel size: large voxels are coarse, but quick.</source>
+        <translation>余量表示零件四周有多少毛坯。把体素尺寸设为 %1：体素大则粗糙，但速度快。</translation>
+    </message>
+    <message>
+        <source>Embed the part</source>
+        <translation>嵌入零件</translation>
+    </message>
+    <message>
+        <source>Press “Embed the part”. Burin puts the part in its stock; this makes the workpiece.</source>
+        <translation>按“嵌入零件”。Burin 把零件放入毛坯，由此得到工件。</translation>
+    </message>
+    <message>
+        <source>Choose a tool</source>
+        <translation>选择刀具</translation>
+    </message>
+    <message>
+        <source>Click “%1” in the list. Any other tool does as well.</source>
+        <translation>在列表中点击“%1”。其他刀具也可以。</translation>
+    </message>
+    <message>
+        <source>Start milling</source>
+        <translation>开始铣削</translation>
+    </message>
+    <message>
+        <source>Press “Mill”. From then on the left mouse button cuts in the view, and everything that is cut is recorded.</source>
+        <translation>按“铣削”。此后在视图中按鼠标左键即可切削，所有切削都会录制下来。</translation>
+    </message>
+    <message>
+        <source>Mill a stroke</source>
+        <translation>铣一条笔画</translation>
+    </message>
+    <message>
+        <source>Hold the left mouse button and drag over the stock. The tool cuts where you drag, and stops at the part.</source>
+        <translation>按住鼠标左键在毛坯上拖动。拖到哪里，刀具就切到哪里，碰到零件即停。</translation>
+    </message>
+    <message>
+        <source>Stop milling</source>
+        <translation>停止铣削</translation>
+    </message>
+    <message>
+        <source>Press the button again. What you milled is listed as a take.</source>
+        <translation>再按一次该按钮。铣过的内容会作为录制列出。</translation>
+    </message>
+    <message>
+        <source>Make a path</source>
+        <translation>新建刀路</translation>
+    </message>
+    <message>
+        <source>Press “New path from the takes”. The take becomes a tool path with the standard edits.</source>
+        <translation>按“由录制新建刀路”。录制会变成带有标准编辑步骤的刀路。</translation>
+    </message>
+    <message>
+        <source>Add an edit</source>
+        <translation>添加编辑步骤</translation>
+    </message>
+    <message>
+        <source>Press “Add an edit” and choose “Smooth” under “Smoother, fewer moves”. Any other edit does as well.</source>
+        <translation>按“添加编辑步骤”，在“平滑并减少移动”中选择“平滑”。其他编辑步骤也可以。</translation>
+    </message>
+    <message>
+        <source>Post and check</source>
+        <translation>后处理并检查</translation>
+    </message>
+    <message>
+        <source>Press “Post and check”. Burin makes the NC program, reads it back and mills it again on the stock.</source>
+        <translation>按“后处理并检查”。Burin 生成 NC 程序，再读回，并在毛坯上重新铣削一遍。</translation>
+    </message>
+    <message>
+        <source>Export the program (optional)</source>
+        <translation>导出程序（可选）</translation>
+    </message>
+    <message>
+        <source>Press “Export…” and choose a file, or skip this step.</source>
+        <translation>按“导出…”并选择文件，或跳过此步。</translation>
+    </message>
+    <message>
+        <source>Return to the project.</source>
+        <translation>返回项目。</translation>
+    </message>
+    <message>
+        <source>Click “%1” at the top of the window.</source>
+        <translation>点击窗口上方的“%1”。</translation>
+    </message>
+</context>
+<context>
     <name>GuideWords</name>
     <message>
         <source>%1 apart</source>
@@ -9278,6 +9385,84 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Keep these materials as your own; Undo takes each back</source>
         <translation>将这些材料保存为自己的材料；可用撤销逐个取消</translation>
+    </message>
+</context>
+<context>
+    <name>burin::Coach</name>
+    <message>
+        <source>Key: %1</source>
+        <translation>按键：%1</translation>
+    </message>
+    <message>
+        <source>Wait until Burin has done this.</source>
+        <translation>请等待 Burin 完成。</translation>
+    </message>
+    <message>
+        <source>The check refused the program: its findings say why. Delete your edit or mill anew, then post again.</source>
+        <translation>检查未通过该程序，原因见所列问题。删除所加的编辑步骤或重新铣削，然后再次后处理。</translation>
+    </message>
+    <message>
+        <source>Your first job is done</source>
+        <translation>第一个作业已完成</translation>
+    </message>
+    <message>
+        <source>You milled by hand, and the machine can repeat it. The help has more on every step.</source>
+        <translation>手工铣削已完成，机床可以重复它。每一步的更多说明见帮助。</translation>
+    </message>
+    <message>
+        <source>You have done this step.</source>
+        <translation>此步已完成。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::CoachPanel</name>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Show the previous step</source>
+        <translation>显示上一步</translation>
+    </message>
+    <message>
+        <source>First job</source>
+        <translation>第一个作业</translation>
+    </message>
+    <message>
+        <source>First job: step %1 of %2</source>
+        <translation>第一个作业：第 %1 步，共 %2 步</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Skip this step</source>
+        <translation>跳过此步</translation>
+    </message>
+    <message>
+        <source>Go on to the step that is not done yet</source>
+        <translation>转到尚未完成的步骤</translation>
+    </message>
+    <message>
+        <source>Go on without this step</source>
+        <translation>不做此步，继续</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>Close the first job (Esc)</source>
+        <translation>关闭第一个作业（Esc）</translation>
+    </message>
+    <message>
+        <source>End the first job; the project stays (Esc)</source>
+        <translation>结束第一个作业；项目保留（Esc）</translation>
     </message>
 </context>
 <context>
@@ -15910,6 +16095,18 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>STEP, IGES, BREP, or a mesh (STL, 3MF, OBJ …). Dropping a file on the window does the same.</source>
         <translation>STEP、IGES、BREP 或网格（STL、3MF、OBJ …）。将文件拖到窗口上效果相同。</translation>
+    </message>
+    <message>
+        <source>First job</source>
+        <translation>第一个作业</translation>
+    </message>
+    <message>
+        <source>Be guided through a complete job, step by step.</source>
+        <translation>按步骤引导完成一个完整的作业。</translation>
+    </message>
+    <message>
+        <source>From the sample part to a checked program: Burin shows what to press next.</source>
+        <translation>从示例零件到检查通过的程序：Burin 指出下一步该按什么。</translation>
     </message>
 </context>
 <context>

@@ -119,6 +119,7 @@ enum class ActionId : std::size_t {
     devices,
     help,
     welcome,
+    firstJob,
     keyList,
     about,
     count

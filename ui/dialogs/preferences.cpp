@@ -35,6 +35,7 @@ QString feltKey(const std::string& device, const char* key) {
            QLatin1Char('/') + QLatin1String(key);
 }
 constexpr const char* folderKey = "last_folder";
+constexpr const char* firstJobKey = "first_job_finished";
 
 } // namespace
 
@@ -195,6 +196,14 @@ FeltCutting UserSettings::felt(const std::string& device) const {
 void UserSettings::setFelt(const std::string& device, const FeltCutting& felt) {
     settings_.setValue(feltKey(device, shareKey), felt.gain);
     settings_.setValue(feltKey(device, frictionKey), felt.friction);
+}
+
+bool UserSettings::firstJobFinished() const {
+    return settings_.value(firstJobKey).toBool();
+}
+
+void UserSettings::setFirstJobFinished(bool finished) {
+    settings_.setValue(firstJobKey, finished);
 }
 
 QString UserSettings::lastFolder() const {

@@ -66,6 +66,8 @@ public:
     void setViewDevice(const std::string& id);
     FeltCutting felt(const std::string& device) const; ///< rendering of the cutting forces by one device
     void setFelt(const std::string& device, const FeltCutting& felt);
+    bool firstJobFinished() const; ///< the user was led through it to its end
+    void setFirstJobFinished(bool finished);
     QString lastFolder() const; ///< folder of the file chosen last; empty: none yet
     void setLastFolder(const QString& folder);
 

@@ -3,6 +3,7 @@
 #include "ui/help/welcome_page.h"
 
 #include "core/base/file.h"
+#include "ui/panels/panel_layout.h"
 #include "ui/theme/icon.h"
 
 #include <QDir>
@@ -98,7 +99,9 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     title->setStyleSheet(QStringLiteral("font-size: 30pt; font-weight: 600;"));
     layout->addWidget(title);
     layout->addWidget(quiet(tr("Mill the part by hand; the machine repeats what your hand did."), centre));
-    layout->addSpacing(32);
+    layout->addSpacing(16);
+    layout->addWidget(firstJob());
+    layout->addSpacing(16);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(64);
     columns->addWidget(beginnings(), 1);
@@ -110,6 +113,24 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     row->addStretch(1);
     outer->addLayout(row);
     outer->addStretch(3);
+}
+
+QWidget* WelcomePage::firstJob() {
+    auto* box = new QWidget(this);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(16);
+    firstJob_ = button(tr("First job"), "firstJobButton", tr("Be guided through a complete job, step by step."));
+    firstJob_->setMinimumHeight(40);
+    firstJob_->setCursor(Qt::PointingHandCursor);
+    connect(firstJob_, &QPushButton::clicked, this, &WelcomePage::firstJobRequested);
+    row->addWidget(firstJob_);
+    row->addWidget(quiet(tr("From the sample part to a checked program: Burin shows what to press next."), box), 1);
+    return box;
+}
+
+void WelcomePage::setFirstJobFinished(bool finished) {
+    setLook(firstJob_, finished ? "" : "primary");
 }
 
 QWidget* WelcomePage::beginnings() {

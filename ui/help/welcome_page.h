@@ -30,10 +30,12 @@ public:
     /// Sets the title of the open project; empty: none, and there is no way back.
     void setProject(const QString& title);
     void setRecentFiles(const QStringList& files);
+    void setFirstJobFinished(bool finished); ///< until then it is offered as the first thing to do
     void setLeftWork(const std::vector<LeftWorkRow>& rows);
 
 signals:
     void backRequested();
+    void firstJobRequested();
     void importRequested();
     void sampleRequested();
     void showMeRequested();
@@ -43,10 +45,12 @@ signals:
     void leftWorkForgotten(const QString& file);
 
 private:
+    QWidget* firstJob();
     QWidget* beginnings();
     QWidget* lately();
 
     QPushButton* back_ = nullptr;
+    QPushButton* firstJob_ = nullptr;
     QVBoxLayout* recent_ = nullptr;
     QVBoxLayout* left_ = nullptr;
     std::vector<LeftWorkRow> leftRows_; ///< as shown

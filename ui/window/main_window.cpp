@@ -59,12 +59,14 @@ MainWindow::MainWindow(QWidget* parent)
     layOut();
     presenters_ = std::make_unique<Presenters>(
         workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_, *timeline_, *tree_}, nullptr);
+    coach_ = std::make_unique<Coach>(*this, workbench_, actions_);
     new ViewOptions(*viewport_, *viewBar_, actions_, settings_, this);
     new PathColours(workbench_, *viewport_, *viewBar_, actions_, this);
     takeShortcuts();
     connectActions();
     connectWorkbench();
     connectWelcome();
+    connectFirstJob();
     viewport_->setPalette3D(activePalette());
     setUnit(settings_.preferences().unit);
     resize(firstWindow);
@@ -85,6 +87,7 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
+    coach_.reset();      // before what it looks at
     presenters_.reset(); // before the widgets that they fill
 }
 
@@ -205,6 +208,7 @@ void MainWindow::escape() {
         list->close();
         return;
     }
+    if (coach_->hasKeyboard()) return coach_->end();
     if (pages_->currentWidget() == welcome_) return goBack();
     if (workbench_.time.away()) return workbench_.time.backToPresent();
     InteractiveTool* tool = viewport_->interactiveTool();
@@ -328,6 +332,7 @@ void MainWindow::apply(const Preferences& preferences, const Preferences& before
 void MainWindow::setUnit(LengthUnit unit) {
     presenters_->setUnit(unit);
     viewBar_->setUnit(unit);
+    coach_->setUnit(unit);
 }
 
 void MainWindow::showPreferences() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/actions/action_states.h"
+#include "ui/coach/coach.h"
 #include "ui/dialogs/preferences.h"
 #include "ui/help/welcome_page.h"
 #include "ui/window/document_flow.h"
@@ -35,6 +36,7 @@ public:
 
     Workbench& workbench() noexcept { return workbench_; }
     Viewport& viewport() noexcept { return *viewport_; }
+    const Coach& coach() const noexcept { return *coach_; }
     /// Opens a project or a part.
     void openFile(const QString& file) { flow_.openAny(file); }
     /// Ends at once without a question: sessions end properly, unsaved work is kept for recovery.
@@ -61,6 +63,8 @@ private:
     void goBack();
     void escape();
     void lookForLeftWork();
+    void beginFirstJob();
+    void connectFirstJob();
     void tellAboutBattery(double share);
     void updateTitle();
     void dress(Theme theme);
@@ -115,6 +119,7 @@ private:
     MessageStrip* message_ = nullptr;
     Menus* menus_ = nullptr;
     std::unique_ptr<Presenters> presenters_;
+    std::unique_ptr<Coach> coach_;
     QTimer lookAgain_; ///< for unsaved work of ended processes
     /// Whether a preview is shown, and whether it was opened from the welcome page
     bool previewShown_ = false, fromWelcome_ = false;

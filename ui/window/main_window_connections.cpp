@@ -265,6 +265,28 @@ void MainWindow::connectWorkbench() {
     menus_->setRecentFiles(settings_.recentFiles());
 }
 
+void MainWindow::connectFirstJob() {
+    welcome_->setFirstJobFinished(settings_.firstJobFinished());
+    connect(actions_[ActionId::firstJob], &QAction::triggered, this, &MainWindow::beginFirstJob);
+    connect(welcome_, &WelcomePage::firstJobRequested, this, &MainWindow::beginFirstJob);
+    connect(coach_.get(), &Coach::finished, this, [this] {
+        settings_.setFirstJobFinished(true);
+        welcome_->setFirstJobFinished(true);
+    });
+}
+
+/// With no project open; once it has begun, the same keys lead to it.
+void MainWindow::beginFirstJob() {
+    if (coach_->running()) return coach_->takeKeyboard();
+    flow_.settle([this](bool abandon) {
+        flow_.closeProject(abandon, [this] {
+            message_->dismiss();
+            showWelcome();
+            coach_->begin();
+        });
+    });
+}
+
 void MainWindow::connectWelcome() {
     connect(welcome_, &WelcomePage::importRequested, &flow_, &DocumentFlow::import);
     connect(welcome_, &WelcomePage::sampleRequested, &flow_, &DocumentFlow::importSample);

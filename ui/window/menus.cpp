@@ -60,7 +60,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
             {post, exportProgram, overrideCheck, restart, inspectFaces, line, findInProgram, breakpoint, programDock,
              line, machines});
-    addMenu(bar, tr("&Help"), "helpMenu", actions, {help, welcome, keyList, about});
+    addMenu(bar, tr("&Help"), "helpMenu", actions, {help, firstJob, welcome, keyList, about});
     setRecentFiles({});
 }
 

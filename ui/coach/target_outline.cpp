@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/coach/target_outline.h"
+
+#include "ui/theme/theme.h"
+
+#include <QPainter>
+
+namespace burin {
+
+namespace {
+
+constexpr int outlineRoom = 6; // pixels around what is meant
+constexpr double outlineWidth = 2.5, haloWidth = 6.0, outlineCorner = 9.0;
+constexpr int haloStrength = 200; // of 255
+
+} // namespace
+
+TargetOutline::TargetOutline(QWidget* window) : QWidget(window) {
+    setObjectName(QStringLiteral("coachOutline"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setAttribute(Qt::WA_NoSystemBackground);
+    setFocusPolicy(Qt::NoFocus);
+    hide();
+}
+
+void TargetOutline::surround(const Pointed& pointed) {
+    if (!pointed.widget || pointed.rect.isEmpty()) {
+        hide();
+        return;
+    }
+    QWidget* over = pointed.widget->window();
+    if (parentWidget() != over) setParent(over);
+    const QRect around = pointed.rectIn(*over).adjusted(-outlineRoom, -outlineRoom, outlineRoom, outlineRoom);
+    setGeometry(around & over->rect());
+    show();
+    raise();
+}
+
+/// A line in the accent's colour on a broad one in the window's: one of both stands out from whatever it lies on.
+void TargetOutline::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor halo = activePalette().window;
+    halo.setAlpha(haloStrength);
+    const double inset = haloWidth / 2.0;
+    const QRectF line = QRectF(rect()).adjusted(inset, inset, -inset, -inset);
+    for (const auto& [colour, width] : {std::pair{halo, haloWidth}, {activePalette().accent, outlineWidth}}) {
+        painter.setPen(QPen(colour, width));
+        painter.drawRoundedRect(line, outlineCorner, outlineCorner);
+    }
+}
+
+} // namespace burin
