@@ -828,6 +828,14 @@
         <translation>Das Abspielen des Programms vor der Zeile des Cursors anhalten, oder nicht mehr. Ein Klick auf die Nummer der Zeile tut dasselbe.</translation>
     </message>
     <message>
+        <source>Sc&amp;ore a take…</source>
+        <translation>Aufnahme be&amp;werten…</translation>
+    </message>
+    <message>
+        <source>State how well a take was milled, and compare it with a reference, for training.</source>
+        <translation>Zeigt, wie gut eine Aufnahme gefräst ist, und vergleicht sie mit einer Referenz, zum Üben.</translation>
+    </message>
+    <message>
         <source>&amp;First job</source>
         <translation>&amp;Erster Auftrag</translation>
     </message>
@@ -2015,6 +2023,42 @@
     <message>
         <source>%1 mm of feed moves</source>
         <translation>%1 mm Vorschubbewegungen</translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>better by %1</source>
+        <translation>um %1 besser</translation>
+    </message>
+    <message>
+        <source>worse by %1</source>
+        <translation>um %1 schlechter</translation>
+    </message>
+    <message>
+        <source>not comparable</source>
+        <translation>nicht vergleichbar</translation>
+    </message>
+    <message>
+        <source>take %1 %2, compared with take %3 %4</source>
+        <translation>Aufnahme %1 %2, verglichen mit Aufnahme %3 %4</translation>
+    </message>
+    <message>
+        <source>take %1 %2</source>
+        <translation>Aufnahme %1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, reference %3, ratio %4: %5</source>
+        <translation>%1: %2, Referenz %3, Verhältnis %4: %5</translation>
     </message>
     <message>
         <source>Inspecting the faces</source>
@@ -3654,6 +3698,10 @@
     <message>
         <source>a position more than 1e6 mm away</source>
         <translation>eine Position, die mehr als 1e6 mm entfernt ist</translation>
+    </message>
+    <message>
+        <source>another take than the one that is scored</source>
+        <translation>eine andere Aufnahme als die, die bewertet wird</translation>
     </message>
     <message>
         <source>another take of the setup of take %1</source>
@@ -6597,6 +6645,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Das Werkstück nach dem Restmaterial auf dem Teil färben, mit Skala</translation>
     </message>
     <message>
+        <source>State how well it was milled: times, tries to gouge, smoothness, force, removal and stock left, compared with a reference; nothing is changed</source>
+        <translation>Angeben, wie gut sie gefräst ist: Zeiten, versuchte Konturverletzungen, Gleichmäßigkeit, Kraft, Abtrag und Restmaterial, verglichen mit einer Referenz; nichts wird geändert</translation>
+    </message>
+    <message>
+        <source>Take to compare it with, by its number; it may be switched off</source>
+        <translation>Aufnahme, mit der sie verglichen wird, nach ihrer Nummer; sie darf ausgeschaltet sein</translation>
+    </message>
+    <message>
         <source>Add an edit, a computed pass or a take to a path</source>
         <translation>Einer Bahn eine Bearbeitung, einen berechneten Durchgang oder eine Aufnahme hinzufügen</translation>
     </message>
@@ -6613,8 +6669,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Aufnahme, die die Bahn nicht mehr fräsen soll</translation>
     </message>
     <message>
-        <source>Switch takes, or parts of them, off and on; rename, move and copy them</source>
-        <translation>Aufnahmen oder Teile davon aus- und einschalten, umbenennen, verschieben und kopieren</translation>
+        <source>Switch takes, or parts of them, off and on; rename, move, copy and score them</source>
+        <translation>Aufnahmen oder Teile davon aus- und einschalten, umbenennen, verschieben, kopieren und bewerten</translation>
     </message>
     <message>
         <source>Replay it earlier or later among the takes of its setup; the workpiece at the end and the paths stay</source>
@@ -8564,6 +8620,120 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>ScoreValue</name>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>Time of the whole recording</source>
+        <translation>Zeit der ganzen Aufnahme</translation>
+    </message>
+    <message>
+        <source>Milling time</source>
+        <translation>Fräszeit</translation>
+    </message>
+    <message>
+        <source>Time with the spindle turning</source>
+        <translation>Zeit mit drehender Spindel</translation>
+    </message>
+    <message>
+        <source>Tries to gouge</source>
+        <translation>Versuchte Konturverletzungen</translation>
+    </message>
+    <message>
+        <source>How often the hand pushed more than 0.1 mm into the part, which held the tool</source>
+        <translation>Wie oft die Hand mehr als 0,1 mm in das Teil drückte, das das Werkzeug aufhielt</translation>
+    </message>
+    <message>
+        <source>Largest push</source>
+        <translation>Größtes Eindrücken</translation>
+    </message>
+    <message>
+        <source>How far the hand pushed into the part at most</source>
+        <translation>Wie weit die Hand höchstens in das Teil drückte</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>Gleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>Mean force</source>
+        <translation>Mittlere Kraft</translation>
+    </message>
+    <message>
+        <source>Mean cutting force while material is removed</source>
+        <translation>Mittlere Schnittkraft, während Material abgetragen wird</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Größte Kraft</translation>
+    </message>
+    <message>
+        <source>Largest cutting force</source>
+        <translation>Größte Schnittkraft</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Abgetragen</translation>
+    </message>
+    <message>
+        <source>Volume that the take removed when it was recorded</source>
+        <translation>Volumen, das die Aufnahme beim Aufnehmen abgetragen hat</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Volume removed, divided by the milling time</source>
+        <translation>Abgetragenes Volumen, geteilt durch die Fräszeit</translation>
+    </message>
+    <message>
+        <source>Stock left, mean</source>
+        <translation>Restmaterial, mittel</translation>
+    </message>
+    <message>
+        <source>Stock on the part after the take, on average where its tool can reach</source>
+        <translation>Restmaterial auf dem Teil nach der Aufnahme, im Mittel, wo ihr Werkzeug hinkommt</translation>
+    </message>
+    <message>
+        <source>Stock left, largest</source>
+        <translation>Restmaterial, max.</translation>
+    </message>
+    <message>
+        <source>The thickest stock there; 20 mm means 20 mm or more</source>
+        <translation>Das dickste Restmaterial dort; 20 mm bedeutet 20 mm oder mehr</translation>
+    </message>
+    <message>
+        <source>Spectral arc length (SPARC) of the tip&apos;s speed while milling, without pauses: one smooth movement has -1.41, a lower value means more tremor and interruptions</source>
+        <translation>Spektrale Bogenlänge (SPARC) der Geschwindigkeit der Spitze beim Fräsen, ohne Pausen: eine gleichmäßige Bewegung hat -1,41, ein niedrigerer Wert bedeutet mehr Zittern und Unterbrechungen</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreWords</name>
+    <message>
+        <source>the same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>▲ better by %1</source>
+        <translation>▲ um %1 besser</translation>
+    </message>
+    <message>
+        <source>▼ worse by %1</source>
+        <translation>▼ um %1 schlechter</translation>
+    </message>
+    <message>
+        <source>▲ better by %1 (%2)</source>
+        <translation>▲ um %1 besser (%2)</translation>
+    </message>
+    <message>
+        <source>▼ worse by %1 (%2)</source>
+        <translation>▼ um %1 schlechter (%2)</translation>
+    </message>
+</context>
+<context>
     <name>SetupDialog</name>
     <message>
         <source>rotated by 180° about X</source>
@@ -8917,6 +9087,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Testkraft</translation>
     </message>
     <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>scoring a take</source>
+        <translation>Bewerten einer Aufnahme</translation>
+    </message>
+    <message>
         <source>faces</source>
         <translation>Flächen</translation>
     </message>
@@ -9025,6 +9203,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Rename the marker.</source>
         <translation>Benennt die Marke um.</translation>
+    </message>
+    <message>
+        <source>S&amp;core…</source>
+        <translation>Be&amp;werten…</translation>
+    </message>
+    <message>
+        <source>State how well the take was milled, and compare it with a reference.</source>
+        <translation>Zeigt, wie gut die Aufnahme gefräst ist, und vergleicht sie mit einer Referenz.</translation>
     </message>
     <message>
         <source>Move &amp;up</source>
@@ -13759,6 +13945,68 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::ScoreController</name>
+    <message>
+        <source>Scoring</source>
+        <translation>Bewertung</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ScoreDialog</name>
+    <message>
+        <source>Score</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>The take that is scored</source>
+        <translation>Die Aufnahme, die bewertet wird</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>The take to compare it with, such as a teacher&apos;s; it may be switched off</source>
+        <translation>Die Aufnahme, mit der sie verglichen wird, etwa die eines Ausbilders; sie darf ausgeschaltet sein</translation>
+    </message>
+    <message>
+        <source>Draw the reference on the timeline</source>
+        <translation>Referenz auf der Zeitleiste zeichnen</translation>
+    </message>
+    <message>
+        <source>Its curves are drawn as thin lines behind those of the take, from the take&apos;s start</source>
+        <translation>Ihre Kurven werden als dünne Linien hinter denen der Aufnahme gezeichnet, ab deren Beginn</translation>
+    </message>
+    <message>
+        <source>Progress of the scoring.</source>
+        <translation>Fortschritt der Bewertung.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop scoring</source>
+        <translation>Die Bewertung abbrechen</translation>
+    </message>
+    <message>
+        <source>Scoring was cancelled; choose a take to start it again.</source>
+        <translation>Die Bewertung wurde abgebrochen; wählen Sie eine Aufnahme, um sie neu zu beginnen.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>No reference</source>
+        <translation>Keine Referenz</translation>
+    </message>
+</context>
+<context>
     <name>burin::SegmentTable</name>
     <message>
         <source>Add a segment</source>
@@ -15130,6 +15378,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Click or drag to go to that time. Mouse wheel: zoom; with Shift: scroll.</source>
         <translation>Klicken oder ziehen: zu dieser Zeit gehen. Mausrad: zoomen; mit Umschalt: verschieben.</translation>
+    </message>
+    <message>
+        <source>%1: %2, reference: %3</source>
+        <translation>%1: %2, Referenz: %3</translation>
     </message>
 </context>
 <context>

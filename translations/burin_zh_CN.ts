@@ -828,6 +828,14 @@
         <translation>播放程序时在光标所在行之前停止，或取消停止。单击行号效果相同。</translation>
     </message>
     <message>
+        <source>Sc&amp;ore a take…</source>
+        <translation>评分录制(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>State how well a take was milled, and compare it with a reference, for training.</source>
+        <translation>显示一段录制铣削得如何，并与参考录制比较，用于练习。</translation>
+    </message>
+    <message>
         <source>&amp;First job</source>
         <translation>第一个作业(&amp;F)</translation>
     </message>
@@ -2015,6 +2023,42 @@
     <message>
         <source>%1 mm of feed moves</source>
         <translation>进给移动 %1 mm</translation>
+    </message>
+    <message>
+        <source>Scoring</source>
+        <translation>正在评分</translation>
+    </message>
+    <message>
+        <source>the same</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>better by %1</source>
+        <translation>优于参考 %1</translation>
+    </message>
+    <message>
+        <source>worse by %1</source>
+        <translation>差于参考 %1</translation>
+    </message>
+    <message>
+        <source>not comparable</source>
+        <translation>无法比较</translation>
+    </message>
+    <message>
+        <source>take %1 %2, compared with take %3 %4</source>
+        <translation>录制 %1 %2，与录制 %3 %4 比较</translation>
+    </message>
+    <message>
+        <source>take %1 %2</source>
+        <translation>录制 %1 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2, reference %3, ratio %4: %5</source>
+        <translation>%1：%2，参考 %3，比值 %4：%5</translation>
     </message>
     <message>
         <source>Inspecting the faces</source>
@@ -3654,6 +3698,10 @@
     <message>
         <source>a position more than 1e6 mm away</source>
         <translation>距离超过 1e6 mm 的位置</translation>
+    </message>
+    <message>
+        <source>another take than the one that is scored</source>
+        <translation>与被评分录制不同的另一段录制</translation>
     </message>
     <message>
         <source>another take of the setup of take %1</source>
@@ -6596,6 +6644,14 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>按零件上的残料为工件着色并显示色标</translation>
     </message>
     <message>
+        <source>State how well it was milled: times, tries to gouge, smoothness, force, removal and stock left, compared with a reference; nothing is changed</source>
+        <translation>说明铣削得如何：时间、过切尝试次数、平滑度、力、去除量和残料，并与参考录制比较；不做任何更改</translation>
+    </message>
+    <message>
+        <source>Take to compare it with, by its number; it may be switched off</source>
+        <translation>用于比较的录制（按编号）；可以是已停用的</translation>
+    </message>
+    <message>
         <source>Add an edit, a computed pass or a take to a path</source>
         <translation>向刀路添加编辑步骤、计算的走刀或录制</translation>
     </message>
@@ -6612,8 +6668,8 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>刀路不再铣削的录制</translation>
     </message>
     <message>
-        <source>Switch takes, or parts of them, off and on; rename, move and copy them</source>
-        <translation>停用或启用录制或其一部分；重命名、移动和复制录制</translation>
+        <source>Switch takes, or parts of them, off and on; rename, move, copy and score them</source>
+        <translation>停用或启用录制或其一部分；重命名、移动、复制录制并评分</translation>
     </message>
     <message>
         <source>Replay it earlier or later among the takes of its setup; the workpiece at the end and the paths stay</source>
@@ -8557,6 +8613,120 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
+    <name>ScoreValue</name>
+    <message>
+        <source>Duration</source>
+        <translation>时长</translation>
+    </message>
+    <message>
+        <source>Time of the whole recording</source>
+        <translation>整段录制的时间</translation>
+    </message>
+    <message>
+        <source>Milling time</source>
+        <translation>铣削时间</translation>
+    </message>
+    <message>
+        <source>Time with the spindle turning</source>
+        <translation>主轴转动的时间</translation>
+    </message>
+    <message>
+        <source>Tries to gouge</source>
+        <translation>过切尝试次数</translation>
+    </message>
+    <message>
+        <source>How often the hand pushed more than 0.1 mm into the part, which held the tool</source>
+        <translation>手压入零件超过 0.1 mm 的次数；零件挡住了刀具</translation>
+    </message>
+    <message>
+        <source>Largest push</source>
+        <translation>最大压入量</translation>
+    </message>
+    <message>
+        <source>How far the hand pushed into the part at most</source>
+        <translation>手压入零件的最大深度</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>平滑度</translation>
+    </message>
+    <message>
+        <source>Mean force</source>
+        <translation>平均力</translation>
+    </message>
+    <message>
+        <source>Mean cutting force while material is removed</source>
+        <translation>去除材料时的平均切削力</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>最大力</translation>
+    </message>
+    <message>
+        <source>Largest cutting force</source>
+        <translation>最大切削力</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>去除量</translation>
+    </message>
+    <message>
+        <source>Volume that the take removed when it was recorded</source>
+        <translation>该录制在录制时去除的体积</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>材料去除率</translation>
+    </message>
+    <message>
+        <source>Volume removed, divided by the milling time</source>
+        <translation>去除的体积除以铣削时间</translation>
+    </message>
+    <message>
+        <source>Stock left, mean</source>
+        <translation>残料，平均</translation>
+    </message>
+    <message>
+        <source>Stock on the part after the take, on average where its tool can reach</source>
+        <translation>该录制之后零件上的残料，在其刀具可达处取平均</translation>
+    </message>
+    <message>
+        <source>Stock left, largest</source>
+        <translation>残料，最大</translation>
+    </message>
+    <message>
+        <source>The thickest stock there; 20 mm means 20 mm or more</source>
+        <translation>该处最厚的残料；20 mm 表示 20 mm 或更多</translation>
+    </message>
+    <message>
+        <source>Spectral arc length (SPARC) of the tip&apos;s speed while milling, without pauses: one smooth movement has -1.41, a lower value means more tremor and interruptions</source>
+        <translation>铣削时（不含停顿）刀尖速度的频谱弧长（SPARC）：一次平滑的运动为 -1.41，数值越低表示抖动和中断越多</translation>
+    </message>
+</context>
+<context>
+    <name>ScoreWords</name>
+    <message>
+        <source>the same</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>▲ better by %1</source>
+        <translation>▲ 优于参考 %1</translation>
+    </message>
+    <message>
+        <source>▼ worse by %1</source>
+        <translation>▼ 差于参考 %1</translation>
+    </message>
+    <message>
+        <source>▲ better by %1 (%2)</source>
+        <translation>▲ 优于参考 %1（%2）</translation>
+    </message>
+    <message>
+        <source>▼ worse by %1 (%2)</source>
+        <translation>▼ 差于参考 %1（%2）</translation>
+    </message>
+</context>
+<context>
     <name>SetupDialog</name>
     <message>
         <source>rotated by 180° about X</source>
@@ -8910,6 +9080,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>测试力</translation>
     </message>
     <message>
+        <source>reference</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>scoring a take</source>
+        <translation>录制评分</translation>
+    </message>
+    <message>
         <source>faces</source>
         <translation>面</translation>
     </message>
@@ -9018,6 +9196,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Rename the marker.</source>
         <translation>重命名标记。</translation>
+    </message>
+    <message>
+        <source>S&amp;core…</source>
+        <translation>评分(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>State how well the take was milled, and compare it with a reference.</source>
+        <translation>显示该录制铣削得如何，并与参考录制比较。</translation>
     </message>
     <message>
         <source>Move &amp;up</source>
@@ -13739,6 +13925,68 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
+    <name>burin::ScoreController</name>
+    <message>
+        <source>Scoring</source>
+        <translation>正在评分</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ScoreDialog</name>
+    <message>
+        <source>Score</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>录制</translation>
+    </message>
+    <message>
+        <source>The take that is scored</source>
+        <translation>被评分的录制</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>参考</translation>
+    </message>
+    <message>
+        <source>The take to compare it with, such as a teacher&apos;s; it may be switched off</source>
+        <translation>用于比较的录制，例如师傅的录制；可以是已停用的</translation>
+    </message>
+    <message>
+        <source>Draw the reference on the timeline</source>
+        <translation>在时间轴上绘制参考录制</translation>
+    </message>
+    <message>
+        <source>Its curves are drawn as thin lines behind those of the take, from the take&apos;s start</source>
+        <translation>其曲线从该录制的起点开始，以细线画在该录制的曲线后面</translation>
+    </message>
+    <message>
+        <source>Progress of the scoring.</source>
+        <translation>评分进度。</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop scoring</source>
+        <translation>停止评分</translation>
+    </message>
+    <message>
+        <source>Scoring was cancelled; choose a take to start it again.</source>
+        <translation>评分已取消；请选择一段录制以重新开始。</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>No reference</source>
+        <translation>无参考</translation>
+    </message>
+</context>
+<context>
     <name>burin::SegmentTable</name>
     <message>
         <source>Add a segment</source>
@@ -15107,6 +15355,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Click or drag to go to that time. Mouse wheel: zoom; with Shift: scroll.</source>
         <translation>单击或拖动可转到该时刻。鼠标滚轮：缩放；按住 Shift：滚动。</translation>
+    </message>
+    <message>
+        <source>%1: %2, reference: %3</source>
+        <translation>%1：%2，参考：%3</translation>
     </message>
 </context>
 <context>

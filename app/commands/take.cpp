@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/commands/take_score.h"
 #include "app/take_moment_argument.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
@@ -150,7 +151,7 @@ TakeAction changing(Change change) {
 
 void registerTake(CommandParser program, CommandContext& context, int& status) {
     const CommandParser command = program.command(
-        "take", BURIN_TEXT("Help", "Switch takes, or parts of them, off and on; rename, move and copy them"));
+        "take", BURIN_TEXT("Help", "Switch takes, or parts of them, off and on; rename, move, copy and score them"));
     command.requireCommand();
     addSetupChoice(command, context);
     addJsonFlag(command, context);
@@ -170,6 +171,7 @@ void registerTake(CommandParser program, CommandContext& context, int& status) {
     addAction(command, "rename", BURIN_TEXT("Help", "Rename it"), changing(&rename), context, status, arguments)
         .positional(BURIN_TEXT("Argument", "NAME"), arguments->name, BURIN_TEXT("Help", "Its new name"))
         .required();
+    addTakeScore(command, context, status);
     const CommandParser move = addAction(
         command, "move",
         BURIN_TEXT("Help", "Replay it earlier or later among the takes of its setup; the workpiece at the end "

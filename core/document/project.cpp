@@ -135,6 +135,9 @@ Result<void> Project::setSwitchedOff(std::int64_t take, std::span<const SampleRa
 Result<std::vector<SampleRange>> Project::switchedOff(std::int64_t take) const {
     return impl_->read([&](Database& database) { return loadSwitchedOff(database, take, ~std::uint64_t{0}); });
 }
+Result<std::vector<SampleRange>> Project::takenBack(std::int64_t take) const {
+    return impl_->read([&](Database& database) { return loadTakenBack(database, take, ~std::uint64_t{0}); });
+}
 Result<void> Project::nameTake(std::int64_t take, const std::string& name) {
     return impl_->change([&](Database& database) { return renameTake(database, take, name); });
 }

@@ -224,6 +224,8 @@ public:
     /// Errors: nameUnknown, argumentInvalid (intervals that are not so).
     Result<void> setSwitchedOff(std::int64_t take, std::span<const SampleRange> off);
     Result<std::vector<SampleRange>> switchedOff(std::int64_t take) const;
+    /// What was taken back of a take, whether it is switched off as well or not; rising, apart.
+    Result<std::vector<SampleRange>> takenBack(std::int64_t take) const;
     /// Named moments, in order; replaces the previous list.
     Result<void> setMarkers(std::span<const TimeMarker> markers, SetupId setup = setupInUse);
     Result<std::vector<TimeMarker>> markers(SetupId setup = setupInUse) const;

@@ -68,6 +68,7 @@ Result<void> eraseTake(Database& database, std::int64_t id);
 Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch);
 Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch);
 /// Returns the intervals within the first `samples` samples.
+Result<std::vector<SampleRange>> loadTakenBack(Database& database, std::int64_t take, std::uint64_t samples);
 Result<std::vector<SampleRange>> loadSwitchedOff(Database& database, std::int64_t take, std::uint64_t samples);
 Result<void> storeSwitchedOff(Database& database, std::int64_t take, std::span<const SampleRange> off);
 Result<void> hideTake(Database& database, std::int64_t id);

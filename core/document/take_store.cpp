@@ -100,15 +100,11 @@ Result<void> loadRanges(Database& database, const char* question, const char* wh
     });
 }
 
-Result<void> loadTakenBack(Database& database, std::int64_t id, std::uint64_t samples,
-                           std::vector<SampleRange>& undone) {
-    return loadRanges(database, "SELECT first, count FROM undone_stretch WHERE take = ? ORDER BY first",
-                      "undone samples", id, samples, undone);
-}
-
 /// Loads the samples that do not count, because they were undone or switched off.
 Result<void> loadUndone(Database& database, TakeInfo& info, std::vector<SampleRange>& undone) {
-    if (Result<void> read = loadTakenBack(database, info.id, info.sampleCount, undone); !read) return read;
+    Result<std::vector<SampleRange>> back = loadTakenBack(database, info.id, info.sampleCount);
+    if (!back) return std::move(back).error();
+    undone = std::move(*back);
     Result<std::vector<SampleRange>> off = loadSwitchedOff(database, info.id, info.sampleCount);
     if (!off) return std::move(off).error();
     if (!off->empty()) {
@@ -353,12 +349,20 @@ Result<void> storeUndone(Database& database, std::int64_t take, const SampleRang
     if (std::ranges::none_of(*takes, [&](const TakeInfo& info) { return info.id == take; }))
         return unknownTake(database, take);
     // Not clipped, as the take may still grow.
-    std::vector<SampleRange> undone;
-    if (Result<void> read = loadTakenBack(database, take, ~std::uint64_t{0}, undone); !read) return read;
-    for (const SampleRange& other : undone)
+    const Result<std::vector<SampleRange>> undone = loadTakenBack(database, take, ~std::uint64_t{0});
+    if (!undone) return undone.error();
+    for (const SampleRange& other : *undone)
         if (other.contains(stretch.first) || stretch.contains(other.first)) return refused();
     return run(database, "INSERT INTO undone_stretch(take, first, count) VALUES(?, ?, ?)", take, stretch.first,
                stretch.count);
+}
+
+Result<std::vector<SampleRange>> loadTakenBack(Database& database, std::int64_t take, std::uint64_t samples) {
+    std::vector<SampleRange> undone;
+    Result<void> read = loadRanges(database, "SELECT first, count FROM undone_stretch WHERE take = ? ORDER BY first",
+                                   "undone samples", take, samples, undone);
+    if (!read) return std::move(read).error();
+    return undone;
 }
 
 Result<std::vector<SampleRange>> loadSwitchedOff(Database& database, std::int64_t take, std::uint64_t samples) {

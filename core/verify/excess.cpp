@@ -114,4 +114,20 @@ Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, c
     return samples;
 }
 
+ExcessSummary summaryOf(std::span<const DeviationSample> samples) noexcept {
+    ExcessSummary summary;
+    std::size_t reachable = 0;
+    double sum = 0.0;
+    for (const DeviationSample& sample : samples) {
+        if (!sample.reachable) continue;
+        ++reachable;
+        sum += sample.excess;
+        summary.most = std::max(summary.most, sample.excess);
+    }
+    if (reachable == 0) return summary;
+    summary.mean = sum / static_cast<double>(reachable);
+    summary.reachableShare = static_cast<double>(reachable) / static_cast<double>(samples.size());
+    return summary;
+}
+
 } // namespace burin

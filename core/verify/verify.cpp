@@ -41,17 +41,10 @@ std::vector<ShrunkOutline> outlinesFor(const std::vector<Tool>& tools, const Run
 }
 
 void summariseExcess(VerifyReport& report) {
-    std::size_t reachable = 0;
-    double sum = 0.0;
-    for (const DeviationSample& sample : report.deviations) {
-        if (!sample.reachable) continue;
-        ++reachable;
-        sum += sample.excess;
-        report.excessMax = std::max(report.excessMax, sample.excess);
-    }
-    if (reachable == 0) return;
-    report.excessMean = sum / static_cast<double>(reachable);
-    report.reachableShare = static_cast<double>(reachable) / static_cast<double>(report.deviations.size());
+    const ExcessSummary summary = summaryOf(report.deviations);
+    report.excessMax = summary.most;
+    report.excessMean = summary.mean;
+    report.reachableShare = summary.reachableShare;
 }
 
 /// Assigns each gouge beyond the tolerance to the sample of the part that is nearest to it.

@@ -82,6 +82,33 @@ private slots:
         QCOMPARE(hash({}), first_);
     }
 
+    /// A take and its reference: what each removed is what the workpiece lost, the reference counts though it is off,
+    /// and nothing of the project changes.
+    void aTakeIsScoredBesideAReference() {
+        QCOMPARE(run({"take", "off", in("p.burin"), "1"}).status, 0);
+        const ProgramRun again = mill({"--intent", "scribble", "--seconds", "6"}); // the same hand on the same stock
+        QVERIFY2(again.status == 0, again.messages.constData());
+        const QByteArray before = bytes();
+        const ProgramRun scored = run({"take", "score", in("p.burin"), "2", "--reference", "1"});
+        QVERIFY2(scored.status == 0, scored.messages.constData());
+        const QJsonObject own = scored.json()["score"].toObject(), other = scored.json()["reference"].toObject();
+        QCOMPARE(own["take"].toInt(), 2);
+        QCOMPARE(other["take"].toInt(), 1);
+        for (const char* key : {"duration_s", "milling_s", "smoothness_sparc", "mean_force_n", "peak_force_n",
+                                "removed_mm3", "removal_rate_mm3_s", "stock_left_mean_mm", "stock_left_most_mm"}) {
+            QVERIFY2(own[key].isDouble() && own[key] == other[key], key);
+            const QJsonObject compared = scored.json()["comparison"].toObject()[key].toObject();
+            QCOMPARE(compared["verdict"].toString(), QString("same"));
+            QCOMPARE(compared["ratio"].toDouble(), 1.0);
+        }
+        QVERIFY(std::abs(own["duration_s"].toDouble() - 6.0) < 0.01);
+        QVERIFY(own["smoothness_sparc"].toDouble() < -1.0);
+        QVERIFY(std::abs(own["removed_mm3"].toDouble() - again.json()["removed_mm3"].toDouble()) < 1e-6);
+        const ProgramRun alone = runBurin({"take", "score", in("p.burin"), "2"});
+        QVERIFY(alone.status == 0 && alone.output.contains("Mean force: ") && !alone.output.contains("ratio"));
+        QCOMPARE(bytes(), before);
+    }
+
     /// The workpiece at a time of a program: before its first cut the stock, at its end the result of "post".
     void aProgramsWorkpieceIsWrittenAtAnyTime() {
         QCOMPARE(run({"path", in("p.burin"), "new"}).status, 0);
@@ -151,6 +178,9 @@ private slots:
                                          {"take", "off", in("p.burin"), "1", "--from", "99"},
                                          {"take", "off", in("p.burin"), "1", "--from", "3", "--to", "2"},
                                          {"take", "rename", in("p.burin"), "1", " "},
+                                         {"take", "score", in("p.burin"), "7"},
+                                         {"take", "score", in("p.burin"), "1", "--reference", "1"},
+                                         {"take", "score", in("p.burin"), "1", "--reference", "0"},
                                          {"take", "move", in("p.burin"), "1"},
                                          {"take", "move", in("p.burin"), "1", "--to", "2"},
                                          {"take", "move", in("p.burin"), "1", "--to", "0"},

@@ -82,6 +82,7 @@ void ActionStates::update() {
     enable(ActionId::inspectFaces, judged && !judged->report.deviations.empty()); // a kept verdict is without
     enable(ActionId::playTime, workbench.time.possible() && !showing);
     enable(ActionId::addMarker, workbench.time.possible() && !showing && !workbench.time.showsProgram());
+    enable(ActionId::scoreTake, workbench.score.possible());
     const std::int64_t take = showing ? 0 : workbench.mill.chosenTake();
     enable(ActionId::takeUp, workbench.mill.canMove(take, -1));
     enable(ActionId::takeDown, workbench.mill.canMove(take, 1));

@@ -254,6 +254,10 @@ constexpr std::array rows{
         "Ctrl+Shift+R"},
     Row{ActionId::addMarker, "addMarkerAction", QT_TRANSLATE_NOOP("Actions", "Add a mar&ker…"),
         QT_TRANSLATE_NOOP("Actions", "Set a named marker at the time shown on the timeline."), "Ctrl+K"},
+    Row{ActionId::scoreTake, "scoreTakeAction", QT_TRANSLATE_NOOP("Actions", "Sc&ore a take…"),
+        QT_TRANSLATE_NOOP("Actions",
+                          "State how well a take was milled, and compare it with a reference, for training."),
+        "Ctrl+Alt+N"},
     Row{ActionId::takeUp, "takeUpAction", QT_TRANSLATE_NOOP("Actions", "Mo&ve the take up"),
         QT_TRANSLATE_NOOP("Actions", "Replay the take that is selected in the project tree or on the timeline before "
                                      "the take above it. The workpiece at the end and the paths stay as they are."),

@@ -107,6 +107,7 @@ enum class ActionId : std::size_t {
     presentTime,
     punchIn,
     addMarker,
+    scoreTake,
     takeUp, ///< these three are of the chosen take
     takeDown,
     duplicateTake,

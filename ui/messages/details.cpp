@@ -45,6 +45,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "path %1, edit %2"),
     BURIN_TEXT("Detail", "take %1; the path is for %2"),
     BURIN_TEXT("Detail", "takes of the path's own setup"),
+    BURIN_TEXT("Detail", "another take than the one that is scored"),
     BURIN_TEXT("Detail", "a tool that cuts sideways and is nowhere wider below than above"),
     // Tools of other programs
     BURIN_TEXT("Detail", "FlatRadius was read as the radius of the flat: a corner radius of %1 mm."),

@@ -67,7 +67,8 @@ ColourRole curveColour(TrackCurve curve) {
 void TimelineCurves::setRecorded(std::shared_ptr<const RecordedTime> recorded) {
     recorded_ = std::move(recorded);
     ranges_ = {};
-    columns_ = {};
+    columns_ = referenceColumns_ = {};
+    take_ = reference_ = 0;
     if (!recorded_) return;
     for (std::size_t curve = 0; curve < trackCurves; ++curve) {
         Range range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -81,35 +82,67 @@ void TimelineCurves::setRecorded(std::shared_ptr<const RecordedTime> recorded) {
     }
 }
 
+void TimelineCurves::setReference(std::int64_t take, std::int64_t reference) {
+    const bool there = recorded_ && recorded_->trackOf(take) != nullptr && recorded_->trackOf(reference) != nullptr;
+    const std::int64_t own = there ? take : 0, other = there ? reference : 0;
+    if (own == take_ && other == reference_) return;
+    take_ = own;
+    reference_ = other;
+    referenceColumns_ = {};
+}
+
+void TimelineCurves::follow(const Window& window) {
+    if (window == window_) return;
+    window_ = window;
+    columns_ = referenceColumns_ = {};
+}
+
 const std::vector<double>& TimelineCurves::columns(TrackCurve curve, const Window& window) {
-    if (!(window == window_)) {
-        window_ = window;
-        columns_ = {};
-    }
+    follow(window);
     std::vector<double>& known = columns_[static_cast<std::size_t>(curve)];
-    if (known.empty()) known = greatest(curve, window);
+    if (known.empty()) known = greatest(curve);
     return known;
 }
 
-std::vector<double> TimelineCurves::greatest(TrackCurve curve, const Window& window) const {
-    std::vector<double> greatest(static_cast<std::size_t>(window.columns), std::nan(""));
-    if (!recorded_ || window.columns <= 0) return greatest;
-    const double all = recorded_->seconds(), column = window.length / window.columns;
+const std::vector<double>& TimelineCurves::referenceColumns(TrackCurve curve, const Window& window) {
+    follow(window);
+    std::vector<double>& known = referenceColumns_[static_cast<std::size_t>(curve)];
+    if (known.empty()) known = greatestOfReference(curve);
+    return known;
+}
+
+void TimelineCurves::add(std::vector<double>& greatest, const TakeTrack& track, TrackCurve curve, double start,
+                         double end) const {
+    const std::vector<float>& values = track.curves[static_cast<std::size_t>(curve)];
+    const double bin = static_cast<double>(TakeTrack::samplesPerBin) * track.info.tickPeriod;
+    const double column = window_.length / window_.columns;
+    for (std::size_t x = 0; x < greatest.size(); ++x) {
+        const double at = window_.begin + static_cast<double>(x) * column;
+        const double from = (at - start) / bin, to = (std::min(at + column, end) - start) / bin;
+        if (at > end || to < 0.0 || from >= static_cast<double>(values.size())) continue;
+        const auto first = static_cast<std::size_t>(std::max(0.0, from));
+        const auto last = std::min(values.size(), static_cast<std::size_t>(std::max(0.0, to)) + 1);
+        for (std::size_t i = first; i < last; ++i) greatest[x] = std::fmax(greatest[x], static_cast<double>(values[i]));
+    }
+}
+
+std::vector<double> TimelineCurves::greatest(TrackCurve curve) const {
+    std::vector<double> greatest(static_cast<std::size_t>(window_.columns), std::nan(""));
+    if (!recorded_) return greatest;
+    const double all = recorded_->seconds();
     double start = 0.0;
     for (const TakeTrack& track : recorded_->tracks) {
-        const std::vector<float>& values = track.curves[static_cast<std::size_t>(curve)];
-        const double bin = static_cast<double>(TakeTrack::samplesPerBin) * track.info.tickPeriod;
-        for (std::size_t x = 0; x < greatest.size(); ++x) {
-            const double at = window.begin + static_cast<double>(x) * column;
-            const double from = (at - start) / bin, to = (std::min(at + column, all) - start) / bin;
-            if (to < 0.0 || from >= static_cast<double>(values.size())) continue;
-            const auto first = static_cast<std::size_t>(std::max(0.0, from));
-            const auto end = std::min(values.size(), static_cast<std::size_t>(std::max(0.0, to)) + 1);
-            for (std::size_t i = first; i < end; ++i)
-                greatest[x] = std::fmax(greatest[x], static_cast<double>(values[i]));
-        }
+        add(greatest, track, curve, start, all);
         start += track.seconds();
     }
+    return greatest;
+}
+
+std::vector<double> TimelineCurves::greatestOfReference(TrackCurve curve) const {
+    std::vector<double> greatest(static_cast<std::size_t>(window_.columns), std::nan(""));
+    if (!recorded_ || reference_ == 0) return greatest;
+    const double start = recorded_->secondsAt({take_, 0});
+    add(greatest, *recorded_->trackOf(reference_), curve, start, start + recorded_->trackOf(take_)->seconds());
     return greatest;
 }
 

@@ -37,17 +37,28 @@ public:
 
     /// @param recorded null: none
     void setRecorded(std::shared_ptr<const RecordedTime> recorded);
+    /// The curves of `reference` are offered as if it had begun with `take`; 0, or one that is not recorded: none are.
+    void setReference(std::int64_t take, std::int64_t reference);
+    bool hasReference() const noexcept { return reference_ != 0; }
     const Range& range(TrackCurve curve) const noexcept { return ranges_[static_cast<std::size_t>(curve)]; }
     /// The maximum in each column; NaN where there is no value.
     const std::vector<double>& columns(TrackCurve curve, const Window& window);
+    /// The same of the reference, no longer than the take.
+    const std::vector<double>& referenceColumns(TrackCurve curve, const Window& window);
 
 private:
-    std::vector<double> greatest(TrackCurve curve, const Window& window) const;
+    using Columns = std::array<std::vector<double>, trackCurves>; ///< empty: not asked for
+    void follow(const Window& window);
+    std::vector<double> greatest(TrackCurve curve) const;
+    std::vector<double> greatestOfReference(TrackCurve curve) const;
+    /// @param start, end s, of what is drawn of the track
+    void add(std::vector<double>& greatest, const TakeTrack& track, TrackCurve curve, double start, double end) const;
 
     std::shared_ptr<const RecordedTime> recorded_;
     std::array<Range, trackCurves> ranges_{};
-    Window window_;                                        ///< of the cached columns
-    std::array<std::vector<double>, trackCurves> columns_; ///< empty: not requested yet
+    std::int64_t take_ = 0, reference_ = 0; ///< 0: no reference
+    Window window_;                         ///< of what is remembered
+    Columns columns_, referenceColumns_;
 };
 
 } // namespace burin

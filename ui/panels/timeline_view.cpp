@@ -40,6 +40,21 @@ int decimalsOf(double step) {
     return step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
 }
 
+/// A line without holes, where columns have values. @param topOf pixel of a value
+template <class TopOf>
+void paintLine(QPainter& painter, const std::vector<double>& values, const TopOf& topOf, const QColor& colour) {
+    std::optional<int> before;
+    for (std::size_t x = 0; x < values.size(); ++x) {
+        if (std::isnan(values[x])) {
+            before.reset();
+            continue;
+        }
+        const int top = topOf(values[x]), from = before.value_or(top);
+        painter.fillRect(labelWidth + static_cast<int>(x), std::min(from, top), 1, std::abs(from - top) + 1, colour);
+        before = top;
+    }
+}
+
 } // namespace
 
 TimelineView::TimelineView(QWidget* parent) : QWidget(parent) {
@@ -57,6 +72,7 @@ void TimelineView::setState(const TimelineState& state) {
         begin_ = length_ = 0.0;
         curves_.setRecorded(state_.recorded);
     }
+    curves_.setReference(state_.scored, state_.reference);
     if (length_ > 0.0 && (state_.seconds < begin_ || state_.seconds > begin_ + length_))
         moveTo(state_.seconds - 0.1 * length_); // playback continues beyond the visible interval
     update();
@@ -182,23 +198,18 @@ void TimelineView::paintLane(QPainter& painter, const Lane& lane) {
     const QRect& area = lane.area;
     painter.setPen(palette.border);
     painter.drawLine(labelWidth, area.bottom(), width() - edge, area.bottom());
-    const std::vector<double>& values =
-        curves_.columns(lane.curve, {begin_, length_ > 0.0 ? length_ : all(), std::max(0, count)});
+    const TimelineCurves::Window window{begin_, length_ > 0.0 ? length_ : all(), std::max(0, count)};
     const double scale = range.high > range.low ? (area.height() - 2) / (range.high - range.low) : 0.0;
+    const auto topOf = [&](double value) {
+        return area.bottom() - static_cast<int>(std::lround((value - range.low) * scale));
+    };
+    const std::vector<double>& values = curves_.columns(lane.curve, window);
     const QColor fill = mixed(palette.panel, colour, 0.3);
-    int before = -1;
-    for (int x = 0; x < count; ++x) {
-        const double value = values[static_cast<std::size_t>(x)];
-        if (std::isnan(value)) {
-            before = -1;
-            continue;
-        }
-        const int top = area.bottom() - static_cast<int>(std::lround((value - range.low) * scale));
-        if (top < area.bottom()) painter.fillRect(labelWidth + x, top, 1, area.bottom() - top, fill);
-        const int from = before < 0 ? top : before; // draws a line without gaps
-        painter.fillRect(labelWidth + x, std::min(from, top), 1, std::abs(from - top) + 1, colour);
-        before = top;
-    }
+    for (int x = 0; x < count; ++x)
+        if (const double value = values[static_cast<std::size_t>(x)]; !std::isnan(value))
+            painter.fillRect(labelWidth + x, topOf(value), 1, area.bottom() - topOf(value), fill);
+    if (curves_.hasReference()) paintLine(painter, curves_.referenceColumns(lane.curve, window), topOf, palette.text);
+    paintLine(painter, values, topOf, colour);
     const QRect label(edge, area.top(), labelWidth - 2 * edge, area.height());
     painter.setPen(palette.text);
     const bool twoLines = area.height() >= 2 * painter.fontMetrics().height() - 2;
@@ -416,6 +427,22 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
     }
 }
 
+/// Of the take, and of its reference at the same time from the start; empty: there is none.
+QString TimelineView::valueText(TrackCurve curve, std::size_t track, std::size_t bin) const {
+    const auto place = static_cast<std::size_t>(curve);
+    const TakeTrack& own = state_.recorded->tracks[track];
+    if (bin >= own.curves[place].size()) return {};
+    const QString text = curveText(curve, static_cast<double>(own.curves[place][bin]), unit_);
+    const bool scored = state_.reference != 0 && own.info.id == state_.scored;
+    const TakeTrack* reference = scored ? state_.recorded->trackOf(state_.reference) : nullptr;
+    const double seconds = static_cast<double>(bin) * own.info.tickPeriod;
+    const auto same = reference != nullptr ? static_cast<std::size_t>(seconds / reference->info.tickPeriod) : 0;
+    if (reference == nullptr || same >= reference->curves[place].size())
+        return tr("%1: %2").arg(curveName(curve), text);
+    return tr("%1: %2, reference: %3")
+        .arg(curveName(curve), text, curveText(curve, static_cast<double>(reference->curves[place][same]), unit_));
+}
+
 bool TimelineView::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip || !state_.recorded) return QWidget::event(event);
     auto* help = static_cast<QHelpEvent*>(event);
@@ -434,11 +461,8 @@ bool TimelineView::event(QEvent* event) {
     const auto bin =
         static_cast<std::size_t>((at - startOf(*track)) / (static_cast<double>(TakeTrack::samplesPerBin) *
                                                            state_.recorded->tracks[*track].info.tickPeriod));
-    for (const TrackCurve curve : shown_) {
-        const std::vector<float>& values = state_.recorded->tracks[*track].curves[static_cast<std::size_t>(curve)];
-        if (bin < values.size())
-            lines.append(tr("%1: %2").arg(curveName(curve), curveText(curve, static_cast<double>(values[bin]), unit_)));
-    }
+    for (const TrackCurve curve : shown_)
+        if (const QString text = valueText(curve, *track, bin); !text.isEmpty()) lines.append(text);
     QToolTip::showText(help->globalPos(), lines.join(QLatin1Char('\n')), this);
     return true;
 }

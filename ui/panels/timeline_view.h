@@ -22,6 +22,7 @@ struct TimelineState {
     qint64 chosen = 0;                            ///< take that actions are for; 0: none
     bool away = false;    ///< whether the cursor is in the past
     bool enabled = false; ///< whether the user can seek
+    std::int64_t scored = 0, reference = 0;       ///< the reference is drawn behind the take that is scored; 0: none is
 };
 
 /// The recordings along their time axis: takes as clips with their strokes, curves above, and a cursor. A click or a
@@ -71,6 +72,7 @@ private:
     std::optional<std::size_t> trackAt(double seconds) const;
     void paintRuler(QPainter& painter) const;
     void paintLane(QPainter& painter, const Lane& lane);
+    QString valueText(TrackCurve curve, std::size_t track, std::size_t bin) const;
     void paintClips(QPainter& painter) const;
     void paintMarkers(QPainter& painter) const;
     void paintCursor(QPainter& painter) const;

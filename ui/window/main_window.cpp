@@ -14,6 +14,7 @@
 #include "ui/window/material_dialog.h"
 #include "ui/window/path_colours.h"
 #include "ui/window/program_dock.h"
+#include "ui/window/score_dialog.h"
 #include "ui/window/tool_dialog.h"
 
 #include <QApplication>
@@ -382,6 +383,11 @@ void MainWindow::showMaterials() {
 void MainWindow::showDevices() {
     DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, workbench_.viewDevice, settings_, this);
     connect(&dialog, &DeviceDialog::feltEdited, this, &MainWindow::followFelt);
+    dialog.exec();
+}
+
+void MainWindow::showScore() {
+    ScoreDialog dialog(workbench_.score, workbench_.mill, workbench_.tasks(), settings_.preferences().unit, this);
     dialog.exec();
 }
 

@@ -87,6 +87,7 @@ private:
     void showTools();
     void showMaterials();
     void showDevices();
+    void showScore();
     void followFelt();
     void tellAboutOpened();
     LeftAt leftAt() const;

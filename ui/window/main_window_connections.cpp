@@ -67,6 +67,11 @@ void MainWindow::connectActions() {
     on(ActionId::tools, [this] { showTools(); });
     on(ActionId::materials, [this] { showMaterials(); });
     on(ActionId::devices, [this] { showDevices(); });
+    on(ActionId::scoreTake, [this] {
+        const auto& shown = workbench_.time.shown();
+        workbench_.score.ask(shown && !workbench_.time.showsProgram() ? shown->moment.take : 0);
+    });
+    connect(&workbench_.score, &ScoreController::asked, this, &MainWindow::showScore);
     on(ActionId::welcome, [this] {
         if (pages_->currentWidget() != welcome_) {
             leftFrom_ = QApplication::focusWidget();

@@ -108,6 +108,10 @@ void showTakeMenu(Workbench& workbench, std::int64_t take, std::uint64_t sample,
                  workbench.mill.nameTake(info.id,
                                          askName(TakeMenu::tr("Rename the take"), takeName(info.name), parent));
              });
+    if (workbench.score.possible())
+        addEntry(*menu, TakeMenu::tr("S&core…"),
+                 TakeMenu::tr("State how well the take was milled, and compare it with a reference."), "scoreTakeEntry",
+                 [&workbench, take] { workbench.score.ask(take); });
     addEntry(*menu, TakeMenu::tr("&Delete"), TakeMenu::tr("The workpiece is milled again without it."),
              "deleteTakeAction", [&workbench, take] { workbench.mill.removeTake(take); });
     menu->popup(globalPosition);

@@ -10,7 +10,7 @@
 namespace burin {
 
 TimePresenter::TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.time, &workbench.session, &workbench.workpiece, &workbench.mill}, parent)
+    : Presenter(workbench, {&workbench.time, &workbench.session, &workbench.workpiece, &workbench.mill, &workbench.score}, parent)
     , panel_(panel)
     , scene_(scene) {
     TimeController& time = workbench.time;
@@ -90,6 +90,10 @@ void TimePresenter::present() {
     state.view.chosen = time.showsProgram() ? 0 : workbench_.mill.chosenTake();
     state.view.away = time.away();
     state.view.enabled = time.possible();
+    if (workbench_.score.drawn() && workbench_.score.reference() != 0 && !time.showsProgram()) {
+        state.view.scored = workbench_.score.take();
+        state.view.reference = workbench_.score.reference();
+    }
     state.reading = time.reading();
     state.arriving = time.arriving();
     state.playing = time.playing();

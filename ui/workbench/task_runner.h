@@ -50,7 +50,8 @@ enum class TaskKind {
     programTime,
     keeping,
     punchingIn,
-    faces
+    faces,
+    score
 };
 
 /// A task as the status line shows it.

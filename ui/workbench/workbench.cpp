@@ -49,7 +49,8 @@ Workbench::Workbench(QObject* parent)
     , sheet(desk_, this)
     , time(desk_, workpiece, session, mill, this)
     , keeper(desk_, workpiece, session, mill, this)
-    , faces(desk_, this) {
+    , faces(desk_, this)
+    , score(desk_, workpiece, session, mill, this) {
     wire();
 }
 
@@ -64,7 +65,7 @@ std::vector<Controller*> Workbench::controllers() {
     return {&document,     &model,   &setup,        &material,   &tool,   &target,       &workpiece,
             &styluses,     &session, &deviceTester, &viewDevice, &mill,   &surroundings, &guides,
             &hand,         &showMe,  &path,         &area,       &passes, &passMeasurer, &pathValuer,
-            &measure,  &program, &setups,       &sheet,      &time,   &keeper,       &faces, &pathComparer};
+            &measure,  &program, &setups,       &sheet,      &time,   &keeper, &faces, &pathComparer, &score};
 }
 
 void Workbench::wire() {
@@ -138,6 +139,7 @@ void Workbench::load(const ProjectContents& contents) {
     pathComparer.close();
     time.forget();
     keeper.forget();
+    score.forget();
     faces.forget();
     path.load(contents.paths, contents.takes, contents.generated);
     lockSetup();

@@ -18,6 +18,7 @@
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/path_valuer.h"
 #include "ui/workbench/program_controller.h"
+#include "ui/workbench/score_controller.h"
 #include "ui/workbench/setup_controller.h"
 #include "ui/workbench/setups_controller.h"
 #include "ui/workbench/sheet_controller.h"
@@ -77,6 +78,7 @@ public:
     SheetController sheet;
     TimeController time;
     WorkpieceKeeper keeper;
+    ScoreController score;
     FaceController faces;
 
     std::vector<Controller*> controllers();

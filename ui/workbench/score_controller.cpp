@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/score_controller.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace burin {
+
+ScoreController::ScoreController(const Desk& desk, const WorkpieceController& workpiece, const SessionRunner& session,
+                                 MillController& mill, QObject* parent)
+    : Controller(desk, parent), workpiece_(workpiece), session_(session), mill_(mill) {
+    connect(&mill, &MillController::takesChanged, this, &ScoreController::followTakes);
+}
+
+bool ScoreController::possible() const {
+    return workpiece_.milling() && !workpiece_.embedding() && !session_.running() && !mill_.allTakes().empty();
+}
+
+double ScoreController::fraction() const {
+    const std::vector<TaskRow> rows = desk_.tasks.rows();
+    const auto row = std::ranges::find(rows, TaskKind::score, &TaskRow::kind);
+    return row == rows.end() ? 0.0 : row->fraction;
+}
+
+void ScoreController::choose(std::int64_t take, std::int64_t reference) {
+    cancel();
+    take_ = take;
+    reference_ = reference == take ? 0 : reference;
+    scores_.clear();
+    if (!possible()) return emit changed();
+    const auto reading = reading_ = std::make_shared<Progress>();
+    desk_.project.ask([take, other = reference_ == 0 ? std::nullopt : std::optional(reference_),
+                       reading](const Project& project) { return scoreMatters(project, take, other, *reading); },
+                      [this, reading](Result<std::vector<ScoreMatter>> matters) {
+                          if (reading != reading_) return;
+                          reading_.reset();
+                          if (matters && workpiece_.milling()) return run(std::move(*matters));
+                          if (!matters) emit failed(matters.error());
+                          emit changed();
+                      });
+    emit changed();
+}
+
+void ScoreController::ask(std::int64_t take) {
+    if (!possible()) return;
+    const std::vector<TakeInfo>& takes = mill_.allTakes();
+    if (take == 0) take = takes.back().id;
+    const auto other = std::ranges::find_if(takes, [take](const TakeInfo& info) { return info.id != take; });
+    const std::int64_t first = other == takes.end() ? 0 : other->id;
+    choose(take, reference_ != 0 && reference_ != take ? reference_ : first);
+    emit asked();
+}
+
+void ScoreController::run(std::vector<ScoreMatter> matters) {
+    desk_.tasks.start(
+        TaskKind::score, tr("Scoring"),
+        [milling = workpiece_.milling(), matters = std::move(matters)](Progress& progress) mutable {
+            return takeScores(std::move(matters), *milling, progress);
+        },
+        [this](Result<std::vector<TakeScore>> scores) {
+            if (scores)
+                scores_ = std::move(*scores);
+            else if (scores.error().code != ErrorCode::cancelled)
+                emit failed(scores.error());
+            emit changed();
+        });
+    emit changed();
+}
+
+void ScoreController::cancel() {
+    if (!busy()) return;
+    if (const auto reading = std::exchange(reading_, nullptr)) reading->cancel();
+    desk_.tasks.abandon(TaskKind::score);
+    emit changed();
+}
+
+void ScoreController::setDrawn(bool drawn) {
+    if (std::exchange(drawn_, drawn) != drawn) emit changed();
+}
+
+/// What was scored may be another recording by now, or none.
+void ScoreController::followTakes() {
+    cancel();
+    scores_.clear();
+    const auto gone = [this](std::int64_t take) {
+        return std::ranges::find(mill_.allTakes(), take, &TakeInfo::id) == mill_.allTakes().end();
+    };
+    if (gone(take_)) take_ = 0;
+    if (gone(reference_)) reference_ = 0;
+    emit changed();
+}
+
+void ScoreController::forget() {
+    cancel();
+    scores_.clear();
+    take_ = reference_ = 0;
+    emit changed();
+}
+
+} // namespace burin
