@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Numbers of one column stand below each other.
+/// Right-aligns a number in its column.
 std::string inColumn(const std::string& text, std::size_t width) {
     return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
 }

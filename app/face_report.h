@@ -12,10 +12,10 @@
 namespace burin {
 
 /// [{"face", "kind", "diameter_mm", "area_mm2", "samples", "gouge_max_mm", "gouge_place_mm", "excess_max_mm",
-/// "excess_place_mm", "in_tolerance", "gouge", "excess", "unreachable"}], setup frame; null: not known, or there is
-/// none
+/// "excess_place_mm", "in_tolerance", "gouge", "excess", "unreachable"}], setup frame; null: not known, or does
+/// not exist
 nlohmann::json jsonOf(const std::vector<FaceQuality>& faces);
-/// A line for each face, for people; lines that follow others.
+/// Returns human-readable text with a line for each face, to be appended to other lines.
 std::string textOf(const std::vector<FaceQuality>& faces);
 
 } // namespace burin

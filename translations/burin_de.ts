@@ -9725,8 +9725,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Jenseits der Toleranz</translation>
     </message>
     <message>
-        <source>The other path is drawn thin, in light blue. Deviations are those of the cuts of either path from the cuts of the other.</source>
-        <translation>Die andere Bahn ist dünn und hellblau gezeichnet. Abweichungen sind die der Schnitte jeder Bahn von den Schnitten der anderen.</translation>
+        <source>The other path is drawn thin, in turquoise. Deviations are those of the cuts of either path from the cuts of the other.</source>
+        <translation>Die andere Bahn ist dünn und türkis gezeichnet. Abweichungen sind die der Schnitte jeder Bahn von den Schnitten der anderen.</translation>
     </message>
     <message>
         <source>Largest deviation</source>
@@ -10213,10 +10213,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Verletzt</translation>
     </message>
     <message>
-        <source>Share of the face with gouges deeper than the tolerance</source>
-        <translation>Anteil der Fläche mit Konturverletzungen, die tiefer als die Toleranz sind</translation>
-    </message>
-    <message>
         <source>Too much left</source>
         <translation>Zu viel Rest</translation>
     </message>
@@ -10231,6 +10227,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Share of the face with stock that no tool of the program can reach</source>
         <translation>Anteil der Fläche mit Material, zu dem kein Werkzeug des Programms kommt</translation>
+    </message>
+    <message>
+        <source>Share of the face&apos;s points where a gouge deeper than the tolerance is marked. Each position of the tool marks the point that is nearest to its deepest one, so more of the face may be cut into</source>
+        <translation>Anteil der Punkte der Fläche, an denen eine Konturverletzung tiefer als die Toleranz vermerkt ist. Jede Stellung des Werkzeugs vermerkt den Punkt, der ihrem tiefsten am nächsten liegt; verletzt sein kann also mehr von der Fläche</translation>
     </message>
 </context>
 <context>

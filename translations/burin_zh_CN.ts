@@ -9718,8 +9718,8 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>超出公差</translation>
     </message>
     <message>
-        <source>The other path is drawn thin, in light blue. Deviations are those of the cuts of either path from the cuts of the other.</source>
-        <translation>另一条刀路以浅蓝色细线显示。偏差是每条刀路的切削移动与另一条的切削移动之间的偏差。</translation>
+        <source>The other path is drawn thin, in turquoise. Deviations are those of the cuts of either path from the cuts of the other.</source>
+        <translation>另一条刀路以青绿色细线显示。偏差是每条刀路的切削移动与另一条的切削移动之间的偏差。</translation>
     </message>
     <message>
         <source>Largest deviation</source>
@@ -10206,10 +10206,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>过切</translation>
     </message>
     <message>
-        <source>Share of the face with gouges deeper than the tolerance</source>
-        <translation>过切深度超过公差的比例</translation>
-    </message>
-    <message>
         <source>Too much left</source>
         <translation>残料过多</translation>
     </message>
@@ -10224,6 +10220,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Share of the face with stock that no tool of the program can reach</source>
         <translation>程序中没有刀具能到达其残料的比例</translation>
+    </message>
+    <message>
+        <source>Share of the face&apos;s points where a gouge deeper than the tolerance is marked. Each position of the tool marks the point that is nearest to its deepest one, so more of the face may be cut into</source>
+        <translation>这个面上标有超差过切的点所占的比例。刀具的每个位置只标出离其最深处最近的点，所以实际过切的部分可能更大</translation>
     </message>
 </context>
 <context>

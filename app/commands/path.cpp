@@ -116,7 +116,7 @@ Result<void> applyEdit(StoredPath& path, const PathArguments& arguments) {
     return {};
 }
 
-/// Takes one of the project's takes into a path, or out of it.
+/// Adds one of the project's takes to a path, or removes it from the path.
 int changeTakes(const PathArguments& arguments, bool added, CommandContext& context) {
     Result<ProjectChange> project = projectToChange(arguments.project, context);
     if (!project) return context.fail(project.error());
@@ -129,7 +129,7 @@ int changeTakes(const PathArguments& arguments, bool added, CommandContext& cont
     return saveAndAnswer(*project, *path, context);
 }
 
-/// An edit, a pass or a take.
+/// Adds an edit, a pass or a take.
 int addTo(const PathArguments& arguments, CommandContext& context) {
     if (arguments.take != 0) return changeTakes(arguments, true, context);
     if (arguments.pass.kind.empty() && arguments.edit.empty())
@@ -205,7 +205,7 @@ std::string arcColumns(const PathPoint& point) {
     return text + "," + letters[point.arc->axis] + (point.arc->clockwise ? ",1" : ",0");
 }
 
-/// Of a rapid, nothing: it takes on what comes next.
+/// Returns empty columns for a rapid, as it has the speed and coolant of the next move.
 std::string spindleColumns(const Path& path, const PathPoint& point) {
     if (point.kind == MoveKind::rapid) return ",,";
     const double speed = point.spindleSpeed > 0.0 ? point.spindleSpeed : path.spindleSpeed;

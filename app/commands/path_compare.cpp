@@ -18,11 +18,11 @@ namespace {
 
 using nlohmann::json;
 
-/// A path in the version that is compared.
+/// The version of a path that is compared.
 struct ComparedVersion {
     StoredPath path;
-    std::string about; ///< for people, which version
-    json variation;    ///< null: the path as it is
+    std::string about; ///< describes the version, for people
+    json variation;    ///< null: the unchanged path
 };
 
 /// Errors: argumentInvalid (no such edit).
@@ -40,7 +40,7 @@ Result<ComparedVersion> withoutEdit(StoredPath path, const std::string& position
                            {{"without", static_cast<std::size_t>(*number)}, {"edit", id}}};
 }
 
-/// Errors: argumentInvalid (not one of the three ways to say it), those of pathWithId.
+/// Errors: argumentInvalid (not exactly one of the three options is given), those of pathWithId.
 Result<ComparedVersion> otherVersion(const Project& project, const StoredPath& first,
                                      const CompareArguments& arguments) {
     const int ways = (arguments.second != 0 ? 1 : 0) + (arguments.without ? 1 : 0) + (arguments.recorded ? 1 : 0);
@@ -74,7 +74,7 @@ json jsonOf(const PathTotals& totals, const std::optional<PathDeviation>& deviat
     return answer;
 }
 
-/// One value of both paths, and by how much the second one has more.
+/// A value of both paths, and the difference of the second to the first.
 std::string rowOf(TextId title, double first, double second, int decimals, const char* unit) {
     const double difference = second - first;
     return "\n  " + worded(title) + ": " +
@@ -92,7 +92,7 @@ std::string textOf(TextId title, const PathDeviation& deviation) {
                    formatFixed(100.0 * deviation.fartherShare(), 1), formatFixed(deviation.farther, 1)});
 }
 
-std::string textOf(const PathComparison& comparison) {
+std::string textOf(const PathDifference& comparison) {
     const PathTotals &a = comparison.first, &b = comparison.second;
     std::string text = rowOf(BURIN_TEXT("Command", "Cuts"), a.cutting, b.cutting, 1, " mm") +
                        rowOf(BURIN_TEXT("Command", "Plunges"), a.plunging, b.plunging, 1, " mm") +
@@ -110,8 +110,8 @@ std::string textOf(const PathComparison& comparison) {
            textOf(BURIN_TEXT("Command", "Second from first"), *comparison.ofSecond);
 }
 
-/// Errors: those of sourcesOf, toolFor, makeMillingContext, evaluateInJob and comparePaths.
-Result<PathComparison> compared(const Project& project, const StoredPath& first, const StoredPath& second,
+/// Errors: those of sourcesOf, toolFor, makeMillingContext, evaluateInJob and differenceOf.
+Result<PathDifference> compared(const Project& project, const StoredPath& first, const StoredPath& second,
                                 double tolerance, const std::string& machine, CommandContext& context) {
     const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
     if (!sources) return sources.error();
@@ -128,7 +128,7 @@ Result<PathComparison> compared(const Project& project, const StoredPath& first,
         paths[i] = std::move(evaluated->path);
     }
     context.stage(BURIN_TEXT("Command", "Comparing"));
-    return comparePaths(paths[0], paths[1], tolerance, context.progress());
+    return differenceOf(paths[0], paths[1], tolerance, context.progress());
 }
 
 } // namespace
@@ -142,7 +142,7 @@ int comparePathsOf(const std::string& file, std::int64_t number, const CompareAr
     if (!first) return context.fail(first.error());
     const Result<ComparedVersion> second = otherVersion(*project, *first, arguments);
     if (!second) return context.fail(second.error());
-    const Result<PathComparison> comparison =
+    const Result<PathDifference> comparison =
         compared(*project, *first, second->path, arguments.tolerance, machine, context);
     if (!comparison) return context.fail(comparison.error());
     json answer{{"tolerance_mm", comparison->tolerance},

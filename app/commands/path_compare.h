@@ -11,16 +11,16 @@
 
 namespace burin {
 
-/// What the command line says of a comparison, as it was written.
+/// The arguments of a comparison, as given on the command line.
 struct CompareArguments {
-    std::int64_t second = 0;              ///< path; 0: the first one in another version
-    std::optional<std::string> without{}; ///< position of the edit that the other version lacks
+    std::int64_t second = 0;              ///< id of the second path; 0: another version of the first one
+    std::optional<std::string> without{}; ///< position of the edit that the other version omits
     bool recorded = false;                ///< the other version has no edits
     double tolerance = usualComparedTolerance;
 };
 
-/// Evaluates a path and what it is compared with, and answers with both.
-/// @param project file @param machine by id; empty: the project's @return exit status
+/// Evaluates a path and the version that it is compared with, and answers with the values of both.
+/// @param project file @param machine id; empty: that of the project @return exit status
 int comparePathsOf(const std::string& project, std::int64_t first, const CompareArguments& arguments,
                    const std::string& machine, CommandContext& context);
 

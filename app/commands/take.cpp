@@ -65,7 +65,7 @@ int runChange(const TakeArguments& arguments, Change change, CommandContext& con
     return 0;
 }
 
-/// Ids of the takes of a setup in their order.
+/// Returns the ids of the takes of a setup in their order.
 Result<std::vector<std::int64_t>> takesInOrder(const Project& project, SetupId setup) {
     const Result<std::vector<TakeInfo>> takes = project.takes(setup);
     if (!takes) return takes.error();
@@ -74,7 +74,7 @@ Result<std::vector<std::int64_t>> takesInOrder(const Project& project, SetupId s
     return ids;
 }
 
-/// Saves, and answers with a take and the order of the takes of its setup.
+/// Saves the project and answers with a take and the order of the takes of its setup.
 int saveAndList(ProjectChange& project, std::int64_t id, const std::string& text, const json& more,
                 CommandContext& context) {
     const Result<TakeOutline> take = project->takeOutline(id);
@@ -124,7 +124,7 @@ int runDuplicate(const TakeArguments& arguments, CommandContext& context) {
                        {{"copy_of", arguments.take}}, context);
 }
 
-/// Does something with a take; its exit status.
+/// A command on a take. Returns the exit status.
 using TakeAction = std::function<int(const TakeArguments& arguments, CommandContext& context)>;
 
 /// Declares one such command.

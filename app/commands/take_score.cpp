@@ -23,7 +23,7 @@ struct TakeScoreArguments {
     std::int64_t reference = noTake;
 };
 
-/// The take's values, then those of its reference, if there is one.
+/// Returns the score of the take, then that of its reference, if any.
 Result<std::vector<TakeScore>> scoresOf(const TakeScoreArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Opening"));
     const Result<Project> project = projectForReading(arguments.project, context);
@@ -78,7 +78,7 @@ nlohmann::json scoreJson(const std::vector<TakeScore>& scores) {
     return object;
 }
 
-/// "12.300 s"; "–" of nothing.
+/// "12.300 s"; "–" for an empty value.
 std::string amountText(ScoreValue value, const std::optional<double>& number) {
     if (!number) return "–";
     const std::string text = formatFixed(*number, value == ScoreValue::gougeTries ? 0 : 3);
@@ -100,7 +100,7 @@ std::string verdictText(ScoreValue value, const ScoreVerdict& verdict) {
     return worded(BURIN_TEXT("Command", "not comparable"));
 }
 
-/// A line each.
+/// Returns a line for each value.
 std::string scoreText(const std::vector<TakeScore>& scores) {
     const TakeScore &take = scores.front(), &reference = scores.back();
     const std::string number = std::to_string(take.take);

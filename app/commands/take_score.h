@@ -6,7 +6,7 @@
 
 namespace burin {
 
-/// Declares `take score`: the values of a take, and how they compare with those of a reference.
+/// Declares `take score`: the score of a take, and its comparison with that of a reference.
 void addTakeScore(CommandParser take, CommandContext& context, int& status);
 
 } // namespace burin

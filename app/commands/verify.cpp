@@ -34,7 +34,7 @@ struct VerifyArguments {
     bool faces = false;
 };
 
-/// What the map's colours and the faces' shares go by.
+/// The tolerances for the colours of the map and the shares of the faces.
 DeviationTolerance shownTolerance(const VerifyArguments& arguments) {
     DeviationTolerance tolerance;
     tolerance.gouge = arguments.tolerance;
@@ -87,7 +87,7 @@ Result<void> writeWorkpiece(const CheckedProgram& checked, const MillingContext&
     return {};
 }
 
-/// How each face of the part came out, the worst first; adds it to the answer, and writes the table that was asked for.
+/// Inspects each face of the part, adds the results to the answer, the worst first, and writes the table if requested.
 Result<std::string> inspectFaces(const CheckedProgram& checked, const MillingContext& milling,
                                  const VerifyArguments& arguments, nlohmann::json& answer, Progress& progress) {
     const Result<std::vector<PartFacePatch>> patches = partFaces(*milling.partModel, {}, progress);

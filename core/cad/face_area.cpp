@@ -14,8 +14,8 @@ namespace burin {
 
 namespace {
 
-constexpr double reach = 1.0;         // mm from a place to its face
-constexpr double leastUpwards = 1e-3; // z of a normal: what is steeper has no area from above
+constexpr double reach = 1.0;         // mm from a point to its face
+constexpr double leastUpwards = 1e-3; // z of a normal: steeper triangles have no area from above
 
 /// A triangle of one of a model's bodies.
 struct Spot {

@@ -8,7 +8,7 @@ namespace burin {
 
 namespace {
 
-constexpr double leastCosine = 0.9397; // of a bend of 20 degrees
+constexpr double leastCosine = 0.9397; // cosine of 20 degrees, the largest bend within a face
 
 } // namespace
 

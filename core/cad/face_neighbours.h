@@ -12,17 +12,16 @@
 
 namespace burin {
 
-/// Which triangles of a mesh lie on one face: what is reached without a bend of more than 20 degrees, which is what
-/// hands and eyes take for one face of a B-rep or of a mesh. Vertices that are bit-identical count as one. Keeps a
-/// reference to the mesh.
+/// Tells which triangles of a mesh lie on one face: those connected without a bend of more than 20 degrees, which users
+/// take for one face of a B-rep or of a mesh. Bit-identical vertices count as one. Keeps a reference to the mesh.
 class FaceNeighbours {
 public:
     explicit FaceNeighbours(const TriangleMesh& mesh);
 
-    /// A corner by the first vertex that lies there. @param which 0 … 3, where 3 is the first again
+    /// Returns the first vertex at the position of a corner. @param which 0 … 3, where 3 is the first corner again
     std::uint32_t corner(std::size_t triangle, int which) const;
-    glm::dvec3 normal(std::size_t triangle) const; ///< unit; zero of a triangle without area
-    /// The triangle behind a side, unless the face ends there. @param side 0 … 2, from the corner of that number on
+    glm::dvec3 normal(std::size_t triangle) const; ///< unit vector; zero for a triangle without area
+    /// Returns the triangle across a side. Empty if the face ends there. @param side 0 … 2, number of its start corner
     std::optional<std::size_t> beside(std::size_t triangle, int side) const;
 
 private:
@@ -32,7 +31,7 @@ private:
 
     const TriangleMesh& mesh_;
     std::vector<std::uint32_t> places_;
-    std::unordered_map<std::uint64_t, std::uint32_t> sides_; ///< of directed sides the triangle
+    std::unordered_map<std::uint64_t, std::uint32_t> sides_; ///< triangle of each directed side
 };
 
 } // namespace burin

@@ -19,10 +19,10 @@ namespace {
 
 using Kind = MeasuredFace::Kind;
 
-constexpr double flatRegion = 1e-3; // mm: single precision of an STL file does not bend a plane by more
+constexpr double flatRegion = 1e-3; // mm: the single precision of STL files distorts a plane by no more
 constexpr std::uint32_t noRegion = std::numeric_limits<std::uint32_t>::max();
 
-/// Of each triangle the region that it belongs to; `noRegion` of those without area, and behind a cancel.
+/// The region of each triangle; `noRegion` for triangles without area, and for those not reached before a cancellation.
 struct MeshRegions {
     std::vector<std::uint32_t> regionOf;
     std::uint32_t count = 0;

@@ -25,7 +25,7 @@ struct MeasuredFace {
     std::optional<double> thickness{};
 };
 
-/// Stable id of a kind, for JSON: "plane", "cylinder", …
+/// Returns the stable id of a kind, for JSON: "plane", "cylinder", …
 const char* idOf(MeasuredFace::Kind kind);
 
 /// The relation of two measured faces.

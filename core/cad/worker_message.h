@@ -62,12 +62,12 @@ struct MeasureRequest {
     std::vector<glm::dvec3> places;    ///< mm
 };
 
-/// Mesh each face by itself and measure it.
+/// A request to mesh each face separately and to measure it.
 struct PatchRequest {
     std::string brep;                  ///< `Model::brep`
     std::vector<std::uint32_t> solids; ///< `Model::brepSolids`
     double chord = 0.005;              ///< mm
-    bool careful = false;              ///< as ReadRequest::careful
+    bool careful = false;              ///< as in ReadRequest::careful
 };
 
 using WorkerRequest =

@@ -84,7 +84,7 @@ std::int64_t CutDigest::at(const TakeMoment& moment) const noexcept {
     return digest.value();
 }
 
-/// The order is part of it: it says which takes are over at the moments between.
+/// The digest includes the order, which decides which takes have ended at the moments between.
 RecordedState CutDigest::state() const noexcept {
     TakeMoment end;
     for (const Take& take : takes_)

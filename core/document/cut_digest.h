@@ -13,8 +13,9 @@
 namespace burin {
 
 /// Computes a number that identifies the content of a setup's workpiece at any moment: part, stock and materials, and
-/// what earlier recordings cut, with their tools, in any order, since removal is a union. Recordings only grow and are
-/// never changed, so their length identifies their content. Reads the database once, for all moments.
+/// what earlier recordings cut, with their tools. It does not depend on the order of the cuts, as removal is a union.
+/// Recordings only grow and are never changed, so their length identifies their content. Reads the database once, for
+/// all moments.
 class CutDigest {
 public:
     /// Errors: those of Database.
@@ -36,8 +37,8 @@ private:
     };
     static Result<std::vector<Stretch>> stretchesOf(Database& database, const char* table, std::int64_t take);
 
-    std::int64_t stock_ = 0;  ///< before anything is cut
-    std::vector<Take> takes_; ///< as they were recorded
+    std::int64_t stock_ = 0;  ///< before any cut
+    std::vector<Take> takes_; ///< in the order of recording
     TakeOrder order_;
 };
 

@@ -173,17 +173,16 @@ public:
     Result<void> setGuides(const KeptGuides& guides, SetupId setup = setupInUse);
     Result<KeptGuides> guides(SetupId setup = setupInUse) const;
 
-    /// All of a setup, complete or not, in their order: that in which they were recorded, unless `setTakeOrder` said
-    /// otherwise.
+    /// All takes of a setup, complete or not, in the order set by `setTakeOrder`, by default that of their recording.
     Result<std::vector<TakeInfo>> takes(SetupId setup = setupInUse) const;
-    /// Those that were removed among them: they keep their places.
+    /// The order of the takes, including removed ones, which keep their positions.
     Result<TakeOrder> takeOrder(SetupId setup = setupInUse) const;
-    /// The order in which takes are replayed and listed. Those that it does not name come behind, as they were
-    /// recorded, and so do those that are recorded from now on. Errors: nameUnknown (it is no take of the setup),
-    /// argumentInvalid (one is named twice).
+    /// Sets the order in which takes are replayed and listed. Takes that it does not contain follow in the order of
+    /// their recording, as do takes recorded later. Errors: nameUnknown (not a take of the setup), argumentInvalid (a
+    /// take occurs twice).
     Result<void> setTakeOrder(const TakeOrder& order, SetupId setup = setupInUse);
-    /// The id of a copy, behind all takes of the setup: the same samples, of which the same count, under the name
-    /// "NAME (copy)". Errors: as `take`.
+    /// Copies a take to the end of the setup's takes, with the same samples, undone strokes and intervals switched off,
+    /// and with the name "NAME (copy)". Returns the id of the copy. Errors: as `take`.
     Result<std::int64_t> duplicateTake(std::int64_t id);
     /// Errors: nameUnknown, projectIncomplete (there is no recording).
     Result<Take> take(std::int64_t id) const;
@@ -224,7 +223,7 @@ public:
     /// Errors: nameUnknown, argumentInvalid (intervals that are not so).
     Result<void> setSwitchedOff(std::int64_t take, std::span<const SampleRange> off);
     Result<std::vector<SampleRange>> switchedOff(std::int64_t take) const;
-    /// What was taken back of a take, whether it is switched off as well or not; rising, apart.
+    /// The undone intervals of a take, whether they are also switched off or not, in ascending order and separate.
     Result<std::vector<SampleRange>> takenBack(std::int64_t take) const;
     /// Named moments, in order; replaces the previous list.
     Result<void> setMarkers(std::span<const TimeMarker> markers, SetupId setup = setupInUse);

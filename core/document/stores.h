@@ -80,13 +80,14 @@ Result<std::vector<TimeMarker>> loadMarkers(Database& database, SetupId setup);
 Result<void> renameTake(Database& database, std::int64_t take, const std::string& name);
 
 // take_order_store.cpp
-/// All of a setup, those that were removed among them.
+/// Returns the order of all takes of a setup, including removed ones.
 Result<TakeOrder> loadTakeOrder(Database& database, SetupId setup);
-/// Takes that it does not name come behind. Errors: nameUnknown (a take of the setup), argumentInvalid (one twice).
+/// Takes that `wanted` does not contain follow. Errors: nameUnknown (not a take of the setup), argumentInvalid (a take
+/// occurs twice).
 Result<void> storeTakeOrder(Database& database, SetupId setup, const TakeOrder& wanted);
-/// The nearest take of those that one is a copy of, by way of others, and that is there; 0: none.
+/// Returns the nearest take that is not removed in the chain of originals of a copy; 0: none.
 Result<std::int64_t> loadOriginal(Database& database, SetupId setup, std::int64_t take);
-/// Its id. Errors: those of loadTakeOutline.
+/// Returns the id of the copy. Errors: those of loadTakeOutline.
 Result<std::int64_t> copyTake(Database& database, std::int64_t id);
 
 // kept_store.cpp
@@ -96,7 +97,7 @@ Result<void> storeKept(Database& database, SetupId setup, const KeptWorkpiece& k
 /// Those that are still valid, in order.
 Result<std::vector<TakeMoment>> loadKeptMoments(Database& database, SetupId setup);
 Result<KeptWorkpiece> loadKept(Database& database, SetupId setup, const TakeMoment& at);
-Result<void> eraseKeptFrom(Database& database, std::int64_t take); ///< of this take and all that were recorded later
+Result<void> eraseKeptFrom(Database& database, std::int64_t take); ///< of this take and all takes recorded later
 
 // generated_store.cpp
 /// Stores new generated moves of a setup; returns their id. Errors: those of checkGenerated, nameUnknown (the setup).

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The order of takes, and what they are copies of: rows of `setup_setting` that are there where takes were moved or
-// copied alone.
+// The order of takes and the originals of copies: rows of `setup_setting` that exist only if takes were moved or
+// copied.
 #include "core/document/stores.h"
 
 #include <algorithm>
@@ -22,13 +22,13 @@ constexpr std::string_view orderRow = "take_order", copiesRow = "take_copies";
 
 using CopiedTakes = std::map<std::int64_t, std::int64_t>; ///< the original of each copy
 
-/// Ids of takes: numbers above 0.
+/// Whether a value can be the id of a take: an integer above 0.
 bool isTakeId(const json& value) {
     constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
     return value.is_number_unsigned() && value.get<std::uint64_t>() > 0 && value.get<std::uint64_t>() <= most;
 }
 
-/// Each id once.
+/// Empty if the text is not a list of distinct ids.
 std::optional<std::vector<std::int64_t>> orderFromJson(std::string_view text) {
     const json list = json::parse(text, nullptr, false);
     if (!list.is_array() || !std::ranges::all_of(list, isTakeId)) return std::nullopt;
@@ -37,7 +37,7 @@ std::optional<std::vector<std::int64_t>> orderFromJson(std::string_view text) {
     return order;
 }
 
-/// A copy is younger than its original, so that no take is one of itself.
+/// Empty unless each copy has a greater id than its original, which also excludes cycles.
 std::optional<CopiedTakes> copiesFromJson(std::string_view text) {
     const json list = json::parse(text, nullptr, false);
     if (!list.is_array()) return std::nullopt;
@@ -83,7 +83,7 @@ Result<void> noteCopy(Database& database, SetupId setup, std::int64_t copy, std:
     return storeRow(database, setup, copiesRow, list.dump());
 }
 
-/// As they were recorded, those that were removed among them.
+/// Returns all takes, including removed ones, in the order of recording.
 Result<std::vector<std::int64_t>> recordedOrder(Database& database, SetupId setup) {
     Result<Statement> rows = Statement::prepare(database, "SELECT id FROM take WHERE setup = ? ORDER BY id");
     if (!rows) return std::move(rows).error();
@@ -111,9 +111,9 @@ Result<TakeOrder> loadTakeOrder(Database& database, SetupId setup) {
     if (!*text) return TakeOrder(*recorded);
     std::optional<std::vector<std::int64_t>> order = orderFromJson(**text);
     if (!order) return damaged(database, std::string(orderRow));
-    std::erase_if(*order, [&](std::int64_t take) { return !contains(*recorded, take); }); // it was deleted for good
+    std::erase_if(*order, [&](std::int64_t take) { return !contains(*recorded, take); }); // permanently deleted
     for (const std::int64_t take : *recorded)
-        if (!contains(*order, take)) order->push_back(take); // it was recorded since
+        if (!contains(*order, take)) order->push_back(take); // recorded since
     return TakeOrder(std::move(*order));
 }
 

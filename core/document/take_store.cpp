@@ -122,7 +122,7 @@ Result<void> loadCopyOf(Database& database, TakeInfo& info) {
     return {};
 }
 
-/// Those of each setup in its order, at the places that its takes have among all.
+/// Sorts the takes of each setup in its order, within the positions in the list that the setup's takes have.
 Result<void> putInOrder(Database& database, std::vector<TakeInfo>& takes) {
     std::set<SetupId> setups;
     for (const TakeInfo& info : takes) setups.insert(info.setup);

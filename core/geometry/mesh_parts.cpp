@@ -9,7 +9,7 @@ namespace burin {
 
 void place(TriangleMesh& mesh, const Placement& placement) {
     for (glm::dvec3& vertex : mesh.vertices) vertex = placement.point(vertex);
-    if (mirrors(placement)) // what was seen counter-clockwise from outside is clockwise now
+    if (mirrors(placement)) // counter-clockwise triangles became clockwise
         for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
 }
 
@@ -18,7 +18,7 @@ std::vector<TriangleMesh> partsOf(const TriangleMesh& mesh, std::span<const std:
     for (std::size_t i = 0; i < partOf.size(); ++i)
         if (partOf[i] < parts) split[partOf[i]].triangles.push_back(mesh.triangles[i]);
     constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> numbers(mesh.vertices.size(), none); // in the part that is at work
+    std::vector<std::uint32_t> numbers(mesh.vertices.size(), none); // of vertices in the current part
     std::vector<std::uint32_t> used;
     for (TriangleMesh& part : split) {
         used.clear();

@@ -12,12 +12,12 @@
 
 namespace burin {
 
-/// Puts a mesh where a placement says; of one that mirrors the triangles are turned over, so that they still are
+/// Applies a placement to a mesh. If the placement mirrors, the triangles are flipped so that they remain
 /// counter-clockwise seen from outside.
 void place(TriangleMesh& mesh, const Placement& placement);
 
-/// A mesh in parts, each with the vertices that it uses and its triangles in their order.
-/// @param partOf  of each triangle the number of its part; `parts` or more: of none
+/// Splits a mesh into parts, each with only the vertices that it uses and with its triangles in their original order.
+/// @param partOf  the part number of each triangle; `parts` or more: in no part
 std::vector<TriangleMesh> partsOf(const TriangleMesh& mesh, std::span<const std::uint32_t> partOf, std::size_t parts);
 
 } // namespace burin

@@ -14,7 +14,7 @@ namespace burin {
 namespace {
 
 constexpr std::uint32_t leafSize = 4;
-constexpr std::size_t mostLevels = 64; // halves of less than 2^32 segments
+constexpr std::size_t mostLevels = 64; // enough, as fewer than 2^32 segments are halved at each level
 
 double squareDistance(const glm::dvec3& point, const Box& box) noexcept {
     const glm::dvec3 apart = glm::max(glm::max(box.low - point, point - box.high), glm::dvec3(0.0));
@@ -82,7 +82,7 @@ double SegmentTree::distance(const glm::dvec3& point, std::uint32_t& near) const
         Open b{node.second, squareDistance(point, nodes_[node.second].box)};
         if (a.square < b.square) std::swap(a, b);
         open[depth++] = a;
-        open[depth++] = b; // the nearer one first
+        open[depth++] = b; // on top: the nearer one is visited first
     }
     return std::sqrt(least);
 }

@@ -149,7 +149,7 @@ ToolPass passOf(const StoredPath& path, const Tool& tool, const std::vector<Sour
 std::vector<SourceInfo> sourcesOf(const std::vector<TakeInfo>& takes, const std::vector<GeneratedInfo>& generated) {
     std::vector<SourceInfo> sources;
     for (const TakeInfo& take : takes) sources.push_back(sourceOf(take));
-    std::ranges::sort(sources, {}, [](const SourceInfo& each) { return each.source.id; }); // as they were recorded
+    std::ranges::sort(sources, {}, [](const SourceInfo& each) { return each.source.id; }); // in the order of recording
     for (const GeneratedInfo& made : generated) sources.push_back(sourceOf(made));
     return sources;
 }

@@ -20,21 +20,22 @@ bool isFirstOfItsTool(const StoredPath& path, const std::vector<StoredPath>& pat
 /// of takes with undone strokes. Errors: those of Project::takes and Project::visitSamples.
 Result<std::vector<TakeInfo>> standingTakes(const Project& project);
 
-/// The take that was recorded last, wherever it stands; there must be one.
+/// Returns the take that was recorded last, whatever its position in the list, which must not be empty.
 const TakeInfo& newestTake(const std::vector<TakeInfo>& takes);
 
-/// What paths can be made of: every take, as they were recorded, then all that planners made: their order is the job's,
-/// which stays when takes are moved. Errors: those of Project::takes and Project::generated.
+/// Returns all possible sources of paths: every take, in the order of recording, then all generated passes. This is the
+/// order of the job, which stays unchanged when takes are moved. Errors: those of Project::takes and
+/// Project::generated.
 Result<std::vector<SourceInfo>> sourcesOf(const Project& project);
 std::vector<SourceInfo> sourcesOf(const std::vector<TakeInfo>& takes, const std::vector<GeneratedInfo>& generated);
 
 /// Adds to a path the takes of its tool that are newer than all of its own. Older takes that it lacks were left out on
-/// and so was what a planner made; a path of generated moves alone stays as it is. So does one whose take was copied:
-/// it would mill the same twice.
+/// purpose, as were generated passes; a path of generated moves alone stays unchanged. Copies of takes are not added,
+/// as they would mill the same twice.
 void addNewerTakes(StoredPath& path, const std::vector<SourceInfo>& sources);
 
-/// A path of all standing takes of one tool, in their order, with the edits of the main job; no id yet. A copy is one
-/// of them where its original is none.
+/// Returns a path of all standing takes of one tool, in their order, with the edits of the main job; it has no id yet.
+/// A copy is included only if its original is not a standing take.
 /// Errors: projectIncomplete (no such take), those of standingTakes.
 Result<StoredPath> standardPath(const Project& project, const std::string& toolId);
 

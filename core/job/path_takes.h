@@ -6,10 +6,10 @@
 
 namespace burin {
 
-/// A path with a take as its last source: a copy joins no path by itself. Nothing is stored yet.
-/// Errors: nameUnknown (the take), argumentInvalid (it was made with another tool, or the path has it already).
+/// Returns a path with a take as an additional last source, as copies are not added to paths automatically. Stores
+/// nothing. Errors: nameUnknown (the take), argumentInvalid (recorded with another tool, or already in the path).
 Result<StoredPath> withTake(const Project& project, StoredPath path, std::int64_t take);
-/// A path without one of its takes. Errors: argumentInvalid (it is none of them, or the only source).
+/// Returns a path without one of its takes. Errors: argumentInvalid (not in the path, or its only source).
 Result<StoredPath> withoutTake(StoredPath path, std::int64_t take);
 
 } // namespace burin

@@ -115,7 +115,7 @@ TakeMoment RecordedTime::momentAt(double seconds) const noexcept {
 }
 
 double RecordedTime::secondsAt(const TakeMoment& moment) const noexcept {
-    const bool there = trackOf(moment.take) != nullptr; // what was deleted keeps its place
+    const bool there = trackOf(moment.take) != nullptr; // a removed take keeps its position in the order
     double before = 0.0;
     for (const TakeTrack& track : tracks) {
         if (track.info.id == moment.take)

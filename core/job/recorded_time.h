@@ -42,7 +42,7 @@ struct RecordedTime {
     std::vector<SharedCuts> cuts;    ///< of the same takes
     std::vector<KeptWorkpiece> kept; ///< the valid ones
     std::vector<TimeMarker> markers; ///< in order
-    TakeOrder order;                 ///< of all takes, those that were removed among them; empty for a program
+    TakeOrder order;                 ///< of all takes, including removed ones; empty for a program
     RecordedState state;             ///< from which all of it was read
 
     double seconds() const noexcept; ///< of all takes in sequence

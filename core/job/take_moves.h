@@ -6,12 +6,13 @@
 
 namespace burin {
 
-// The order of the takes of a take's own setup, with that take at another place. Nothing is stored yet.
+// Each function returns the order of the takes of a take's setup with that take moved. Nothing is stored.
 
-/// @param place among the takes that are there, from 0; the last one is the end
-/// Errors: nameUnknown (the take), argumentInvalid (there is no such place).
+/// @param place index among the takes that are not removed, from 0; the last one is the end
+/// Errors: nameUnknown (the take), argumentInvalid (no such index).
 Result<TakeOrder> orderWithTakeAt(const Project& project, std::int64_t take, std::size_t place);
-/// Just before another take. Errors: nameUnknown (either), argumentInvalid (both are one, or of different setups).
+/// Directly before another take. Errors: nameUnknown (either), argumentInvalid (both are the same take, or of different
+/// setups).
 Result<TakeOrder> orderWithTakeBefore(const Project& project, std::int64_t take, std::int64_t before);
 
 } // namespace burin

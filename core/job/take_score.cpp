@@ -57,7 +57,7 @@ Error scoringCancelled() {
     return {ErrorCode::cancelled, "scoring a take", {}, {}};
 }
 
-/// Finds the tries to gouge among the ticks of milling.
+/// Finds the tries to gouge in the milling ticks.
 class PushMeter {
 public:
     explicit PushMeter(const PushLimit& limit) noexcept : limit_(limit) {}
@@ -81,10 +81,10 @@ private:
     double largest_ = 0.0;
 };
 
-/// Goes through a take and gathers what it says of its score.
+/// Computes the part of a score that follows from the samples of a take.
 class ScoreMeter {
 public:
-    /// @param takenBack outlives the meter
+    /// @param takenBack undone intervals; must outlive the meter
     ScoreMeter(std::span<const SampleRange> takenBack, double tickPeriod, const PushLimit& limit)
         : takenBack_(takenBack), tickPeriod_(tickPeriod), smoothness_(tickPeriod), pushes_(limit) {}
 
@@ -136,7 +136,7 @@ private:
     TipSmoothness smoothness_;
     PushMeter pushes_;
     std::uint64_t ticks_ = 0, milled_ = 0, cutting_ = 0, units_ = 0;
-    double force_ = 0.0, peakForce_ = 0.0; ///< N: the sum of them, and the greatest
+    double force_ = 0.0, peakForce_ = 0.0; ///< N: sum, and greatest value
     bool upright_ = true;
 };
 
@@ -152,7 +152,8 @@ Result<TakeInfo> takeOfSetup(const Project& project, std::int64_t take) {
     return Error{ErrorCode::nameUnknown, "take", std::to_string(take), known};
 }
 
-/// The workpiece behind a take: what those before it left, as far as they count, and all that it cut itself.
+/// Measures the workpiece after a take: the result of the earlier takes, as far as they are in effect, and of its own
+/// cuts.
 Result<void> measureStockLeft(const ScoreMatter& matter, const MillingContext& milling, RunVolume stock,
                               TakeScore& score, Progress& progress) {
     const VolumeKind like{stock.grid(), stock.properties()};

@@ -13,24 +13,24 @@
 
 namespace burin {
 
-/// What a take is scored by. All but `duration` is of the samples that were not taken back, whether they are switched
-/// off or not: a reference that is switched off keeps its score. "Milling" is time with the spindle turning, "cutting"
-/// a tick in which material was removed.
+/// The values that a take is scored by. All except `duration` are computed from the samples that were not undone,
+/// whether they are switched off or not, so a reference that is switched off keeps its score. "Milling" is time with
+/// the spindle turning, "cutting" a tick in which material was removed.
 enum class ScoreValue : std::uint8_t {
-    duration,    ///< s: ticks of the take times their period, those that were taken back among them
-    milling,     ///< s: the same of milling
+    duration,    ///< s: number of ticks of the take, including undone ones, times their period
+    milling,     ///< s: number of milling ticks times their period
     gougeTries,  ///< intervals of milling in which the hand pushed into the part, see `PushLimit`
-    largestPush, ///< mm: greatest distance in these from where the hand wanted the tip to where the part let it be
-    smoothness,  ///< spectral arc length of the tip's speed while milling, without pauses (tip_smoothness.h); below 0
+    largestPush, ///< mm: greatest distance in these intervals from the tip commanded by the hand to the tip of the tool
+    smoothness,  ///< spectral arc length of the tip's speed while milling, without pauses (tip_smoothness.h); negative
     meanForce,   ///< N: mean of the cutting force while cutting
     peakForce,   ///< N: greatest cutting force
-    removed,     ///< mm³: what the take removed as it was recorded
-    removalRate, ///< mm³/s: that, by the time of milling
-    /// mm of stock on the part behind the take, along its normal (core/verify/excess.h): mean over what of the part the
-    /// take's tool can reach. The workpiece is the one that the takes before it left, as far as they count, and what
-    /// this one cut of it. There is none without a part, and of takes with a tool that leans.
+    removed,     ///< mm³: volume that the take removed when it was recorded
+    removalRate, ///< mm³/s: `removed` divided by `milling`
+    /// mm of stock on the part after the take, along the part's normal (core/verify/excess.h): mean over the area that
+    /// the take's tool can reach. The workpiece results from the earlier takes, as far as they are in effect, and from
+    /// the cuts of this take. Empty without a part, and for takes in which the tool was tilted.
     meanStockLeft,
-    mostStockLeft, ///< mm: the greatest of it, at most `longestExcess`
+    mostStockLeft, ///< mm: greatest value of the same, at most `longestExcess`
 };
 inline constexpr std::size_t scoreValues = 11;
 inline constexpr std::array allScoreValues{
@@ -40,22 +40,23 @@ inline constexpr std::array allScoreValues{
 };
 static_assert(allScoreValues.size() == scoreValues);
 
-/// Key of JSON, with the unit: "duration_s", "removed_mm3", …
+/// Returns the JSON key, with the unit: "duration_s", "removed_mm3", …
 std::string_view keyOf(ScoreValue value) noexcept;
-/// Unit, "" where it has none: "s", "mm³/s".
+/// Returns the unit, "" for a value without one: "s", "mm³/s".
 std::string_view unitOf(ScoreValue value) noexcept;
 TextId titleOf(ScoreValue value) noexcept;   ///< "Duration", to be translated
 TextId toolTipOf(ScoreValue value) noexcept; ///< its definition, to be translated
 
-/// When a hand pushes into the part. A try begins where the part holds the tool and the hand wants the tip farther than
-/// `deep` from where it is, and ends where it wants it nearer than half of that, or where the part lets go: a tremor at
-/// the limit is one try. Ticks in which a fixture, the machine's travel or a guide held the tool as well don't count,
-/// nor those without a valid reading: the distance is not the depth in the part there.
+/// The limit above which the hand pushes into the part. A try to gouge begins when the part blocks the tool and the tip
+/// commanded by the hand is farther than `deep` from the tip of the tool. It ends when that distance falls below half
+/// of `deep` or the part no longer blocks the tool, so tremor at the limit is one try. Ticks in which a fixture, the
+/// machine's travel or a guide also blocked the tool don't count, nor those without a valid reading: there the distance
+/// is not the depth in the part.
 struct PushLimit {
     double deep = 0.1; ///< mm
 };
 
-/// A take and its values; nothing where there is none, such as a force of a take that cut nothing.
+/// A take and its values. Empty for a value that does not exist, such as the force of a take that cut nothing.
 struct TakeScore {
     std::int64_t take = 0;
     std::string name;
@@ -67,41 +68,41 @@ struct TakeScore {
     }
 };
 
-/// What of a score a recording says, and what the rest is made of. Values; no project is needed on the thread that
-/// scores.
+/// The part of a score that follows from the recording alone, and the inputs for the rest. Holds values only, so the
+/// thread that computes the score needs no project.
 struct ScoreMatter {
-    TakeScore score;                ///< without stock left, volume and rate
-    std::uint64_t removedUnits = 0; ///< run units of the volume
-    bool upright = true;            ///< the tool never leaned while it milled
-    RecordedWork work;              ///< the workpiece behind the take
+    TakeScore score;                ///< without stock left, removed volume and removal rate
+    std::uint64_t removedUnits = 0; ///< removed volume in run units
+    bool upright = true;            ///< the tool was never tilted while milling
+    RecordedWork work;              ///< results in the workpiece after the take
     Tool tool;
 };
 
-/// Reads a take of the setup in use. Cost: some µs a sample of it, and what making the workpiece before it takes.
-/// Errors: nameUnknown (no take of the setup), cancelled, those of recordedWork.
+/// Reads a take of the setup in use. Cost: some µs per sample, and the cost of restoring the workpiece before the take.
+/// Errors: nameUnknown (not a take of the setup), cancelled, those of recordedWork.
 Result<ScoreMatter> scoreMatter(const Project& project, std::int64_t take, const Progress& progress,
                                 const PushLimit& limit = {});
-/// Of a take, and of the reference that it is compared with; nothing: there is none. Errors: also argumentInvalid (they
-/// are the same).
+/// The same for a take and then for the reference that it is compared with, if any. Errors: also argumentInvalid (both
+/// are the same take).
 Result<std::vector<ScoreMatter>> scoreMatters(const Project& project, std::int64_t take,
                                               std::optional<std::int64_t> reference, const Progress& progress);
 
-/// Any thread; seconds: the workpiece is cut and measured. @param milling of the take's setup; its tool does not count
+/// Thread-safe. Takes seconds: cuts and measures the workpiece. @param milling of the take's setup; its tool is ignored
 /// Errors: those of workpieceOf and measureExcess, cancelled.
 Result<TakeScore> takeScore(ScoreMatter matter, const MillingContext& milling, Progress& progress);
-/// One after the other, in their order.
+/// Scores one after the other, in the given order.
 Result<std::vector<TakeScore>> takeScores(std::vector<ScoreMatter> matters, const MillingContext& milling,
                                           Progress& progress);
 
-/// How a value compares with that of the reference.
+/// The comparison of a value with that of the reference.
 struct ScoreVerdict {
-    enum class Kind : std::uint8_t { none, same, better, worse }; ///< none: one of them has no such value
+    enum class Kind : std::uint8_t { none, same, better, worse }; ///< none: either take lacks the value
     Kind kind = Kind::none;
-    double difference = 0.0; ///< >= 0, in the value's unit
-    std::optional<double>
-        ratio{}; ///< of the value to that of the reference; nothing: the latter is 0, or there is none
+    double difference = 0.0;       ///< >= 0, in the value's unit
+    std::optional<double> ratio{}; ///< of the value to that of the reference; empty if the latter is 0 or missing
 };
-/// Better is more of smoothness, volume and rate, and less of all others. Same: within 0.5 % of the reference.
+/// Greater is better for smoothness, removed volume and removal rate, less is better for all others. Same: within 0.5 %
+/// of the reference.
 ScoreVerdict verdictOf(ScoreValue value, const TakeScore& take, const TakeScore& reference) noexcept;
 
 } // namespace burin

@@ -13,7 +13,7 @@
 
 namespace burin {
 
-/// Strokes that stand in each of the takes that are over at a moment. @param takes in order
+/// Returns the number of strokes not undone of each take that has ended at a moment. @param takes in order
 std::map<std::int64_t, std::size_t> strokesBefore(std::span<const SharedCuts> takes, const TakeMoment& moment);
 
 /// Restores the workpiece at any moment of a setup's recordings, bitwise exact. Repeats cuts that it has not made yet,

@@ -149,7 +149,7 @@ private:
         return straight(move.kind, targetOf(move.target.linear()), move.feed);
     }
 
-    /// Spindle and coolant, in the order in which the tool change has them.
+    /// Changes spindle speed and coolant, in the order of the tool change.
     Result<void> changeState(const NcMove& before) {
         if (coolantFirst_)
             if (Result<void> done = changeCoolant(before); !done) return done;
@@ -401,10 +401,10 @@ private:
     DialectArcs arcs_;
     double clearHeight_;                            // mm
     std::optional<glm::dvec3> home_;                // mm, machine frame
-    bool coolantFirst_;                             // before the spindle
+    bool coolantFirst_;                             // whether coolant changes come before speed changes
     double speed_ = 0.0;                            // 1/min, of the spindle
     Coolant coolant_ = Coolant::off;                // in force
-    bool coolantOn_ = false;                        // when it is changed: another one was
+    bool coolantOn_ = false;                        // whether coolant was on before the last change
     std::array<std::optional<long long>, 3> place_; // in steps of the last digit; empty: not known
     glm::dvec3 reached_{0.0};                       // mm, the same before rounding
     std::optional<std::string> motion_;

@@ -30,10 +30,10 @@ struct DialectArcs {
 /// A dialect as data: the words of a control, and how a program is composed of them. resources/dialects/<id>.json;
 /// those of the user are in dialects/ of the folder that userResourceDirectory returns, and replace ours of the same
 /// id. core/nc/README.md explains every key. A word in braces in a block stands for a value: {units} {work_offset}
-/// {blend} {blend_end} {tool} {tool_2} (two digits) {speed} {spindle} {coolant} {coolant_off} (nothing if none was on)
-/// {start_dwell} {program_number} {rapid}, and in `home` {home_x} {home_y} {home_z} (the axis and its position). A block
-/// {comments} or {tool_comment} stands for a comment of as many lines as it needs. A block that is empty after that is
-/// omitted.
+/// {blend} {blend_end} {tool} {tool_2} (two digits) {speed} {spindle} {coolant} {coolant_off} (empty if no coolant was
+/// on) {start_dwell} {program_number} {rapid}, and in `home` {home_x} {home_y} {home_z} (the axis and its position). A
+/// block {comments} or {tool_comment} stands for a comment of as many lines as it needs. A block that is empty after
+/// that is omitted.
 struct DialectData {
     std::string id, name, source, fileSuffix;
     std::string control;                   ///< id of the Control that reads it

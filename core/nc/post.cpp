@@ -54,7 +54,7 @@ Coolant coolantOf(const Path& path, const PathPoint& point) {
     return point.coolant.value_or(path.coolant);
 }
 
-/// How the machine cuts.
+/// Spindle speed and coolant in force.
 struct CutState {
     double speed = 0.0; ///< 1/min
     Coolant coolant = Coolant::off;
@@ -62,7 +62,7 @@ struct CutState {
     friend bool operator==(const CutState&, const CutState&) = default;
 };
 
-/// Of the next move that is no rapid, or at the end of the path's last one.
+/// Returns the state of the next move other than a rapid; if there is none, that of the last such move of the path.
 CutState stateFrom(const Path& path, std::size_t first) {
     const auto isFeed = [](const PathPoint& point) { return point.kind != MoveKind::rapid; };
     const auto of = [&](const PathPoint& point) { return CutState{speedOf(path, point), coolantOf(path, point)}; };

@@ -40,7 +40,7 @@ struct NcMove {
     /// 1/min, in force from before this move; 0: unchanged. The spindle gets time to reach it before a rapid; in a cut,
     /// the feeds take care of that.
     double spindleSpeed = 0.0;
-    std::optional<Coolant> coolant{}; ///< from before this move on; nothing: as it is
+    std::optional<Coolant> coolant{}; ///< in force from before this move; empty: unchanged
 };
 
 enum class SpindleDirection : std::uint8_t { clockwise, anticlockwise };

@@ -38,7 +38,7 @@ double blendOf(const NcMotion& motion) noexcept {
     return 0.0;
 }
 
-/// By motion, how often the program has stopped the spindle before it.
+/// Returns, for each motion, how often the program has stopped the spindle before it.
 std::vector<std::size_t> stopsBefore(const ParsedProgram& program) {
     std::vector<std::size_t> stops(program.motions.size(), 0);
     auto setting = program.settings.begin();
@@ -164,8 +164,8 @@ private:
         return {};
     }
 
-    /// Whether a cut stands in the section that is open. Speed and coolant may change within it, unless the program
-    /// stops the spindle for another coolant: it begins a section of its own then.
+    /// Whether a cut belongs to the open section. Speed and coolant may change within a section, but a new one begins
+    /// if the program stops the spindle to change the coolant.
     bool goesOn(std::size_t cut) const {
         if (open_ == none) return false;
         const NcMotion &last = motions_[open_], &next = motions_[cut];
@@ -244,7 +244,7 @@ private:
         }
     }
 
-    /// @param cut whose speed and coolant the move has; null: those in force
+    /// @param cut the move gets its speed and coolant; null: those in force
     void push(NcMove move, const NcMotion* cut = nullptr) {
         if (cut != nullptr && cut->spindleSpeed > 0.0 && cut->spindleSpeed != speed_)
             move.spindleSpeed = speed_ = cut->spindleSpeed;
@@ -259,9 +259,9 @@ private:
     std::span<const NcMotion> motions_;
     const RestartRequest& request_;
     NcProgram& rest_;
-    std::vector<std::size_t> stops_; ///< by motion
+    std::vector<std::size_t> stops_; ///< spindle stops before each motion
     std::vector<std::size_t> nextCut_;
-    std::size_t open_ = none; ///< the newest cut of the last section, or the one that it was begun for
+    std::size_t open_ = none; ///< last cut of the open section, or the cut for which it was begun
     double speed_ = 0.0;      ///< 1/min, in force
     Coolant coolant_ = Coolant::off;
     std::string comment_;

@@ -36,7 +36,7 @@ std::vector<std::int64_t> endsPassed(const PathPoint& from, const PathPoint& to,
     return passed;
 }
 
-/// Calls `visit` with each point, and before it with those that divide its move at the ends of a stretch.
+/// Calls `visit` for each point, preceded by the points that divide its move at the ends of an interval.
 template <class Visit>
 void forEachDivided(const std::vector<PathPoint>& points, const SourceStretch& stretch, const Visit& visit) {
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -23,8 +23,8 @@ Moment momentAt(const PathPoint& from, const PathPoint& to, double share) noexce
 /// as it belongs to the move before. @param from, to moments of the points; source 0: none
 bool leadsThrough(const Moment& from, const Moment& to, const SourceStretch& stretch) noexcept;
 
-/// A path's points, with one more wherever a move passes an end of a stretch, at its share of the time between the
-/// points on either side. Rapids stay whole. Both parts of a divided arc turn about its centre.
+/// Returns the points of a path with an additional point wherever a move passes an end of an interval, interpolated by
+/// time between the points on either side. Rapids are not divided. Both parts of a divided arc keep its centre.
 std::vector<PathPoint> dividedAt(const std::vector<PathPoint>& points, const SourceStretch& stretch);
 
 /// The parts of a path that were made in an interval of a source: chains of consecutive points, a single moment as a

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// A value beyond a limit of the machine. @param unit of the value
+/// Returns the error of a value beyond a limit of the machine. @param unit of the value
 Error limitError(const std::string& what, double value, const std::string& limit, const char* unit);
 
 /// Errors: programLimit. @param speed 1/min

@@ -92,13 +92,14 @@ struct ScaleFeed {
 };
 EditResult apply(const ScaleFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
-/// Spindle speed and coolant of part of a path (moves are divided at its borders, arcs as well), or of all between two
-/// rapids that leads through a single moment; feeds stay, so that another speed changes the chip load. A way into a
-/// cut, and what else links made, goes with the cut that it leads to without a rapid, or else comes from.
+/// Sets spindle speed and coolant of part of a path (moves, also arcs, are divided at its ends), or, for a single
+/// moment, of all moves between the two rapids around it. Feeds stay unchanged, so another speed changes the chip load.
+/// Plunges and other moves made by links get the values of the next cut that follows without a rapid, otherwise those
+/// of the cut before.
 struct SpindleAndCoolant {
     enum class Cooling { kept, off, mist, flood };
     SourceStretch stretch;
-    double speed = 0.0;  ///< 1/min; 0: that which each move has
+    double speed = 0.0;  ///< 1/min; 0: the present speed of each move
     double factor = 1.0; ///< of that speed
     Cooling cooling = Cooling::kept;
 };

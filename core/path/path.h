@@ -34,12 +34,12 @@ struct PathArc {
 struct PathPoint {
     ToolPose pose;                    ///< setup frame
     MoveKind kind = MoveKind::cut;    ///< of the move that ends here
-    double feed = 0.0;                ///< mm/min; 0: not decided yet, and for rapids
-    std::int64_t source = 0;          ///< PathSource::id of the moment behind it; 0: made by an edit
+    double feed = 0.0;                ///< mm/min; 0: not set yet, and for rapids
+    std::int64_t source = 0;          ///< PathSource::id of its moment; 0: made by an edit
     std::int64_t sample = -1;         ///< Moment::tick within the source; -1: made by an edit
-    std::optional<PathArc> arc{};     ///< nothing: straight; never a rapid
-    double spindleSpeed = 0.0;        ///< 1/min, of a move that is no rapid; 0: the path's
-    std::optional<Coolant> coolant{}; ///< of a move that is no rapid; nothing: the path's
+    std::optional<PathArc> arc{};     ///< empty: straight; never for a rapid
+    double spindleSpeed = 0.0;        ///< 1/min, for a move other than a rapid; 0: that of the path
+    std::optional<Coolant> coolant{}; ///< for a move other than a rapid; empty: that of the path
 };
 
 /// The length of the move to a point, mm.
@@ -49,8 +49,8 @@ double lengthOf(const glm::dvec3& from, const PathPoint& to) noexcept;
 struct Path {
     std::string name;
     std::string toolId;
-    double spindleSpeed = 0.0;      ///< 1/min, where its points state none of their own
-    Coolant coolant = Coolant::off; ///< where its points state none of their own
+    double spindleSpeed = 0.0;      ///< 1/min, for points without a speed of their own
+    Coolant coolant = Coolant::off; ///< for points without a coolant of their own
     /// mm/min, limit down to which feeds may be reduced where the check of a program finds more load than spindle and
     /// tool bear; 0: feeds stay as they are.
     double leastFeed = 0.0;

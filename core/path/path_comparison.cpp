@@ -18,9 +18,9 @@ namespace burin {
 
 namespace {
 
-constexpr std::size_t comparedMoves = 64; // that a thread looks at in one go
+constexpr std::size_t comparedMoves = 64; // moves that a thread processes at a time
 
-/// The cuts of a path in straight pieces, in its order.
+/// Returns the cuts of a path as straight segments, in the order of the path.
 std::vector<StraightSegment> cutsOf(const Path& path) {
     std::vector<StraightSegment> cuts;
     std::vector<glm::dvec3> corners;
@@ -37,7 +37,7 @@ std::vector<StraightSegment> cutsOf(const Path& path) {
     return cuts;
 }
 
-/// Adds up what is looked at, place by place along the cuts.
+/// Accumulates the deviation, position by position along the cuts.
 class Deviating {
 public:
     Deviating(const SegmentTree& others, double tolerance) : others_(others), tolerance_(tolerance) {}
@@ -52,7 +52,7 @@ public:
             last = next;
         }
     }
-    /// What was added up; `mean` is still a sum, mm².
+    /// Returns the accumulated deviation; `mean` is still the integral along the length, mm².
     PathDeviation take() { return std::move(sum_); }
 
 private:
@@ -71,7 +71,7 @@ private:
         return {at, distance};
     }
 
-    /// The distance goes evenly from one end of a piece to the other.
+    /// The distance is interpolated linearly between the ends of a piece.
     void addPiece(const Place& from, const Place& to, double length) {
         sum_.length += length;
         sum_.mean += 0.5 * length * (from.distance + to.distance);
@@ -96,7 +96,7 @@ private:
     bool any_ = false;
 };
 
-/// Adds what comes next along the path.
+/// Appends the deviation of the next part of the path.
 void append(PathDeviation& sum, PathDeviation next) {
     if (next.largest > sum.largest) {
         sum.largest = next.largest;
@@ -114,9 +114,9 @@ void append(PathDeviation& sum, PathDeviation next) {
     std::move(parts, next.fartherParts.end(), std::back_inserter(sum.fartherParts));
 }
 
-/// Middle places of straight runs say nothing: a part keeps its corners.
+/// Reduces a part to its ends and corners: points within straight lines are redundant.
 void dropStraight(std::vector<glm::dvec3>& part) {
-    constexpr double straight = 1e-9; // mm off the line
+    constexpr double straight = 1e-9; // mm, distance from the line
     if (part.size() < 3) return;
     std::vector<glm::dvec3> corners{part.front()};
     for (std::size_t i = 1; i + 1 < part.size(); ++i) {
@@ -129,7 +129,7 @@ void dropStraight(std::vector<glm::dvec3>& part) {
     part = std::move(corners);
 }
 
-/// @param cuts, others neither empty
+/// @param cuts, others must not be empty
 PathDeviation deviationOf(const std::vector<StraightSegment>& cuts, const SegmentTree& others, double tolerance,
                           Progress& progress) {
     const std::size_t count = (cuts.size() + comparedMoves - 1) / comparedMoves;
@@ -176,11 +176,11 @@ PathTotals totalsOf(const Path& path) {
     return totals;
 }
 
-Result<PathComparison> comparePaths(const Path& first, const Path& second, double tolerance, Progress& progress) {
+Result<PathDifference> differenceOf(const Path& first, const Path& second, double tolerance, Progress& progress) {
     if (!(tolerance >= comparedTolerances.low && tolerance <= comparedTolerances.high))
         return Error{ErrorCode::argumentInvalid, "tolerance", formatShortest(tolerance),
                      formatShortest(comparedTolerances.low) + " … " + formatShortest(comparedTolerances.high) + " mm"};
-    PathComparison comparison{tolerance, totalsOf(first), totalsOf(second), {}, {}};
+    PathDifference comparison{tolerance, totalsOf(first), totalsOf(second), {}, {}};
     const std::vector<StraightSegment> cuts = cutsOf(first), others = cutsOf(second);
     if (!cuts.empty() && !others.empty()) {
         {

@@ -12,46 +12,47 @@
 
 namespace burin {
 
-/// What a path comes to by itself. Arcs count with their own length.
+/// Lengths, counts and time of a path. Arcs count with their arc length.
 struct PathTotals {
     double cutting = 0.0;  ///< mm, of cuts
     double plunging = 0.0; ///< mm, of plunges
     double air = 0.0;      ///< mm, of rapids and retracts
     std::size_t points = 0, arcs = 0;
-    /// s, of all moves at feed, as fast as their feeds say; nothing: some have no feed yet
+    /// s, for all moves at feed, at exactly their feeds; empty if some have no feed yet
     std::optional<double> feedTime{};
 };
 PathTotals totalsOf(const Path& path);
 
-/// How far the cuts of a path are from those of another one. Looked at in every point and, between points, every
-/// `comparedSpacing`: what lies between two such places is farther by half of that at most.
+/// The distance of the cuts of a path from those of another one. Evaluated at every point and, between points, every
+/// `comparedSpacing`; between two such positions the distance is greater by at most half of that.
 struct PathDeviation {
     double largest = 0.0;      ///< mm
-    glm::dvec3 largestAt{0.0}; ///< mm, setup frame, on the path that is looked at
+    glm::dvec3 largestAt{0.0}; ///< mm, setup frame, on the evaluated path
     double mean = 0.0;         ///< mm, along the length of its cuts
     double length = 0.0;       ///< mm, of its cuts
-    double farther = 0.0;      ///< mm of them that are farther than the tolerance
-    /// These parts as lines, mm, setup frame, in the order of the path. A part of one place is a point alone.
+    double farther = 0.0;      ///< mm, of the cuts that are farther away than the tolerance
+    /// These parts as polylines, mm, setup frame, in the order of the path. A part of zero length is a single point.
     std::vector<std::vector<glm::dvec3>> fartherParts;
 
     double fartherShare() const noexcept { return length > 0.0 ? farther / length : 0.0; }
 };
 
 inline constexpr double comparedSpacing = 0.05; ///< mm
-inline constexpr double comparedChord = 0.001;  ///< mm that chords leave arcs by, on either path
+inline constexpr double comparedChord = 0.001;  ///< mm, deviation of chords from arcs, on both paths
 inline constexpr double usualComparedTolerance = 0.01;
 inline constexpr NumberRange comparedTolerances{0.0001, 1000.0}; ///< mm
 
-struct PathComparison {
+/// The comparison of two paths.
+struct PathDifference {
     double tolerance = 0.0; ///< mm
     PathTotals first, second;
-    /// Of the cuts of the first from those of the second, and the other way round; nothing where either cuts nothing.
+    /// Deviation of the cuts of the first path from those of the second, and vice versa; empty if either has no cuts.
     std::optional<PathDeviation> ofFirst, ofSecond;
 };
 
-/// Compares by moves of the kind `cut` alone: plunges, retracts and rapids lead to them, and depend on the links. Any
-/// thread; shared among all cores, the result does not depend on them. Cost: about 2 s for 50 m of cuts on two cores.
-/// Cancellable. Errors: argumentInvalid (a tolerance out of `comparedTolerances`), cancelled.
-Result<PathComparison> comparePaths(const Path& first, const Path& second, double tolerance, Progress& progress);
+/// Compares only moves of the kind `cut`: plunges, retracts and rapids lead to them, and depend on the links.
+/// Thread-safe; runs on all cores, the result does not depend on their number. Cost: about 1 s for 50 m of cuts on two
+/// cores. Cancellable. Errors: argumentInvalid (a tolerance out of `comparedTolerances`), cancelled.
+Result<PathDifference> differenceOf(const Path& first, const Path& second, double tolerance, Progress& progress);
 
 } // namespace burin

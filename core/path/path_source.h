@@ -32,7 +32,7 @@ struct SourceInfo {
     std::string toolId;
     double allowance = 0.0;  ///< mm of stock that it leaves on the part
     double tickPeriod = 0.0; ///< s between its samples; 0: it has no timing
-    bool copy = false;       ///< of a take that is there: it joins no path by itself
+    bool copy = false;       ///< of a take that is not removed: not added to paths automatically
 };
 
 /// Its name in messages and in comments of programs: "take 3", "pass 1".

@@ -11,18 +11,18 @@
 namespace burin {
 namespace {
 
-/// A move of a link, or of the way into a stroke: it goes with a cut.
+/// Whether a move belongs to a link or leads into a stroke, so that it gets the values of a cut.
 bool goesWithCut(const PathPoint& point) noexcept {
     return point.kind == MoveKind::plunge || !hasMoment(point);
 }
 
-/// By point, whether the move that ends there lies in a part of the path: both of its ends do.
+/// Returns, for each point, whether the move that ends there lies in a part of the path, with both of its ends.
 std::vector<bool> movesWithin(const std::vector<PathPoint>& points, const SourceStretch& stretch) {
     std::vector<bool> within(points.size(), false), decided(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i)
         within[i] = stretch.contains(momentOf(points[i])) &&
                     (i == 0 || !hasMoment(points[i - 1]) || stretch.contains(momentOf(points[i - 1])));
-    std::optional<bool> other; // the nearest cut, behind a move and then before it, without a rapid between
+    std::optional<bool> other; // whether the nearest cut is within: the next, then the previous, up to a rapid
     for (std::size_t i = points.size(); i-- > 0;) {
         if (points[i].kind == MoveKind::rapid) {
             other.reset();
@@ -45,7 +45,8 @@ std::vector<bool> movesWithin(const std::vector<PathPoint>& points, const Source
     return within;
 }
 
-/// By point, whether the move that ends there lies between two rapids between which the path leads through a moment.
+/// Returns, for each point, whether the move that ends there lies between two rapids between which the path passes a
+/// moment.
 std::vector<bool> strokesThrough(const std::vector<PathPoint>& points, const SourceStretch& moment) {
     std::vector<bool> within(points.size(), false);
     for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {

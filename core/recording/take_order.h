@@ -14,14 +14,14 @@ namespace burin {
 class TakeOrder {
 public:
     TakeOrder() = default;
-    /// @param takes each once
+    /// @param takes ids without duplicates
     explicit TakeOrder(std::vector<std::int64_t> takes) : takes_(std::move(takes)) {}
 
     const std::vector<std::int64_t>& takes() const noexcept { return takes_; }
-    /// From 1 on. 0, no take, comes before all of them, and what is not among them behind all.
+    /// Returns the position of a take, from 1. Id 0 (no take) comes before all takes, an unknown take after all.
     std::size_t placeOf(std::int64_t take) const noexcept;
     bool isBefore(const TakeMoment& one, const TakeMoment& other) const noexcept;
-    /// With one of its takes moved: just before another one, which 0 puts at the end.
+    /// Returns the order with one of its takes moved directly before another one; `before` 0: to the end.
     TakeOrder with(std::int64_t take, std::int64_t before) const;
 
     friend bool operator==(const TakeOrder&, const TakeOrder&) = default;

@@ -15,7 +15,7 @@ namespace burin {
 namespace {
 
 constexpr double highestFrequency = 20.0, leastMagnitude = 0.05;
-constexpr int padding = 4; // powers of two by which the spectrum is finer than the speeds ask for
+constexpr int padding = 4; // power of two by which zero padding refines the spectrum
 constexpr double speedTime = 0.01, pauseTime = 0.15, shortestMovement = 0.2, longestMovement = 60.0; // s
 constexpr double restingSpeed = 1.0;                                                                 // mm/s
 
@@ -23,7 +23,7 @@ std::size_t countIn(double seconds, double period) noexcept {
     return static_cast<std::size_t>(std::max(1.0, std::round(seconds / period)));
 }
 
-/// Discrete Fourier transform in place (Cooley and Tukey). @param values a power of two of them
+/// Discrete Fourier transform in place (Cooley and Tukey). @param values their number is a power of two
 void transform(std::vector<std::complex<double>>& values) {
     const std::size_t count = values.size();
     for (std::size_t i = 1, j = 0; i < count; ++i) {
@@ -68,7 +68,7 @@ TipSmoothness::TipSmoothness(double tickPeriod)
     , period_(static_cast<double>(countIn(speedTime, tickPeriod)) * tickPeriod)
     , ticks_(countIn(speedTime, tickPeriod)) {}
 
-/// A few ticks that were missed make the interval longer, and its speed counts as often.
+/// A few missed ticks make the interval of a speed longer; the speed is then counted accordingly often.
 void TipSmoothness::add(const Sample& sample) {
     if (from_ && static_cast<double>(sample.tick - from_->tick) * tickPeriod_ >= pauseTime) interrupt();
     if (!from_) {
@@ -96,7 +96,7 @@ void TipSmoothness::addSpeed(double speed) {
     }
 }
 
-/// @param speeds so many of the first ones are the movement
+/// @param speeds number of values from the start that belong to the movement
 void TipSmoothness::endMovement(std::size_t speeds) {
     const double seconds = static_cast<double>(speeds) * period_;
     if (seconds >= shortestMovement - 0.5 * period_)

@@ -21,10 +21,10 @@ inline constexpr double longestExcess = 20.0;
 Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,
                                                    std::span<const Tool> tools, Progress& progress);
 
-/// Over all reachable places.
+/// Statistics of the excess over all reachable samples.
 struct ExcessSummary {
-    double mean = 0.0, most = 0.0; ///< mm; 0 where nothing is reachable
-    double reachableShare = 0.0;   ///< of the places, 0 … 1
+    double mean = 0.0, most = 0.0; ///< mm; 0 if nothing is reachable
+    double reachableShare = 0.0;   ///< of the samples, 0 … 1
 };
 ExcessSummary summaryOf(std::span<const DeviationSample> samples) noexcept;
 

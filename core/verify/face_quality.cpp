@@ -24,7 +24,7 @@ glm::dvec3 unitNormal(const Triangle& triangle) {
     return length > 0.0 ? normal / length : glm::dvec3(0.0);
 }
 
-/// The triangles of all faces, and which face each is of.
+/// The triangles of all faces, and the face of each triangle.
 struct JoinedFaces {
     TriangleMesh mesh;
     std::vector<std::uint32_t> faceOf;
@@ -37,7 +37,7 @@ struct JoinedFaces {
     }
 };
 
-/// Of each sample the triangle that is nearest. Unfinished once cancelled.
+/// Returns the nearest triangle of each sample. Incomplete if cancelled.
 std::vector<std::size_t> nearestTriangles(const TriangleMesh& mesh, std::span<const DeviationSample> samples,
                                           Progress& progress) {
     constexpr std::size_t grain = 1024;

@@ -11,44 +11,45 @@
 
 namespace burin {
 
-/// Where a face is off by the most.
+/// The point of a face with the greatest deviation of one kind.
 struct WorstPoint {
     double amount = 0.0;     ///< mm, >= 0
     glm::dvec3 place{0.0};   ///< mm, setup frame, on the part
     glm::dvec3 outward{0.0}; ///< unit normal of the part there
 };
 
-/// How one face of a part came out.
+/// The inspection result of one face of a part.
 struct FaceQuality {
     std::size_t number = 0; ///< in the order of partFaces, from 1
     MeasuredFace::Kind kind = MeasuredFace::Kind::other;
-    double radius = 0.0;         ///< mm, as PartFacePatch has it
-    double area = 0.0;           ///< mm²
-    std::size_t samples = 0;     ///< that lie on it; 0: it is smaller than they are apart, and nothing is known of it
-    WorstPoint gouge;            ///< the deepest; 0: none is deeper than the tolerance
-    WorstPoint excess;           ///< most stock beyond the allowance where a tool could reach it; 0: none
-    WorstPoint middle;           ///< of its largest triangle; the amount is 0
-    DeviationMap::Shares shares; ///< of its samples
+    double radius = 0.0;     ///< mm, as in PartFacePatch
+    double area = 0.0;       ///< mm²
+    std::size_t samples = 0; ///< that lie on it; 0: smaller than their spacing, so nothing is known of the face
+    WorstPoint gouge;        ///< the deepest gouge; 0: none is deeper than the tolerance
+    WorstPoint excess;       ///< most stock beyond the allowance among reachable points; 0: none
+    WorstPoint middle;       ///< centroid of its largest triangle; the amount is 0
+    /// Shares of its samples. The share of gouges is a lower bound: each tool position marks only one sample.
+    DeviationMap::Shares shares;
 };
 
-/// Gives each sample to the face whose triangles are nearest, and each face what its samples say; in the order of the
-/// faces. All cores.
+/// Assigns each sample to the face with the nearest triangle and returns the result of each face, in the order of the
+/// faces. Runs on all cores.
 /// @param faces of the part, in the frame of the samples
 /// Errors: cancelled.
 Result<std::vector<FaceQuality>> faceQualities(std::span<const PartFacePatch> faces,
                                                std::span<const DeviationSample> samples,
                                                const DeviationTolerance& tolerance, Progress& progress);
 
-/// The worst faces first: the deepest gouge, then the most stock, then the smaller share within tolerance; what is not
-/// known at the end.
+/// Sorts the worst faces first: by the deepest gouge, then the most stock, then the smallest share within tolerance;
+/// faces without samples come last.
 void sortByQuality(std::vector<FaceQuality>& faces);
 
-/// Where to look at a face: its gouge, where it has none its stock, else its middle.
+/// Returns the point at which to show a face: its gouge, without one its excess, otherwise its middle.
 const WorstPoint& worstPointOf(const FaceQuality& face) noexcept;
 
-/// A line for each face behind a line of names, which carry their unit; positions in the setup frame. Numbers have a
-/// decimal point, whatever the locale; what is not known or not there is empty.
-/// @param separator between fields: a comma (CSV), a tab (what spreadsheets paste)
+/// Returns a header line with names and units, then a line for each face; positions in the setup frame. Numbers have a
+/// decimal point whatever the locale; fields that are unknown or don't apply are empty.
+/// @param separator between fields: a comma (CSV), or a tab (for pasting into spreadsheets)
 std::string faceTable(std::span<const FaceQuality> faces, char separator);
 
 } // namespace burin

@@ -52,7 +52,8 @@ QStringList descriptionsIn(const QString& help) {
     for (const QString& line : lines)
         if (line.startsWith("  ") && line.size() > column && line.at(column - 1) == ' ' && line.at(column) != ' ' &&
             !range.match(line.left(column)).hasMatch())
-            descriptions.append(line.mid(column).trimmed());
+            if (const QString text = line.mid(column).trimmed(); !text.startsWith("--")) // options that exclude it
+                descriptions.append(text);
     return descriptions;
 }
 

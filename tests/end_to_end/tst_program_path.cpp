@@ -49,7 +49,8 @@ private slots:
         QVERIFY2(text.contains(QRegularExpression("G2 X-30(\\.0+)? Y-10(\\.0+)?")), qPrintable(text));
     }
 
-    /// The last line of the slot turns slower and dry: speed and coolant change right before it, and nothing else does.
+    /// The last line of the slot is cut slower and dry: speed and coolant change directly before it, nothing else
+    /// changes.
     void aPartOfItGetsASpeedOfItsOwn() {
         QVERIFY(QFile::copy(in("p.burin"), in("s.burin")));
         QCOMPARE(run({"path", in("s.burin"), "show", "1", "-o", in("points.csv")}).status, 0);
@@ -77,9 +78,9 @@ private slots:
         const qsizetype change = text.indexOf("\nS7000 M3\nM9\n");
         QVERIFY2(change > 0 && text.indexOf(QRegularExpression("(G1 )?Y-60")) > change, qPrintable(text));
         text.remove(change, QStringLiteral("\nS7000 M3\nM9").size());
-        const auto blocks = [](const QString& all) { return all.mid(all.indexOf("\nG17")); }; // behind the header
+        const auto blocks = [](const QString& all) { return all.mid(all.indexOf("\nG17")); }; // after the header
         QCOMPARE(blocks(text), blocks(read("out.ngc")));
-        // Beyond what the machine turns it is refused in a sentence.
+        // A speed above the machine's limit is refused with a message.
         QCOMPARE(apply(900000.0).status, 0);
         const ProgramRun refused = run({"path", in("s.burin"), "show", "1"});
         QVERIFY(refused.status != 0 && refused.messages.contains("spindle speed"));

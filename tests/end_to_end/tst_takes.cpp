@@ -82,11 +82,11 @@ private slots:
         QCOMPARE(hash({}), first_);
     }
 
-    /// A take and its reference: what each removed is what the workpiece lost, the reference counts though it is off,
-    /// and nothing of the project changes.
+    /// A take and its reference: the volume that each removed is the loss of the workpiece, the reference is scored
+    /// although it is off, and the project does not change.
     void aTakeIsScoredBesideAReference() {
         QCOMPARE(run({"take", "off", in("p.burin"), "1"}).status, 0);
-        const ProgramRun again = mill({"--intent", "scribble", "--seconds", "6"}); // the same hand on the same stock
+        const ProgramRun again = mill({"--intent", "scribble", "--seconds", "6"}); // same movements and stock
         QVERIFY2(again.status == 0, again.messages.constData());
         const QByteArray before = bytes();
         const ProgramRun scored = run({"take", "score", in("p.burin"), "2", "--reference", "1"});
@@ -105,7 +105,7 @@ private slots:
         QVERIFY(own["smoothness_sparc"].toDouble() < -1.0);
         QVERIFY(std::abs(own["removed_mm3"].toDouble() - again.json()["removed_mm3"].toDouble()) < 1e-6);
         const ProgramRun alone = runBurin({"take", "score", in("p.burin"), "2"});
-        QVERIFY(alone.status == 0 && alone.output.contains("Mean force: ") && !alone.output.contains("ratio"));
+        QVERIFY(alone.status == 0 && alone.output.contains("Mean force: ") && !alone.output.contains("reference"));
         QCOMPARE(bytes(), before);
     }
 
@@ -133,8 +133,8 @@ private slots:
                  middle["workpiece_hash"].toString());
     }
 
-    /// Moved, the takes are replayed in the new order, and workpiece and path are what they were; moved back, all that
-    /// "info" lists is the same byte for byte. A copy mills nothing twice, and stands for its original.
+    /// Moved takes are replayed in the new order, while workpiece and path stay the same; after moving back, the output
+    /// of "info" is the same byte for byte. A copy mills nothing twice, and replaces its original.
     void takesAreMovedAndCopied() {
         QVERIFY(mill({"--intent", "scribble", "--seconds", "3", "--seed", "7"}).status == 0);
         QCOMPARE(run({"path", in("p.burin"), "new"}).status, 0);
@@ -146,7 +146,7 @@ private slots:
         QCOMPARE(hash({}), all);
         QCOMPARE(pathPoints(), points);
         QCOMPARE(run({"info", in("p.burin")}).json()["takes"].toArray()[0].toObject()["id"].toInt(), 2);
-        const QString second = hash({"--at", "2"}); // at the border: that take alone
+        const QString second = hash({"--at", "2"}); // at the end of take 2: only that take
         QVERIFY(second != border && second != all);
         QCOMPARE(hash({"--at", "1"}), all);
         QCOMPARE(hash({"--at", "2:0"}), hash({"--stock"}));
@@ -212,7 +212,7 @@ private:
         if (written.status != 0) qWarning("%s", written.messages.constData());
         return written.json()["hash"].toString();
     }
-    /// As "info" lists them.
+    /// The takes as "info" lists them.
     QByteArray takes() const { return QJsonDocument(run({"info", in("p.burin")}).json()["takes"].toArray()).toJson(); }
     QByteArray pathPoints() const {
         if (run({"path", in("p.burin"), "show", "1", "-o", in("points.csv")}).status != 0) return {};

@@ -20,7 +20,7 @@ using namespace burin;
 
 // The header of a frame: mark, version, kind and a reserved word of four bytes each, size and checksum of eight.
 constexpr std::size_t headSize = 32, kindAt = 8, sizeAt = 16, checksumAt = 24;
-constexpr std::uint32_t kinds = 10; // one more than there are
+constexpr std::uint32_t kinds = 10; // one more than exist
 
 /// As core/cad/worker_message.cpp computes it; without it no answer would be accepted and the code after the check
 /// would not be tested.

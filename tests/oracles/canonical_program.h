@@ -15,16 +15,17 @@ enum class CanonicalKind { rapid, line, arc, dwell };
 /// A canonical call of LinuxCNC's interpreter that moves or waits. Lengths are in the unit of the block.
 struct CanonicalMove {
     CanonicalKind kind = CanonicalKind::rapid;
-    glm::dvec3 to{0.0};               ///< with shifts of G92 and G52, as NcMotion has it
+    glm::dvec3 to{0.0};               ///< including the shifts of G92 and G52, as in NcMotion
     glm::dvec3 centre{0.0};           ///< arc; its component along the axis is 0
     int axis = 2;                     ///< arc
-    int turns = 0;                    ///< arc: begun turns, below 0 clockwise
-    double feed = 0.0;                ///< mm/min, or mm a turn, as last set
+    int turns = 0;                    ///< arc: number of turns begun, negative for clockwise
+    double feed = 0.0;                ///< mm/min, or mm per revolution, as last set
     double seconds = 0.0;             ///< dwell
-    double spindleSpeed = 0.0;        ///< 1/min, of a spindle that turns; 0: it stands
+    double spindleSpeed = 0.0;        ///< 1/min; 0: the spindle is stopped
     bool mist = false, flood = false; ///< coolant
     double unit = 1.0;                ///< mm
-    double doubt = 1e-4; ///< of lengths, from printing four decimals: of a shift too, in the unit that it was set in
+    double doubt = 1e-4; ///< uncertainty of lengths, because four decimals are printed; of a shift too, in the unit in
+                         ///< which it was set
 };
 
 /// The output of LinuxCNC's stand-alone interpreter, rs274, for a program. It runs with a home folder of its own (it

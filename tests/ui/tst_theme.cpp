@@ -156,8 +156,9 @@ private slots:
     void linesOfAPathStandOutFromWhateverTheyLieOn() {
         QFETCH(int, theme);
         const Palette palette = *loadPalette(static_cast<Theme>(theme));
-        const std::vector<QColor> lines{palette.path,       palette.conventionalPath, palette.rapidPath,
-                                        palette.plungePath, palette.livePath,         palette.chosenPath};
+        const std::vector<QColor> lines{palette.path,        palette.conventionalPath, palette.rapidPath,
+                                        palette.plungePath,  palette.livePath,         palette.chosenPath,
+                                        palette.comparedPath};
         std::vector<QColor> grounds = stockColours();
         QVERIFY(grounds.size() >= 3);
         grounds.insert(grounds.end(), {palette.part, palette.sceneTop, palette.sceneBottom});
@@ -179,7 +180,7 @@ private slots:
         QString text = QString::fromStdString(shippedTheme("light"));
         const Palette shipped = *paletteFromJson(text.toStdString(), "light.json");
         text.remove(QRegularExpression(QStringLiteral(",\\s*\"(conventional_path|rapid_path|plunge_path|chosen_path|"
-                                                      "path_halo)\": \"#[0-9a-f]{6}\"")));
+                                                      "compared_path|path_halo)\": \"#[0-9a-f]{6}\"")));
         QVERIFY(!text.contains(QStringLiteral("path_halo")));
         const Result<Palette> palette = paletteFromJson(text.toStdString(), "light.json");
         QVERIFY(palette);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// A path beside another version of it: by mouse and keys.
+// Compares a path with another version of it, by mouse and keys.
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/scene/camera_view.h"
@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
@@ -30,7 +31,7 @@ bool isEvaluated(WindowDriver& driver) {
     return path.evaluated() && !path.outdated() && !path.busy();
 }
 
-/// Two slots across the block's top, and an edit that shifts them by a quarter of a millimetre.
+/// Adds two slots across the top of the block, and an edit that shifts them by 0.25 mm.
 bool openShifted(WindowDriver& driver) {
     const QString name = driver.folder().filePath("slots.nc");
     QFile file(name);
@@ -41,7 +42,8 @@ bool openShifted(WindowDriver& driver) {
     chooseFile(driver, name);
     driver.key(Qt::Key_G, Qt::ControlModifier | Qt::AltModifier);
     if (!driver.waitFor([&] { return isEvaluated(driver); })) return false;
-    pathOf(driver).addEdit({Offset{{}, 0.25}});
+    pathOf(driver).addEdit({HoldOut{}});
+    pathOf(driver).addEdit({Offset{{}, 0.25}}); // before it
     return driver.waitFor([&] { return isEvaluated(driver); });
 }
 
@@ -69,7 +71,7 @@ bool same(const CameraView& one, const CameraView& other) {
 class TestWindowComparison : public QObject {
     Q_OBJECT
 private slots:
-    /// With the recording, then without an edit; to the largest deviation and back.
+    /// Compares with the recording, then without an edit; the view moves to the largest deviation and back.
     void aPathIsComparedWithItsVersions() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -83,15 +85,15 @@ private slots:
         compareByKey(driver);
         QVERIFY(driver.waitFor([&] { return compared(driver) != nullptr; }));
         QVERIFY(driver.visible("comparisonDialog") != nullptr);
-        const PathComparison& values = compared(driver)->values;
+        const PathDifference& values = compared(driver)->values;
         QVERIFY(values.ofFirst && std::abs(values.ofFirst->largest - 0.25) < 0.002);
-        QVERIFY(std::abs(values.first.cutting - 72.0) < 0.01);
+        QVERIFY(std::abs(values.second.cutting - 85.0) < 0.01);
         QTRY_COMPARE(textOf(driver, "comparedCuttingFirst"), lengthText(values.first.cutting, LengthUnit::millimetre));
         QCOMPARE(textOf(driver, "comparedPointsSecond"), QString::number(values.second.points));
         QTRY_VERIFY(viewport.grabFramebuffer() != before);
         driver.shoot("comparison-1-recorded");
 
-        // By the list: the first version without an edit.
+        // Choose the first version without an edit from the list.
         auto* version = driver.visible<QComboBox>("comparedVersion");
         version->setFocus();
         QTest::keyClick(version, Qt::Key_Down);
@@ -99,7 +101,7 @@ private slots:
         QVERIFY(driver.waitFor([&] { return compared(driver) != nullptr; }));
         driver.shoot("comparison-2-without-an-edit");
 
-        // Within the tolerance nothing is marked; all of both slots is beyond the usual one.
+        // Nothing is marked within the tolerance; both slots lie entirely outside the default tolerance.
         QTest::keyClick(version, Qt::Key_Home);
         QVERIFY(driver.waitFor(
             [&] { return compared(driver) != nullptr && compared(driver)->values.ofFirst->farther > 71.0; }));
@@ -112,8 +114,9 @@ private slots:
         QVERIFY(!same(viewport.cameraView(), view));
         QCOMPARE(viewport.cameraView().focus, compared(driver)->values.ofFirst->largestAt);
         driver.shoot("comparison-3-largest");
+        auto* shown = driver.visible<QDialog>("comparisonDialog");
 
-        QTest::keyClick(driver.visible("comparisonDialog"), Qt::Key_Escape);
+        QTest::mouseClick(shown->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Close), Qt::LeftButton);
         QTRY_VERIFY(driver.visible("comparisonDialog") == nullptr);
         QVERIFY(same(viewport.cameraView(), view));
         QVERIFY(!driver.window().workbench().pathComparer.isOpen());
@@ -121,7 +124,7 @@ private slots:
         QTRY_VERIFY(viewport.grabFramebuffer() == before);
     }
 
-    /// What is compared follows the edits, and goes with the path. A hidden path is seen as long as it is compared.
+    /// The comparison follows the edits and ends with the path. A hidden path is visible while it is compared.
     void theComparisonFollowsThePath() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
@@ -148,8 +151,12 @@ private slots:
 
         compareByKey(driver);
         QVERIFY(driver.waitFor([&] { return compared(driver) != nullptr; }));
-        for (int i = 0; i < 3 && pathOf(driver).stored() != nullptr; ++i) driver.window().workbench().undoLast();
-        QTRY_VERIFY(pathOf(driver).stored() == nullptr); // the path itself was undone
+        // An edit was changed, two were added, and the path was made.
+        for (int i = 0; i < 4; ++i) {
+            driver.window().workbench().undoLast();
+            QVERIFY(driver.settle());
+        }
+        QTRY_VERIFY(pathOf(driver).stored() == nullptr);
         QVERIFY(compared(driver) == nullptr);
         QTRY_VERIFY(!menuAction(driver, "comparePathsAction")->isEnabled());
         QTRY_COMPARE(textOf(driver, "comparedCuttingFirst"), QStringLiteral("–"));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The first job: done by whoever follows what the coach points at, and nothing else.
+// The first job, done by following only what the coach points at.
 #include "tests/test_program.h"
 #include "tests/ui/visible_texts.h"
 #include "tests/ui/window_steps.h"
@@ -28,7 +28,7 @@ CoachPanel& panelOf(WindowDriver& driver) {
     return *driver.window().findChild<CoachPanel*>("coachPanel");
 }
 
-/// Over the window, or over a menu that is open. Null: it points at nothing.
+/// Returns the visible outline, over the window or over an open menu; null if the coach points at nothing.
 TargetOutline* outline() {
     for (QWidget* widget : QApplication::allWidgets())
         if (auto* found = qobject_cast<TargetOutline*>(widget); found != nullptr && found->isVisible()) return found;
@@ -43,22 +43,22 @@ QString nameOf(const Pointed& pointed) {
     return pointed.widget ? pointed.widget->objectName() : QString();
 }
 
-/// Presses what the coach points at, one thing after the other, as somebody does who knows nothing of Burin.
+/// Presses one after the other the widgets that the coach points at, like a user who does not know Burin.
 class Follower : public QObject {
 public:
-    explicit Follower(WindowDriver& driver) : QObject(&driver.window()), driver_(driver) { goOn(); }
+    explicit Follower(WindowDriver& driver) : driver_(driver) { goOn(); }
     bool reach(std::size_t step) {
         until_ = step;
         const bool reached = driver_.waitFor([&] { return coach().job().at() >= step; }, 60000);
         until_ = 0;
         return reached;
     }
-    QStringList faults;  ///< of what was seen on the way
-    int menuEntries = 0; ///< that were pressed in menus
+    QStringList faults;  ///< faults found on the way
+    int menuEntries = 0; ///< number of entries pressed in menus
 
 private:
     const Coach& coach() const { return driver_.window().coach(); }
-    void goOn() { // anew each time: a menu that opens keeps what opened it waiting
+    void goOn() { // a new timer each time: an open menu blocks the call that opened it
         QTimer::singleShot(50, this, [this] {
             goOn();
             act();
@@ -68,8 +68,8 @@ private:
         const Pointed pointed = coach().pointed();
         if (coach().job().at() >= until_ || !pointed.widget || !pointed.widget->isEnabled()) return;
         const std::pair now{coach().job().at(), pointed.rectIn(driver_.window())};
-        if (now == acted_ && since_.elapsed() < 4000) return; // it takes a moment
-        if (now != seen_) {                                   // until panels and pictures stand still
+        if (now == acted_ && since_.elapsed() < 4000) return; // the last press may still take effect
+        if (now != seen_) {                                   // wait until panels and images stop moving
             seen_ = now;
             return;
         }
@@ -78,7 +78,7 @@ private:
         look(pointed);
         press(pointed);
     }
-    /// The frame is around what is meant, and the panel covers none of it but the view.
+    /// Checks that the frame surrounds the target, and that the panel does not cover it unless it is the view.
     void look(const Pointed& pointed) {
         QWidget& over = *pointed.widget->window();
         const TargetOutline* frame = outline();
@@ -120,7 +120,7 @@ private:
 };
 
 bool begin(WindowDriver& driver) {
-    driver.key(Qt::Key_J, Qt::ControlModifier | Qt::ShiftModifier);
+    driver.key(Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
     return driver.waitFor([&] { return driver.window().coach().running() && outline() != nullptr; }, 5000);
 }
 
@@ -143,10 +143,10 @@ void TestWindowFirstJob::whoFollowsItGetsToAProgram() {
     Workbench& workbench = driver.window().workbench();
     const Coach& coach = driver.window().coach();
     auto* offer = driver.visible<QPushButton>("firstJobButton");
-    QVERIFY(offer && offer->property("look") == "primary");
+    QVERIFY(offer && offer->property("look").toString() == "primary");
     QVERIFY(driver.clickOn("firstJobButton"));
     QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "samplePartButton"; }, 5000));
-    QVERIFY(!workbench.document.isOpen()); // it does nothing by itself
+    QVERIFY(!workbench.document.isOpen()); // the coach does nothing by itself
     driver.shoot("first-job-1");
     Follower follower(driver);
     QVERIFY(follower.reach(voxel));
@@ -155,7 +155,7 @@ void TestWindowFirstJob::whoFollowsItGetsToAProgram() {
     QVERIFY(follower.reach(embed));
     QCOMPARE(workbench.setup.setup().voxel, 1.0);
     QVERIFY(!workbench.workpiece.embedded());
-    for (const QSize& size : {QSize(1024, 680), QSize(1400, 900)}) { // the frame goes along
+    for (const QSize& size : {QSize(1024, 680), QSize(1400, 900)}) { // the frame follows the target
         driver.window().resize(size);
         QVERIFY(driver.waitFor([&] { return driver.window().size() == size; }, 3000));
         QTest::qWait(100);
@@ -187,7 +187,7 @@ void TestWindowFirstJob::whoFollowsItGetsToAProgram() {
     driver.shoot("first-job-9");
     QVERIFY(follower.reach(post));
     QCOMPARE(workbench.path.stored()->edits.size(), edits + 1);
-    QCOMPARE(follower.menuEntries, 2); // a group, and the edit
+    QCOMPARE(follower.menuEntries, 2); // a group and the edit
     QVERIFY(follower.reach(exporting));
     QVERIFY(workbench.program.exportable());
     QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "exportButton"; }, 5000));
@@ -202,13 +202,13 @@ void TestWindowFirstJob::whoFollowsItGetsToAProgram() {
     driver.shoot("first-job-done");
     QVERIFY(driver.clickOn("coachEndButton"));
     QVERIFY(!coach.running() && !panelOf(driver).isVisible());
-    // The welcome page offers it as one thing among others from now on.
+    // From now on the first job is no longer the primary action of the welcome page.
     QVERIFY(driver.restart(true));
     offer = driver.visible<QPushButton>("firstJobButton");
     QVERIFY(offer && offer->property("look").toString().isEmpty());
 }
 
-/// By keys and by a file of one's own; and what is undone is asked for again.
+/// Steps also count if done by keys or with the user's own file; a step that is undone is asked for again.
 void TestWindowFirstJob::whatIsDoneAnotherWayCounts() {
     WindowDriver driver;
     Workbench& workbench = driver.window().workbench();
@@ -218,19 +218,22 @@ void TestWindowFirstJob::whatIsDoneAnotherWayCounts() {
     drop(driver.window(), writeBlock(driver));
     QVERIFY(at(voxel));
     QVERIFY(driver.waitFor([&] { return driver.visible("embedButton") != nullptr; }, 5000));
-    driver.key(Qt::Key_B, Qt::ControlModifier); // as it is: nobody has to choose the voxel
+    driver.key(Qt::Key_B, Qt::ControlModifier); // with the present voxel: choosing it is optional
     QVERIFY(at(tool));
-    workbench.tool.choose("flat-6");
-    QVERIFY(at(mill));
     QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle());
-    driver.key(Qt::Key_M);
+    driver.key(Qt::Key_M); // with the tool that is in the spindle
     QVERIFY(at(stroke));
-    driver.key(Qt::Key_M); // without a stroke
+    driver.key(Qt::Key_M); // stops without a stroke
     QVERIFY(at(mill));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QTest::qWait(300); // panels follow
     QVERIFY(recordLine(driver, {-15, 0}, {15, 0}));
     QVERIFY(at(path));
-    driver.key(Qt::Key_N, Qt::ControlModifier); // a dialog changes nothing
-    QVERIFY(coach.running());
+    bool asked = false; // a dialog on top changes nothing
+    driver.whenDialogStands([&](QWidget& dialog) { asked = answer(dialog, "cancelButton"); });
+    driver.key(Qt::Key_N, Qt::ControlModifier);
+    QVERIFY(asked && coach.running() && panelOf(driver).isVisible());
+    QCOMPARE(coach.job().at(), std::size_t{path});
 }
 
 void TestWindowFirstJob::itSaysWhereToReturn() {
@@ -252,7 +255,7 @@ void TestWindowFirstJob::itSaysWhereToReturn() {
     QTRY_COMPARE(noteOf(driver), QString("Return to the project."));
     QVERIFY(driver.clickOn("backButton") && driver.clickOn("stepStock"));
     QVERIFY(points("voxelField"));
-    // Back shows a step that was done, and does not end by that; Next goes on.
+    // Back shows a completed step, which does not end at once because it is completed; Next continues.
     QVERIFY(driver.clickOn("coachBackButton"));
     QCOMPARE(coach.job().at(), std::size_t{part});
     QTRY_COMPARE(driver.visible<QPushButton>("coachSkipButton")->text(), QString("Next"));
@@ -273,7 +276,7 @@ void TestWindowFirstJob::itAsksAboutUnsavedWork() {
     QTRY_VERIFY(driver.window().workbench().document.unsaved());
     bool asked = false;
     driver.whenDialogStands([&](QWidget& dialog) { asked = answer(dialog, "cancelButton"); });
-    driver.key(Qt::Key_J, Qt::ControlModifier | Qt::ShiftModifier);
+    driver.key(Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
     QVERIFY(asked);
     QTest::qWait(200);
     QVERIFY(!coach.running() && driver.window().workbench().model.model() != nullptr);
@@ -282,7 +285,7 @@ void TestWindowFirstJob::itAsksAboutUnsavedWork() {
     QVERIFY(driver.window().workbench().model.model() == nullptr);
     QCOMPARE(nameOf(coach.pointed()), QString("samplePartButton"));
     QVERIFY(driver.visible("backButton") == nullptr);
-    // With an empty project the way leads through the menu.
+    // With an empty project, the sample part is opened from the menu.
     driver.key(Qt::Key_N, Qt::ControlModifier);
     QVERIFY(driver.waitFor([&] { return qobject_cast<QMenuBar*>(coach.pointed().widget) != nullptr; }, 5000));
     Follower follower(driver);
@@ -302,7 +305,7 @@ void TestWindowFirstJob::itIsWorkedByKeys() {
     QVERIFY(panel.accessibleDescription().startsWith("Press “Try the sample part”."));
     const auto focus = [] { return QApplication::focusWidget() ? QApplication::focusWidget()->objectName() : ""; };
     driver.key(Qt::Key_Tab);
-    QCOMPARE(focus(), QString("coachSkipButton")); // there is nothing to go back to
+    QCOMPARE(focus(), QString("coachSkipButton")); // there is no previous step
     driver.key(Qt::Key_Space);
     QTRY_VERIFY(panel.accessibleName().contains("step 2 of 11"));
     driver.key(Qt::Key_Tab);
@@ -312,13 +315,13 @@ void TestWindowFirstJob::itIsWorkedByKeys() {
     QCOMPARE(focus(), QString("coachBackButton"));
     for (const QPushButton* button : panel.findChildren<QPushButton*>())
         QVERIFY2(!button->text().isEmpty() && !button->toolTip().isEmpty(), qPrintable(button->objectName()));
-    // Elsewhere Esc means what it meant before; the same keys lead back to the panel.
+    // Outside the panel, Esc keeps its usual meaning; the same shortcut returns the focus to the panel.
     driver.visible<QWidget>("samplePartButton")->setFocus();
     driver.key(Qt::Key_Escape);
     QVERIFY(coach.running());
-    driver.key(Qt::Key_J, Qt::ControlModifier | Qt::ShiftModifier);
+    driver.key(Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
     QVERIFY(coach.hasKeyboard());
-    QCOMPARE(coach.job().at(), std::size_t{voxel}); // as far as one was
+    QCOMPARE(coach.job().at(), std::size_t{voxel}); // the step is unchanged
     driver.key(Qt::Key_Escape);
     QVERIFY(!coach.running() && !panel.isVisible() && outline() == nullptr);
     QVERIFY(!UserSettings().firstJobFinished());
@@ -326,7 +329,7 @@ void TestWindowFirstJob::itIsWorkedByKeys() {
 
 void TestWindowFirstJob::textsFit_data() {
     QTest::addColumn<QString>("language");
-    for (const char* language : {"en", "zh_CN", "de"}) // a translation that is installed stays
+    for (const char* language : {"en", "zh_CN", "de"}) // an installed translation stays installed
         QTest::newRow(language) << QString::fromLatin1(language);
 }
 

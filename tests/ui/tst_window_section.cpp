@@ -21,7 +21,7 @@ bool evaluatedNow(const WindowDriver& driver, const Workbench& workbench) {
         [&] { return !workbench.path.busy() && !workbench.path.outdated() && !workbench.path.problem(); });
 }
 
-/// The point of the hand nearest to a place along X, mm from program zero.
+/// Returns the recorded path point nearest to a position along X. @param x mm from program zero
 PathPoint pointAt(const Workbench& workbench, double x) {
     const std::vector<PathPoint>& points = workbench.path.evaluated()->path.points;
     const double zero = workbench.workpiece.milling()->setup.workOffset.x;
@@ -83,7 +83,7 @@ private slots:
         QVERIFY(evaluatedNow(driver, workbench));
         driver.shoot("32-section");
 
-        // Between both places, and nowhere else.
+        // The changes apply between the two points, and nowhere else.
         const Path& path = workbench.path.evaluated()->path;
         double low = 1e9, high = -1e9;
         for (std::size_t i = 1; i < path.points.size(); ++i) {
@@ -101,7 +101,7 @@ private slots:
         QCOMPARE(after.count(QStringLiteral("\nS%1 M3\nM9\n").arg(path.spindleSpeed, 0, 'f', 0)), 1);
         QVERIFY(driver.step(JobStep::path));
 
-        // A speed that the machine has not is refused; each step can be undone.
+        // A speed outside the range of the machine is refused; each step can be undone.
         QVERIFY(driver.enter(field("speed_rpm"), QStringLiteral("900000")));
         QVERIFY(driver.waitFor([&] { return workbench.path.problem().has_value(); }));
         QCOMPARE(workbench.path.problem()->code, ErrorCode::programLimit);

@@ -146,15 +146,17 @@ private slots:
         QVERIFY(driver_->settle());
     }
 
-    /// A take is moved by key and menu, and undone: the workpiece stays, and at the border between the takes stands
-    /// what the takes before it cut. A copy cuts nothing more, and stands for its original when that is deleted.
+    /// Moves a take by key and menu, with undo: the workpiece is unchanged, and at the boundary between the takes the
+    /// timeline shows what the earlier takes cut. A copy cuts nothing more, and replaces its original if that is
+    /// deleted.
     void takesAreMovedAndCopied() {
+        const std::vector<std::int64_t> ids = listed();
+        QVERIFY(goesBy(ids));
         QVERIFY(chooseInMenu(0.5, "takeOffAction"));
         QVERIFY(driver_->waitFor([&] { return !busy() && now() != all_; }));
-        const std::uint64_t second = now(); // the second take alone
+        const std::uint64_t second = now(); // only the second take
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(stands(all_));
-        const std::vector<std::int64_t> ids = listed();
         const std::vector<std::int64_t> other{ids[1], ids[0]};
         QVERIFY(goesBy(ids));
         clickOnTake(1);
@@ -303,9 +305,9 @@ private:
         for (const TakeInfo& take : workbench().mill.allTakes()) ids.push_back(take.id);
         return ids;
     }
-    /// The takes are in that order, for list and timeline alike.
+    /// Waits until the takes are in that order, both in the list and in the timeline.
     bool goesBy(const std::vector<std::int64_t>& ids) {
-        return driver_->waitFor(
+        const bool goes = driver_->waitFor(
             [&] {
                 if (busy() || !time().possible() || time().reading()) return false;
                 std::vector<std::int64_t> tracks;
@@ -313,6 +315,8 @@ private:
                 return listed() == ids && tracks == ids;
             },
             10000);
+        QTest::qWait(50); // the view is told
+        return goes;
     }
     void clickOnTake(std::size_t take) {
         auto* view = driver_->visible<TimelineView>("timelineView");

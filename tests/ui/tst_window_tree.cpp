@@ -114,13 +114,13 @@ private slots:
         QTRY_VERIFY(rowOf(*tree, "slot") != nullptr);
     }
 
-    /// A take is moved by the keys in its row, and copied by its menu. The path has the copy when its menu says so, and
-    /// undo takes each of it back.
+    /// Moves a take by the keys in its row, and copies it by its menu. The path gets the copy only by its menu, and
+    /// each change can be undone.
     void takesAreMovedAndCopied() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
-        QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}));
-        QVERIFY(recordLine(driver, {-10.0, 6.0}, {10.0, 6.0}));
+        QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}) && driver.settle());
+        QVERIFY(recordLine(driver, {-10.0, 6.0}, {10.0, 6.0}) && driver.settle());
         QVERIFY(newPath(driver));
         ProjectTree* tree = openTree(driver);
         QVERIFY(tree);
@@ -146,7 +146,7 @@ private slots:
         QTRY_COMPARE(names(), (QStringList{"take 1", "take 2", "take 1 (copy)"}));
         QVERIFY(driver.settle());
         QVERIFY(sources() == before && !workbenchOf(driver).path.outdated());
-        QCOMPARE(workbenchOf(driver).path.version(), version); // what was posted is up to date
+        QCOMPARE(workbenchOf(driver).path.version(), version); // the posted program is up to date
         QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "take 1 (copy)"), "takeMenu", "takeInPathAction"));
         QTRY_COMPARE(sources().size(), before.size() + 1);
         QVERIFY(driver.settle());

@@ -79,7 +79,7 @@ void ActionStates::update() {
     enable(ActionId::overrideCheck, workbench.program.refused() && !workbench.program.busy());
     enable(ActionId::restart, workbench.program.restartable());
     const std::shared_ptr<const CheckedProgram> judged = workbench.program.upToDate();
-    enable(ActionId::inspectFaces, judged && !judged->report.deviations.empty()); // a kept verdict is without
+    enable(ActionId::inspectFaces, judged && !judged->report.deviations.empty()); // a saved verdict has no deviations
     enable(ActionId::playTime, workbench.time.possible() && !showing);
     enable(ActionId::addMarker, workbench.time.possible() && !showing && !workbench.time.showsProgram());
     enable(ActionId::scoreTake, workbench.score.possible());

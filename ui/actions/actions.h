@@ -108,7 +108,7 @@ enum class ActionId : std::size_t {
     punchIn,
     addMarker,
     scoreTake,
-    takeUp, ///< these three are of the chosen take
+    takeUp, ///< this and the next two act on the chosen take
     takeDown,
     duplicateTake,
     overrideCheck,

@@ -63,7 +63,7 @@ void Coach::setUnit(LengthUnit unit) {
     followSoon();
 }
 
-/// Whatever moves, comes or goes may be what is meant, or lie around it.
+/// Any widget that moves, appears or disappears may be the target or contain it.
 bool Coach::eventFilter(QObject* watched, QEvent* event) {
     if (!watched->isWidgetType() || watched == panel_ || watched == outline_) return false;
     switch (event->type()) {
@@ -77,7 +77,7 @@ bool Coach::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::ToolTipChange:
         if (watched == pointed_.widget) followSoon();
         break;
-    case QEvent::Paint: // a list that scrolls moves no widget
+    case QEvent::Paint: // scrolling a list moves no widget
         if (watched == pointed_.widget && !job_.finished() && firstJobSteps()[job_.at()].row != nullptr) followSoon();
         break;
     default:
@@ -118,14 +118,14 @@ void Coach::point() {
     pointed_ = next;
     pointedFor_ = job_.at();
     if (!other || !next.widget) return;
-    // Once: the user may scroll it away again.
+    // Only once, so that the user may scroll it away again.
     bringIntoView(next.widget);
     const FirstJobStep& step = firstJobSteps()[job_.at()];
     if (auto* list = qobject_cast<QListWidget*>(next.widget->parentWidget()); list != nullptr && step.row != nullptr)
         if (QListWidgetItem* item = list->item(step.row(workbench_))) list->scrollToItem(item);
 }
 
-/// What was pressed has to be done before the next thing can be.
+/// Whether the work that the user started is still running; the next step has to wait for it.
 bool Coach::busy() const {
     return workbench_.model.importing() || workbench_.workpiece.embedding() || workbench_.path.busy() ||
            workbench_.program.busy();
@@ -167,7 +167,7 @@ CoachState Coach::stateOf(const FirstJobStep& step) const {
     return state;
 }
 
-/// It lies over the view, or all of the page where there is none: panels stay free.
+/// Returns the area for the coach panel: the view, or the whole page if there is no view. Other panels stay uncovered.
 QWidget& Coach::place() const {
     for (const char* name : {"viewport", "pages"}) {
         auto* widget = window_.findChild<QWidget*>(QLatin1String(name));

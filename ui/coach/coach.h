@@ -10,7 +10,7 @@ namespace burin {
 
 class TargetOutline;
 
-/// Leads a new user through the first job: says what to do next and points at it, and never does it.
+/// Guides a new user through the first job: says what to do next and points at it, but never does it itself.
 class Coach final : public QObject {
     Q_OBJECT
 public:
@@ -24,13 +24,13 @@ public:
     void takeKeyboard();
     void setUnit(LengthUnit unit);
     const FirstJob& job() const noexcept { return job_; }
-    /// What is to be pressed now; nothing while Burin works, and at the end.
+    /// What the user should press now; nothing while Burin is busy, and after the last step.
     const Pointed& pointed() const noexcept { return pointed_; }
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
-    void finished(); ///< all steps are behind the user
+    void finished(); ///< all steps are completed or skipped
 
 private:
     void followSoon();
@@ -48,9 +48,9 @@ private:
     const Actions& actions_;
     FirstJob job_;
     CoachPanel* panel_;
-    QPointer<TargetOutline> outline_; ///< goes with a menu that it lies over
+    QPointer<TargetOutline> outline_; ///< deleted with a menu that it lies over
     Pointed pointed_;
-    std::size_t pointedFor_ = 0; ///< the step
+    std::size_t pointedFor_ = 0; ///< the step that `pointed_` belongs to
     CoachState said_;
     LengthUnit unit_ = LengthUnit::millimetre;
     bool due_ = false;

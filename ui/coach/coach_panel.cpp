@@ -77,7 +77,7 @@ void CoachPanel::setState(const CoachState& state) {
     end_->setText(finished ? tr("Close") : tr("End"));
     end_->setToolTip(finished ? tr("Close the first job (Esc)") : tr("End the first job; the project stays (Esc)"));
     announce(state);
-    layout()->invalidate(); // the texts' new heights come by an event, later
+    layout()->invalidate(); // the new heights of the texts arrive later, by an event
     resize(coachWidth, layout()->heightForWidth(coachWidth));
 }
 
@@ -102,7 +102,7 @@ void CoachPanel::placeIn(const QRect& area, const QRect& target) {
         return both.isEmpty() ? 0 : both.width() * both.height();
     };
     for (int corner = 0; corner < static_cast<int>(corners.size()); ++corner)
-        if (covered(corner) < covered(corner_)) corner_ = corner; // it stays where it is as long as that is as good
+        if (covered(corner) < covered(corner_)) corner_ = corner; // ties keep the present corner
     move(corners[static_cast<std::size_t>(corner_)]);
 }
 

@@ -10,29 +10,29 @@ class QPushButton;
 
 namespace burin {
 
-/// What the coach says.
+/// The content of the coach panel.
 struct CoachState {
-    int number = 0, steps = 0; ///< the step, from 1; 0: all are behind
+    int number = 0, steps = 0; ///< the step, from 1; 0 if all are completed or skipped
     QString title, text;
-    QString key;       ///< the keys that do the same; empty: none
-    QString note;      ///< what comes first, or stands in the way; empty: nothing
-    bool done = false; ///< the step was done before
+    QString key;       ///< the shortcut that does the same; empty if there is none
+    QString note;      ///< what has to be done first or prevents the step; empty if nothing
+    bool done = false; ///< whether the step was completed before
     friend bool operator==(const CoachState&, const CoachState&) = default;
 };
 
-/// A small panel over the window that says what to do next. It lies where it covers nothing of what is meant, and is
-/// read out when a step begins.
+/// A small panel over the window that says what to do next. It is placed where it covers as little as possible of its
+/// target, and is announced to screen readers when a step begins.
 class CoachPanel final : public QFrame {
     Q_OBJECT
 public:
     explicit CoachPanel(QWidget* window);
     void setState(const CoachState& state);
-    /// In a corner of an area, clear of what is meant. Both in logical pixels of the window.
+    /// Moves the panel to the corner of `area` where it covers least of `target`. Both in logical pixels of the window.
     void placeIn(const QRect& area, const QRect& target);
 
 signals:
     void backWanted();
-    void skipWanted(); ///< or to go on from a step that was done before
+    void skipWanted(); ///< or continue from a step that was completed before
     void endWanted();
 
 protected:
@@ -44,7 +44,7 @@ private:
     QLabel *count_, *title_, *text_, *key_, *note_;
     QPushButton *back_, *skip_, *end_;
     int corner_ = 0;
-    int saidNumber_ = -1; ///< of the step that was read out last
+    int saidNumber_ = -1; ///< of the step that was announced last
 };
 
 } // namespace burin

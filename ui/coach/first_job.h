@@ -8,25 +8,25 @@
 
 namespace burin {
 
-/// How far the user is in the first job. A step ends when the workbench shows that it was done, whatever way the user
-/// did it; where a needed one is undone, the first job goes back to it. User interface's thread.
+/// The user's progress in the first job. A step ends when the state of the workbench shows that it was done, no matter
+/// how the user did it; if a required step is undone, the first job returns to it. Used on the GUI thread.
 class FirstJob final : public QObject {
     Q_OBJECT
 public:
-    explicit FirstJob(Workbench& workbench); ///< which outlives it
+    explicit FirstJob(Workbench& workbench); ///< must outlive this object
 
-    void begin(); ///< at the first step, whatever was done before
+    void begin(); ///< starts at the first step, whatever was done before
     void end();
     bool running() const noexcept { return running_; }
-    std::size_t at() const noexcept { return at_; } ///< place in `firstJobSteps`; their number: all are behind
+    std::size_t at() const noexcept { return at_; } ///< index in `firstJobSteps`; their number once all are passed
     bool finished() const { return at_ == firstJobSteps().size(); }
-    bool isDone() const; ///< the present step, which the user went back to
+    bool isDone() const; ///< whether the user went back to the present step and it is done
     void back();
-    void skip(); ///< the present step, or goes on from one that was done before
+    void skip(); ///< skips the present step, or continues from one that was done before
 
 signals:
     void stepChanged();
-    void lookedAt(); ///< something in the workbench has changed
+    void lookedAt(); ///< the workbench was examined, because something in it has changed
 
 private:
     enum class Mark { open, done, skipped };
@@ -39,7 +39,7 @@ private:
     std::vector<Mark> marks_;
     std::size_t at_ = 0;
     bool running_ = false;
-    bool revisited_ = false; ///< the user went back to the present step, which was done: it does not end by that
+    bool revisited_ = false; ///< the user went back to the present step, which does not end just because it is done
 };
 
 } // namespace burin

@@ -14,8 +14,8 @@ namespace burin {
 
 namespace {
 
-constexpr double quickVoxel = 1.0;          // mm: the sample part is embedded in a moment
-constexpr double nearlyQuick = 0.95;        // mm: the same in inches, rounded
+constexpr double quickVoxel = 1.0;          // mm: embeds the sample part quickly
+constexpr double nearlyQuick = 0.95;        // mm: allows for the same value rounded in inches
 constexpr const char* goodTool = "ball-10"; // for the sample part
 
 QString voxelToEnter(const Workbench& /*workbench*/, LengthUnit unit) {
@@ -33,7 +33,7 @@ QString nameOfGoodTool(const Workbench& workbench, LengthUnit /*unit*/) {
     return toolName(row < 0 ? workbench.tool.current() : workbench.tool.tools()[static_cast<std::size_t>(row)]);
 }
 
-/// The workpiece shows it before the list of takes does.
+/// Whether anything was milled. The workpiece shows this before the list of takes does.
 bool milled(Workbench& workbench) {
     return !workbench.mill.takes().empty() || workbench.workpiece.strokes().count() > 0;
 }
@@ -43,19 +43,21 @@ bool partIsOpen(const FirstJobFacts& facts) {
 }
 
 bool voxelsAreLarge(const FirstJobFacts& facts) {
-    return facts.workbench.setup.setup().voxel >= nearlyQuick || facts.workbench.workpiece.embedded();
+    const SetupController& setup = facts.workbench.setup;
+    return (setup.hasPart() && setup.setup().voxel >= nearlyQuick) || facts.workbench.workpiece.embedded();
 }
 
 bool partIsEmbedded(const FirstJobFacts& facts) {
     return facts.workbench.workpiece.embedded();
 }
 
-bool toolIsChosen(const FirstJobFacts& facts) {
-    return facts.workbench.tool.current().id != facts.firstTool;
-}
-
 bool millingBegan(const FirstJobFacts& facts) {
     return facts.workbench.mill.active() || milled(facts.workbench);
+}
+
+/// Whoever mills has chosen the tool that is in the spindle.
+bool toolIsChosen(const FirstJobFacts& facts) {
+    return facts.workbench.tool.current().id != facts.firstTool || millingBegan(facts);
 }
 
 bool strokeIsMilled(const FirstJobFacts& facts) {

@@ -16,29 +16,29 @@ namespace burin {
 
 class Workbench;
 
-/// What a step of the first job is judged by.
+/// The facts that decide whether a step of the first job is done.
 struct FirstJobFacts {
     Workbench& workbench;
-    std::string firstTool; ///< in the spindle when the first job began, by id
-    bool exported = false; ///< a program, since then
+    std::string firstTool; ///< id of the tool in the spindle when the first job began
+    bool exported = false; ///< whether a program was exported since then
 };
 
-/// One step of the first job. Texts are marked for translation (context "FirstJob"); widgets and entries of menus go by
-/// their object names.
+/// One step of the first job. Texts are marked for translation (context "FirstJob"); widgets and menu entries are given
+/// by their object names.
 struct FirstJobStep {
     const char* title;
-    const char* text;                                                           ///< may have %1
-    QString (*argument)(const Workbench& workbench, LengthUnit unit) = nullptr; ///< of the text; null: it has none
-    std::optional<JobStep> place = {};                ///< in the line of steps; nothing: before there is one
-    const char* widget = nullptr;                     ///< that is meant
-    const char* action = nullptr;                     ///< entry of a menu that is meant where the widget is not seen
-    int (*row)(const Workbench& workbench) = nullptr; ///< of the widget, a list; null: all of it is meant
-    std::optional<ActionId> key = {};                 ///< does the same
-    bool needed = true;                               ///< what comes after it can't be done without it
+    const char* text;                                                           ///< may contain %1
+    QString (*argument)(const Workbench& workbench, LengthUnit unit) = nullptr; ///< replaces %1; null if there is none
+    std::optional<JobStep> place = {};                ///< in the step bar; empty before there is a bar
+    const char* widget = nullptr;                     ///< target widget
+    const char* action = nullptr;                     ///< target menu entry if the widget is not visible
+    int (*row)(const Workbench& workbench) = nullptr; ///< target row of a list widget; null: all of it
+    std::optional<ActionId> key = {};                 ///< action with a shortcut that does the same
+    bool needed = true;                               ///< whether the later steps depend on it
     bool (*done)(const FirstJobFacts& facts) = nullptr;
 };
 
-/// In their order.
+/// The steps, in order.
 const std::vector<FirstJobStep>& firstJobSteps();
 
 QString titleOf(const FirstJobStep& step);

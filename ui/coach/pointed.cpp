@@ -22,7 +22,7 @@ QWidget* shown(const QWidget& window, const char* name) {
     return nullptr;
 }
 
-/// What of a part of a widget its parents leave to be seen.
+/// Returns the part of a rectangle of a widget that its parents do not clip.
 QRect seenOf(const QWidget& widget, QRect rect) {
     const QWidget* at = &widget;
     QPoint offset;
@@ -44,9 +44,16 @@ Pointed atWidget(QWidget* widget, const FirstJobStep& step, const Workbench& wor
     return at(list->viewport(), list->visualItemRect(list->item(row)));
 }
 
-/// The entry in the menu that is open, or what opens the menu that it is in.
+QAction* entryOf(const QWidget& window, const char* name) {
+    for (const QMenu* menu : window.findChildren<QMenu*>())
+        for (QAction* action : menu->actions())
+            if (action->objectName() == QLatin1String(name)) return action;
+    return nullptr;
+}
+
+/// Returns the entry if its menu is open, otherwise what opens the menu that contains it.
 Pointed atEntry(const QWidget& window, const char* name) {
-    auto* action = window.findChild<QAction*>(QLatin1String(name));
+    QAction* action = entryOf(window, name);
     QMenu* leadsOn = nullptr;
     for (; action != nullptr; action = leadsOn != nullptr ? leadsOn->menuAction() : nullptr) {
         leadsOn = nullptr;
@@ -64,7 +71,7 @@ Pointed atEntry(const QWidget& window, const char* name) {
     return {};
 }
 
-/// Back to the step of the job, or to the project.
+/// Returns the button that leads back to the step of the job, or to the project.
 Pointed atTheWay(const QWidget& window, JobStep place) {
     for (StepButton* button : window.findChildren<StepButton*>()) {
         if (button->step() != place || !button->isVisible()) continue;

@@ -12,15 +12,15 @@ namespace burin {
 
 /// What the coach points at.
 struct Pointed {
-    QPointer<QWidget> widget; ///< null: nothing that is seen
-    QRect rect;               ///< logical pixels of the widget: all of it, an entry of it, or what is seen of that
-    QString way; ///< what the user does there, where it only leads to what the step means; empty: it is meant
+    QPointer<QWidget> widget; ///< null if nothing visible is meant
+    QRect rect;               ///< logical pixels of the widget: the visible part of all of it or of one entry
+    QString way; ///< instruction if the widget only leads to the target of the step; empty if it is the target
 
-    /// In the frame of another widget of the same window.
+    /// Returns `rect` in the coordinates of another widget of the same window.
     QRect rectIn(const QWidget& other) const;
 };
 
-/// What is to be pressed next for a step: what it means, or where that is hidden the way there.
+/// Returns what to press next for a step: its target, or if that is hidden, a widget that leads to it.
 Pointed pointAt(const QWidget& window, const FirstJobStep& step, const Workbench& workbench);
 
 } // namespace burin

@@ -10,7 +10,7 @@ namespace burin {
 
 namespace {
 
-constexpr int outlineRoom = 6; // pixels around what is meant
+constexpr int outlineRoom = 6; // pixels around the target
 constexpr double outlineWidth = 2.5, haloWidth = 6.0, outlineCorner = 9.0;
 constexpr int haloStrength = 200; // of 255
 
@@ -37,7 +37,8 @@ void TargetOutline::surround(const Pointed& pointed) {
     raise();
 }
 
-/// A line in the accent's colour on a broad one in the window's: one of both stands out from whatever it lies on.
+/// Draws a line in the accent colour on a wider one in the window colour, so that one of the two contrasts with any
+/// background.
 void TargetOutline::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);

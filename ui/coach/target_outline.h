@@ -6,12 +6,12 @@
 
 namespace burin {
 
-/// A frame around what the coach points at, over the window or menu that this is in. It takes no mouse and no keyboard.
+/// A frame around the target of the coach, over the window or menu that contains it. It ignores mouse and keyboard.
 class TargetOutline final : public QWidget {
     Q_OBJECT
 public:
     explicit TargetOutline(QWidget* window);
-    void surround(const Pointed& pointed); ///< nothing that is seen: it is hidden
+    void surround(const Pointed& pointed); ///< hides the frame if nothing visible is meant
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -66,7 +66,7 @@ public:
     void setViewDevice(const std::string& id);
     FeltCutting felt(const std::string& device) const; ///< rendering of the cutting forces by one device
     void setFelt(const std::string& device, const FeltCutting& felt);
-    bool firstJobFinished() const; ///< the user was led through it to its end
+    bool firstJobFinished() const; ///< whether the user has completed the guided first job
     void setFirstJobFinished(bool finished);
     QString lastFolder() const; ///< folder of the file chosen last; empty: none yet
     void setLastFolder(const QString& folder);

@@ -30,7 +30,7 @@ public:
     /// Sets the title of the open project; empty: none, and there is no way back.
     void setProject(const QString& title);
     void setRecentFiles(const QStringList& files);
-    void setFirstJobFinished(bool finished); ///< until then it is offered as the first thing to do
+    void setFirstJobFinished(bool finished); ///< until then it is offered as the primary action
     void setLeftWork(const std::vector<LeftWorkRow>& rows);
 
 signals:

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// What a face is, short: "Plane", "Cylinder, Ø 12.000 mm". @param radius mm, as PartFacePatch has it
+/// Returns a short description of a face: "Plane", "Cylinder, Ø 12.000 mm". @param radius mm, as PartFacePatch has it
 QString kindText(MeasuredFace::Kind kind, double radius, LengthUnit unit);
 /// The value shown next to a measurement in the view: "25.000 mm", "Ø 12.000 mm".
 QString mainFigure(const PartMeasure& measure, LengthUnit unit);

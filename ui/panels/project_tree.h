@@ -34,7 +34,7 @@ public:
     explicit ProjectTree(QWidget* parent = nullptr);
     /// Does nothing if the rows are unchanged. Groups stay open or closed, and the selected row stays selected.
     void setRows(const std::vector<ProjectRow>& rows);
-    void choose(ProjectRowKind kind, qint64 id); ///< selects that row, if it is there
+    void choose(ProjectRowKind kind, qint64 id); ///< selects that row if it exists
 
 signals:
     void chosen(ProjectRowKind kind, qint64 id); ///< its row was selected

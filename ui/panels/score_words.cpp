@@ -14,7 +14,7 @@ namespace burin {
 
 namespace {
 
-/// The words of this page.
+/// Translation context of the labels in this file.
 struct ScoreWords {
     Q_DECLARE_TR_FUNCTIONS(ScoreWords)
 };

@@ -9,13 +9,13 @@
 
 namespace burin {
 
-// How a score is worded for display.
+// Texts for the display of scores.
 
 QString scoreTitle(ScoreValue value);      ///< "Duration"
 QString scoreDefinition(ScoreValue value); ///< a sentence
-/// "12.3 s"; "–" of nothing.
+/// "12.3 s"; "–" if there is no value.
 QString scoreText(ScoreValue value, const std::optional<double>& amount, LengthUnit unit);
-/// "▲ better by 2.3 s (19 %)": the difference, and its share of the reference.
+/// "▲ better by 2.3 s (19 %)": the difference, and its percentage of the reference value.
 QString verdictText(ScoreValue value, const ScoreVerdict& verdict, LengthUnit unit);
 
 } // namespace burin

@@ -72,7 +72,7 @@ QString plainTakeName(const std::string& name) {
 
 QString takeName(const std::string& name) {
     constexpr std::string_view copy = " (copy)";
-    constexpr int mostCopies = 8; // of copies; a file may come from anybody
+    constexpr int mostCopies = 8; // limit for nested copies, because a file may come from an untrusted source
     std::string original = name;
     int copies = 0;
     for (; copies < mostCopies && original.size() > copy.size() && original.ends_with(copy); ++copies)

@@ -37,27 +37,27 @@ public:
 
     /// @param recorded null: none
     void setRecorded(std::shared_ptr<const RecordedTime> recorded);
-    /// The curves of `reference` are offered as if it had begun with `take`; 0, or one that is not recorded: none are.
+    /// Provides the curves of `reference` as if it had begun together with `take`; none if either is 0 or not recorded.
     void setReference(std::int64_t take, std::int64_t reference);
     bool hasReference() const noexcept { return reference_ != 0; }
     const Range& range(TrackCurve curve) const noexcept { return ranges_[static_cast<std::size_t>(curve)]; }
     /// The maximum in each column; NaN where there is no value.
     const std::vector<double>& columns(TrackCurve curve, const Window& window);
-    /// The same of the reference, no longer than the take.
+    /// The same for the reference, up to the end of the take.
     const std::vector<double>& referenceColumns(TrackCurve curve, const Window& window);
 
 private:
-    using Columns = std::array<std::vector<double>, trackCurves>; ///< empty: not asked for
+    using Columns = std::array<std::vector<double>, trackCurves>; ///< empty until requested
     void follow(const Window& window);
     std::vector<double> greatest(TrackCurve curve) const;
     std::vector<double> greatestOfReference(TrackCurve curve) const;
-    /// @param start, end s, of what is drawn of the track
+    /// @param start, end s, of the drawn part of the track
     void add(std::vector<double>& greatest, const TakeTrack& track, TrackCurve curve, double start, double end) const;
 
     std::shared_ptr<const RecordedTime> recorded_;
     std::array<Range, trackCurves> ranges_{};
     std::int64_t take_ = 0, reference_ = 0; ///< 0: no reference
-    Window window_;                         ///< of what is remembered
+    Window window_;                         ///< that the cached columns belong to
     Columns columns_, referenceColumns_;
 };
 

@@ -40,7 +40,7 @@ int decimalsOf(double step) {
     return step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
 }
 
-/// A line without holes, where columns have values. @param topOf pixel of a value
+/// Draws a line without gaps between adjacent columns that have values. @param topOf returns the pixel row of a value
 template <class TopOf>
 void paintLine(QPainter& painter, const std::vector<double>& values, const TopOf& topOf, const QColor& colour) {
     std::optional<int> before;
@@ -427,7 +427,7 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
     }
 }
 
-/// Of the take, and of its reference at the same time from the start; empty: there is none.
+/// Returns the value of the take, and of its reference at the same time from the start. Empty if the take has no value.
 QString TimelineView::valueText(TrackCurve curve, std::size_t track, std::size_t bin) const {
     const auto place = static_cast<std::size_t>(curve);
     const TakeTrack& own = state_.recorded->tracks[track];

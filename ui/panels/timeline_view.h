@@ -19,10 +19,10 @@ struct TimelineState {
     std::vector<TimeMarker> markers;              ///< in order
     bool program = false; ///< whether it shows the time of a program; its takes are then intervals with one tool
     double seconds = 0.0; ///< position of the cursor, s
-    qint64 chosen = 0;                            ///< take that actions are for; 0: none
+    qint64 chosen = 0;    ///< take that actions apply to; 0: none
     bool away = false;    ///< whether the cursor is in the past
     bool enabled = false; ///< whether the user can seek
-    std::int64_t scored = 0, reference = 0;       ///< the reference is drawn behind the take that is scored; 0: none is
+    std::int64_t scored = 0, reference = 0; ///< the reference is drawn behind the scored take; 0: none
 };
 
 /// The recordings along their time axis: takes as clips with their strokes, curves above, and a cursor. A click or a
@@ -44,7 +44,7 @@ public:
 signals:
     void sought(double seconds); ///< s from the first take's start
     void playToggled();
-    void takeChosen(qint64 take); ///< by a click on its clip
+    void takeChosen(qint64 take); ///< the user clicked its clip
     /// The user requested the menu of a take. @param sample of the take, under the pointer
     void menuWanted(qint64 take, quint64 sample, const QPoint& globalPosition);
     /// The user requested the menu of a marker. @param marker index of the marker

@@ -11,14 +11,14 @@
 
 namespace burin {
 
-/// The path that the edited one is compared with, in thin lines of its own colour, and over everything else the parts
-/// of the edited path that are too far from it.
+/// Draws the path that the edited path is compared with, in thin lines of its own colour, and on top of everything else
+/// the parts of the edited path that deviate too far from it.
 class ComparedPath {
 public:
-    /// @param lines of the path @param marks of what is too far
+    /// @param lines draws the path @param marks draws the parts that deviate too far
     ComparedPath(vtkRenderer& lines, vtkRenderer& marks) : other_(lines), farther_(marks) {}
     void setPalette(const Palette& palette);
-    void setLineWidth(double ratio); ///< screen pixels a device-independent one
+    void setLineWidth(double ratio); ///< screen pixels per device-independent pixel
     void set(const ComparisonMark& mark);
     bool marksVisible() const { return farther_.visible(); }
 

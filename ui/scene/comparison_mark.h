@@ -9,10 +9,10 @@
 
 namespace burin {
 
-/// What the edited path is compared with, as it is drawn over it.
+/// What is drawn over the edited path to show its comparison with another one.
 struct ComparisonMark {
-    std::shared_ptr<const EvaluatedPath> other; ///< where it cuts and plunges; null: nothing
-    PlaceChains farther;                        ///< of the edited path: what is too far from the other one, mm
+    std::shared_ptr<const EvaluatedPath> other; ///< its cuts and plunges are drawn; null: none
+    PlaceChains farther;                        ///< parts of the edited path too far from the other one, mm
 };
 
 } // namespace burin

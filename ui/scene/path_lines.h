@@ -12,7 +12,7 @@ namespace burin {
 /// Adds a move of a path as lines: straight, or its arc as chords that deviate from it by 0.02 mm at most.
 void addMove(std::vector<LineEnds>& lines, const glm::dvec3& from, const PathPoint& point);
 
-/// Where a path cuts and plunges, as lines.
+/// Returns the cutting and plunging moves of a path as lines.
 std::vector<LineEnds> millingLines(const Path& path);
 
 } // namespace burin

@@ -131,7 +131,7 @@ public:
     /// Sets the paths that the job mills with other tools.
     void setOtherPaths(const std::vector<std::shared_ptr<const EvaluatedPath>>& paths);
     void setOtherPathsVisible(bool visible);
-    /// Sets the path that the edited one is compared with; an empty mark: none.
+    /// Shows the path that the edited one is compared with; an empty mark shows none.
     void setComparison(const ComparisonMark& mark);
     /// Shows what a program leaves on the part, or removes from it, in colours on the part. The coloured surface is
     /// computed on a worker thread and stays until a picture without samples is set.

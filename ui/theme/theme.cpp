@@ -30,7 +30,7 @@ constexpr std::array<std::pair<ColourRole, const char*>, 6> laterRoles{{{&Palett
                                                                         {&Palette::rapidPath, "#c9c4bb"},
                                                                         {&Palette::plungePath, "#f4f6f8"},
                                                                         {&Palette::chosenPath, "#fff04a"},
-                                                                        {&Palette::comparedPath, "#52e0ff"},
+                                                                        {&Palette::comparedPath, "#38f5e8"},
                                                                         {&Palette::pathHalo, "#07090c"}}};
 
 std::optional<Palette>& applied() {

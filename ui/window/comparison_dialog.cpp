@@ -19,7 +19,7 @@ namespace burin {
 
 namespace {
 
-constexpr int comparisonWidth = 500; // pixels
+constexpr int comparisonWidth = 600; // pixels
 const QString noValue(QStringLiteral("–"));
 
 QLabel* headOf(const QString& text, QWidget* parent) {
@@ -64,7 +64,7 @@ ComparisonDialog::ComparisonDialog(QWidget* parent) : QDialog(parent) {
     addRow(*grid, tr("Mean deviation"), "Mean", &ComparisonState::mean);
     addRow(*grid, tr("Farther than the tolerance"), "Farther", &ComparisonState::farther);
     column->addLayout(grid);
-    auto* about = new QLabel(tr("The other path is drawn thin, in light blue. Deviations are those of the cuts of "
+    auto* about = new QLabel(tr("The other path is drawn thin, in turquoise. Deviations are those of the cuts of "
                                 "either path from the cuts of the other."),
                              this);
     about->setProperty("look", "small");
@@ -73,8 +73,10 @@ ComparisonDialog::ComparisonDialog(QWidget* parent) : QDialog(parent) {
     auto* notices = new NoticePlace(this);
     notice_ = notices->add("comparisonNotice");
     column->addWidget(notices);
-    column->addWidget(makeCloseRow(*this));
-    setFixedWidth(comparisonWidth);
+    QDialogButtonBox* close = makeCloseRow(*this);
+    close->button(QDialogButtonBox::Close)->setAutoDefault(false); // Enter is the tolerance's
+    column->addWidget(close);
+    setMinimumWidth(comparisonWidth);
     connect(version_, &QComboBox::activated, this, &ComparisonDialog::versionChosen);
     connect(tolerance_, &QuantityField::valueEdited, this, &ComparisonDialog::toleranceEdited);
 }
@@ -96,7 +98,7 @@ void ComparisonDialog::addRow(QGridLayout& grid, const QString& title, const cha
     rows_.push_back(added);
 }
 
-/// Its values are buttons: they lead there.
+/// The values are buttons that move the view to the deviation.
 void ComparisonDialog::addLargest(QGridLayout& grid) {
     const int row = grid.rowCount();
     grid.addWidget(new QLabel(tr("Largest deviation"), this), row, 0);

@@ -19,26 +19,26 @@ class ChoiceBox;
 class Notice;
 class QuantityField;
 
-/// A value of both paths, and by how much the other one has more. "–" where there is none.
+/// A value of both paths, and the second minus the first. "–" if there is no value.
 struct ComparedValue {
     QString first, second, difference;
 };
 
-/// What the dialog shows, worded.
+/// What the dialog shows, as text.
 struct ComparisonState {
     QStringList versions;
     int version = 0;
     double tolerance = 0.0; ///< mm
     LengthUnit unit = LengthUnit::millimetre;
-    bool known = false; ///< both paths are compared: the values count
+    bool known = false; ///< whether both paths are compared and the values valid
     ComparedValue cutting, plunging, air, points, arcs, time, largest, mean, farther;
-    bool deviates = false; ///< there is a largest deviation
-    QString news;          ///< why nothing is known yet; empty: it is
-    bool problem = false;  ///< `news` is an error
+    bool deviates = false; ///< whether there is a largest deviation
+    QString news;          ///< why there are no values or deviations yet; empty if there are
+    bool problem = false;  ///< whether `news` is an error
 };
 
-/// Stays beside the window and shows two paths side by side. Dialog "comparisonDialog" with "comparedVersion",
-/// "comparedTolerance", "largestFirst", "largestSecond", "comparisonNotice".
+/// A modeless dialog that shows the values of two paths side by side. Its object name is "comparisonDialog"; it
+/// contains "comparedVersion", "comparedTolerance", "largestFirst", "largestSecond", "comparisonNotice".
 class ComparisonDialog final : public QDialog {
     Q_OBJECT
 public:
@@ -48,7 +48,7 @@ public:
 signals:
     void versionChosen(int place);
     void toleranceEdited(double tolerance); ///< mm
-    void largestWanted(bool ofSecond);      ///< to be shown in the view
+    void largestWanted(bool ofSecond);      ///< the user asked to see it in the view
 
 private:
     using Member = ComparedValue ComparisonState::*;

@@ -16,10 +16,10 @@ namespace burin {
 namespace {
 
 constexpr int dialogMargin = 24;     // pixels between the dialog and the window's edge
-constexpr double closestView = 60.0; // mm from the eye to a deviation that it was led to
+constexpr double closestView = 60.0; // mm from the eye to the deviation that the view shows
 const QString plus(QStringLiteral("+")), minus(QStringLiteral("−"));
 
-/// @param text of an amount
+/// @param text returns the text of an amount
 template <class Text>
 ComparedValue valueOf(double first, double second, const Text& text) {
     const double difference = second - first;
@@ -58,7 +58,7 @@ void fillDeviations(ComparisonState& state, const PathDeviation& first, const Pa
     state.farther = {farther(first), farther(second), {}};
 }
 
-/// What is too far, and a dot where either path is the farthest.
+/// Marks the parts that are too far, and with a dot the largest deviation of each path that exceeds the tolerance.
 ComparisonMark markOf(const ComparedPaths& compared) {
     ComparisonMark mark{compared.second, {}};
     if (!compared.values.ofFirst || !compared.values.ofSecond) return mark;
@@ -91,7 +91,10 @@ void ComparisonPresenter::showDialog() {
 void ComparisonPresenter::begin() {
     PathComparer& comparer = workbench_.pathComparer;
     dialog_ = new ComparisonDialog(viewport_.window());
-    connect(dialog_, &QDialog::finished, &comparer, &PathComparer::close);
+    connect(dialog_, &QDialog::finished, this, [this] {
+        if (before_) viewport_.setCameraView(*std::exchange(before_, std::nullopt));
+        workbench_.pathComparer.close();
+    });
     connect(dialog_, &ComparisonDialog::toleranceEdited, &comparer, &PathComparer::setTolerance);
     connect(dialog_, &ComparisonDialog::largestWanted, this, &ComparisonPresenter::lookAtLargest);
     connect(dialog_, &ComparisonDialog::versionChosen, &comparer, [&comparer](int place) {
@@ -101,13 +104,13 @@ void ComparisonPresenter::begin() {
     });
     viewport_.setPathVisible(true);
     present();
-    // Beside the paths, which are looked at meanwhile.
+    // At the edge of the window, so that the paths stay visible.
     dialog_->adjustSize();
     const QRect window = viewport_.window()->geometry();
     dialog_->move(window.right() - dialog_->width() - dialogMargin, window.top() + dialogMargin);
 }
 
-/// Closed by the user, or together with the project.
+/// Called when the user closes the dialog or the project is closed, so that another project is displayed correctly.
 void ComparisonPresenter::end() {
     dialog_->disconnect();
     dialog_->hide();
@@ -116,7 +119,7 @@ void ComparisonPresenter::end() {
     drawn_.reset();
     viewport_.setComparison({});
     viewport_.setPathVisible(showPath_->isChecked());
-    if (before_) viewport_.setCameraView(*std::exchange(before_, std::nullopt));
+    before_.reset();
 }
 
 void ComparisonPresenter::present() {
@@ -148,7 +151,7 @@ ComparisonState ComparisonPresenter::state() const {
         state.versions << nameOf(version);
     }
     if (const auto compared = comparer.compared()) {
-        const PathComparison& values = compared->values;
+        const PathDifference& values = compared->values;
         state.known = true;
         fillTotals(state, values.first, values.second);
         if (values.ofFirst && values.ofSecond) fillDeviations(state, *values.ofFirst, *values.ofSecond);

@@ -12,8 +12,8 @@
 
 namespace burin {
 
-/// Shows a comparison of two paths: values in a dialog beside the window, both paths and where they differ in the view.
-/// Once it is closed, the view is as it was.
+/// Shows a comparison of two paths: the values in a modeless dialog, both paths and their differences in the view.
+/// Closing the dialog restores the view.
 class ComparisonPresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -33,7 +33,7 @@ private:
     const QAction* showPath_ = nullptr;
     QPointer<ComparisonDialog> dialog_;
     std::shared_ptr<const ComparedPaths> drawn_;
-    std::optional<CameraView> before_; ///< what the view showed before it was led to a deviation
+    std::optional<CameraView> before_; ///< the view before it moved to a deviation
 };
 
 } // namespace burin

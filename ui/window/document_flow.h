@@ -43,7 +43,7 @@ public:
     /// Asks for a file and writes a picture to it.
     void exportPicture(const QImage& picture);
     void exportFaces(const std::string& table); ///< asks for a file and writes the table of the part's faces to it
-    void addProgramPath();                      ///< asks for the program
+    void addProgramPath();                      ///< asks for the program file
     /// Makes the remaining program from a line of its text on; asks for the file once it passed its check.
     void restartProgram(int line);
 

@@ -55,7 +55,7 @@ void FaceDialog::layOut() {
     table_->setModel(&sorted_);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setTabKeyNavigation(false); // Tab leads to the buttons
+    table_->setTabKeyNavigation(false); // Tab moves to the buttons
     table_->setSortingEnabled(true);
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -80,19 +80,19 @@ void FaceDialog::layOut() {
     row->addWidget(makeCloseRow(*this));
     column->addLayout(row);
     for (QPushButton* button : findChildren<QPushButton*>())
-        button->setAutoDefault(false); // Enter belongs to the table
+        button->setAutoDefault(false); // Enter is handled by the table
     connect(cancel_, &QPushButton::clicked, this, &FaceDialog::cancelRequested);
     connect(copy_, &QPushButton::clicked, this, &FaceDialog::copy);
     connect(new QShortcut(QKeySequence::Copy, this), &QShortcut::activated, copy_, &QPushButton::click);
     connect(export_, &QPushButton::clicked, this, [this] { emit exportRequested(faceTable(shownFaces(), ',')); });
     connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &FaceDialog::choose);
-    connect(table_, &QTableView::clicked, this, &FaceDialog::choose); // once more, where the view was moved since
+    connect(table_, &QTableView::clicked, this, &FaceDialog::choose); // again, in case the view was moved since
 }
 
 void FaceDialog::setFaces(const FaceTableModel::Faces& faces, const QString& problem) {
     if (faces != model_.faces()) {
         model_.setFaces(faces);
-        sorted_.sort(-1); // as they come
+        sorted_.sort(-1); // in the order given
         table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
     }
     notice_->tell(Notice::Kind::information, problem);

@@ -20,18 +20,18 @@ namespace burin {
 
 class Notice;
 
-/// The faces of the part with what a program leaves on each, as a table that sorts by a click on a header. Stays beside
-/// the window: "faceDialog" with "faceTable", "faceSummary", "faceNotice", "faceProgress", "cancelFacesButton",
-/// "copyFacesButton", "exportFacesButton".
+/// A modeless dialog with a table of the faces of the part and what a program leaves on each. A click on a header sorts
+/// the table. Its object name is "faceDialog"; it contains "faceTable", "faceSummary", "faceNotice", "faceProgress",
+/// "cancelFacesButton", "copyFacesButton", "exportFacesButton".
 class FaceDialog final : public QDialog {
     Q_OBJECT
 public:
     explicit FaceDialog(QWidget* parent);
 
     void setUnit(LengthUnit unit) { model_.setUnit(unit); }
-    /// The worst first. @param faces null: none @param problem why there are none; empty: nothing to say
+    /// @param faces the worst first; null: none @param problem why there are none; empty: no message
     void setFaces(const FaceTableModel::Faces& faces, const QString& problem);
-    /// They are being inspected. @param fraction 0 … 1; nothing: they are not
+    /// Sets the progress of the inspection. @param fraction 0 … 1; std::nullopt if none is running
     void setProgress(std::optional<double> fraction);
 
 signals:
@@ -47,7 +47,7 @@ private:
     void layOut();
     void choose(const QModelIndex& index);
     void copy();
-    std::vector<FaceQuality> shownFaces() const; ///< in the order of the rows
+    std::vector<FaceQuality> shownFaces() const; ///< in row order
     QString summary() const;
 
     FaceTableModel model_;

@@ -15,11 +15,12 @@ namespace burin {
 
 namespace {
 
-constexpr double leastSight = 5.0;      // mm around a point that the picture shows
-constexpr double leastFacing = 0.5;     // cosine between a face and the eye: else the view is turned
-constexpr double leastElevation = 0.52; // rad: over the walls around a face that stands upright
+constexpr double leastSight = 5.0;      // mm: least distance shown around a point
+constexpr double leastFacing = 0.5;     // cosine between face normal and direction to the eye; below it the view turns
+constexpr double leastElevation = 0.52; // rad: looks over the walls around a vertical face
 
-/// The view from outside onto a point: as it is turned now, where that shows the face, and no farther away.
+/// Returns a view of a point from outside. It keeps the present orientation if that shows the face, and is never
+/// farther away than the present view.
 CameraView viewOnto(const WorstPoint& point, double reach, const CameraView& now, const QSizeF& size) {
     CameraView view = now;
     if (glm::dot(axesOf(view).back, point.outward) < leastFacing) {
@@ -69,7 +70,7 @@ void FacePresenter::open() {
             emit marked({});
         });
     } else if (workbench_.faces.problem()) {
-        workbench_.faces.stop(); // it was cancelled, and is wanted again
+        workbench_.faces.stop(); // it failed or was cancelled, and is requested again
     }
     dialog_->show();
     dialog_->raise();

@@ -14,8 +14,8 @@ namespace burin {
 
 class FaceDialog;
 
-/// The table of the part's faces: has them inspected while it is open, and leads the view to the worst point of the
-/// one that is chosen.
+/// Presents the table of the part's faces: starts their inspection while the table is open, and moves the view to the
+/// worst point of the chosen face.
 class FacePresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -24,7 +24,7 @@ public:
     void setUnit(LengthUnit unit) override;
 
 signals:
-    void marked(const std::optional<burin::MeasureMark>& mark); ///< in the view; nothing: no longer
+    void marked(const std::optional<burin::MeasureMark>& mark); ///< for the view; std::nullopt removes it
     void exportRequested(const std::string& table);             ///< CSV
 
 private:
@@ -36,7 +36,7 @@ private:
 
     Viewport& viewport_;
     DeviationCard& card_;
-    QPointer<FaceDialog> dialog_; ///< null until it was opened once; its parent is the window
+    QPointer<FaceDialog> dialog_; ///< null until first opened; owned by the window
     std::shared_ptr<const std::vector<FaceQuality>> shown_;
 };
 

@@ -11,7 +11,7 @@ namespace burin {
 
 namespace {
 
-/// The number of a column; of the kind its place in the order of kinds, then the radius.
+/// Returns the sort value of a column; kinds are sorted by their order in the enumeration, then by radius.
 double valueOf(const FaceQuality& face, int column) {
     constexpr double kindsApart = 1e6; // mm: more than any radius
     switch (column) {
@@ -109,7 +109,9 @@ QVariant FaceTableModel::headerData(int section, Qt::Orientation orientation, in
         {tr("Worst gouge"), tr("Deepest cut into the part on this face")},
         {tr("Most left"), tr("Most stock beyond the allowance, where a tool of the program could reach it")},
         {tr("In tolerance"), tr("Share of the face that is within tolerance")},
-        {tr("Gouged"), tr("Share of the face with gouges deeper than the tolerance")},
+        {tr("Gouged"), tr("Share of the face's points where a gouge deeper than the tolerance is marked. Each position "
+                          "of the tool marks "
+                          "the point that is nearest to its deepest one, so more of the face may be cut into")},
         {tr("Too much left"), tr("Share of the face with more stock than the tolerance allows")},
         {tr("Out of reach"), tr("Share of the face with stock that no tool of the program can reach")}};
     if (section < 0 || section >= columns) return {};

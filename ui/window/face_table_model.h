@@ -13,7 +13,7 @@
 namespace burin {
 
 /// The faces of a part as rows: number, kind, area, worst gouge, most stock left, shares by band. `Qt::UserRole` gives
-/// the number to sort by, mm, mm² or a share; what is not known sorts below all others.
+/// the sort value in mm, mm² or as a fraction; unknown values sort below all others.
 class FaceTableModel final : public QAbstractTableModel {
     Q_OBJECT
 public:

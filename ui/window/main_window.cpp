@@ -88,7 +88,7 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-    coach_.reset();      // before what it looks at
+    coach_.reset();      // before the widgets and workbench that it observes
     presenters_.reset(); // before the widgets that they fill
 }
 

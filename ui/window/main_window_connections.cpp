@@ -71,7 +71,7 @@ void MainWindow::connectActions() {
         const auto& shown = workbench_.time.shown();
         workbench_.score.ask(shown && !workbench_.time.showsProgram() ? shown->moment.take : 0);
     });
-    connect(&workbench_.score, &ScoreController::asked, this, &MainWindow::showScore);
+    connect(&workbench_.score, &ScoreController::asked, this, &MainWindow::showScore, Qt::QueuedConnection);
     on(ActionId::welcome, [this] {
         if (pages_->currentWidget() != welcome_) {
             leftFrom_ = QApplication::focusWidget();
@@ -280,7 +280,7 @@ void MainWindow::connectFirstJob() {
     });
 }
 
-/// With no project open; once it has begun, the same keys lead to it.
+/// Closes the project, then starts the first job. If it is already running, the same shortcut moves the focus to it.
 void MainWindow::beginFirstJob() {
     if (coach_->running()) return coach_->takeKeyboard();
     flow_.settle([this](bool abandon) {

@@ -23,7 +23,7 @@ class MeasurePresenter final : public Presenter {
 public:
     MeasurePresenter(Workbench& workbench, Viewport& viewport, QObject* parent);
     void connectActions(const Actions& actions);
-    /// What stands in the view as long as nothing is measured; nothing: none.
+    /// Sets the mark that the view shows while nothing is measured; std::nullopt: none.
     void setOtherMark(const std::optional<MeasureMark>& mark);
     void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
 

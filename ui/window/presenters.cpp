@@ -77,10 +77,10 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part,      &setups, &stock,        &zero,    &material, &layers,     &tool,
-             &allowance, &mill,   &surroundings, &guides,  &hand,     &pathScene,  &path,
-             &program,   &meters, &status,       &job,     &scene,    &guideScene, &programScene,
-             &deviation, &area,   &time,         &measure, &tree,     &excess,     &faces,      &comparison})
+             &part,    &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
+             &mill,    &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
+             &status,  &job,          &scene,  &guideScene, &programScene, &deviation, &area,    &time,
+             &measure, &tree,         &excess, &faces,      &comparison})
         presenter->setUnit(unit);
 }
 

@@ -132,7 +132,7 @@ ChoiceBox* ScoreDialog::makeChoice(const char* name, const QString& label) {
     return choice;
 }
 
-/// The reference is one of the others.
+/// Any take but the scored one can be the reference.
 void ScoreDialog::offerTakes() {
     QStringList names, ids, others{tr("No reference")}, otherIds{QStringLiteral("0")};
     for (const TakeInfo& take : mill_.allTakes()) {
@@ -166,7 +166,7 @@ void ScoreDialog::showRow(ScoreValue value) {
     row.reference->setText(compared ? scoreText(value, scores.back()[value], unit_) : QString());
     const ScoreVerdict verdict = compared ? verdictOf(value, scores.front(), scores.back()) : ScoreVerdict{};
     row.verdict->setText(compared ? verdictText(value, verdict, unit_) : QString());
-    // Never by the colour alone.
+    // The text gives the verdict as well, so colour is not the only cue.
     setLook(row.verdict, verdict.kind == ScoreVerdict::Kind::better  ? "inOrder"
                          : verdict.kind == ScoreVerdict::Kind::worse ? "force"
                                                                      : "quiet");

@@ -20,9 +20,9 @@ namespace burin {
 class ChoiceBox;
 class Notice;
 
-/// The values of a take beside those of a reference that is chosen here, with a verdict on each. What is scored is the
-/// controller's; the work ends with the dialog. Its choices are "scoreTake" and "scoreReference"; its labels are
-/// "score_duration_s", "reference_duration_s", "verdict_duration_s" and so on.
+/// Shows the values of a take next to those of a reference chosen in the dialog, with a verdict on each. The controller
+/// holds the choice and the scores; closing the dialog cancels the work. Its combo boxes are "scoreTake" and
+/// "scoreReference"; its labels are "score_duration_s", "reference_duration_s", "verdict_duration_s" and so on.
 class ScoreDialog final : public QDialog {
     Q_OBJECT
 public:

@@ -53,7 +53,7 @@ void addSwitches(QMenu& menu, TimeController& time, const TakeTrack& track, std:
     menu.addSeparator();
 }
 
-/// What becomes of a take as a whole, the workpiece left as it is.
+/// Adds the entries that move or copy a whole take and leave the workpiece unchanged.
 void addMoves(QMenu& menu, Workbench& workbench, const TakeInfo& info) {
     MillController& mill = workbench.mill;
     const std::int64_t take = info.id;

@@ -14,7 +14,7 @@ namespace burin {
 void showTakeMenu(Workbench& workbench, std::int64_t take, std::uint64_t sample, const QPoint& globalPosition,
                   QWidget* parent);
 
-/// What the actions on the chosen take do.
+/// Connects the actions that apply to the chosen take.
 void connectTakeActions(Workbench& workbench, const Actions& actions);
 
 /// The same for a marker of the timeline. @param marker its index

@@ -10,7 +10,8 @@
 namespace burin {
 
 TimePresenter::TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePresenter& scene, QObject* parent)
-    : Presenter(workbench, {&workbench.time, &workbench.session, &workbench.workpiece, &workbench.mill, &workbench.score}, parent)
+    : Presenter(workbench,
+                {&workbench.time, &workbench.session, &workbench.workpiece, &workbench.mill, &workbench.score}, parent)
     , panel_(panel)
     , scene_(scene) {
     TimeController& time = workbench.time;

@@ -27,7 +27,7 @@ void FaceController::inspect(const std::shared_ptr<const CheckedProgram>& progra
 Result<FaceController::Inspected> FaceController::inspected(Patches patches, const CheckedProgram& program,
                                                             const Model& part, const DeviationTolerance& tolerance,
                                                             Progress& progress) {
-    constexpr double meshed = 0.8; // of the time that it takes
+    constexpr double meshed = 0.8; // of the total time
     if (!patches) {
         const ProgressPart first(progress, 0.0, meshed);
         Result<std::vector<PartFacePatch>> found = partFaces(part, {}, progress);

@@ -12,24 +12,24 @@
 
 namespace burin {
 
-/// Inspects what a program leaves on each face of the part, in the background. What the part's faces are is kept, so
-/// that another program or tolerance takes less.
+/// Inspects what a program leaves on each face of the part, in the background. The faces of the part are cached, so
+/// that inspecting another program or tolerance takes less time.
 class FaceController final : public Controller {
     Q_OBJECT
 public:
     using Controller::Controller;
 
-    /// Nothing where that was asked for last already, however it ended. @param part that the program's deviations are
-    /// of
+    /// Does nothing if the last request was the same, whatever its outcome. @param part the part that the deviations of
+    /// the program refer to
     void inspect(const std::shared_ptr<const CheckedProgram>& program, const std::shared_ptr<const Model>& part,
                  const DeviationTolerance& tolerance);
-    void stop();   ///< nothing is inspected any more; what the part's faces are is kept
-    void forget(); ///< that, too
+    void stop();   ///< ends the inspection and discards its result; the faces of the part stay cached
+    void forget(); ///< as `stop`, and also discards the cached faces
     bool busy() const { return desk_.tasks.running(TaskKind::faces); }
-    double fraction() const; ///< 0 … 1, of what is being inspected
-    /// The worst first; null: none was inspected, or that is not over.
+    double fraction() const; ///< progress of the running inspection, 0 … 1
+    /// The worst first; null if there was no inspection or it has not finished.
     std::shared_ptr<const std::vector<FaceQuality>> faces() const noexcept { return faces_; }
-    const std::optional<Error>& problem() const noexcept { return problem_; } ///< why there are none
+    const std::optional<Error>& problem() const noexcept { return problem_; } ///< why there are no faces
 
 private:
     using Patches = std::shared_ptr<const std::vector<PartFacePatch>>;
@@ -41,10 +41,10 @@ private:
                                        const DeviationTolerance& tolerance, Progress& progress);
     void take(const Result<Inspected>& outcome);
 
-    std::shared_ptr<const CheckedProgram> program_; ///< that was asked about
+    std::shared_ptr<const CheckedProgram> program_; ///< of the last request
     std::shared_ptr<const Model> part_;
     DeviationTolerance tolerance_;
-    Patches patches_; ///< of `part_`; null: not known
+    Patches patches_; ///< of `part_`; null if not known
     std::shared_ptr<const std::vector<FaceQuality>> faces_;
     std::optional<Error> problem_;
 };

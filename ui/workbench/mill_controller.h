@@ -62,16 +62,16 @@ public:
     /// @param then called when the project has stored it and the update of the workpiece begins
     void setSwitchedOff(const QString& title, WantedOff wanted, Then then = {});
     void nameTake(std::int64_t id, const QString& name); ///< an entry of the undo stack
-    /// The take that actions on one take are for; 0: none. A choice of the view alone, which nothing keeps.
+    /// The take that actions on one take apply to; 0: none. State of the user interface only, never saved.
     std::int64_t chosenTake() const noexcept;
     void chooseTake(std::int64_t id);
-    /// Whether a take can change places with its neighbour. Not while one is recorded. @param by -1: earlier; 1: later
+    /// Whether a take can be swapped with its neighbour; false during a recording. @param by -1: earlier; 1: later
     bool canMove(std::int64_t take, int by) const noexcept;
-    bool canCopy(std::int64_t take) const noexcept; ///< not while one is recorded
-    // Entries of the undo stack that leave the workpiece as it is.
+    bool canCopy(std::int64_t take) const noexcept; ///< false during a recording
+    // Entries of the undo stack that leave the workpiece unchanged.
     void moveTake(std::int64_t id, int by);              ///< @param by as in canMove
-    void moveTakeTo(std::int64_t id, std::size_t place); ///< @param place among allTakes
-    void duplicateTake(std::int64_t id);                 ///< the copy comes last, and is chosen
+    void moveTakeTo(std::int64_t id, std::size_t place); ///< @param place index in allTakes
+    void duplicateTake(std::int64_t id);                 ///< the copy is appended and chosen
 
     /// Loads the takes of a project.
     void load(std::vector<TakeInfo> takes);
@@ -96,7 +96,7 @@ private:
     void takeBackInProject(const StrokePlace& stroke, bool undo);
     void tookBack(std::int64_t take, bool undo);
     void changeTake(std::int64_t id, bool remove, const Then& then);
-    std::optional<std::size_t> placeOf(std::int64_t take) const noexcept; ///< among allTakes
+    std::optional<std::size_t> placeOf(std::int64_t take) const noexcept; ///< index in allTakes
     void reorder(std::function<Result<TakeOrder>(const Project& project)> wanted);
     void applyOrder(const TakeOrder& order);
     void showCopy(std::int64_t id, bool shown);
@@ -126,7 +126,7 @@ private:
     double allowance_ = 0.0;
     std::vector<TakeInfo> takes_;    ///< all of the project
     std::vector<TakeInfo> standing_; ///< the takes that have strokes, or may still get some
-    std::int64_t chosen_ = 0;        ///< it may be gone
+    std::int64_t chosen_ = 0;        ///< may no longer exist
     std::uint64_t strokesSeen_ = 0;
     std::map<std::int64_t, std::size_t> strokes_;
     std::map<std::int64_t, std::vector<std::uint64_t>> numbers_; ///< of strokes in effect, ascending

@@ -31,7 +31,7 @@ void MillController::removeTake(std::int64_t id) {
     });
 }
 
-/// @param then where that went well
+/// @param then called on success
 void MillController::changeTake(std::int64_t id, bool remove, const Then& then) {
     desk_.project.post(
         [id, remove](Project& project) { return remove ? project.removeTake(id) : project.restoreTake(id); },
@@ -72,7 +72,7 @@ bool MillController::canCopy(std::int64_t take) const noexcept {
 void MillController::moveTake(std::int64_t id, int by) {
     if (!canMove(id, by)) return;
     reorder([id, by](const Project& project) -> Result<TakeOrder> {
-        const Result<std::vector<TakeInfo>> takes = project.takes(); // another move may have come before
+        const Result<std::vector<TakeInfo>> takes = project.takes(); // the order may have changed since the request
         if (!takes) return takes.error();
         const auto place = std::ranges::find(*takes, id, &TakeInfo::id) - takes->begin() + (by < 0 ? -1 : 1);
         const bool within = place >= 0 && std::cmp_less(place, takes->size());
@@ -85,7 +85,7 @@ void MillController::moveTakeTo(std::int64_t id, std::size_t place) {
     reorder([id, place](const Project& project) { return orderWithTakeAt(project, id, place); });
 }
 
-/// The workpiece stays: what takes cut is the same in any order. @param wanted on the project's thread
+/// The workpiece is unchanged, since the takes cut the same in any order. @param wanted called on the project's thread
 void MillController::reorder(std::function<Result<TakeOrder>(const Project& project)> wanted) {
     struct Change {
         TakeOrder before, after;
@@ -121,7 +121,7 @@ void MillController::applyOrder(const TakeOrder& order) {
                        });
 }
 
-/// The workpiece stays: a copy cuts nothing that its original leaves.
+/// The workpiece is unchanged, since a copy cuts nothing that its original left.
 void MillController::duplicateTake(std::int64_t id) {
     if (!canCopy(id)) return;
     desk_.project.post([id](Project& project) { return project.duplicateTake(id); },

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// What it takes to evaluate a path without the project.
+/// The data needed to evaluate a path without access to the project.
 struct PathComparer::Matter {
     PathMatter path;
     std::vector<MilledPath> before;
@@ -23,7 +23,7 @@ PathComparer::PathComparer(const Desk& desk, const WorkpieceController& workpiec
     connect(&path_, &PathController::othersChanged, this, &PathComparer::goOn);
     connect(&workpiece_, &WorkpieceController::changed, this, &PathComparer::goOn);
     connect(&workpiece_, &WorkpieceController::readersStop, this, [this] {
-        asked_.reset(); // asked again once the workpiece stands
+        asked_.reset(); // requested again once the workpiece has been updated
         desk_.tasks.abandon(TaskKind::comparison);
     });
 }
@@ -79,7 +79,7 @@ std::shared_ptr<const ComparedPaths> PathComparer::compared() const {
     return compared_ && compared_->first == path_.evaluated() ? compared_ : nullptr;
 }
 
-/// The path that the job mills with the tool of a version; null: there is none.
+/// Returns the path that the job mills with the tool of a version; null if there is none.
 const StoredPath* PathComparer::jobPathOf(const PathVersion& version) const {
     if (version.kind != PathVersion::Kind::path) return path_.stored();
     const std::string tool = path_.toolOf(version.path);
@@ -131,11 +131,11 @@ void PathComparer::gather(const Question& question) {
             if (question != asked_) return;
             if (!matter) return answer(question, nullptr, matter.error());
             if (workpiece_.milling() && !workpiece_.changing()) return run(question, nullptr, *matter);
-            asked_.reset(); // asked again once the workpiece stands
+            asked_.reset(); // requested again once the workpiece has been updated
         });
 }
 
-/// @param second null: it is to be evaluated first, of `matter`
+/// @param second null if it has to be evaluated from `matter` first
 void PathComparer::run(const Question& question, std::shared_ptr<const EvaluatedPath> second,
                        std::shared_ptr<Matter> matter) {
     using Made = std::shared_ptr<const ComparedPaths>;
@@ -143,7 +143,7 @@ void PathComparer::run(const Question& question, std::shared_ptr<const Evaluated
         TaskKind::comparison, tr("Comparing paths"),
         [milling = workpiece_.milling(), question, second = std::move(second),
          matter = std::move(matter)](Progress& progress) mutable -> Result<Made> {
-            constexpr double evaluating = 0.8; // of the work
+            constexpr double evaluating = 0.8; // fraction of the work
             if (!second) {
                 const ProgressPart part(progress, 0.0, evaluating);
                 Result<EvaluatedPath> made =
@@ -153,8 +153,8 @@ void PathComparer::run(const Question& question, std::shared_ptr<const Evaluated
                 second = std::make_shared<const EvaluatedPath>(std::move(*made));
             }
             const ProgressPart part(progress, evaluating, 1.0);
-            Result<PathComparison> values =
-                comparePaths(question.first->path, second->path, question.tolerance, progress);
+            Result<PathDifference> values =
+                differenceOf(question.first->path, second->path, question.tolerance, progress);
             if (!values) return std::move(values).error();
             return std::make_shared<const ComparedPaths>(
                 ComparedPaths{question.first, std::move(second), std::move(*values)});

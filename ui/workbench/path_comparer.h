@@ -14,48 +14,48 @@ namespace burin {
 /// What the path in force is compared with.
 struct PathVersion {
     enum class Kind {
-        recorded,    ///< itself without its edits
-        withoutEdit, ///< itself without one of them
+        recorded,    ///< the same path without its edits
+        withoutEdit, ///< the same path without one of its edits
         path         ///< another path of the setup
     };
     Kind kind = Kind::recorded;
-    std::size_t edit = 0;  ///< its place, of the kind withoutEdit
-    std::int64_t path = 0; ///< its id, of the kind path
+    std::size_t edit = 0;  ///< index of the edit, for Kind::withoutEdit
+    std::int64_t path = 0; ///< id of the other path, for Kind::path
     friend bool operator==(const PathVersion&, const PathVersion&) = default;
 };
 
-/// A path in force with what it was compared with.
+/// The path in force and the version that it was compared with.
 struct ComparedPaths {
     std::shared_ptr<const EvaluatedPath> first, second; ///< never null
-    PathComparison values;
+    PathDifference values;
 };
 
-/// Compares the path in force with another version of it or another path, in the background, and anew whenever either
-/// is another. Changes nothing of the project.
+/// Compares the path in force with another version of it or with another path, in the background, and repeats the
+/// comparison whenever either path changes. Never changes the project.
 class PathComparer final : public Controller {
     Q_OBJECT
 public:
     PathComparer(const Desk& desk, const WorkpieceController& workpiece, const PathController& path, QObject* parent);
 
-    /// There is a path to be compared.
+    /// Whether there is a path to compare.
     bool possible() const { return path_.stored() != nullptr && path_.evaluated(); }
-    void open(); ///< compares with the recording, at first
+    void open(); ///< starts with a comparison with the recording
     void close();
     bool isOpen() const noexcept { return open_; }
-    /// All that the path in force can be compared with.
+    /// Everything that the path in force can be compared with.
     std::vector<PathVersion> versions() const;
     const PathVersion& version() const noexcept { return version_; }
     void choose(const PathVersion& version);
     double tolerance() const noexcept { return tolerance_; } ///< mm
     void setTolerance(double tolerance);
-    /// Of the path as it was evaluated last; null: not open, or not worked out.
+    /// The comparison for the latest evaluation of the path; null if not open or not computed.
     std::shared_ptr<const ComparedPaths> compared() const;
-    std::optional<Error> problem() const { return compared_ ? std::nullopt : problem_; } ///< why there is none
+    std::optional<Error> problem() const { return compared_ ? std::nullopt : problem_; } ///< why there is no comparison
     bool busy() const noexcept { return asked_.has_value(); }
 
 private:
     struct Question {
-        std::shared_ptr<const EvaluatedPath> first, base; ///< base: what the job mills with the other one's tool
+        std::shared_ptr<const EvaluatedPath> first, base; ///< base: the job's path with the tool of the other version
         PathVersion version;
         double tolerance = 0.0;
         bool operator==(const Question&) const = default;
@@ -77,7 +77,7 @@ private:
     PathVersion version_;
     double tolerance_ = usualComparedTolerance; ///< mm
     std::optional<Question> asked_, answered_;
-    std::shared_ptr<const ComparedPaths> compared_; ///< to `answered_`; null: there is a problem
+    std::shared_ptr<const ComparedPaths> compared_; ///< answer to `answered_`; null if there is a problem
     std::optional<Error> problem_;
 };
 

@@ -211,7 +211,7 @@ RecordedKey PathController::recordedKey(const std::string& tool) const {
         key.emplace_back(take.id, take.sampleCount - take.undoneCount, take.complete,
                          newest != newestStrokes_.end() ? newest->second : 0);
     }
-    std::ranges::sort(key); // takes may be moved
+    std::ranges::sort(key); // the order of the takes may change
     return key;
 }
 

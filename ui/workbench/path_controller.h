@@ -63,11 +63,11 @@ public:
     /// Adds the passes of a program as the last sources of the paths of their tools, or of new paths. An entry of the
     /// undo stack.
     void addProgram(const std::vector<ProgramPass>& passes);
-    /// The path of a take's tool, whether it mills the take or not; null: there is none. A copy of a take is milled by
-    /// it when somebody wants that alone.
+    /// The path of a take's tool, whether it mills the take or not; null if there is none. It mills a copy of a take
+    /// only if the user requests that.
     const StoredPath* pathFor(std::int64_t take) const;
-    bool isMilled(std::int64_t take) const; ///< by that path
-    /// Takes a copy of a take into that path, as its last source, or out of it, but for its last source. An entry of
+    bool isMilled(std::int64_t take) const; ///< whether that path mills the take
+    /// Adds a copy of a take to that path as its last source, or removes it unless it is the only source. An entry of
     /// the undo stack.
     void millTake(std::int64_t take, bool milled);
     /// Passes of the path in force, in its order.
@@ -112,7 +112,7 @@ signals:
 
 private:
     std::int64_t inForce() const;                            ///< id of its path; 0: none
-    const StoredPath* pathOf(const std::string& tool) const; ///< null: it has none
+    const StoredPath* pathOf(const std::string& tool) const; ///< null if it has none
     void updateJob();
     void push(const QString& text, std::vector<Edit> edits);
     void apply(std::int64_t path, const std::vector<Edit>& edits);

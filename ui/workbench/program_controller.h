@@ -40,8 +40,8 @@ public:
     const std::optional<Error>& problem() const noexcept { return problem_; }
     /// Whether there is no program, or something that it was made from has changed.
     bool outdated() const;
-    /// The newest one, where it is as it was checked and so is all that it was made of, and its workpiece is there;
-    /// else null.
+    /// The newest program, if neither it nor anything that it was made from has changed since the check, and its
+    /// workpiece exists; else null.
     std::shared_ptr<const CheckedProgram> upToDate() const;
     /// Whether a program is being made or checked, or will be as soon as the workpiece has changed.
     bool busy() const { return reading_ || interrupted_ || desk_.tasks.running(TaskKind::program); }

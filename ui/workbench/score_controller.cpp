@@ -79,7 +79,7 @@ void ScoreController::setDrawn(bool drawn) {
     if (std::exchange(drawn_, drawn) != drawn) emit changed();
 }
 
-/// What was scored may be another recording by now, or none.
+/// The scored recordings may have changed or been removed.
 void ScoreController::followTakes() {
     cancel();
     scores_.clear();

@@ -18,28 +18,28 @@ public:
     ScoreController(const Desk& desk, const WorkpieceController& workpiece, const SessionRunner& session,
                     MillController& mill, QObject* parent);
 
-    /// There are a workpiece and a take, and nobody mills.
+    /// Whether there are a workpiece and a take, and no milling session is running.
     bool possible() const;
-    /// Begins to score them; what was scored before is forgotten. @param reference 0, or the take: none
+    /// Starts scoring both and discards earlier scores. @param reference 0 or equal to `take`: none
     void choose(std::int64_t take, std::int64_t reference);
-    /// The same with the reference of before, or else the first other take; then `asked`. Nothing where it is not
-    /// possible. @param take 0: the newest one
+    /// The same with the previous reference, or else the first other take, then emits `asked`. Does nothing if scoring
+    /// is not possible. @param take 0: the newest one
     void ask(std::int64_t take);
     std::int64_t take() const noexcept { return take_; }           ///< 0: none was chosen
     std::int64_t reference() const noexcept { return reference_; } ///< 0: none
     bool busy() const noexcept { return reading_ != nullptr || desk_.tasks.running(TaskKind::score); }
-    double fraction() const; ///< of the work that runs, 0 … 1
-    /// The take's, then the reference's if there is one; empty: not scored, or not yet.
+    double fraction() const; ///< progress of the running work, 0 … 1
+    /// The score of the take, then that of the reference if there is one. Empty if not (yet) scored.
     const std::vector<TakeScore>& scores() const noexcept { return scores_; }
-    /// The work that runs, if any, ends without scores.
+    /// Ends the running work, if any, without scores.
     void cancel();
     /// Whether the timeline draws the reference behind the take.
     void setDrawn(bool drawn);
     bool drawn() const noexcept { return drawn_; }
-    void forget(); ///< another project or setup
+    void forget(); ///< called for another project or setup
 
 signals:
-    void asked(); ///< somebody wants to see a score
+    void asked(); ///< the user requested a score
 
 private:
     void run(std::vector<ScoreMatter> matters);
@@ -49,7 +49,7 @@ private:
     const SessionRunner& session_;
     const MillController& mill_;
     std::int64_t take_ = 0, reference_ = 0;
-    std::shared_ptr<Progress> reading_; ///< of what is read now; null: nothing is
+    std::shared_ptr<Progress> reading_; ///< of the running read; null if there is none
     std::vector<TakeScore> scores_;
     bool drawn_ = true;
 };

@@ -49,8 +49,8 @@ Workbench::Workbench(QObject* parent)
     , sheet(desk_, this)
     , time(desk_, workpiece, session, mill, this)
     , keeper(desk_, workpiece, session, mill, this)
-    , faces(desk_, this)
-    , score(desk_, workpiece, session, mill, this) {
+    , score(desk_, workpiece, session, mill, this)
+    , faces(desk_, this) {
     wire();
 }
 
@@ -62,10 +62,10 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document,     &model,   &setup,        &material,   &tool,   &target,       &workpiece,
-            &styluses,     &session, &deviceTester, &viewDevice, &mill,   &surroundings, &guides,
-            &hand,         &showMe,  &path,         &area,       &passes, &passMeasurer, &pathValuer,
-            &measure,  &program, &setups,       &sheet,      &time,   &keeper, &faces, &pathComparer, &score};
+    return {&document, &model,        &setup,      &material,     &tool,         &target,  &workpiece, &styluses,
+            &session,  &deviceTester, &viewDevice, &mill,         &surroundings, &guides,  &hand,      &showMe,
+            &path,     &area,         &passes,     &passMeasurer, &pathValuer,   &measure, &program,   &setups,
+            &sheet,    &time,         &keeper,     &faces,        &pathComparer, &score};
 }
 
 void Workbench::wire() {

@@ -13,7 +13,8 @@ class gp_Pnt;
 
 namespace burin {
 
-/// Sets kind, axis, radius and taper of a face. @param on mm, a point of the face: where the radius of a cone is taken
+/// Sets kind, axis, radius and taper of a face.
+/// @param on mm, a point of the face, at which the radius of a cone is measured
 void describeShape(MeasuredFace& face, const TopoDS_Face& shape, const gp_Pnt& on);
 
 /// Measures the faces that are nearest to one or two points, mm, in the shape's frame. Errors: fileDamaged.

@@ -31,7 +31,7 @@ std::vector<TopoDS_Solid> solidsOf(const TopoDS_Shape& shape) {
     return solids;
 }
 
-/// Of a face's shape what it has as a whole: a cone has no one radius.
+/// Sets only properties that hold for the entire face: a cone has no single radius.
 PartFacePatch measuredPatch(const TopoDS_Face& face, TriangleMesh mesh) {
     MeasuredFace measured;
     const gp_Pnt on = mesh.vertices.empty() ? gp_Pnt() : toPoint(mesh.vertices.front());
@@ -44,7 +44,7 @@ PartFacePatch measuredPatch(const TopoDS_Face& face, TriangleMesh mesh) {
     return patch;
 }
 
-/// Middle of the largest triangle of each number; one without triangles has none of its own.
+/// Returns the centroid of the largest triangle of each face number; the origin for a number without triangles.
 std::vector<glm::dvec3> largestMiddles(const SolidMesh& mesh, std::size_t count) {
     std::vector<glm::dvec3> middles(count, glm::dvec3(0.0));
     std::vector<double> largest(count, -1.0);

@@ -8,14 +8,14 @@
 
 namespace burin {
 
-/// Each face of each solid of a shape with its triangles, in the order of the shape and in its frame.
-/// @param chord mm, > 0 @param careful as meshSolid
+/// Returns each face of each solid of a shape with its triangles, in the order and the frame of the shape.
+/// @param chord mm, > 0 @param careful as in meshSolid
 /// Errors, with an empty subject: meshIncomplete.
 Result<std::vector<PartFacePatch>> facePatches(const TopoDS_Shape& shape, double chord, bool careful,
                                                const ReportFraction& report);
 
-/// The face of a solid, by its number among `meshedFaces`, that each number of `SolidMesh::faceOf` stands for. Those of
-/// divided faces lie on the face that their largest triangle is nearest to.
+/// Returns, for each number in `SolidMesh::faceOf`, the index in `meshedFaces` of the solid's face. Parts of a divided
+/// face are assigned to the face that is nearest to their largest triangle.
 std::vector<std::uint32_t> ownersOf(const TopoDS_Shape& solid, const SolidMesh& mesh);
 
 } // namespace burin

@@ -33,7 +33,8 @@ Result<PartFace> findFace(const FaceRequest& request);
 /// Errors, with an empty subject: fileDamaged, importOutOfMemory.
 Result<PartMeasure> measureFaces(const MeasureRequest& request);
 
-/// All faces, in the order of the shape. Errors, with an empty subject: fileDamaged, meshIncomplete, importOutOfMemory.
+/// Returns all faces, in the order of the shape. Errors, with an empty subject: fileDamaged, meshIncomplete,
+/// importOutOfMemory.
 Result<std::vector<PartFacePatch>> meshFaces(const PatchRequest& request, const std::function<void(double)>& report);
 
 } // namespace burin

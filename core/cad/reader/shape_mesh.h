@@ -15,7 +15,7 @@
 
 namespace burin {
 
-/// The faces of a shape that bound it, in its order: what ShapeMesh numbers.
+/// Returns the faces that bound a shape, in the order of the shape, by which ShapeMesh numbers them.
 std::vector<TopoDS_Face> meshedFaces(const TopoDS_Shape& shape);
 
 /// The triangles of a meshed shape, face by face, with vertices shared along its edges. They are welded by the
@@ -46,8 +46,8 @@ public:
     /// Refines every face until it is within the chord of its surface.
     void refine();
 
-    /// All faces in one mesh, mm, without points that no triangle has. @param faceOf where not null: gets the number of
-    /// the face that each triangle is of
+    /// Returns all faces in one mesh, mm, without unused points. @param faceOf unless null, receives the number of the
+    /// face of each triangle
     TriangleMesh mesh(std::vector<std::uint32_t>* faceOf = nullptr) const;
 
 private:

@@ -17,8 +17,8 @@ namespace burin {
 /// The mesh of one solid and how it was made.
 struct SolidMesh {
     TriangleMesh mesh;
-    std::vector<std::uint32_t> faceOf; ///< of each triangle the number of its face, by `meshedFaces` of what was meshed
-    bool divided = false;              ///< that is not the solid: its closed faces are in halves
+    std::vector<std::uint32_t> faceOf; ///< face number of each triangle, in `meshedFaces` of the meshed shape
+    bool divided = false;              ///< the meshed shape is not the solid: its closed faces are divided in halves
     std::size_t openEdges = 0;
     std::size_t facesWithoutTriangles = 0;
     std::size_t facesFilled = 0; ///< plane faces left empty by OpenCASCADE and filled from their boundary

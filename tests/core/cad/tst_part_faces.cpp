@@ -38,7 +38,8 @@ namespace {
 
 constexpr double chord = 0.01; // mm
 
-/// 40 x 30 x 20 mm with a corner at the origin; from above a round pocket of 6 mm radius, 8 mm deep, at (20, 15).
+/// A block of 40 x 30 x 20 mm with a corner at the origin and, from above, a round pocket at (20, 15) with a radius of
+/// 6 mm, 8 mm deep.
 TopoDS_Shape blockWithPocket() {
     const gp_Ax2 axis(gp_Pnt(20.0, 15.0, 12.0), gp_Dir(0.0, 0.0, 1.0));
     return BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40.0, 30.0, 20.0).Shape(),
@@ -46,15 +47,15 @@ TopoDS_Shape blockWithPocket() {
         .Shape();
 }
 
-/// What a face of the block is, by where its triangles lie: the side that it is on, or the pocket's.
+/// Identifies a face of the block by the position of its triangles: a side of the block, or a face of the pocket.
 enum class Side { bottom, top, left, right, front, back, wall, floor };
 Side sideOf(const TriangleMesh& mesh) {
     const Box box = boundingBox(mesh);
     const glm::dvec3 size = box.size();
-    if (size.x < 13.0 && size.z > 1.0) return Side::wall;
-    if (size.z < 1e-9) return box.low.z == 0.0 ? Side::bottom : box.low.z == 20.0 ? Side::top : Side::floor;
-    if (size.x < 1e-9) return box.low.x == 0.0 ? Side::left : Side::right;
-    return box.low.y == 0.0 ? Side::front : Side::back;
+    if (size.z < 1e-9) return box.low.z < 1e-9 ? Side::bottom : box.low.z > 19.0 ? Side::top : Side::floor;
+    if (size.x < 1e-9) return box.low.x < 1e-9 ? Side::left : Side::right;
+    if (size.x < 13.0) return Side::wall;
+    return box.low.y < 1e-9 ? Side::front : Side::back;
 }
 double areaOf(Side side) {
     const std::map<Side, double> areas{{Side::bottom, 1200.0},  {Side::top, 1200.0 - 36.0 * pi},
@@ -70,7 +71,7 @@ TriangleMesh joined(const std::vector<PartFacePatch>& patches) {
     return mesh;
 }
 
-/// A prism over a regular polygon of 10 mm radius, 5 mm high; no vertex is shared, as in an STL file.
+/// A prism over a regular polygon with a radius of 10 mm, 5 mm high; no vertices are shared, as in an STL file.
 TriangleMesh prism(int corners) {
     TriangleMesh mesh;
     const auto on = [corners](int i, double z) {
@@ -111,7 +112,7 @@ bool close(double value, double wanted) {
 class PartFacesTest : public QObject {
     Q_OBJECT
 private slots:
-    /// Through the import program, as the block lies in a setup: count, kinds, radii and areas by formula.
+    /// Through the import program, with the block placed in a setup: count, kinds, radii and areas by formula.
     void theFacesOfABlockWithAPocket() {
         const std::string file = folder_.filePath("block.brep").toStdString();
         QVERIFY(BRepTools::Write(blockWithPocket(), file.c_str()));
@@ -127,22 +128,22 @@ private slots:
             QVERIFY(face.kind == (side == Side::wall ? Kind::cylinder : Kind::plane));
             QVERIFY(std::abs(face.radius - (side == Side::wall ? 6.0 : 0.0)) < 1e-9);
             QVERIFY2(close(face.area, areaOf(side)), qPrintable(QString::number(face.area)));
-            // Of a chord c on radius r triangles lack no more than a share of c / r.
+            // With a chord c on a radius r, the area of the triangles is too small by a share of at most c / r.
             QVERIFY(std::abs(surfaceArea(face.mesh) / face.area - 1.0) < 2e-3);
         }
         QCOMPARE(met.size(), std::size_t{8});
-        // All of them together are the part's surface, material inside.
+        // Together they are the surface of the part, with the material inside.
         QVERIFY(std::abs(signedVolume(joined(*faces)) / (24000.0 - 288.0 * pi) - 1.0) < 1e-3);
     }
 
-    /// The order is that of the B-rep, here asked of OpenCASCADE itself.
+    /// The order is that of the B-rep, here taken from OpenCASCADE directly.
     void theOrderIsThatOfTheShape() {
         const TopoDS_Shape block = blockWithPocket();
         const std::vector<PartFacePatch> faces = patchesOf(block);
         QCOMPARE(faces.size(), std::size_t{8});
         std::size_t number = 0;
         for (TopExp_Explorer each(block, TopAbs_FACE); each.More(); each.Next(), ++number) {
-            TriangleMesh corners; // of the face's own vertices
+            TriangleMesh corners; // the vertices of the face
             for (TopExp_Explorer vertex(each.Current(), TopAbs_VERTEX); vertex.More(); vertex.Next()) {
                 const gp_Pnt place = BRep_Tool::Pnt(TopoDS::Vertex(vertex.Current()));
                 corners.vertices.emplace_back(place.X(), place.Y(), place.Z());
@@ -178,7 +179,7 @@ private slots:
         QVERIFY(close(faces.front().area, area));
     }
 
-    /// Mirrored and moved: where the body's own mesh lies then, and still seen from outside.
+    /// Mirrored and moved: the faces lie on the mesh of the body and still face outwards.
     void aPlacedPartHasItsFacesWhereItLies() {
         const std::string file = folder_.filePath("placed.brep").toStdString();
         QVERIFY(BRepTools::Write(blockWithPocket(), file.c_str()));
@@ -194,7 +195,7 @@ private slots:
         QVERIFY(glm::distance(box.low, part->box().low) < 1e-6 && glm::distance(box.high, part->box().high) < 1e-6);
     }
 
-    /// A bend of 30 degrees is an edge, one of 10 degrees is none. Areas of polygons.
+    /// A bend of 30 degrees is an edge, one of 10 degrees is not. Areas are those of polygons.
     void regionsOfAMeshEndAtSharpBends() {
         for (const int corners : {12, 36}) {
             Model model;
@@ -228,7 +229,7 @@ private slots:
         QVERIFY(!faces && faces.error().code == ErrorCode::cancelled);
     }
 
-    /// A mesher that could do with halves only: each half belongs to the face that it is a half of.
+    /// If only divided faces could be meshed, each half belongs to its original face.
     void halvesBelongToTheirFace() {
         const TopoDS_Shape block = blockWithPocket();
         const TopoDS_Solid solid = TopoDS::Solid(TopExp_Explorer(block, TopAbs_SOLID).Current());
@@ -236,7 +237,7 @@ private slots:
         const std::vector<std::uint32_t> before = mesh.faceOf;
         QCOMPARE(ownersOf(solid, mesh).size(), std::size_t{8});
         mesh.divided = true;
-        for (std::size_t i = 0; i < mesh.faceOf.size(); ++i) { // by the middle of the block, and numbered anew
+        for (std::size_t i = 0; i < mesh.faceOf.size(); ++i) { // divided at the middle of the block and renumbered
             const auto& [a, b, c] = mesh.mesh.triangles[i];
             const double x = (mesh.mesh.vertices[a].x + mesh.mesh.vertices[b].x + mesh.mesh.vertices[c].x) / 3.0;
             mesh.faceOf[i] = 2 * (7 - before[i]) + (x > 20.0 ? 1 : 0);
@@ -245,7 +246,7 @@ private slots:
         for (std::size_t i = 0; i < before.size(); ++i) QCOMPARE(owners[mesh.faceOf[i]], before[i]);
     }
 
-    /// What is asked and answered comes through as it is, and nothing that was damaged does.
+    /// Requests and answers are transmitted unchanged, and damaged ones are refused.
     void messagesComeThrough() {
         const PatchRequest asked{"brep", {2, 5}, 0.02, true};
         const std::optional<WorkerRequest> request = decodeRequest(encodeRequest(asked));
@@ -272,7 +273,7 @@ private slots:
         for (std::size_t i = 0; i < frame.size(); ++i) {
             std::string broken = frame;
             broken[i] = static_cast<char>(broken[i] ^ 0x55);
-            QVERIFY(!read(broken) || (i >= 12 && i < 16)); // the reserved word alone may change unnoticed
+            QVERIFY(!read(broken) || (i >= 12 && i < 16)); // only the reserved word may change undetected
         }
         std::vector<PartFacePatch> outside = patches, nowhere = patches, endless = patches;
         outside[1].mesh.triangles = {{0, 1, 3}};

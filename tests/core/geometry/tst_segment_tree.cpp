@@ -13,7 +13,7 @@ namespace burin::tst_segment_tree {
 
 namespace {
 
-/// By ternary search along each segment: the distance from a point is convex there.
+/// By ternary search along each segment, as the distance from a point is convex along it.
 double slowDistance(const glm::dvec3& point, const std::vector<StraightSegment>& segments) {
     double least = 1e300;
     for (const StraightSegment& segment : segments) {
@@ -53,7 +53,7 @@ private slots:
             segments.push_back({from, from + glm::dvec3(part(random), part(random), part(random))});
         }
         const SegmentTree tree(segments);
-        std::uint32_t near = 0; // of the point before, which need not be near at all
+        std::uint32_t near = 0; // of the previous point, which may be far away
         for (int i = 0; i < 200; ++i) {
             const glm::dvec3 point(place(random), place(random), place(random));
             const double found = tree.distance(point, near);

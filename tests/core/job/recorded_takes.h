@@ -13,7 +13,7 @@
 
 namespace burin::test {
 
-/// Takes of rows beside each other, each take lower than the one before: every tick cuts. Some of it is taken back.
+/// Takes of adjacent rows, each take lower than the one before, so that every tick cuts. Part of it is undone.
 struct Rows {
     explicit Rows(const std::vector<std::uint64_t>& counts)
         : project(*Project::create(folder.filePath("p.burin").toStdString())) {
@@ -56,15 +56,15 @@ struct Rows {
     bool good = true;
 };
 
-/// Those of takes that are given in their order.
+/// The order of takes that are given in their order.
 inline TakeOrder orderOf(const std::vector<Take>& takes) {
     std::vector<std::int64_t> ids;
     for (const Take& take : takes) ids.push_back(take.info.id);
     return TakeOrder(ids);
 }
 
-/// The workpiece at moments, each cut at once where the hand cut, from the first tick on: nothing is remembered,
-/// packed or deferred. @param takes in their order @param rising in that order
+/// Returns the workpiece at moments by a direct replay of all cuts from the first tick on: nothing is cached, packed or
+/// deferred. @param takes in their order @param rising moments in that order
 inline std::vector<Lines> replayedTo(const std::vector<Take>& takes, const std::vector<TakeMoment>& rising) {
     MillingContext milling = blockMilling();
     RunVolume& volume = milling.embedded.workpiece;
@@ -86,7 +86,7 @@ inline std::vector<Lines> replayedTo(const std::vector<Take>& takes, const std::
         }
         reached({take.info.id, take.samples.size()});
     }
-    reached({std::numeric_limits<std::int64_t>::max(), 0});
+    reached({std::numeric_limits<std::int64_t>::max(), ~std::uint64_t{0}});
     return workpieces;
 }
 
@@ -97,7 +97,7 @@ inline std::vector<SharedCuts> sharedCuts(const Project& project) {
     return cuts;
 }
 
-/// Of the block, before the first take.
+/// The kept workpiece of the block, before the first take.
 inline KeptWorkpiece stock() {
     Progress progress;
     return *keptAs(blockMilling().embedded.workpiece.snapshot(), {}, {}, progress);

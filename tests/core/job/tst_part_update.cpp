@@ -10,8 +10,6 @@
 
 namespace burin::tst_part_update {
 
-using namespace burin::test;
-
 namespace {
 
 Body bodyOf(const std::string& name, const glm::dvec3& low, const glm::dvec3& high) {

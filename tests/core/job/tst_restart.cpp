@@ -264,7 +264,7 @@ std::vector<glm::dvec3> rows() {
     return corners;
 }
 
-/// A third of a hand's take, slower and dry.
+/// A third of a recorded take, at a lower speed and without coolant.
 SpindleAndCoolant aPart(const PathMatter& matter) {
     const std::int64_t last = matter.sources[0].strokes.back().points.back().sample;
     SpindleAndCoolant edit;
@@ -314,6 +314,13 @@ std::uint32_t firstCutIn(const std::string& text) {
     for (std::uint32_t i = 0; i < lines.size(); ++i)
         if (cut.match(QString::fromStdString(lines[i])).hasMatch()) return i + 1;
     return 0;
+}
+
+/// Returns the line of the comment after which the remainder continues with a line of the interrupted program.
+std::uint32_t goesOnIn(const std::string& text, std::uint32_t line) {
+    const std::string comment = "(Line " + std::to_string(line) + " of the interrupted program)";
+    const std::vector<std::string> lines = linesOfText(text);
+    return static_cast<std::uint32_t>(std::ranges::find(lines, comment) - lines.begin()) + 1;
 }
 
 } // namespace
@@ -405,8 +412,9 @@ private slots:
             const Result<RestartedProgram> rest = makeRestart(block, posted->text, line, wanted, progress);
             const std::string fault = faultOfRestart(rest, posted->text, line, wholeMap);
             QVERIFY2(fault.empty(), fault.c_str());
-            QCOMPARE(modalWords(rest->program.text, firstCutIn(rest->program.text)),
-                     modalWords(posted->text, rest->line));
+            const std::string& again = rest->program.text; // its lead-in may have the speed before the part
+            const std::uint32_t first = section ? goesOnIn(again, rest->line) : firstCutIn(again);
+            QCOMPARE(modalWords(again, first), modalWords(posted->text, rest->line));
             if (dialect == "grbl") QCOMPARE(grblVerdict(rest->program.text).error, 0);
         }
     }
@@ -467,7 +475,7 @@ private slots:
         }
     }
 
-    /// So does coolant; where the program stops the spindle for it, the rest has a section of its own.
+    /// So does coolant; if the program stops the spindle to change it, the remainder begins a new section.
     void coolantThatChangesInTheCutDoesSoAgain() {
         const MillingContext block = milling(flat(1));
         std::string changing = program;

@@ -28,7 +28,7 @@ Tool flatTool() {
     return tool;
 }
 
-/// 16 mm along X, 1 mm deep, over the part; 0.05 mm a tick.
+/// A cut of 16 mm along X, 1 mm deep, over the part; 0.05 mm per tick.
 Result<EvaluatedPath> evaluated(const MillingContext& milling, const std::vector<Edit>& further) {
     StoredPath path;
     path.id = 1;
@@ -50,7 +50,7 @@ Result<CheckedProgram> posted(const MillingContext& milling, const std::vector<E
     return makeProgram(milling, path->path, request, progress);
 }
 
-/// The part between both places, slower and cooled.
+/// The part of the path between both positions, at a lower speed and with coolant.
 SpindleAndCoolant section() {
     const auto tickAt = [](double x) { return std::llround((x + 8.0) / 0.05); };
     return {{1, tickAt(from), tickAt(to)}, 5000.0, 1.0, SpindleAndCoolant::Cooling::flood};
@@ -58,11 +58,11 @@ SpindleAndCoolant section() {
 
 } // namespace
 
-/// What a machine gets of a part of a path that has its own spindle speed and coolant.
+/// Programs of a path of which a part has its own spindle speed and coolant.
 class TestSectionProgram : public QObject {
     Q_OBJECT
 private slots:
-    /// LinuxCNC's interpreter turns and cools as the part says between its ends, and as the path says everywhere else.
+    /// LinuxCNC's interpreter uses the speed and coolant of the part between its ends, and those of the path elsewhere.
     void speedAndCoolantChangeAtTheBorders() {
         if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
         const MillingContext milling = partMilling(flatTool());
@@ -84,10 +84,10 @@ private slots:
             if (within) ends.push_back(move.to.x);
         }
         QVERIFY((ends == std::vector<double>{to}));
-        QCOMPARE(std::ranges::count(truth.moves, CanonicalKind::dwell, &CanonicalMove::kind), 1); // at the start alone
+        QCOMPARE(std::ranges::count(truth.moves, CanonicalKind::dwell, &CanonicalMove::kind), 1); // only at the start
     }
 
-    /// The same feed at fewer turns: the check counts with the chip that the spindle's own speed gives.
+    /// The same feed at a lower speed: the check computes the chip load from the spindle speed in force.
     void theCheckCountsWithTheSpeed() {
         const MillingContext milling = partMilling(flatTool());
         const Result<CheckedProgram> program = posted(milling, {{section()}});
@@ -96,7 +96,7 @@ private slots:
         for (const MotionLoad& load : program->report.loads) {
             const NcMotion& motion = program->parsed.motions[load.motion];
             if (motion.kind != NcMotionKind::line || motion.to[Axis::z] != motion.from[Axis::z]) continue;
-            const double fullChip = motion.feed / (2.0 * motion.spindleSpeed); // mm, of two teeth
+            const double fullChip = motion.feed / (2.0 * motion.spindleSpeed); // mm, with two teeth
             QVERIFY2(load.peak.feedPerTooth <= fullChip + 1e-9 && load.peak.feedPerTooth > 0.8 * fullChip,
                      qPrintable(QString("%1 of %2 mm").arg(load.peak.feedPerTooth).arg(fullChip)));
             met.insert(motion.spindleSpeed == 5000.0);
@@ -104,12 +104,12 @@ private slots:
         QCOMPARE(met.size(), std::size_t{2});
     }
 
-    /// Feeds by engagement behind it keep the thickest chip at the speed that the spindle has there.
+    /// Feed by engagement after it limits the chip thickness at the spindle speed in force there.
     void feedsBehindItCountWithTheSpeed() {
         const MillingContext milling = partMilling(flatTool());
         LevelFeed level;
         level.goal = LevelFeed::Goal::removal;
-        level.target = 1e5; // mm³/s: never reached, so that the chip is what limits
+        level.target = 1e5; // mm³/s: never reached, so that the chip is the limit
         level.largestChip = 0.01;
         const Result<EvaluatedPath> path = evaluated(milling, {{section()}, {level}});
         QVERIFY(path);
@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(met.size(), std::size_t{2});
     }
 
-    /// Switched off, or where it keeps both, the text is that of the path without it, byte for byte.
+    /// If it is switched off or keeps both values, the text is byte for byte that of the path without it.
     void withoutItTheTextStays() {
         const MillingContext milling = partMilling(flatTool());
         const Result<CheckedProgram> plain = posted(milling, {});

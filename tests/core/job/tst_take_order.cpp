@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// Takes that are moved and copied: what is replayed, kept, listed and milled then.
+// Moved and copied takes: how they are replayed, kept, listed and milled.
 #include "core/document/database.h"
 #include "core/job/job_paths.h"
 #include "core/job/path_takes.h"
@@ -11,6 +11,7 @@
 #include "core/volume/operations/fingerprint.h"
 #include "tests/core/document/sample_project.h"
 #include "tests/core/job/recorded_takes.h"
+#include "tests/places.h"
 #include "tests/test_program.h"
 
 #include <QCoreApplication>
@@ -27,7 +28,8 @@ namespace {
 
 std::vector<std::int64_t> listed(const Project& project) {
     std::vector<std::int64_t> ids;
-    for (const TakeInfo& info : *project.takes()) ids.push_back(info.id);
+    const std::vector<TakeInfo> takes = *project.takes();
+    for (const TakeInfo& info : takes) ids.push_back(info.id);
     return ids;
 }
 
@@ -37,7 +39,7 @@ std::vector<Take> inOrder(const Project& project) {
     return takes;
 }
 
-/// Replayed from the stock, or from what is kept; 0: that failed.
+/// Replayed from the stock, or from a kept workpiece; 0 on failure.
 std::uint64_t hashOf(const Project& project, bool fromKept = false) {
     Progress progress;
     MillingContext milling = blockMilling();
@@ -62,7 +64,7 @@ bool keepAt(Project& project, const TakeMoment& at) {
 class TestTakeOrder : public QObject {
     Q_OBJECT
 private slots:
-    /// 200 random moves against erase and insert in a list; a take that is removed meanwhile keeps its place.
+    /// 200 random moves, compared with erase and insert in a list; a take that is removed meanwhile keeps its position.
     void movesAreThoseOfAList() {
         QTemporaryDir folder;
         Project project = *Project::create(folder.filePath("p.burin").toStdString());
@@ -85,7 +87,7 @@ private slots:
             others.insert(others.begin() + static_cast<std::ptrdiff_t>(place), moved);
             expected = others;
             QCOMPARE(listed(project), expected);
-            if (i % 20 == 10) { // what is removed keeps its place
+            if (i % 20 == 10) { // a removed take keeps its position
                 QVERIFY(project.removeTake(expected[2]));
                 const Result<TakeOrder> end = orderWithTakeAt(project, expected[0], 4);
                 QVERIFY(end && project.setTakeOrder(*end) && project.restoreTake(expected[2]));
@@ -93,7 +95,7 @@ private slots:
                 QCOMPARE(listed(project), expected);
             }
         }
-        QVERIFY(project.setTakeOrder({})); // as they were recorded
+        QVERIFY(project.setTakeOrder({})); // in the order of recording
         std::ranges::sort(expected);
         QCOMPARE(listed(project), expected);
         for (const Result<TakeOrder>& wrong :
@@ -105,8 +107,8 @@ private slots:
         QCOMPARE(listed(project), expected);
     }
 
-    /// In any order the workpiece at the end is the same, to the bit; at each moment between, borders of takes among
-    /// them, it is what a replay of the takes before it leaves.
+    /// The workpiece at the end is bitwise the same in any order; at each moment between, also at the ends of takes, it
+    /// is the result of a replay of the takes before it.
     void theWorkpieceFollowsTheOrder() {
         Rows recorded({2200, 1700, 1300});
         QVERIFY(recorded.good);
@@ -151,14 +153,14 @@ private slots:
             const Result<VolumeSnapshot> end = time->at(moments.back(), progress);
             QVERIFY(end);
             QCOMPARE(fingerprint(*end), hash);
-            // What scrubbing found worth keeping is right in this order, and only there.
+            // The workpieces that scrubbing found worth keeping are valid in this order, and only in this one.
             for (const KeptWorkpiece& kept : time->takeWorthKeeping())
                 QVERIFY(project.keepWorkpiece(kept, recordedTime->state));
             QCOMPARE(hashOf(project, true), hash);
         }
     }
 
-    /// What is kept holds just as long as the takes before its moment are the same, in whatever order; what is made in
+    /// A kept workpiece is valid exactly as long as the takes before its moment are the same, in any order; one made in
     /// one order is not kept in another.
     void whatIsKeptHoldsWhereItIsMadeOfTheSame() {
         Rows recorded({900, 800, 700});
@@ -179,7 +181,7 @@ private slots:
         QVERIFY(recordedWork(project)->kept && recordedWork(project)->cuts.empty()); // nothing is cut again
         const Result<RecordedWork> border = recordedWork(project, endB);
         QVERIFY(border && !border->kept && border->cuts.size() == 1 && border->end == endB);
-        // The end is the same, and yet it was made in the other order.
+        // The end is the same, but the workpiece was made in the other order.
         QVERIFY(project.recordedState()->end == state.end);
         QVERIFY(project.keepWorkpiece({endB, {}, "of the other order"}, state));
         QCOMPARE(project.keptMoments()->size(), std::size_t{2});
@@ -187,11 +189,11 @@ private slots:
         QCOMPARE(*project.keptMoments(), (std::vector{endB, midC, endC}));
 
         QVERIFY(project.setTakeOrder(TakeOrder({a, b, c})));
-        QCOMPARE(*project.keptMoments(), (std::vector{midA, endA, midB, midC, endC})); // the other endB is gone
+        QCOMPARE(*project.keptMoments(), (std::vector{midA, endA, midB, midC, endC})); // not endB of the other order
         QCOMPARE(hashOf(project, true), hash);
         QVERIFY(project.setTakeOrder(TakeOrder({c, a, b})));
         QVERIFY(project.keptMoments()->empty());
-        // What comes after a moment is so in the order.
+        // "After a moment" refers to the order of the takes.
         const Result<SwitchedOff> off = offAfter(project, {a, 500});
         QVERIFY(off && off->size() == 2 && !off->contains(c));
         QVERIFY(project.setMarkers(std::vector<TimeMarker>{{midA, "A"}, {endB, "B"}, {midC, "C"}}));
@@ -202,7 +204,7 @@ private slots:
         QVERIFY(strokesBefore(sharedCuts(project), {c, 600}).empty());
     }
 
-    /// A copy has all that its original has, and is in its stead when that is gone: the same workpiece.
+    /// A copy has all data of its original and replaces it when that is removed: the workpiece is the same.
     void aCopyStandsForItsOriginal() {
         Rows recorded({900, 800});
         QVERIFY(recorded.good);
@@ -224,14 +226,14 @@ private slots:
         QVERIFY(original.undone == copied.undone && *project.switchedOff(*copy) == *project.switchedOff(ids[1]));
         QVERIFY(copied.info.complete && copied.info.toolId == original.info.toolId &&
                 copied.info.materials == original.info.materials && copied.info.seconds == original.info.seconds);
-        QCOMPARE(project.keptMoments()->size(), std::size_t{1}); // it comes after
+        QCOMPARE(project.keptMoments()->size(), std::size_t{1}); // the copy comes after it
         QCOMPARE(hashOf(project), hash);
         QVERIFY(project.removeTake(ids[1]));
         QCOMPARE(hashOf(project), hash);
         QCOMPARE(hashOf(project, true), hash);
         QCOMPARE(project.takes()->back().copyOf, std::int64_t{0});
         QVERIFY(project.restoreTake(ids[1]) && project.takes()->back().copyOf == ids[1]);
-        // A copy of a copy is one of the nearest that is there.
+        // The original of a copy of a copy is the nearest one that is not removed.
         const Result<std::int64_t> second = project.duplicateTake(*copy);
         QVERIFY(second && project.takeOutline(*second)->info.copyOf == *copy);
         QVERIFY(project.removeTake(*copy) && project.takeOutline(*second)->info.copyOf == ids[1]);
@@ -240,8 +242,8 @@ private slots:
         QCOMPARE(project.duplicateTake(99).error().code, ErrorCode::nameUnknown);
     }
 
-    /// The order of takes is none of the job's: paths keep their takes, tools their order, and what depends on the job
-    /// stays up to date. A copy joins a path when it is asked to alone.
+    /// The order of takes does not affect the job: paths keep their takes, tools their order, and results that depend
+    /// on the job stay up to date. A copy is added to a path only on request.
     void pathsKeepTheirTakes() {
         Rows recorded({300, 250, 200});
         QVERIFY(recorded.good);
@@ -254,7 +256,8 @@ private slots:
             StoredPath path = project.paths()->front();
             addNewerTakes(path, *sourcesOf(project));
             std::vector<std::pair<std::int64_t, std::size_t>> found;
-            for (const SourceStrokes& each : matterOf(project, path)->sources)
+            const PathMatter matter = *matterOf(project, path);
+            for (const SourceStrokes& each : matter.sources)
                 found.emplace_back(each.info.source.id, each.strokes.size());
             return found;
         };
@@ -264,9 +267,10 @@ private slots:
         QVERIFY(strokes() == before);
         QCOMPARE(*project.jobDigest(), digest);
         std::vector<std::int64_t> sources;
-        for (const SourceInfo& each : *sourcesOf(project)) sources.push_back(each.source.id);
+        const std::vector<SourceInfo> known = *sourcesOf(project);
+        for (const SourceInfo& each : known) sources.push_back(each.source.id);
         QCOMPARE(sources, ids);
-        // A new path lists them as they are now.
+        // A new path lists them in their present order.
         QCOMPARE(takesOf(standardPath(project, tool)->sources), (std::vector{ids[2], ids[0], ids[1]}));
 
         const std::int64_t copy = *project.duplicateTake(ids[0]);
@@ -281,12 +285,12 @@ private slots:
         QVERIFY(without && without->sources == path.sources && !withoutTake(*without, copy));
         QVERIFY(project.setPath(*without));
         QVERIFY(strokes() == before);
-        // Where the original is gone the copy is a take as any other.
+        // If the original is removed, the copy is a take like any other.
         QVERIFY(project.removePath(path.id) && project.removeTake(ids[0]));
         QCOMPARE(takesOf(standardPath(project, tool)->sources), (std::vector{ids[2], ids[1], copy}));
     }
 
-    /// Saved and opened again; an older project as well. What the file says wrongly is damage.
+    /// Saved and opened again; also for an older project. Wrong values in the file are reported as damage.
     void theOrderIsKept() {
         QTemporaryDir folder;
         const std::filesystem::path file = folder.filePath("p.burin").toStdString();
@@ -318,7 +322,7 @@ private slots:
                 std::string("UPDATE setup_setting SET json = '") + wrong + "' WHERE name = 'take_order'";
             QCOMPARE(opened(change.c_str()), -2);
         }
-        QCOMPARE(opened("UPDATE setup_setting SET json = '[77]' WHERE name = 'take_order'") / 10, 1); // it is gone
+        QCOMPARE(opened("UPDATE setup_setting SET json = '[77]' WHERE name = 'take_order'") / 10, 1); // no such take
         for (const char* wrong : {"[[1, 1]]", "[[1, 2]]", "[[2]]", "[2, 1]", "{}", "x", "[[2, -1]]"}) {
             const std::string change =
                 std::string("UPDATE setup_setting SET json = '") + wrong + "' WHERE name = 'take_copies'";

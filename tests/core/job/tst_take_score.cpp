@@ -38,7 +38,7 @@ std::vector<Sample> ticks(std::size_t count) {
     return samples;
 }
 
-/// Some ticks in which the part holds the tool while the hand is deeper.
+/// Makes ticks in which the part blocks the tool while the hand is deeper.
 void push(std::vector<Sample>& samples, std::size_t first, double depth, std::uint32_t further = 0,
           std::size_t count = 20) {
     for (std::size_t i = first; i < first + count; ++i) {
@@ -47,7 +47,7 @@ void push(std::vector<Sample>& samples, std::size_t first, double depth, std::ui
     }
 }
 
-/// Rows of a flat end mill over the whole block, a millimetre apart; each tick removes what it sweeps.
+/// Rows of a flat end mill over the whole block, a millimetre apart; each tick removes the volume that it sweeps.
 std::vector<Sample> facing(double height, const Tool& tool, MillingContext& milling) {
     MaterialRemoval removal(tool.cutter, milling.embedded.workpiece.grid(), Writing::everyCut);
     std::vector<Sample> samples;
@@ -106,12 +106,12 @@ class TakeScoreTest final : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Three pushes by construction; neither what stays above 0.1 mm, nor what holds the tool otherwise, nor what was
-    /// done with the spindle off or taken back.
+    /// Three pushes by construction. Pushes of less than 0.1 mm don't count, nor those in which something else blocks
+    /// the tool, the spindle is off, or the samples were undone.
     void pushesIntoThePartAreCounted() {
         std::vector<Sample> samples = ticks(1000);
         push(samples, 100, 0.5);
-        push(samples, 200, 0.08); // too little
+        push(samples, 200, 0.08); // too small
         push(samples, 300, 0.12, 0, 10);
         push(samples, 310, 0.09, 0, 10); // a tremor at the limit
         push(samples, 320, 0.13, 0, 10);
@@ -119,8 +119,8 @@ private slots:
         push(samples, 450, 2.0, sampleOnGuide);
         push(samples, 500, 2.0, sampleStylusInvalid);
         push(samples, 550, 2.0, sampleSpindleOff);
-        push(samples, 600, 0.8, 0, 200); // long, and once
-        push(samples, 900, 3.0);         // taken back
+        push(samples, 600, 0.8, 0, 200); // long, but only one
+        push(samples, 900, 3.0);         // undone
         Recordings recordings;
         const std::int64_t take = recordings.record(samples);
         const std::vector<SampleRange> back{{900, 100}}, off{{850, 100}};
@@ -131,15 +131,16 @@ private slots:
         QVERIFY(is(score[ScoreValue::gougeTries], 3.0));
         QVERIFY(is(score[ScoreValue::largestPush], 0.8));
         QVERIFY(is(score[ScoreValue::duration], 1.0));
-        QVERIFY(is(score[ScoreValue::milling], 0.88)); // without 20 ticks of a standing spindle and 100 taken back
+        QVERIFY(is(score[ScoreValue::milling], 0.88)); // without 20 ticks of a stopped spindle and 100 undone ones
         QVERIFY(!score[ScoreValue::meanForce] && is(score[ScoreValue::removed], 0.0));
-        QVERIFY(!score[ScoreValue::meanStockLeft]); // there is no part
+        QVERIFY(!score[ScoreValue::meanStockLeft]); // no part
         Progress progress;
         const Result<ScoreMatter> deeper = scoreMatter(recordings.project, take, progress, {.deep = 0.6});
         QVERIFY(deeper && is(deeper->score[ScoreValue::gougeTries], 1.0));
     }
 
-    /// 5 N while cutting is 5 N whatever happens in the air; the peak is one tick's. Off or on makes no difference.
+    /// The mean of 5 N while cutting does not depend on air moves; the peak is that of one tick. Switching the take off
+    /// makes no difference.
     void forceIsThatOfTheCut() {
         std::vector<Sample> samples = ticks(1000);
         for (std::size_t i = 200; i < 700; ++i) {
@@ -164,10 +165,10 @@ private slots:
         QCOMPARE(recordings.score(even, milling).values, score.values);
     }
 
-    /// A block of 20 × 20 × 10 mm, in it a part of 8 × 8 mm up to z = 8 mm. Of its top 64 mm² and its sides 224 mm² a
-    /// flat end reaches all: 2 mm and 6 mm of stock are on them, and 0.5 mm on the top once the block is faced to
-    /// 8.5 mm. That removes 600 mm³. A take that mills on top has what it left; one before it is of no account when
-    /// off.
+    /// A block of 20 × 20 × 10 mm with a part of 8 × 8 mm up to z = 8 mm. A flat end mill reaches all of its top of
+    /// 64 mm² and its sides of 224 mm². On them are 2 mm and 6 mm of stock, and 0.5 mm on the top after the block is
+    /// faced to 8.5 mm, which removes 600 mm³. The stock left by a take includes the effect of earlier takes, unless
+    /// they are switched off.
     void removalAndStockLeftAreThoseOfTheBlock() {
         const MillingContext part = partMilling(flatTool());
         MillingContext milled = partMilling(flatTool());
@@ -197,7 +198,7 @@ private slots:
         QVERIFY(!recordings.score(recordings.record(leaning), part)[ScoreValue::meanStockLeft]);
     }
 
-    /// Better and worse, by how much, and as a share of the reference.
+    /// Verdict, difference, and ratio to the reference.
     void valuesAreComparedWithTheReference() {
         using Kind = ScoreVerdict::Kind;
         TakeScore take, reference;

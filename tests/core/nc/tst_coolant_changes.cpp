@@ -19,7 +19,7 @@ namespace burin::tst_coolant_changes {
 
 namespace {
 
-/// Flood, then nothing, mist and flood again from line to line.
+/// Flood, then off, mist and flood again from line to line.
 NcProgram misty() {
     NcProgram job = referenceJob(NcUnits::millimetre, 1);
     NcSection& section = job.sections.front();
@@ -33,7 +33,7 @@ NcProgram misty() {
 
 } // namespace
 
-/// Coolant that changes while a tool cuts, in the words of every dialect that is data.
+/// Changes of the coolant while a tool cuts, in every dialect that is data.
 class TestCoolantChanges : public QObject {
     Q_OBJECT
 private slots:
@@ -43,7 +43,8 @@ private slots:
         for (const char* id : {"fanuc", "grblhal", "linuxcnc", "mach"}) QTest::newRow(id) << id << true;
         for (const char* id : {"grbl", "haas"}) QTest::newRow(id) << id << false;
     }
-    /// Its own control reads the coolant that each move shall have; nothing else changes, and nothing waits for it.
+    /// The dialect's control reads the intended coolant of each move; nothing else changes, and there is no dwell for
+    /// it.
     void coolantChangesInTheCut() {
         QFETCH(QString, dialect);
         QFETCH(bool, hasMist);
@@ -68,7 +69,7 @@ private slots:
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
     }
 
-    /// The blocks of a change, and what LinuxCNC's interpreter makes of them: speed and coolant of each move.
+    /// The blocks of a change, and the speed and coolant of each move that LinuxCNC's interpreter reads from them.
     void speedAndCoolantReadAsAMachinistExpects() {
         NcProgram job = misty();
         job.sections.front().moves[4].spindleSpeed = 6000;
@@ -79,7 +80,7 @@ private slots:
                  text->c_str());
         const auto fanuc = posted("fanuc", job);
         QVERIFY(fanuc);
-        QVERIFY2(fanuc->find(" M09\n") != std::string::npos && fanuc->find(" S6000 M03\n") < fanuc->find(" M07\n"),
+        QVERIFY2(fanuc->find("\nM09\nX20. F500.\nS6000 M03\nM07\nX30.\nM09\nM08\nX40.\n") != std::string::npos,
                  fanuc->c_str());
         if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
         const CanonicalProgram truth = CanonicalProgram::ofText(*text);
@@ -92,8 +93,8 @@ private slots:
         QVERIFY((lines == std::vector<std::string>{"12000F", "12000F", "12000", "6000M", "6000F"}));
     }
 
-    /// A dialect whose tool change has the coolant before the spindle changes them in that order; its own words and
-    /// blocks count.
+    /// A dialect whose tool change has the coolant before the spindle changes them in that order, with its own words
+    /// and blocks.
     void theOrderIsThatOfTheToolChange() {
         const auto data = readFile(std::string(BURIN_SOURCE_DIRECTORY) + "/resources/dialects/linuxcnc.json");
         QVERIFY(data);

@@ -76,8 +76,8 @@ private slots:
         const auto post = loadDialect("trace", root());
         QVERIFY(!post);
         QCOMPARE(post.error().code, ErrorCode::pluginIncompatible);
-        QCOMPARE(QString::fromStdString(post.error().place), "5");
-        QCOMPARE(QString::fromStdString(post.error().detail), "4");
+        QCOMPARE(QString::fromStdString(post.error().place), "6");
+        QCOMPARE(QString::fromStdString(post.error().detail), "5");
         QVERIFY(!QFile::exists(traceFile()));
     }
 

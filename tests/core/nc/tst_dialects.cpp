@@ -200,7 +200,7 @@ private slots:
             QFAIL((std::to_string(mark.line) + ": " + mark.text).c_str());
     }
 
-    /// What the last digit can't tell from the point before is left out, its speed and coolant are not.
+    /// A point that equals the previous one after rounding is omitted, but its speed and coolant are not.
     void aSpeedOutlivesThePointThatRoundingLeavesOut() {
         for (const std::string& id : ids) {
             NcProgram job = referenceJob(NcUnits::millimetre, 1);

@@ -188,7 +188,7 @@ private slots:
         QCOMPARE(refused.error().code, ErrorCode::programLimit);
     }
 
-    /// As the speed does: in a cut before the move that wants it, between cuts before the first rapid.
+    /// As the speed does: within a cut before the move that requires it, between cuts before the first rapid.
     void theCoolantChangesWithinASection() {
         Path changing = path();
         changing.coolant = Coolant::flood;
@@ -203,7 +203,7 @@ private slots:
         using Changes = std::vector<std::pair<std::size_t, Coolant>>;
         const auto program = toProgram({changing, changing}, request(), machine());
         QVERIFY(program);
-        QCOMPARE(program->sections.size(), std::size_t{1}); // it ends as the second begins
+        QCOMPARE(program->sections.size(), std::size_t{1}); // it ends in the state in which the second begins
         const std::size_t count = changing.points.size();
         QVERIFY(program->sections[0].coolant == Coolant::flood);
         QVERIFY((

@@ -15,7 +15,7 @@ using Cooling = SpindleAndCoolant::Cooling;
 
 namespace {
 
-constexpr double spindle = 6000.0; // 1/min, of the tables
+constexpr double spindle = 6000.0; // 1/min, from the tables
 constexpr SourceStretch second{1, 600, 1100}, middle{1, 725, 975};
 
 PathContext shop() {
@@ -30,7 +30,7 @@ PathContext shop() {
     return context;
 }
 
-/// Three strokes of one take, 0.02 mm a tick: ticks 0 … 500, 600 … 1100, 1200 … 1700, each 10 mm along X.
+/// Three strokes of one take, 0.02 mm per tick: ticks 0 … 500, 600 … 1100, 1200 … 1700, each 10 mm along X.
 Take strokesInRows() {
     std::vector<Tick> ticks;
     for (int row = 0; row < 3; ++row) {
@@ -51,7 +51,7 @@ SpindleAndCoolant edit(const SourceStretch& stretch, double speed, Cooling cooli
     return {stretch, speed, 1.0, cooling};
 }
 
-/// What the machine does on the way to a point.
+/// A move to a point, with spindle speed and coolant.
 struct Way {
     MoveKind kind;
     glm::dvec2 to; ///< mm
@@ -63,7 +63,7 @@ struct Way {
     }
 };
 
-/// All moves but rapids.
+/// Returns all moves except rapids.
 std::vector<Way> waysOf(const Path& path) {
     std::vector<Way> ways;
     for (const PathPoint& point : path.points)
@@ -95,7 +95,7 @@ constexpr MoveKind plunge = MoveKind::plunge, cut = MoveKind::cut, retract = Mov
 class TestSection : public QObject {
     Q_OBJECT
 private slots:
-    /// With its plunge and its retract; the rapids between change nothing.
+    /// A stroke gets them including its plunge and retract; the rapids between stay unchanged.
     void aStrokeGetsThemWithItsLinks() {
         const auto path = edited({{edit(second, 8000.0, Cooling::flood)}});
         QVERIFY(path);
@@ -107,7 +107,7 @@ private slots:
         QCOMPARE(path->path.spindleSpeed, spindle);
     }
 
-    /// A move is divided exactly where the part begins and ends, and its feed stays.
+    /// A move is divided exactly where the part begins and ends, and keeps its feed.
     void aPartOfAStrokeGetsThem() {
         const auto path = edited({{edit(middle, 8000.0, Cooling::flood)}}), plain = edited({});
         QVERIFY(path && plain);
@@ -120,7 +120,7 @@ private slots:
         for (const PathPoint& point : path->path.points)
             if (point.kind == cut) QCOMPARE(point.feed, 900.0);
         QCOMPARE(path->path.points.size(), plain->path.points.size() + 2);
-        // Another source's is nobody's here; nor does an edit change anything that keeps both.
+        // An interval of another source changes nothing, nor does an edit that keeps both values.
         for (const auto& nothing : {edit({7, 725, 975}, 8000.0, Cooling::flood), edit(middle, 0.0)}) {
             const auto same = edited({{nothing}});
             QVERIFY(same);
@@ -128,7 +128,7 @@ private slots:
         }
     }
 
-    /// An arc is divided on itself: both parts lie on the circle that the whole one had.
+    /// A divided arc stays on its circle: both parts lie on the circle of the undivided arc.
     void anArcIsDividedOnItself() {
         std::vector<Tick> ticks;
         for (int i = 0; i <= 900; ++i) {
@@ -146,7 +146,7 @@ private slots:
             QVERIFY(point.arc);
             ++arcs;
             const double to = std::atan2(point.pose.tip.y, point.pose.tip.x);
-            QVERIFY(std::abs(glm::length(glm::dvec2(point.pose.tip)) - 20.0) < 0.012); // as fitted
+            QVERIFY(std::abs(glm::length(glm::dvec2(point.pose.tip)) - 20.0) < 0.012); // deviation of the fit
             const double half = 0.5 * (from + to);
             QCOMPARE(point.spindleSpeed, half > pi / 3.0 && half < 2.0 * pi / 3.0 ? 8000.0 : 0.0);
             if (!borders.empty() || point.spindleSpeed > 0.0) borders.push_back(from);
@@ -156,7 +156,7 @@ private slots:
         QVERIFY(std::abs(borders.front() - pi / 3.0) < 2e-3);
     }
 
-    /// A share is of the speed that each move has; a later edit has the last word; other edits keep both.
+    /// A share applies to the present speed of each move; a later edit overrides an earlier one; other edits keep both.
     void editsFollowEachOther() {
         AreaFeed area;
         area.outline = {{5, -50, 0}, {50, -50, 0}, {50, 50, 0}, {5, 50, 0}};
@@ -201,7 +201,7 @@ private slots:
             std::string(code == static_cast<int>(ErrorCode::notSupported) ? "mist coolant for Mill" : "spindle speed"));
     }
 
-    /// A point means the stroke that leads through it, whether it has a vertex there or not.
+    /// A single moment selects the stroke that passes it, whether it has a vertex there or not.
     void aPointMeansItsStroke() {
         const auto whole = edited({{edit(second, 8000.0, Cooling::flood)}});
         QVERIFY(whole);

@@ -14,7 +14,7 @@ namespace burin::tst_face_quality {
 
 namespace {
 
-/// Two triangles over a rectangle, seen from where it is counter-clockwise.
+/// Two triangles over a rectangle, facing the side from which its corners are counter-clockwise.
 PartFacePatch rectangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
     PartFacePatch patch;
     patch.kind = MeasuredFace::Kind::plane;
@@ -53,7 +53,7 @@ const std::vector<DeviationSample> samples{{{5.0, 5.0, 10.0}, 0.0, 0.3, true},  
 class FaceQualityTest : public QObject {
     Q_OBJECT
 private slots:
-    /// Counted by hand.
+    /// Expected values computed by hand.
     void eachSampleBelongsToItsFace() {
         const std::vector<FaceQuality> faces = judged(samples, {0.02, 0.1, 0.5});
         QCOMPARE(faces.size(), std::size_t{6});
@@ -68,24 +68,24 @@ private slots:
         QCOMPARE(faces[top].gouge.amount, 0.3);
         QVERIFY(faces[top].gouge.place == glm::dvec3(5.0, 5.0, 10.0));
         QVERIFY(faces[top].gouge.outward == glm::dvec3(0.0, 0.0, 1.0));
-        QCOMPARE(faces[top].excess.amount, 0.0); // 0.25 mm is less than the allowance
+        QCOMPARE(faces[top].excess.amount, 0.0); // 0.25 mm of stock is less than the allowance
         QCOMPARE(faces[top].shares.gouge, 0.5);
         QCOMPARE(faces[top].shares.inTolerance, 0.5);
         QCOMPARE(faces[right].samples, std::size_t{2});
         QCOMPARE(faces[right].gouge.amount, 0.0);
-        QVERIFY(std::abs(faces[right].excess.amount - 0.2) < 1e-12); // over the allowance of 0.5 mm
+        QVERIFY(std::abs(faces[right].excess.amount - 0.2) < 1e-12); // above the allowance of 0.5 mm
         QVERIFY(faces[right].excess.place == glm::dvec3(30.0, 5.0, 5.0));
         QVERIFY(faces[right].excess.outward == glm::dvec3(1.0, 0.0, 0.0));
         QCOMPARE(faces[right].shares.excess, 0.5);
         QCOMPARE(faces[right].shares.inTolerance, 0.5); // 0.55 mm: within 0.1 mm of the allowance
-        // 0.1 mm from the top, and none of its samples: no tool's fault, which is no worst point.
+        // 0.1 mm from the top, but not one of its samples: unreachable, so it is not a worst point.
         QCOMPARE(faces[front].samples, std::size_t{1});
         QCOMPARE(faces[front].excess.amount, 0.0);
         QCOMPARE(faces[front].shares.unreachable, 1.0);
         for (const Number empty : {bottom, left, back}) QCOMPARE(faces[empty].samples, std::size_t{0});
     }
 
-    /// Against the nearest face by brute force: of a block that is the plane that is nearest, for points on it.
+    /// Compared with the nearest face by brute force: for points on a block that is the nearest plane.
     void manyPlacesAsByBruteForce() {
         std::vector<DeviationSample> many;
         std::vector<std::size_t> counted(6, 0);
@@ -101,7 +101,7 @@ private slots:
         for (std::size_t i = 0; i < 6; ++i) QCOMPARE(faces[i].samples, counted[i]);
     }
 
-    /// The gouge first, then the stock, then what is not known.
+    /// Faces with a gouge come first, then those with excess; faces without samples come last.
     void theWorstComesFirst() {
         std::vector<FaceQuality> faces = judged(samples, {0.02, 0.1, 0.5});
         sortByQuality(faces);
@@ -110,12 +110,12 @@ private slots:
         QCOMPARE(faces[2].number, std::size_t{front + 1});
         QVERIFY(worstPointOf(faces[0]).place == glm::dvec3(5.0, 5.0, 10.0));
         QVERIFY(worstPointOf(faces[1]).place == glm::dvec3(30.0, 5.0, 5.0));
-        // A face without a fault is looked at on itself.
+        // A face without a deviation is shown at its middle.
         QCOMPARE(worstPointOf(faces[2]).place.y, 0.0);
         QVERIFY(worstPointOf(faces[2]).outward == glm::dvec3(0.0, -1.0, 0.0));
     }
 
-    /// Burin's own reader of CSV gets the same fields again.
+    /// Burin's CSV reader reads the same fields.
     void theTableIsCsv() {
         const std::vector<FaceQuality> faces = judged(samples, {0.02, 0.1, 0.5});
         const std::string table = faceTable(faces, ',');
