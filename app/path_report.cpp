@@ -32,6 +32,21 @@ json requestOf(const GeneratedInfo& pass) {
     return request ? json::parse(toJson(*request)) : json();
 }
 
+/// Columns of the arc; empty for a straight move.
+std::string arcColumns(const PathPoint& point) {
+    if (!point.arc) return ",,,,,";
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.arc->centre[axis]);
+    constexpr const char* letters[] = {"x", "y", "z"};
+    return text + "," + letters[point.arc->axis] + (point.arc->clockwise ? ",1" : ",0");
+}
+
+/// Returns empty columns for a rapid, as it has the speed and coolant of the next move.
+std::string spindleColumns(const Path& path, const PathPoint& point) {
+    if (point.kind == MoveKind::rapid) return ",,";
+    return "," + formatShortest(speedOf(path, point)) + "," + std::string(idOf(coolantOf(path, point)));
+}
+
 } // namespace
 
 json jsonOf(const StoredPath& path, const std::vector<GeneratedInfo>& passes) {
@@ -121,6 +136,19 @@ int saveAndAnswer(ProjectChange& project, const StoredPath& path, CommandContext
     further.update(jsonOf(path, *passes));
     context.answer(further, textOf(path, *passes) + furtherText);
     return 0;
+}
+
+std::string csvOf(const Path& path) {
+    constexpr const char* kinds[] = {"rapid", "plunge", "cut", "retract"};
+    std::string text = "kind,x_mm,y_mm,z_mm,feed_mm_min,take,sample,"
+                       "arc_centre_x_mm,arc_centre_y_mm,arc_centre_z_mm,arc_axis,arc_clockwise,spindle_rpm,coolant\n";
+    for (const PathPoint& point : path.points) {
+        text += kinds[static_cast<std::size_t>(point.kind)];
+        for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.pose.tip[axis]);
+        text += "," + formatShortest(point.feed) + "," + std::to_string(point.source) + "," +
+                std::to_string(point.sample) + arcColumns(point) + spindleColumns(path, point) + "\n";
+    }
+    return text;
 }
 
 } // namespace burin

@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "core/document/project_change.h"
 #include "core/job/pass_figures.h"
+#include "core/path/path.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,6 +28,8 @@ std::string textOf(const StoredPath& path, const std::vector<GeneratedInfo>& pas
 void addFigures(const std::vector<PassFigures>& figures, nlohmann::json& passes);
 /// The same as readable text, one line each.
 std::string textOf(const std::vector<PassFigures>& figures);
+/// The points as CSV, one line each, with units in the heading.
+std::string csvOf(const Path& path);
 
 /// Saves a change and answers with the resulting path. @param further keys of the answer besides those of the path
 /// @return exit status

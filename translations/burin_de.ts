@@ -828,10 +828,6 @@
         <translation>Das Abspielen des Programms vor der Zeile des Cursors anhalten, oder nicht mehr. Ein Klick auf die Nummer der Zeile tut dasselbe.</translation>
     </message>
     <message>
-        <source>Sc&amp;ore a take…</source>
-        <translation>Aufnahme be&amp;werten…</translation>
-    </message>
-    <message>
         <source>State how well a take was milled, and compare it with a reference, for training.</source>
         <translation>Zeigt, wie gut eine Aufnahme gefräst ist, und vergleicht sie mit einer Referenz, zum Üben.</translation>
     </message>
@@ -853,7 +849,7 @@
     </message>
     <message>
         <source>Mo&amp;ve the take up</source>
-        <translation>Aufnahme nach o&amp;ben</translation>
+        <translation>Aufnahme nach &amp;oben</translation>
     </message>
     <message>
         <source>Replay the take that is selected in the project tree or on the timeline before the take above it. The workpiece at the end and the paths stay as they are.</source>
@@ -861,15 +857,11 @@
     </message>
     <message>
         <source>Move the take do&amp;wn</source>
-        <translation>Aufnahme nach &amp;unten</translation>
+        <translation>Aufnah&amp;me nach unten</translation>
     </message>
     <message>
         <source>Replay the take that is selected in the project tree or on the timeline after the take below it. The workpiece at the end and the paths stay as they are.</source>
         <translation>Die im Projektbaum oder auf der Zeitleiste gewählte Aufnahme nach der darunter abspielen. Das Werkstück am Ende und die Bahnen bleiben, wie sie sind.</translation>
-    </message>
-    <message>
-        <source>Duplicate the ta&amp;ke</source>
-        <translation>Aufnahme dupli&amp;zieren</translation>
     </message>
     <message>
         <source>Copy the selected take with its strokes and what is switched off. No path mills the copy until its menu adds it.</source>
@@ -881,7 +873,15 @@
     </message>
     <message>
         <source>Compare the path with another one, with the recording or with itself without an edit: lengths, time and deviation.</source>
-        <translation>Vergleicht die Bahn mit einer anderen, mit der Aufnahme oder mit sich selbst ohne einen Schritt: Längen, Zeit und Abweichung.</translation>
+        <translation>Vergleicht die Bahn mit einer anderen, mit der Aufnahme oder mit sich selbst ohne eine Bearbeitung: Längen, Zeit und Abweichung.</translation>
+    </message>
+    <message>
+        <source>Sco&amp;re a take…</source>
+        <translation>Aufnahme &amp;bewerten…</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate the take</source>
+        <translation>Aufnahme du&amp;plizieren</translation>
     </message>
 </context>
 <context>
@@ -2086,7 +2086,7 @@
     </message>
     <message>
         <source>without edit %1 (%2)</source>
-        <translation>ohne Schritt %1 (%2)</translation>
+        <translation>ohne Bearbeitung %1 (%2)</translation>
     </message>
     <message>
         <source>a second path, --without or --recorded</source>
@@ -2094,7 +2094,7 @@
     </message>
     <message>
         <source>without edits</source>
-        <translation>ohne Schritte</translation>
+        <translation>ohne Bearbeitungen</translation>
     </message>
     <message>
         <source>%1 and %2 (%3)</source>
@@ -2151,6 +2151,22 @@
     <message>
         <source>%1 and %2, tolerance %3 mm</source>
         <translation>%1 und %2, Toleranz %3 mm</translation>
+    </message>
+    <message>
+        <source>the path has no edits</source>
+        <translation>die Bahn hat keine Bearbeitungen</translation>
+    </message>
+    <message>
+        <source>0 to %1</source>
+        <translation>0 bis %1</translation>
+    </message>
+    <message>
+        <source>%1 pass changes its coolant; the first one other than off was kept for all of it.</source>
+        <translation>%1 Durchgang wechselt das Kühlmittel; das erste außer „aus“ gilt nun für den ganzen Durchgang.</translation>
+    </message>
+    <message>
+        <source>%1 passes change their coolant; the first one other than off was kept for all of each.</source>
+        <translation>%1 Durchgänge wechseln das Kühlmittel; das erste außer „aus“ gilt nun jeweils für den ganzen Durchgang.</translation>
     </message>
 </context>
 <context>
@@ -5393,7 +5409,7 @@
     </message>
     <message>
         <source>Export the program (optional)</source>
-        <translation>Programm exportieren (freiwillig)</translation>
+        <translation>Programm exportieren (optional)</translation>
     </message>
     <message>
         <source>Press “Export…” and choose a file, or skip this step.</source>
@@ -6657,18 +6673,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Einer Bahn eine Bearbeitung, einen berechneten Durchgang oder eine Aufnahme hinzufügen</translation>
     </message>
     <message>
-        <source>Take to mill last in the path; a copy of a take joins a path in this way alone</source>
-        <translation>Aufnahme, die in der Bahn zuletzt gefräst wird; nur so kommt die Kopie einer Aufnahme in eine Bahn</translation>
-    </message>
-    <message>
-        <source>Delete a path with its computed passes, or take a pass or take out of it; takes stay in the project</source>
-        <translation>Eine Bahn mit ihren berechneten Durchgängen löschen, oder einen Durchgang oder eine Aufnahme aus ihr nehmen; Aufnahmen bleiben im Projekt</translation>
-    </message>
-    <message>
-        <source>Take that the path is to mill no longer</source>
-        <translation>Aufnahme, die die Bahn nicht mehr fräsen soll</translation>
-    </message>
-    <message>
         <source>Switch takes, or parts of them, off and on; rename, move, copy and score them</source>
         <translation>Aufnahmen oder Teile davon aus- und einschalten, umbenennen, verschieben, kopieren und bewerten</translation>
     </message>
@@ -6685,10 +6689,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>An diese Position in der Reihenfolge der Aufnahmen, ab 1</translation>
     </message>
     <message>
-        <source>Copy it with its strokes and what is switched off, behind all takes; no path mills the copy until &quot;burin path P apply PATH --take&quot; adds it</source>
-        <translation>Sie mit ihren Zügen und dem, was ausgeschaltet ist, hinter alle Aufnahmen kopieren; keine Bahn fräst die Kopie, bis „burin path P apply PATH --take“ sie aufnimmt</translation>
-    </message>
-    <message>
         <source>Number of the path to compare with</source>
         <translation>Nummer der Bahn, mit der verglichen wird</translation>
     </message>
@@ -6698,7 +6698,7 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
     <message>
         <source>Compare with the path without its edits, as it was recorded or computed</source>
-        <translation>Mit der Bahn ohne ihre Schritte vergleichen, wie sie aufgenommen oder berechnet wurde</translation>
+        <translation>Mit der Bahn ohne ihre Bearbeitungen vergleichen, wie sie aufgenommen oder berechnet wurde</translation>
     </message>
     <message>
         <source>Compare a path with another one, or with a version of itself</source>
@@ -6719,6 +6719,22 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Stock to leave on the part, mm: within tolerance in the map&apos;s colours and on faces</source>
         <translation>Aufmaß auf dem Teil, mm: in den Farben der Karte und auf Flächen innerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>Take to mill last in the path; copies of takes are added to a path only this way</source>
+        <translation>Aufnahme, die in der Bahn zuletzt gefräst wird; Kopien von Aufnahmen kommen nur so in eine Bahn</translation>
+    </message>
+    <message>
+        <source>Delete a path with its computed passes, or remove one pass or one take from it; takes stay in the project</source>
+        <translation>Eine Bahn mit ihren berechneten Durchgängen löschen, oder einen Durchgang oder eine Aufnahme aus ihr entfernen; Aufnahmen bleiben im Projekt</translation>
+    </message>
+    <message>
+        <source>Take to remove from the path</source>
+        <translation>Aufnahme, die aus der Bahn entfernt wird</translation>
+    </message>
+    <message>
+        <source>Copy it with its strokes and what is switched off, after all other takes; no path mills the copy until &quot;burin path P apply PATH --take&quot; adds it</source>
+        <translation>Sie mit ihren Zügen und dem, was ausgeschaltet ist, hinter alle anderen Aufnahmen kopieren; keine Bahn fräst die Kopie, bis „burin path P apply PATH --take“ sie aufnimmt</translation>
     </message>
 </context>
 <context>
@@ -8642,10 +8658,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Versuchte Konturverletzungen</translation>
     </message>
     <message>
-        <source>How often the hand pushed more than 0.1 mm into the part, which held the tool</source>
-        <translation>Wie oft die Hand mehr als 0,1 mm in das Teil drückte, das das Werkzeug aufhielt</translation>
-    </message>
-    <message>
         <source>Largest push</source>
         <translation>Größtes Eindrücken</translation>
     </message>
@@ -8708,6 +8720,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Spectral arc length (SPARC) of the tip&apos;s speed while milling, without pauses: one smooth movement has -1.41, a lower value means more tremor and interruptions</source>
         <translation>Spektrale Bogenlänge (SPARC) der Geschwindigkeit der Spitze beim Fräsen, ohne Pausen: eine gleichmäßige Bewegung hat -1,41, ein niedrigerer Wert bedeutet mehr Zittern und Unterbrechungen</translation>
+    </message>
+    <message>
+        <source>How often the hand pushed the tool more than 0.1 mm against the part, which stopped it</source>
+        <translation>Wie oft die Hand das Werkzeug mehr als 0,1 mm gegen das Teil drückte, das es aufhielt</translation>
     </message>
 </context>
 <context>
@@ -9205,10 +9221,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Benennt die Marke um.</translation>
     </message>
     <message>
-        <source>S&amp;core…</source>
-        <translation>Be&amp;werten…</translation>
-    </message>
-    <message>
         <source>State how well the take was milled, and compare it with a reference.</source>
         <translation>Zeigt, wie gut die Aufnahme gefräst ist, und vergleicht sie mit einer Referenz.</translation>
     </message>
@@ -9222,7 +9234,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Move do&amp;wn</source>
-        <translation>Nach &amp;unten</translation>
+        <translation>Nach u&amp;nten</translation>
     </message>
     <message>
         <source>Replay it after the take below it.</source>
@@ -9230,7 +9242,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Dupli&amp;cate</source>
-        <translation>Dupli&amp;zieren</translation>
+        <translation>Du&amp;plizieren</translation>
     </message>
     <message>
         <source>Copy it with its strokes and what is switched off. No path mills the copy until its menu adds it.</source>
@@ -9251,6 +9263,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The path of its tool mills this copy as well, after its other takes.</source>
         <translation>Die Bahn ihres Werkzeugs fräst auch diese Kopie, nach ihren anderen Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>Scor&amp;e…</source>
+        <translation>Be&amp;werten…</translation>
     </message>
 </context>
 <context>
@@ -9765,11 +9781,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>itself without edits, as recorded or computed</source>
-        <translation>sich selbst ohne Schritte, wie aufgenommen oder berechnet</translation>
+        <translation>sich selbst ohne Bearbeitungen, wie aufgenommen oder berechnet</translation>
     </message>
     <message>
         <source>itself without edit %1: %2</source>
-        <translation>sich selbst ohne Schritt %1: %2</translation>
+        <translation>sich selbst ohne Bearbeitung %1: %2</translation>
     </message>
     <message>
         <source>path %1, %2: %3</source>
@@ -11767,6 +11783,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The table of faces was written to “%1”.</source>
         <translation>Die Tabelle der Flächen wurde in „%1“ geschrieben.</translation>
+    </message>
+    <message>
+        <source>1 pass changes its coolant; the first one other than off was kept for all of it.</source>
+        <translation>1 Durchgang wechselt das Kühlmittel; das erste außer „aus“ gilt nun für den ganzen Durchgang.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes change their coolant; the first one other than off was kept for all of each.</source>
+        <translation>
+            <numerusform>%n Durchgang wechselt das Kühlmittel; das erste außer „aus“ gilt nun für den ganzen Durchgang.</numerusform>
+            <numerusform>%n Durchgänge wechseln das Kühlmittel; das erste außer „aus“ gilt nun jeweils für den ganzen Durchgang.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -828,10 +828,6 @@
         <translation>播放程序时在光标所在行之前停止，或取消停止。单击行号效果相同。</translation>
     </message>
     <message>
-        <source>Sc&amp;ore a take…</source>
-        <translation>评分录制(&amp;O)…</translation>
-    </message>
-    <message>
         <source>State how well a take was milled, and compare it with a reference, for training.</source>
         <translation>显示一段录制铣削得如何，并与参考录制比较，用于练习。</translation>
     </message>
@@ -868,10 +864,6 @@
         <translation>把项目树或时间轴上所选的录制放到其下一段录制之后重放。最终的工件和刀路保持不变。</translation>
     </message>
     <message>
-        <source>Duplicate the ta&amp;ke</source>
-        <translation>复制录制(&amp;K)</translation>
-    </message>
-    <message>
         <source>Copy the selected take with its strokes and what is switched off. No path mills the copy until its menu adds it.</source>
         <translation>复制所选录制，连同其笔画和停用部分。在副本的菜单中加入刀路之前，没有刀路铣削该副本。</translation>
     </message>
@@ -882,6 +874,14 @@
     <message>
         <source>Compare the path with another one, with the recording or with itself without an edit: lengths, time and deviation.</source>
         <translation>将刀路与另一条刀路、与录制或与去掉某个编辑步骤后的自身比较：长度、时间和偏差。</translation>
+    </message>
+    <message>
+        <source>Sco&amp;re a take…</source>
+        <translation>评分录制(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Dupl&amp;icate the take</source>
+        <translation>复制录制(&amp;I)</translation>
     </message>
 </context>
 <context>
@@ -2151,6 +2151,22 @@
     <message>
         <source>%1 and %2, tolerance %3 mm</source>
         <translation>%1和%2，公差 %3 mm</translation>
+    </message>
+    <message>
+        <source>the path has no edits</source>
+        <translation>刀路没有编辑步骤</translation>
+    </message>
+    <message>
+        <source>0 to %1</source>
+        <translation>0 到 %1</translation>
+    </message>
+    <message>
+        <source>%1 pass changes its coolant; the first one other than off was kept for all of it.</source>
+        <translation>%1 个走刀中途改变冷却；整个走刀采用第一种非关闭的冷却。</translation>
+    </message>
+    <message>
+        <source>%1 passes change their coolant; the first one other than off was kept for all of each.</source>
+        <translation>%1 个走刀中途改变冷却；每个走刀整体采用其第一种非关闭的冷却。</translation>
     </message>
 </context>
 <context>
@@ -6656,18 +6672,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>向刀路添加编辑步骤、计算的走刀或录制</translation>
     </message>
     <message>
-        <source>Take to mill last in the path; a copy of a take joins a path in this way alone</source>
-        <translation>在刀路中最后铣削的录制；录制的副本只能以这种方式加入刀路</translation>
-    </message>
-    <message>
-        <source>Delete a path with its computed passes, or take a pass or take out of it; takes stay in the project</source>
-        <translation>删除刀路及其计算的走刀，或从中移出一个走刀或一段录制；录制保留在项目中</translation>
-    </message>
-    <message>
-        <source>Take that the path is to mill no longer</source>
-        <translation>刀路不再铣削的录制</translation>
-    </message>
-    <message>
         <source>Switch takes, or parts of them, off and on; rename, move, copy and score them</source>
         <translation>停用或启用录制或其一部分；重命名、移动、复制录制并评分</translation>
     </message>
@@ -6682,10 +6686,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>To this position in the order of the takes, from 1</source>
         <translation>放到录制顺序中的此位置，从 1 开始</translation>
-    </message>
-    <message>
-        <source>Copy it with its strokes and what is switched off, behind all takes; no path mills the copy until &quot;burin path P apply PATH --take&quot; adds it</source>
-        <translation>复制录制，连同其笔画和停用部分，放在所有录制之后；用“burin path P apply PATH --take”加入之前，没有刀路铣削该副本</translation>
     </message>
     <message>
         <source>Number of the path to compare with</source>
@@ -6718,6 +6718,22 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Stock to leave on the part, mm: within tolerance in the map&apos;s colours and on faces</source>
         <translation>零件上要留的余量，mm：在偏差图的颜色中和各面上算在公差内</translation>
+    </message>
+    <message>
+        <source>Take to mill last in the path; copies of takes are added to a path only this way</source>
+        <translation>在刀路中最后铣削的录制；录制的副本只能以这种方式加入刀路</translation>
+    </message>
+    <message>
+        <source>Delete a path with its computed passes, or remove one pass or one take from it; takes stay in the project</source>
+        <translation>删除刀路及其计算的走刀，或从中移除一个走刀或一段录制；录制保留在项目中</translation>
+    </message>
+    <message>
+        <source>Take to remove from the path</source>
+        <translation>要从刀路中移除的录制</translation>
+    </message>
+    <message>
+        <source>Copy it with its strokes and what is switched off, after all other takes; no path mills the copy until &quot;burin path P apply PATH --take&quot; adds it</source>
+        <translation>复制录制，连同其笔画和停用部分，放在所有其他录制之后；用“burin path P apply PATH --take”加入之前，没有刀路铣削该副本</translation>
     </message>
 </context>
 <context>
@@ -8635,10 +8651,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>过切尝试次数</translation>
     </message>
     <message>
-        <source>How often the hand pushed more than 0.1 mm into the part, which held the tool</source>
-        <translation>手压入零件超过 0.1 mm 的次数；零件挡住了刀具</translation>
-    </message>
-    <message>
         <source>Largest push</source>
         <translation>最大压入量</translation>
     </message>
@@ -8701,6 +8713,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Spectral arc length (SPARC) of the tip&apos;s speed while milling, without pauses: one smooth movement has -1.41, a lower value means more tremor and interruptions</source>
         <translation>铣削时（不含停顿）刀尖速度的频谱弧长（SPARC）：一次平滑的运动为 -1.41，数值越低表示抖动和中断越多</translation>
+    </message>
+    <message>
+        <source>How often the hand pushed the tool more than 0.1 mm against the part, which stopped it</source>
+        <translation>手将刀具向零件压入超过 0.1 mm 并被零件挡住的次数</translation>
     </message>
 </context>
 <context>
@@ -9198,10 +9214,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>重命名标记。</translation>
     </message>
     <message>
-        <source>S&amp;core…</source>
-        <translation>评分(&amp;C)…</translation>
-    </message>
-    <message>
         <source>State how well the take was milled, and compare it with a reference.</source>
         <translation>显示该录制铣削得如何，并与参考录制比较。</translation>
     </message>
@@ -9244,6 +9256,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>The path of its tool mills this copy as well, after its other takes.</source>
         <translation>其刀具的刀路也铣削此副本，排在其他录制之后。</translation>
+    </message>
+    <message>
+        <source>Scor&amp;e…</source>
+        <translation>评分(&amp;E)…</translation>
     </message>
 </context>
 <context>
@@ -11754,6 +11770,16 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>The table of faces was written to “%1”.</source>
         <translation>面的表格已写入“%1”。</translation>
+    </message>
+    <message>
+        <source>1 pass changes its coolant; the first one other than off was kept for all of it.</source>
+        <translation>1 个走刀中途改变冷却；整个走刀采用第一种非关闭的冷却。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n passes change their coolant; the first one other than off was kept for all of each.</source>
+        <translation>
+            <numerusform>%n 个走刀中途改变冷却；每个走刀整体采用其第一种非关闭的冷却。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

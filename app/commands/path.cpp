@@ -123,7 +123,7 @@ int changeTakes(const PathArguments& arguments, bool added, CommandContext& cont
     Result<StoredPath> path = pathWithId(**project, arguments.path);
     if (path)
         path = added ? withTake(**project, std::move(*path), arguments.take)
-                     : withoutTake(std::move(*path), arguments.take);
+                     : withoutTake(**project, std::move(*path), arguments.take);
     if (!path) return context.fail(path.error());
     if (const Result<void> stored = (*project)->setPath(*path); !stored) return context.fail(stored.error());
     return saveAndAnswer(*project, *path, context);
@@ -194,35 +194,6 @@ Result<void> updateEdit(StoredPath& path, const PathArguments& arguments) {
                      worded(BURIN_TEXT("Command", "an edit of an earlier version; this one is current"))};
     path.edits[arguments.place] = *newer;
     return {};
-}
-
-/// Columns of the arc; empty for a straight move.
-std::string arcColumns(const PathPoint& point) {
-    if (!point.arc) return ",,,,,";
-    std::string text;
-    for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.arc->centre[axis]);
-    constexpr const char* letters[] = {"x", "y", "z"};
-    return text + "," + letters[point.arc->axis] + (point.arc->clockwise ? ",1" : ",0");
-}
-
-/// Returns empty columns for a rapid, as it has the speed and coolant of the next move.
-std::string spindleColumns(const Path& path, const PathPoint& point) {
-    if (point.kind == MoveKind::rapid) return ",,";
-    const double speed = point.spindleSpeed > 0.0 ? point.spindleSpeed : path.spindleSpeed;
-    return "," + formatShortest(speed) + "," + std::string(idOf(point.coolant.value_or(path.coolant)));
-}
-
-std::string csvOf(const Path& path) {
-    constexpr const char* kinds[] = {"rapid", "plunge", "cut", "retract"};
-    std::string text = "kind,x_mm,y_mm,z_mm,feed_mm_min,take,sample,"
-                       "arc_centre_x_mm,arc_centre_y_mm,arc_centre_z_mm,arc_axis,arc_clockwise,spindle_rpm,coolant\n";
-    for (const PathPoint& point : path.points) {
-        text += kinds[static_cast<std::size_t>(point.kind)];
-        for (int axis = 0; axis < 3; ++axis) text += "," + formatShortest(point.pose.tip[axis]);
-        text += "," + formatShortest(point.feed) + "," + std::to_string(point.source) + "," +
-                std::to_string(point.sample) + arcColumns(point) + spindleColumns(path, point) + "\n";
-    }
-    return text;
 }
 
 /// Errors: those of checkOutput.
@@ -315,25 +286,6 @@ int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& con
     return 0;
 }
 
-void addCompare(CommandParser part, PathArguments& arguments) {
-    CompareArguments& compare = arguments.compare;
-    const Argument second = part.positional(BURIN_TEXT("Argument", "OTHER"), compare.second,
-                                            BURIN_TEXT("Help", "Number of the path to compare with"));
-    const Argument without =
-        part.option("--without", compare.without,
-                    BURIN_TEXT("Help", "Compare with the path without this edit: its position in the list, from 0"))
-            .excludes(second);
-    part.flag("--recorded", compare.recorded,
-              BURIN_TEXT("Help", "Compare with the path without its edits, as it was recorded or computed"))
-        .excludes(second)
-        .excludes(without);
-    part.option("--tolerance", compare.tolerance,
-                BURIN_TEXT("Help", "Distance in mm beyond which parts of the paths count as different"))
-        .range(comparedTolerances.low, comparedTolerances.high)
-        .showDefault();
-    part.option("--machine", arguments.machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
-}
-
 } // namespace
 
 void registerPath(CommandParser program, CommandContext& context, int& status) {
@@ -408,18 +360,16 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
             .excludes(furtherPass);
     further
         .option("--take", arguments->take,
-                BURIN_TEXT("Help", "Take to mill last in the path; a copy of a take joins a path in this way alone"))
+                BURIN_TEXT("Help", "Take to mill last in the path; copies of takes are added to a path only this way"))
         .excludes(furtherPass)
         .excludes(edit);
     further.option("--place", arguments->place, BURIN_TEXT("Help", "Position in the list of edits, from 0"))
         .needs(edit);
     further.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
-    const CommandParser erase = withPath(
-        add("delete",
-            BURIN_TEXT(
-                "Help",
-                "Delete a path with its computed passes, or take a pass or take out of it; takes stay in the project"),
-            remove));
+    const CommandParser erase = withPath(add("delete",
+                                             BURIN_TEXT("Help", "Delete a path with its computed passes, or remove one "
+                                                                "pass or one take from it; takes stay in the project"),
+                                             remove));
     const CommandParser again = withPath(add(
         "recompute", BURIN_TEXT("Help", "Compute the passes of a path again, as each was asked for"), computeAgain));
     again.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
@@ -430,7 +380,7 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
                      }));
     order.option("--place", arguments->place, BURIN_TEXT("Help", "Position, from 0: the first is milled first"))
         .required();
-    erase.option("--take", arguments->take, BURIN_TEXT("Help", "Take that the path is to mill no longer"));
+    erase.option("--take", arguments->take, BURIN_TEXT("Help", "Take to remove from the path"));
     for (const CommandParser& one : {erase, again, order})
         one.option(
             "--pass",
@@ -464,7 +414,7 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
                      [](const PathArguments& given, CommandContext& where) {
                          return comparePathsOf(given.project, given.path, given.compare, given.machine, where);
                      })),
-        *arguments);
+        arguments->compare, arguments->machine);
     for (const bool asTrace : {false, true}) {
         const CommandParser part = add(
             asTrace ? "trace" : "take",

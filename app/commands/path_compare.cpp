@@ -25,13 +25,18 @@ struct ComparedVersion {
     json variation;    ///< null: the unchanged path
 };
 
+/// Describes the valid positions of an edit.
+std::string positionsOf(const StoredPath& path) {
+    if (path.edits.empty()) return worded(BURIN_TEXT("Command", "the path has no edits"));
+    return worded(BURIN_TEXT("Command", "0 to %1"), {std::to_string(path.edits.size() - 1)});
+}
+
 /// Errors: argumentInvalid (no such edit).
 Result<ComparedVersion> withoutEdit(StoredPath path, const std::string& position) {
     const std::optional<double> number = parseNumber(position);
     if (!number || !(*number >= 0.0) || *number != std::floor(*number) ||
         !(*number < static_cast<double>(path.edits.size())))
-        return Error{ErrorCode::argumentInvalid, "--without", position,
-                     worded(BURIN_TEXT("Command", "0 to %1 (exclusive)"), {std::to_string(path.edits.size())})};
+        return Error{ErrorCode::argumentInvalid, "--without", position, positionsOf(path)};
     const auto edit = path.edits.begin() + static_cast<std::ptrdiff_t>(*number);
     const std::string id(idOf(edit->parameters));
     path.edits.erase(edit);
@@ -132,6 +137,24 @@ Result<PathDifference> compared(const Project& project, const StoredPath& first,
 }
 
 } // namespace
+
+void addCompare(CommandParser part, CompareArguments& compare, std::string& machine) {
+    const Argument second = part.positional(BURIN_TEXT("Argument", "OTHER"), compare.second,
+                                            BURIN_TEXT("Help", "Number of the path to compare with"));
+    const Argument without =
+        part.option("--without", compare.without,
+                    BURIN_TEXT("Help", "Compare with the path without this edit: its position in the list, from 0"))
+            .excludes(second);
+    part.flag("--recorded", compare.recorded,
+              BURIN_TEXT("Help", "Compare with the path without its edits, as it was recorded or computed"))
+        .excludes(second)
+        .excludes(without);
+    part.option("--tolerance", compare.tolerance,
+                BURIN_TEXT("Help", "Distance in mm beyond which parts of the paths count as different"))
+        .range(comparedTolerances.low, comparedTolerances.high)
+        .showDefault();
+    part.option("--machine", machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
+}
 
 int comparePathsOf(const std::string& file, std::int64_t number, const CompareArguments& arguments,
                    const std::string& machine, CommandContext& context) {

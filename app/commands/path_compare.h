@@ -19,6 +19,9 @@ struct CompareArguments {
     double tolerance = usualComparedTolerance;
 };
 
+/// Declares the arguments of a comparison, which must outlive the parsing, and the machine.
+void addCompare(CommandParser part, CompareArguments& compare, std::string& machine);
+
 /// Evaluates a path and the version that it is compared with, and answers with the values of both.
 /// @param project file @param machine id; empty: that of the project @return exit status
 int comparePathsOf(const std::string& project, std::int64_t first, const CompareArguments& arguments,

@@ -30,6 +30,10 @@ std::string textOfLosses(const ProgramPasses& passes) {
         BURIN_TEXT("Command", "%1 dwells were left out."));
     add(passes.startless, BURIN_TEXT("Command", "%1 move was left out: the program does not state where it begins."),
         BURIN_TEXT("Command", "%1 moves were left out: the program does not state where they begin."));
+    add(passes.coolantChanges(),
+        BURIN_TEXT("Command", "%1 pass changes its coolant; the first one other than off was kept for all of it."),
+        BURIN_TEXT("Command",
+                   "%1 passes change their coolant; the first one other than off was kept for all of each."));
     return text;
 }
 
@@ -95,11 +99,10 @@ int addProgramPaths(ProjectChange& project, const ProgramPathArguments& argument
     if (!paths) return context.fail(paths.error());
     if (const Result<void> saved = project.save(); !saved) return context.fail(saved.error());
     tellKeptEarlier(context, *project);
-    nlohmann::json answer{{"paths", nlohmann::json::array()},
-                          {"arcs_as_chords", passes->arcs},
-                          {"chord_tolerance_mm", arcChord},
-                          {"dwells_left_out", passes->dwells},
-                          {"moves_left_out", passes->startless}};
+    nlohmann::json answer{
+        {"paths", nlohmann::json::array()},    {"arcs_as_chords", passes->arcs},
+        {"chord_tolerance_mm", arcChord},      {"dwells_left_out", passes->dwells},
+        {"moves_left_out", passes->startless}, {"passes_with_coolant_changes", passes->coolantChanges()}};
     std::string lines;
     answer["length_mm"] = passes->length();
     for (const StoredPath& path : *paths) {

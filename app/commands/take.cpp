@@ -182,8 +182,9 @@ void registerTake(CommandParser program, CommandContext& context, int& status) {
     move.option("--to", arguments->place, BURIN_TEXT("Help", "To this position in the order of the takes, from 1"))
         .excludes(before);
     addAction(command, "duplicate",
-              BURIN_TEXT("Help", "Copy it with its strokes and what is switched off, behind all takes; no path mills "
-                                 "the copy until \"burin path P apply PATH --take\" adds it"),
+              BURIN_TEXT("Help",
+                         "Copy it with its strokes and what is switched off, after all other takes; no path mills "
+                         "the copy until \"burin path P apply PATH --take\" adds it"),
               &runDuplicate, context, status, arguments);
 }
 

@@ -161,13 +161,6 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     answer["part_warnings"] = doubts;
     answer["tool"] = jsonOf(checked->tools.front());
     answer["work_offset_mm"] = burin::jsonOf(milling->setup.workOffset);
-    std::string faces;
-    if (arguments.faces || !arguments.faceTable.empty()) {
-        context.stage(BURIN_TEXT("Command", "Inspecting the faces"));
-        Result<std::string> inspected = inspectFaces(*checked, *milling, arguments, answer, context.progress());
-        if (!inspected) return context.fail(inspected.error());
-        faces = std::move(*inspected);
-    }
     if (!arguments.map.empty()) {
         const DeviationTolerance tolerance = shownTolerance(arguments);
         const auto written = writeDeviationMap(checked->report.deviations, tolerance, arguments.map);
@@ -179,6 +172,13 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
         if (const Result<void> written = writeWorkpiece(*checked, *milling, arguments, answer, context.progress());
             !written)
             return context.fail(written.error());
+    std::string faces; // the last: a failure leaves the files that were written before
+    if (arguments.faces || !arguments.faceTable.empty()) {
+        context.stage(BURIN_TEXT("Command", "Inspecting the faces"));
+        Result<std::string> inspected = inspectFaces(*checked, *milling, arguments, answer, context.progress());
+        if (!inspected) return context.fail(inspected.error());
+        faces = std::move(*inspected);
+    }
     context.answer(answer, textOf(*checked, arguments.tolerance, milling->machine) + faces +
                                textOfDoubts(*milling->model, milling->embedded));
     return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);

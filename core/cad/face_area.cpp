@@ -24,11 +24,6 @@ struct Spot {
     double distance = std::numeric_limits<double>::infinity(); ///< mm
 };
 
-Triangle cornersOf(const TriangleMesh& mesh, std::size_t triangle) {
-    const auto& corners = mesh.triangles[triangle];
-    return {mesh.vertices[corners[0]], mesh.vertices[corners[1]], mesh.vertices[corners[2]]};
-}
-
 Spot nearestSpot(const Model& model, const glm::dvec3& place) {
     Spot nearest;
     for (const Body& body : model.bodies)

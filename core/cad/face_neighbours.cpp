@@ -23,11 +23,7 @@ std::uint32_t FaceNeighbours::corner(std::size_t triangle, int which) const {
 }
 
 glm::dvec3 FaceNeighbours::normal(std::size_t triangle) const {
-    const auto& corners = mesh_.triangles[triangle];
-    const glm::dvec3 normal =
-        areaNormal({mesh_.vertices[corners[0]], mesh_.vertices[corners[1]], mesh_.vertices[corners[2]]});
-    const double length = glm::length(normal);
-    return length > 0.0 ? normal / length : glm::dvec3(0.0);
+    return unitNormal(cornersOf(mesh_, triangle));
 }
 
 std::optional<std::size_t> FaceNeighbours::beside(std::size_t triangle, int side) const {

@@ -85,8 +85,11 @@ Result<TakeOrder> loadTakeOrder(Database& database, SetupId setup);
 /// Takes that `wanted` does not contain follow. Errors: nameUnknown (not a take of the setup), argumentInvalid (a take
 /// occurs twice).
 Result<void> storeTakeOrder(Database& database, SetupId setup, const TakeOrder& wanted);
-/// Returns the nearest take that is not removed in the chain of originals of a copy; 0: none.
+/// Returns the first take in the chain of originals of a copy, even if that is removed or erased; 0: not a copy.
 Result<std::int64_t> loadOriginal(Database& database, SetupId setup, std::int64_t take);
+/// Removes a take that is erased from the order, and from the chains of originals: its copies become copies of its own
+/// original. If it has none, they remain copies of it. A damaged row stays as it is, so that a project can be opened.
+Result<void> forgetTake(Database& database, SetupId setup, std::int64_t take);
 /// Returns the id of the copy. Errors: those of loadTakeOutline.
 Result<std::int64_t> copyTake(Database& database, std::int64_t id);
 

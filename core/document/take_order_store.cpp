@@ -60,6 +60,10 @@ Result<std::optional<std::string>> loadRow(Database& database, SetupId setup, st
     return std::optional(std::string(row->text(0)));
 }
 
+Result<void> eraseRow(Database& database, SetupId setup, std::string_view name) {
+    return run(database, "DELETE FROM setup_setting WHERE setup = ? AND name = ?", numberOf(setup), name);
+}
+
 Result<void> storeRow(Database& database, SetupId setup, std::string_view name, const std::string& text) {
     return run(database, "INSERT OR REPLACE INTO setup_setting(setup, name, json) VALUES(?, ?, ?)", numberOf(setup),
                name, text);
@@ -74,13 +78,27 @@ Result<CopiedTakes> loadCopies(Database& database, SetupId setup) {
     return std::move(*copies);
 }
 
+Result<void> storeCopies(Database& database, SetupId setup, const CopiedTakes& copies) {
+    if (copies.empty()) return eraseRow(database, setup, copiesRow);
+    json list = json::array();
+    for (const auto& [copy, original] : copies) list.push_back({copy, original});
+    return storeRow(database, setup, copiesRow, list.dump());
+}
+
 Result<void> noteCopy(Database& database, SetupId setup, std::int64_t copy, std::int64_t original) {
     Result<CopiedTakes> copies = loadCopies(database, setup);
     if (!copies) return std::move(copies).error();
     (*copies)[copy] = original;
-    json list = json::array();
-    for (const auto& [each, of] : *copies) list.push_back({each, of});
-    return storeRow(database, setup, copiesRow, list.dump());
+    return storeCopies(database, setup, *copies);
+}
+
+Result<void> forgetInOrder(Database& database, SetupId setup, std::int64_t take) {
+    const Result<std::optional<std::string>> text = loadRow(database, setup, orderRow);
+    if (!text) return text.error();
+    if (!*text) return {};
+    std::optional<std::vector<std::int64_t>> order = orderFromJson(**text);
+    if (!order || std::erase(*order, take) == 0) return {};
+    return storeRow(database, setup, orderRow, json(*order).dump());
 }
 
 /// Returns all takes, including removed ones, in the order of recording.
@@ -130,23 +148,31 @@ Result<void> storeTakeOrder(Database& database, SetupId setup, const TakeOrder& 
     std::vector<std::int64_t> order = wanted.takes();
     for (const std::int64_t take : *recorded)
         if (!seen.contains(take)) order.push_back(take);
-    if (order == *recorded)
-        return run(database, "DELETE FROM setup_setting WHERE setup = ? AND name = ?", numberOf(setup), orderRow);
+    if (order == *recorded) return eraseRow(database, setup, orderRow);
     return storeRow(database, setup, orderRow, json(order).dump());
 }
 
 Result<std::int64_t> loadOriginal(Database& database, SetupId setup, std::int64_t take) {
     const Result<CopiedTakes> copies = loadCopies(database, setup);
     if (!copies) return copies.error();
-    for (auto copy = copies->find(take); copy != copies->end(); copy = copies->find(copy->second)) {
-        Result<Statement> row = Statement::prepare(database, "SELECT 1 FROM take WHERE removed = 0 AND id = ?");
-        if (!row) return std::move(row).error();
-        if (Result<void> bound = row->bind(copy->second); !bound) return std::move(bound).error();
-        const Result<bool> there = row->step();
-        if (!there) return there.error();
-        if (*there) return copy->second;
-    }
-    return 0;
+    std::int64_t original = 0;
+    for (auto copy = copies->find(take); copy != copies->end(); copy = copies->find(original)) original = copy->second;
+    return original;
+}
+
+Result<void> forgetTake(Database& database, SetupId setup, std::int64_t take) {
+    if (Result<void> done = forgetInOrder(database, setup, take); !done) return done;
+    const Result<std::optional<std::string>> text = loadRow(database, setup, copiesRow);
+    if (!text) return text.error();
+    if (!*text) return {};
+    std::optional<CopiedTakes> copies = copiesFromJson(**text);
+    if (!copies) return {};
+    const auto own = copies->find(take);
+    if (own == copies->end()) return {};
+    for (auto& [copy, original] : *copies)
+        if (original == take) original = own->second;
+    copies->erase(own);
+    return storeCopies(database, setup, *copies);
 }
 
 Result<std::int64_t> copyTake(Database& database, std::int64_t id) {

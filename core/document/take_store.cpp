@@ -82,6 +82,16 @@ Error unknownTake(Database& database, std::int64_t id) {
     return {ErrorCode::nameUnknown, "take", std::to_string(id), known};
 }
 
+/// Returns the setup of a take, also of a removed one; empty: no such take.
+Result<std::optional<SetupId>> setupOfTake(Database& database, std::int64_t take) {
+    Result<Statement> row = Statement::prepare(database, "SELECT setup FROM take WHERE id = ?");
+    if (!row) return std::move(row).error();
+    if (Result<void> bound = row->bind(take); !bound) return std::move(bound).error();
+    const Result<bool> found = row->step();
+    if (!found) return found.error();
+    return *found ? std::optional(SetupId{row->integer(0)}) : std::nullopt;
+}
+
 /// An interval may extend beyond the samples: the rest was lost with its recorder.
 Result<void> loadRanges(Database& database, const char* question, const char* what, std::int64_t id,
                         std::uint64_t samples, std::vector<SampleRange>& undone) {
@@ -323,16 +333,16 @@ Result<std::vector<TimeMarker>> loadMarkers(Database& database, SetupId setup) {
 
 Result<void> eraseTake(Database& database, std::int64_t id) {
     if (Result<void> unused = requireUnused(database, {id}); !unused) return unused;
+    const Result<std::optional<SetupId>> setup = setupOfTake(database, id);
+    if (!setup) return setup.error();
+    if (!*setup) return unknownTake(database, id);
+    if (Result<void> done = forgetTake(database, **setup, id); !done) return done;
     if (Result<void> done = eraseKeptFrom(database, id); !done) return done;
     for (const char* table : {"DELETE FROM sample_chunk WHERE take = ?", "DELETE FROM undone_stretch WHERE take = ?",
                               "DELETE FROM switched_off_stretch WHERE take = ?", "DELETE FROM marker WHERE take = ?",
                               "DELETE FROM take_material WHERE take = ?"})
         if (Result<void> done = run(database, table, id); !done) return done;
-    if (Result<void> done = run(database, "DELETE FROM take WHERE id = ?", id); !done) return done;
-    const Result<std::int64_t> erased = database.integer("SELECT changes()");
-    if (!erased) return erased.error();
-    if (*erased == 0) return unknownTake(database, id);
-    return {};
+    return run(database, "DELETE FROM take WHERE id = ?", id);
 }
 
 Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch) {

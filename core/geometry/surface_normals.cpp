@@ -94,12 +94,6 @@ bool isThin(const Triangle& triangle, double thin) noexcept {
     return glm::length(areaNormal(triangle)) <= thin * std::sqrt(longest);
 }
 
-glm::dvec3 unitNormal(const Triangle& triangle) noexcept {
-    const glm::dvec3 normal = areaNormal(triangle);
-    const double length = glm::length(normal);
-    return length > 0.0 ? normal / length : glm::dvec3(0.0);
-}
-
 double surroundingAngle(const Triangle& triangle, TriangleFeature feature) noexcept {
     switch (feature) {
     case TriangleFeature::face:

@@ -49,7 +49,4 @@ double surroundingAngle(const Triangle& triangle, TriangleFeature feature) noexc
 /// the direction of its normal.
 bool isThin(const Triangle& triangle, double thin) noexcept;
 
-/// Unit normal; zero for a triangle without area.
-glm::dvec3 unitNormal(const Triangle& triangle) noexcept;
-
 } // namespace burin

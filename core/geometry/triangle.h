@@ -37,4 +37,28 @@ inline glm::dvec3 areaNormal(const Triangle& t) noexcept {
     return glm::cross(t[1] - t[0], t[2] - t[0]);
 }
 
+/// Unit normal; zero for a triangle without area.
+inline glm::dvec3 unitNormal(const Triangle& triangle) noexcept {
+    const glm::dvec3 normal = areaNormal(triangle);
+    const double length = glm::length(normal);
+    return length > 0.0 ? normal / length : glm::dvec3(0.0);
+}
+
+/// The largest of the triangles that were added; all corners are the origin if there is none.
+class LargestTriangle {
+public:
+    void add(const Triangle& triangle) noexcept {
+        const double size = glm::length(areaNormal(triangle));
+        if (size <= size_) return;
+        size_ = size;
+        corners_ = triangle;
+    }
+    const Triangle& corners() const noexcept { return corners_; }
+    glm::dvec3 centroid() const noexcept { return (corners_[0] + corners_[1] + corners_[2]) / 3.0; }
+
+private:
+    Triangle corners_{glm::dvec3(0.0), glm::dvec3(0.0), glm::dvec3(0.0)};
+    double size_ = -1.0; ///< twice the area, mm²
+};
+
 } // namespace burin

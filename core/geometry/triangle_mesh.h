@@ -3,10 +3,12 @@
 #pragma once
 
 #include "core/geometry/box.h"
+#include "core/geometry/triangle.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +21,11 @@ struct TriangleMesh {
 
     bool empty() const noexcept { return triangles.empty(); }
 };
+
+inline Triangle cornersOf(const TriangleMesh& mesh, std::size_t triangle) noexcept {
+    const auto& [a, b, c] = mesh.triangles[triangle];
+    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
+}
 
 /// Bounding box of the vertices that triangles use; empty for an empty mesh.
 Box boundingBox(const TriangleMesh& mesh);

@@ -54,11 +54,6 @@ FloatBox boxOf(const Triangle& t, const glm::dvec3& origin) noexcept {
     return box;
 }
 
-Triangle triangleAt(const TriangleMesh& mesh, std::uint32_t place) noexcept {
-    const auto& [a, b, c] = mesh.triangles[place];
-    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-}
-
 /// Data of a triangle during construction, moved as one unit: its box, and its number in the fourth component, as the
 /// bits of a normalised float, because denormals are slow to add.
 struct Entry {
@@ -315,7 +310,7 @@ private:
         for (std::size_t i = 0; i < binCount; ++i) (i <= best.bin ? best.below : best.above).include(bins[i]);
     }
 
-    Triangle triangle(std::uint32_t entry) const noexcept { return triangleAt(mesh_, entries_[entry].triangle()); }
+    Triangle triangle(std::uint32_t entry) const noexcept { return cornersOf(mesh_, entries_[entry].triangle()); }
 
     const TriangleMesh& mesh_;
     const glm::dvec3& origin_;
@@ -331,14 +326,14 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh, std::span<const std::uint32
     parallelStretches(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
         Box box;
         for (std::size_t i = from; i < to; ++i)
-            for (const glm::dvec3& corner : triangleAt(mesh, places[i])) box.include(corner);
+            for (const glm::dvec3& corner : cornersOf(mesh, places[i])) box.include(corner);
         const std::lock_guard lock(mutex);
         bounds_.include(box);
     });
     origin_ = bounds_.centre();
     std::vector<Entry> entries(places.size());
     parallelStretches(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) entries[i] = {boxOf(triangleAt(mesh, places[i]), origin_), places[i]};
+        for (std::size_t i = from; i < to; ++i) entries[i] = {boxOf(cornersOf(mesh, places[i]), origin_), places[i]};
     });
     Builder builder(mesh, origin_, entries);
     builder.build(builder.whole(), 0, nodes_);
@@ -347,7 +342,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh, std::span<const std::uint32
     parallelStretches(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             order_[i] = entries[i].triangle();
-            triangles_[i] = triangleAt(mesh, order_[i]);
+            triangles_[i] = cornersOf(mesh, order_[i]);
         }
     });
 }

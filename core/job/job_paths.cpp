@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace burin {
@@ -194,8 +195,12 @@ Result<StoredPath> standardPath(const Project& project, const std::string& toolI
     const Result<std::vector<TakeInfo>> takes = standingTakes(project);
     if (!takes) return takes.error();
     StoredPath path;
+    // Of a take and its copies one is milled: the recording itself, or, if that does not stand, the first copy.
+    std::set<std::int64_t> milled;
     for (const TakeInfo& take : *takes)
-        if (take.toolId == toolId && std::ranges::find(*takes, take.copyOf, &TakeInfo::id) == takes->end())
+        if (take.copyOf == 0) milled.insert(take.id);
+    for (const TakeInfo& take : *takes)
+        if (take.toolId == toolId && (take.copyOf == 0 || milled.insert(take.copyOf).second))
             path.sources.push_back({take.id});
     if (path.sources.empty()) return withoutTake();
     const Result<std::vector<StoredPath>> others = project.paths();

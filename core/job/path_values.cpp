@@ -45,10 +45,6 @@ std::vector<glm::dvec3> cornersOf(const glm::dvec3& from, const PathPoint& to) {
     return corners;
 }
 
-double speedOf(const Path& path, const PathPoint& point) noexcept {
-    return point.spindleSpeed > 0.0 ? point.spindleSpeed : path.spindleSpeed;
-}
-
 /// Calls `use(index of the point, from, corners)` for each feed move.
 template <class Use>
 void forEachFeedMove(const Path& path, const Use& use) {

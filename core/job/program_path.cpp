@@ -77,8 +77,10 @@ public:
         if (move.from.tip == move.to.tip && move.from.axis == move.to.axis) return {};
         if (Result<void> ready = beginPass(motion); !ready) return ready;
         ProgramPass& pass = made_.passes.back();
-        if (pass.coolant == Coolant::off && (motion.flood || motion.mist))
-            pass.coolant = motion.flood ? Coolant::flood : Coolant::mist;
+        const Coolant coolant = coolantOf(motion);
+        pass.coolantChanges = pass.coolantChanges || (!pass.moves.strokes.empty() && coolant != coolant_);
+        coolant_ = coolant;
+        if (pass.coolant == Coolant::off) pass.coolant = coolant;
         if (begins_) pass.moves.strokes.push_back({{move.from, moment_++}});
         begins_ = false;
         pass.moves.strokes.back().push_back(
@@ -108,6 +110,7 @@ private:
     ProgramPasses made_;
     std::int64_t moment_ = 0;
     int number_ = 0;
+    Coolant coolant_ = Coolant::off; ///< of the move before
     bool begins_ = true;
 };
 
@@ -117,6 +120,10 @@ double ProgramPasses::length() const noexcept {
     double sum = 0.0;
     for (const ProgramPass& pass : passes) sum += pass.length;
     return sum;
+}
+
+std::size_t ProgramPasses::coolantChanges() const noexcept {
+    return static_cast<std::size_t>(std::ranges::count(passes, true, &ProgramPass::coolantChanges));
 }
 
 Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& file, const std::string& dialect,

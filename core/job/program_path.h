@@ -18,6 +18,7 @@ namespace burin {
 struct ProgramPass {
     Tool tool;
     Coolant coolant = Coolant::off; ///< of the first move with coolant
+    bool coolantChanges = false;    ///< not all moves have that coolant
     GeneratedMoves moves;           ///< feed moves; no id yet
     double length = 0.0;            ///< mm, of these moves
 };
@@ -29,7 +30,8 @@ struct ProgramPasses {
     std::size_t dwells = 0;          ///< left out: paths have no dwells
     std::size_t startless = 0;       ///< feed moves from a position that the program does not state, left out
 
-    double length() const noexcept; ///< mm, of all passes
+    std::size_t coolantChanges() const noexcept; ///< passes that lose a change of coolant: each gets one for all moves
+    double length() const noexcept;              ///< mm, of all passes
 };
 
 /// The meaning of a program's tool numbers.

@@ -86,7 +86,8 @@ Result<RecordedWork> recordedWork(const Project& project, bool fromKept) {
     return recordedWork(project, {std::numeric_limits<std::int64_t>::max(), 0}, fromKept);
 }
 
-Result<RecordedWork> recordedWork(const Project& project, const TakeMoment& until, bool fromKept) {
+Result<RecordedWork> recordedWork(const Project& project, const TakeMoment& until, bool fromKept,
+                                  const SampleVisitor& also) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
     const Result<TakeOrder> order = project.takeOrder();
@@ -103,7 +104,7 @@ Result<RecordedWork> recordedWork(const Project& project, const TakeMoment& unti
         if (order->placeOf(info.id) > last) break;
         work.end = {info.id, info.id == until.take ? std::min(until.samples, info.sampleCount) : info.sampleCount};
         if (work.kept && !order->isBefore(work.kept->at, work.end)) continue;
-        Result<RecordedCuts> cuts = cutsOfTake(project, info);
+        Result<RecordedCuts> cuts = cutsOfTake(project, info, also);
         if (!cuts) return std::move(cuts).error();
         if (work.kept && info.id == work.kept->at.take) cuts->done = cuts->motions.countWithin(work.kept->at.samples);
         cuts->end = cuts->motions.countWithin(work.end.samples);

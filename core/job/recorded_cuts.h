@@ -51,8 +51,9 @@ Result<RecordedCuts> cutsOfTake(const Project& project, const TakeInfo& info, co
 /// @param fromKept false: ignore kept workpieces
 /// Errors: those of Project::visitSamples, toolFor.
 Result<RecordedWork> recordedWork(const Project& project, bool fromKept = true);
-/// The same up to a moment.
-Result<RecordedWork> recordedWork(const Project& project, const TakeMoment& until, bool fromKept = true);
+/// The same up to a moment. @param also as for cutsOfTake, for each take that is read. Errors: also those of `also`.
+Result<RecordedWork> recordedWork(const Project& project, const TakeMoment& until, bool fromKept = true,
+                                  const SampleVisitor& also = {});
 
 /// Repeats the cuts of a take, except those that were undone. Errors: volumeOutOfMemory, cancelled.
 Result<void> replayTake(const Take& take, const Tool& tool, MillingContext& milling, const Progress& progress);

@@ -26,7 +26,8 @@ constexpr std::array scoreRows{
     ScoreRow{ScoreValue::milling, "milling_s", "s", false, BURIN_TEXT("ScoreValue", "Milling time"),
              BURIN_TEXT("ScoreValue", "Time with the spindle turning")},
     ScoreRow{ScoreValue::gougeTries, "gouge_tries", "", false, BURIN_TEXT("ScoreValue", "Tries to gouge"),
-             BURIN_TEXT("ScoreValue", "How often the hand pushed more than 0.1 mm into the part, which held the tool")},
+             BURIN_TEXT("ScoreValue",
+                        "How often the hand pushed the tool more than 0.1 mm against the part, which stopped it")},
     ScoreRow{ScoreValue::largestPush, "largest_push_mm", "mm", false, BURIN_TEXT("ScoreValue", "Largest push"),
              BURIN_TEXT("ScoreValue", "How far the hand pushed into the part at most")},
     ScoreRow{ScoreValue::smoothness, "smoothness_sparc", "", true, BURIN_TEXT("ScoreValue", "Smoothness"),
@@ -90,7 +91,7 @@ public:
 
     void add(std::span<const Sample> samples) {
         for (const Sample& sample : samples) {
-            const bool milling = !takenBack_.holds(ticks_++) && (sample.flags & sampleSpindleOff) == 0;
+            const bool milling = !takenBack_.holds(samples_++) && (sample.flags & sampleSpindleOff) == 0;
             if (milling)
                 mill(sample);
             else
@@ -100,7 +101,6 @@ public:
     void finishInto(ScoreMatter& matter) {
         interrupt();
         TakeScore& score = matter.score;
-        score[ScoreValue::duration] = static_cast<double>(ticks_) * tickPeriod_;
         score[ScoreValue::milling] = static_cast<double>(milled_) * tickPeriod_;
         score[ScoreValue::gougeTries] = static_cast<double>(pushes_.tries());
         score[ScoreValue::largestPush] = pushes_.largest();
@@ -115,7 +115,8 @@ public:
 
 private:
     void mill(const Sample& sample) {
-        ++milled_;
+        if (previous_ && sample.tick > *previous_) milled_ += sample.tick - *previous_;
+        previous_ = sample.tick;
         smoothness_.add(sample);
         pushes_.add(sample);
         upright_ = upright_ && isUpright(sample.proxy.axis);
@@ -127,6 +128,7 @@ private:
         peakForce_ = std::max(peakForce_, force);
     }
     void interrupt() {
+        previous_.reset();
         smoothness_.interrupt();
         pushes_.interrupt();
     }
@@ -135,17 +137,25 @@ private:
     double tickPeriod_; ///< s
     TipSmoothness smoothness_;
     PushMeter pushes_;
-    std::uint64_t ticks_ = 0, milled_ = 0, cutting_ = 0, units_ = 0;
-    double force_ = 0.0, peakForce_ = 0.0; ///< N: sum, and greatest value
+    std::uint64_t samples_ = 0, milled_ = 0, cutting_ = 0, units_ = 0;
+    std::optional<std::uint64_t> previous_; ///< tick of the sample before, if that milled
+    double force_ = 0.0, peakForce_ = 0.0;  ///< N: sum, and greatest value
     bool upright_ = true;
 };
 
-Result<TakeInfo> takeOfSetup(const Project& project, std::int64_t take) {
+struct ScoredTake {
+    TakeInfo info;
+    TakeMoment before; ///< end of the take before it
+};
+
+Result<ScoredTake> takeOfSetup(const Project& project, std::int64_t take) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes) return takes.error();
     std::string known;
+    TakeMoment before;
     for (const TakeInfo& info : *takes) {
-        if (info.id == take) return info;
+        if (info.id == take) return ScoredTake{info, before};
+        before = {info.id, info.sampleCount};
         known.append(known.empty() ? "" : ", ").append(std::to_string(info.id));
     }
     if (takes->empty()) return Error{ErrorCode::projectIncomplete, "recording", "burin mill", {}};
@@ -197,18 +207,24 @@ TextId toolTipOf(ScoreValue value) noexcept {
 
 Result<ScoreMatter> scoreMatter(const Project& project, std::int64_t take, const Progress& progress,
                                 const PushLimit& limit) {
-    Result<TakeInfo> info = takeOfSetup(project, take);
-    if (!info) return std::move(info).error();
+    const Result<ScoredTake> scored = takeOfSetup(project, take);
+    if (!scored) return scored.error();
+    const TakeInfo& info = scored->info;
     Result<std::vector<SampleRange>> takenBack = project.takenBack(take);
     if (!takenBack) return std::move(takenBack).error();
-    Result<Tool> tool = toolFor(project, info->toolId);
+    Result<Tool> tool = toolFor(project, info.toolId);
     if (!tool) return std::move(tool).error();
-    Result<RecordedWork> before = recordedWork(project, {take, 0});
+    const auto goOn = [&progress](std::span<const Sample>) -> Result<void> {
+        if (progress.cancelled()) return scoringCancelled();
+        return {};
+    };
+    Result<RecordedWork> before = recordedWork(project, scored->before, true, goOn);
     if (!before) return std::move(before).error();
-    ScoreMatter matter{{take, info->name, {}}, 0, true, std::move(*before), *tool};
-    RecordedCuts own{take, std::move(*tool), {}, 0, info->sampleCount};
+    ScoreMatter matter{{take, info.name, {}}, 0, true, std::move(*before), *tool};
+    matter.score[ScoreValue::duration] = info.seconds;
+    RecordedCuts own{take, std::move(*tool), {}, 0, info.sampleCount};
     CutFinder finder(*takenBack);
-    ScoreMeter meter(*takenBack, info->tickPeriod, limit);
+    ScoreMeter meter(*takenBack, info.tickPeriod, limit);
     const auto keep = [&own](const ToolPose& from, const ToolPose& to, std::uint64_t sample) -> Result<void> {
         own.motions.add(from, to, sample);
         return {};
@@ -220,7 +236,6 @@ Result<ScoreMatter> scoreMatter(const Project& project, std::int64_t take, const
     });
     if (!read) return std::move(read).error();
     meter.finishInto(matter);
-    std::erase_if(matter.work.cuts, [take](const RecordedCuts& cuts) { return cuts.take == take; });
     matter.work.cuts.push_back(std::move(own));
     return matter;
 }

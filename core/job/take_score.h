@@ -17,14 +17,16 @@ namespace burin {
 /// whether they are switched off or not, so a reference that is switched off keeps its score. "Milling" is time with
 /// the spindle turning, "cutting" a tick in which material was removed.
 enum class ScoreValue : std::uint8_t {
-    duration,    ///< s: number of ticks of the take, including undone ones, times their period
-    milling,     ///< s: number of milling ticks times their period
+    duration,    ///< s: TakeInfo::seconds, so undone and missed ticks count
+    milling,     ///< s: from the first to the last tick of each uninterrupted stretch of milling; missed ticks count
     gougeTries,  ///< intervals of milling in which the hand pushed into the part, see `PushLimit`
     largestPush, ///< mm: greatest distance in these intervals from the tip commanded by the hand to the tip of the tool
     smoothness,  ///< spectral arc length of the tip's speed while milling, without pauses (tip_smoothness.h); negative
     meanForce,   ///< N: mean of the cutting force while cutting
     peakForce,   ///< N: greatest cutting force
-    removed,     ///< mm³: volume that the take removed when it was recorded
+    /// mm³: volume that the take removed when it was recorded. Computed with the voxels of the present stock: they are
+    /// those of the recording, as the stock of a setup with takes cannot be changed.
+    removed,
     removalRate, ///< mm³/s: `removed` divided by `milling`
     /// mm of stock on the part after the take, along the part's normal (core/verify/excess.h): mean over the area that
     /// the take's tool can reach. The workpiece results from the earlier takes, as far as they are in effect, and from

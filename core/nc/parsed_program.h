@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/coolant.h"
 #include "core/geometry/arc.h"
 #include "core/machine/axis_values.h"
 
@@ -84,6 +85,11 @@ struct NcMotion {
     /// The whole sweep of an arc, `wholeTurns` included.
     ArcTurn turn() const noexcept;
 };
+
+/// Flood if both are on.
+inline Coolant coolantOf(const NcMotion& motion) noexcept {
+    return motion.flood ? Coolant::flood : motion.mist ? Coolant::mist : Coolant::off;
+}
 
 /// Words that stay in force and may be the cause of a finding many lines later.
 enum class NcSettingKind : std::uint8_t {

@@ -45,15 +45,6 @@ PostTool toolOf(const Path& path, const PostRequest& request) {
     return {request.toolNumber, request.toolName, SpindleDirection::clockwise};
 }
 
-/// Spindle speed of a point's move, 1/min.
-double speedOf(const Path& path, const PathPoint& point) {
-    return point.spindleSpeed > 0.0 ? point.spindleSpeed : path.spindleSpeed;
-}
-
-Coolant coolantOf(const Path& path, const PathPoint& point) {
-    return point.coolant.value_or(path.coolant);
-}
-
 /// Spindle speed and coolant in force.
 struct CutState {
     double speed = 0.0; ///< 1/min

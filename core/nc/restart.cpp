@@ -20,10 +20,6 @@ Error lineError(std::uint32_t line, std::string allowed) {
     return {ErrorCode::argumentInvalid, "restart line", std::to_string(line), std::move(allowed)};
 }
 
-Coolant coolantOf(const NcMotion& motion) noexcept {
-    return motion.flood ? Coolant::flood : motion.mist ? Coolant::mist : Coolant::off;
-}
-
 /// mm by which the control may deviate from the path, as in NcProgram.
 double blendOf(const NcMotion& motion) noexcept {
     switch (motion.pathMode) {
@@ -150,6 +146,7 @@ private:
 
     Result<void> add(std::size_t i, double share) {
         const NcMotion& motion = motions_[i];
+        if (!motion.endKnown() && motion.kind != NcMotionKind::dwell) lost_ = true;
         if (!motion.endKnown() || nextCut_[i] == none) return {}; // the dialect's own blocks, which it writes again
         const NcMotion& asCut = motions_[nextCut_[i]];
         if (isCut(motion)) return addCut(i, share);
@@ -165,9 +162,10 @@ private:
     }
 
     /// Whether a cut belongs to the open section. Speed and coolant may change within a section, but a new one begins
-    /// if the program stops the spindle to change the coolant.
+    /// if the program stops the spindle to change the coolant, and after a motion to a point that the text does not
+    /// state (home): without it, the next rapid would begin at the depth of the last cut.
     bool goesOn(std::size_t cut) const {
-        if (open_ == none) return false;
+        if (open_ == none || lost_) return false;
         const NcMotion &last = motions_[open_], &next = motions_[cut];
         return last.tool == next.tool && last.spindle == next.spindle &&
                (stops_[open_] == stops_[cut] || (last.mist == next.mist && last.flood == next.flood));
@@ -219,6 +217,7 @@ private:
         section.direction =
             cut.spindle == SpindleState::anticlockwise ? SpindleDirection::anticlockwise : SpindleDirection::clockwise;
         section.coolant = coolant_ = coolantOf(cut);
+        lost_ = false;
         open_ = first;
         return {};
     }
@@ -262,6 +261,7 @@ private:
     std::vector<std::size_t> stops_; ///< spindle stops before each motion
     std::vector<std::size_t> nextCut_;
     std::size_t open_ = none; ///< last cut of the open section, or the cut for which it was begun
+    bool lost_ = false;       ///< a motion to an unknown point was left out since the last section began
     double speed_ = 0.0;      ///< 1/min, in force
     Coolant coolant_ = Coolant::off;
     std::string comment_;

@@ -121,7 +121,7 @@ std::vector<double> speedsOf(const std::vector<MetStretch>& record, const std::v
     std::vector<double> told;
     for (std::size_t i = 0; i < record.size(); ++i) {
         const PathPoint& move = points[record[i].move];
-        told.push_back(move.spindleSpeed > 0.0 ? move.spindleSpeed : pathSpeed);
+        told.push_back(speedOf(move, pathSpeed));
         stretches.push_back({told.back(), record[i].length / move.feed * secondsPerMinute,
                              i > 0 && record[i].from == record[i - 1].to});
     }

@@ -57,4 +57,16 @@ struct Path {
     std::vector<PathPoint> points;
 };
 
+/// Returns the spindle speed of the move to a point, 1/min. @param ofPath for a point without a speed of its own
+inline double speedOf(const PathPoint& point, double ofPath) noexcept {
+    return point.spindleSpeed > 0.0 ? point.spindleSpeed : ofPath;
+}
+inline double speedOf(const Path& path, const PathPoint& point) noexcept {
+    return speedOf(point, path.spindleSpeed);
+}
+/// Returns the coolant of the move to a point.
+inline Coolant coolantOf(const Path& path, const PathPoint& point) noexcept {
+    return point.coolant.value_or(path.coolant);
+}
+
 } // namespace burin

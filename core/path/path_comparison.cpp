@@ -187,6 +187,7 @@ Result<PathDifference> differenceOf(const Path& first, const Path& second, doubl
             const ProgressPart part(progress, 0.0, 0.5);
             comparison.ofFirst = deviationOf(cuts, SegmentTree(others), tolerance, progress);
         }
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", {}, {}};
         const ProgressPart part(progress, 0.5, 1.0);
         comparison.ofSecond = deviationOf(others, SegmentTree(cuts), tolerance, progress);
     }

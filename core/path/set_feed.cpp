@@ -79,7 +79,7 @@ public:
                     take(point, *stated, speeds_[i]);
                     stated_[i] = true;
                 } else if (hasMoment(point) && !state_.stated->holds(point.source))
-                    speeds_[i] = speedOf(point);
+                    speeds_[i] = speedOf(point, state_.spindleSpeed);
             }
             from = to;
         }
@@ -88,13 +88,9 @@ public:
     }
 
 private:
-    double speedOf(const PathPoint& point) const {
-        return point.spindleSpeed > 0.0 ? point.spindleSpeed : state_.spindleSpeed;
-    }
-
     void take(PathPoint& point, const StatedFeed& stated, double& speed) const {
         const bool turns = stated.spindleSpeed > 0.0;
-        double fastest = turns ? stated.spindleSpeed * edit_.speedFactor : speedOf(point);
+        double fastest = turns ? stated.spindleSpeed * edit_.speedFactor : speedOf(point, state_.spindleSpeed);
         for (const double limit : {context_.machine.maximumSpindleSpeed, context_.tool.maximumSpindleSpeed})
             if (limit > 0.0) fastest = std::min(fastest, limit);
         speed = fastest;

@@ -94,8 +94,7 @@ Result<Deviation> apply(const SpindleAndCoolant& edit, PathUnderEdit& state, con
         if (point.kind == MoveKind::rapid || !within[i]) continue;
         if (coolant) point.coolant = coolant;
         if (!turns) continue;
-        const double own = point.spindleSpeed > 0.0 ? point.spindleSpeed : state.spindleSpeed;
-        point.spindleSpeed = edit.factor * (edit.speed > 0.0 ? edit.speed : own);
+        point.spindleSpeed = edit.factor * (edit.speed > 0.0 ? edit.speed : speedOf(point, state.spindleSpeed));
         if (Result<void> speed = checkSpeed(point.spindleSpeed, context); !speed) return speed.error();
     }
     return Deviation{};

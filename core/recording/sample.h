@@ -76,7 +76,7 @@ struct TakeInfo {
     std::uint64_t undoneCount = 0; ///< number of these that were undone
     std::optional<double> seconds; ///< from start to last sample, including missed ticks; null: the take is damaged
     bool complete = false;         ///< false: the program ended during the recording
-    std::int64_t copyOf = 0;       ///< the take that it is a copy of, if that is not removed; 0: none
+    std::int64_t copyOf = 0;       ///< for a copy, the take recorded by hand, even if that was removed; 0: no copy
 };
 
 /// A recording. Its samples are immutable once it is complete; undone strokes stay among them.

@@ -13,17 +13,6 @@ namespace burin {
 
 namespace {
 
-Triangle cornersIn(const TriangleMesh& mesh, std::size_t triangle) {
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-}
-
-glm::dvec3 unitNormal(const Triangle& triangle) {
-    const glm::dvec3 normal = areaNormal(triangle);
-    const double length = glm::length(normal);
-    return length > 0.0 ? normal / length : glm::dvec3(0.0);
-}
-
 /// The triangles of all faces, and the face of each triangle.
 struct JoinedFaces {
     TriangleMesh mesh;
@@ -53,16 +42,9 @@ std::vector<std::size_t> nearestTriangles(const TriangleMesh& mesh, std::span<co
 }
 
 WorstPoint middleOf(const TriangleMesh& mesh) {
-    WorstPoint middle;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle corners = cornersIn(mesh, i);
-        const double area = glm::length(areaNormal(corners));
-        if (area <= largest) continue;
-        largest = area;
-        middle = {0.0, (corners[0] + corners[1] + corners[2]) / 3.0, unitNormal(corners)};
-    }
-    return middle;
+    LargestTriangle largest;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) largest.add(cornersOf(mesh, i));
+    return {0.0, largest.centroid(), unitNormal(largest.corners())};
 }
 
 void keepWorse(WorstPoint& worst, double amount, const DeviationSample& sample, const Triangle& on) {
@@ -106,7 +88,7 @@ Result<std::vector<FaceQuality>> faceQualities(std::span<const PartFacePatch> fa
     const std::vector<std::size_t> nearest = nearestTriangles(joined.mesh, samples, progress);
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "faces", {}, {}};
     for (std::size_t i = 0; i < samples.size(); ++i)
-        add(qualities[joined.faceOf[nearest[i]]], samples[i], cornersIn(joined.mesh, nearest[i]), tolerance);
+        add(qualities[joined.faceOf[nearest[i]]], samples[i], cornersOf(joined.mesh, nearest[i]), tolerance);
     for (FaceQuality& face : qualities)
         for (const DeviationBand band :
              {DeviationBand::gouge, DeviationBand::inTolerance, DeviationBand::excess, DeviationBand::unreachable})

@@ -254,7 +254,7 @@ constexpr std::array rows{
         "Ctrl+Shift+R"},
     Row{ActionId::addMarker, "addMarkerAction", QT_TRANSLATE_NOOP("Actions", "Add a mar&ker…"),
         QT_TRANSLATE_NOOP("Actions", "Set a named marker at the time shown on the timeline."), "Ctrl+K"},
-    Row{ActionId::scoreTake, "scoreTakeAction", QT_TRANSLATE_NOOP("Actions", "Sc&ore a take…"),
+    Row{ActionId::scoreTake, "scoreTakeAction", QT_TRANSLATE_NOOP("Actions", "Sco&re a take…"),
         QT_TRANSLATE_NOOP("Actions",
                           "State how well a take was milled, and compare it with a reference, for training."),
         "Ctrl+Alt+N"},
@@ -266,7 +266,7 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Replay the take that is selected in the project tree or on the timeline after "
                                      "the take below it. The workpiece at the end and the paths stay as they are."),
         "Ctrl+Shift+Down"},
-    Row{ActionId::duplicateTake, "duplicateTakeAction", QT_TRANSLATE_NOOP("Actions", "Duplicate the ta&ke"),
+    Row{ActionId::duplicateTake, "duplicateTakeAction", QT_TRANSLATE_NOOP("Actions", "Dupl&icate the take"),
         QT_TRANSLATE_NOOP("Actions", "Copy the selected take with its strokes and what is switched off. No path mills "
                                      "the copy until its menu adds it."),
         "Ctrl+Shift+C"},

@@ -106,9 +106,9 @@ void Coach::follow() {
     }
     const QWidget& under = place();
     panel_->placeIn({under.mapTo(&window_, QPoint(0, 0)), under.size()}, pointed_.rectIn(window_));
-    if (!outline_) outline_ = new TargetOutline(&window_);
-    outline_->surround(pointed_);
     panel_->raise();
+    if (!outline_) outline_ = new TargetOutline(&window_);
+    outline_->surround(pointed_, *panel_);
 }
 
 void Coach::point() {

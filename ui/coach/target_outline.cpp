@@ -24,7 +24,7 @@ TargetOutline::TargetOutline(QWidget* window) : QWidget(window) {
     hide();
 }
 
-void TargetOutline::surround(const Pointed& pointed) {
+void TargetOutline::surround(const Pointed& pointed, QWidget& panel) {
     if (!pointed.widget || pointed.rect.isEmpty()) {
         hide();
         return;
@@ -34,7 +34,11 @@ void TargetOutline::surround(const Pointed& pointed) {
     const QRect around = pointed.rectIn(*over).adjusted(-outlineRoom, -outlineRoom, outlineRoom, outlineRoom);
     setGeometry(around & over->rect());
     show();
-    raise();
+    // An order that is right must stay as it is: each change repaints the target, which calls this again.
+    if (over == panel.parentWidget())
+        stackUnder(&panel);
+    else
+        raise();
 }
 
 /// Draws a line in the accent colour on a wider one in the window colour, so that one of the two contrasts with any

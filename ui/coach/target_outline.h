@@ -11,7 +11,8 @@ class TargetOutline final : public QWidget {
     Q_OBJECT
 public:
     explicit TargetOutline(QWidget* window);
-    void surround(const Pointed& pointed); ///< hides the frame if nothing visible is meant
+    /// Hides the frame if nothing visible is meant. @param panel stays above the frame if both are in the same window
+    void surround(const Pointed& pointed, QWidget& panel);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -4,6 +4,8 @@
 
 #include "ui/scene/path_lines.h"
 
+#include <utility>
+
 namespace burin {
 
 void ComparedPath::setPalette(const Palette& palette) {
@@ -17,10 +19,14 @@ void ComparedPath::setLineWidth(double ratio) {
 }
 
 void ComparedPath::set(const ComparisonMark& mark) {
-    const std::vector<LineEnds> lines = mark.other ? millingLines(mark.other->path) : std::vector<LineEnds>{};
+    if (std::exchange(shown_, mark.other) != mark.other) showOther();
+    farther_.set(mark.farther);
+}
+
+void ComparedPath::showOther() {
+    const std::vector<LineEnds> lines = shown_ ? millingLines(shown_->path) : std::vector<LineEnds>{};
     other_.setLines(lineData(lines));
     other_.setVisible(!lines.empty());
-    farther_.set(mark.farther);
 }
 
 } // namespace burin

@@ -9,6 +9,8 @@
 
 #include <vtkRenderer.h>
 
+#include <memory>
+
 namespace burin {
 
 /// Draws the path that the edited path is compared with, in thin lines of its own colour, and on top of everything else
@@ -23,6 +25,9 @@ public:
     bool marksVisible() const { return farther_.visible(); }
 
 private:
+    void showOther();
+
+    std::shared_ptr<const EvaluatedPath> shown_; ///< the path whose lines `other_` draws; null: none
     HaloedLines other_;
     MarkedLines farther_;
 };

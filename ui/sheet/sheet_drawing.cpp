@@ -69,6 +69,7 @@ void SheetDrawing::end() {
 
 Result<std::string> drawSheet(QObject& owner, const std::shared_ptr<const SheetContent>& content,
                               std::function<LengthUnit()> unit, Progress& progress) {
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "setup sheet", {}, {}};
     const auto handover = std::make_shared<SheetHandover>();
     QMetaObject::invokeMethod(&owner, [&owner, content, unit = std::move(unit), to = std::weak_ptr(handover)] {
         new SheetDrawing(content, unit(), to, &owner); // deletes itself

@@ -55,7 +55,8 @@ private:
 };
 
 /// Has a sheet drawn in the thread of `owner`, the user interface's, and waits for the page in the calling one, another
-/// thread. @param unit asked in the thread of `owner`. Errors: those of PictureDrawing::begin, cancelled.
+/// thread. @param owner outlives the call @param unit asked in the thread of `owner`. Errors: those of
+/// PictureDrawing::begin, cancelled.
 Result<std::string> drawSheet(QObject& owner, const std::shared_ptr<const SheetContent>& content,
                               std::function<LengthUnit()> unit, Progress& progress);
 

@@ -86,12 +86,14 @@ void ComparisonDialog::addRow(QGridLayout& grid, const QString& title, const cha
     grid.addWidget(new QLabel(title, this), row, 0);
     Row added{value, {}};
     constexpr const char* columns[] = {"First", "Second", "Difference"};
+    const std::array heads{tr("This path"), tr("Other"), tr("Difference")};
     for (std::size_t i = 0; i < added.cells.size(); ++i) {
         auto* cell = new QLabel(noValue, this);
         cell->setObjectName(QStringLiteral("compared%1%2").arg(QLatin1String(name), QLatin1String(columns[i])));
         cell->setFont(numberFont(cell->font()));
         cell->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        cell->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        cell->setAccessibleName(QStringLiteral("%1, %2").arg(title, heads[i]));
+        cell->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         grid.addWidget(cell, row, static_cast<int>(i) + 1);
         added.cells[i] = cell;
     }
@@ -124,12 +126,15 @@ void ComparisonDialog::setState(const ComparisonState& state) {
     for (const Row& row : rows_) {
         const ComparedValue& value = state.*row.value;
         const std::array texts{&value.first, &value.second, &value.difference};
-        for (std::size_t i = 0; i < texts.size(); ++i)
+        for (std::size_t i = 0; i < texts.size(); ++i) {
             row.cells[i]->setText(state.known && !texts[i]->isEmpty() ? *texts[i] : noValue);
+            row.cells[i]->setAccessibleDescription(row.cells[i]->text()); // the name hides it from a screen reader
+        }
     }
     for (std::size_t i = 0; i < largest_.size(); ++i) {
         largest_[i]->setText(state.known && state.deviates ? (i == 0 ? state.largest.first : state.largest.second)
                                                            : noValue);
+        largest_[i]->setAccessibleDescription(largest_[i]->text());
         enableUnless(largest_[i], state.known && state.deviates ? QString() : tr("There is no deviation to show"),
                      tr("Show the point in the view"));
     }

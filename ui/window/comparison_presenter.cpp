@@ -117,6 +117,7 @@ void ComparisonPresenter::end() {
     dialog_->deleteLater();
     dialog_ = nullptr;
     drawn_.reset();
+    drawnOther_.reset();
     viewport_.setComparison({});
     viewport_.setPathVisible(showPath_->isChecked());
     before_.reset();
@@ -127,8 +128,11 @@ void ComparisonPresenter::present() {
     if (!workbench_.pathComparer.isOpen()) return end();
     dialog_->setState(state());
     const std::shared_ptr<const ComparedPaths> compared = workbench_.pathComparer.compared();
-    if (std::exchange(drawn_, compared) != compared)
-        viewport_.setComparison(compared ? markOf(*compared) : ComparisonMark{});
+    const std::shared_ptr<const EvaluatedPath> other = workbench_.pathComparer.other();
+    if (compared == drawn_ && other == drawnOther_) return;
+    drawn_ = compared;
+    drawnOther_ = other;
+    viewport_.setComparison(compared ? markOf(*compared) : ComparisonMark{other, {}});
 }
 
 void ComparisonPresenter::lookAtLargest(bool ofSecond) {

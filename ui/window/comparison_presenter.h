@@ -33,7 +33,8 @@ private:
     const QAction* showPath_ = nullptr;
     QPointer<ComparisonDialog> dialog_;
     std::shared_ptr<const ComparedPaths> drawn_;
-    std::optional<CameraView> before_; ///< the view before it moved to a deviation
+    std::shared_ptr<const EvaluatedPath> drawnOther_; ///< drawn also while the deviations are not known
+    std::optional<CameraView> before_;                ///< the view before it moved to a deviation
 };
 
 } // namespace burin

@@ -3,8 +3,6 @@
 #include "ui/window/document_flow.h"
 
 #include "core/base/file.h"
-
-#include "core/base/file.h"
 #include "core/document/file_kind.h"
 #include "core/exchange/volume_input.h"
 #include "ui/dialogs/file_dialogs.h"
@@ -20,6 +18,8 @@
 #include <QGuiApplication>
 #include <QStandardPaths>
 #include <QTimer>
+
+#include <utility>
 
 namespace burin {
 
@@ -50,10 +50,14 @@ DocumentFlow::DocumentFlow(Workbench& workbench, UserSettings& settings, QWidget
     connect(&workbench.document, &DocumentController::opened, this, [this] { noteSaved(); });
     connect(&workbench.program, &ProgramController::exported, this, &DocumentFlow::exported);
     connect(&workbench.workpiece, &WorkpieceController::exported, this, &DocumentFlow::workpieceExported);
-    workbench.sheet.setDraw([this](const std::shared_ptr<const SheetContent>& content, Progress& progress) {
-        return drawSheet(
-            *this, content, [this] { return settings_.preferences().unit; }, progress);
-    });
+    // Called by a task, which may still run when this object no longer exists.
+    const auto unit = [flow = QPointer<DocumentFlow>(this)] {
+        return flow ? flow->settings_.preferences().unit : LengthUnit::millimetre;
+    };
+    workbench.sheet.setDraw(
+        [&tasks = workbench.tasks(), unit](const std::shared_ptr<const SheetContent>& content, Progress& progress) {
+            return drawSheet(tasks, content, unit, progress);
+        });
     connect(&workbench.program, &ProgramController::restarted, this,
             [this](const std::shared_ptr<const RestartedProgram>& rest) {
                 // Queued, as its dialog stays open: the task that delivers the result, and its progress display,
@@ -409,21 +413,25 @@ void DocumentFlow::settle(std::function<void(bool)> then) {
         workbench_.comeToRest([this, then = std::move(then)] { saveThen([then] { then(false); }); });
 }
 
-/// The sheet was asked for before: closing the window must not lose it. It can be cancelled like any task.
 void DocumentFlow::whenSheetIsWritten(std::function<void()> then) {
+    if (std::exchange(awaitingSheet_, true)) return;
+    awaitSheet(std::move(then));
+}
+
+void DocumentFlow::awaitSheet(std::function<void()> then) {
     constexpr int patience = 20; // ms
-    if (workbench_.sheet.writing())
-        QTimer::singleShot(patience, this, [this, then = std::move(then)] { whenSheetIsWritten(then); });
-    else
+    if (workbench_.sheet.writing()) {
+        QTimer::singleShot(patience, this, [this, then = std::move(then)] { awaitSheet(then); });
+    } else {
+        awaitingSheet_ = false;
         then();
+    }
 }
 
 void DocumentFlow::closeProject(bool abandon, std::function<void()> then) {
     workbench_.comeToRest([this, abandon, then = std::move(then)] {
-        whenSheetIsWritten([this, abandon, then] {
-            workbench_.tasks().cancelAll();
-            workbench_.document.close(abandon, [then](bool) { then(); });
-        });
+        workbench_.tasks().cancelAll();
+        workbench_.document.close(abandon, [then](bool) { then(); });
     });
 }
 

@@ -50,8 +50,10 @@ public:
     /// Asks about unsaved changes and calls `then` unless the user cancels or saving fails.
     /// @param then its argument tells whether to discard the changes
     void settle(std::function<void(bool abandon)> then);
-    /// Ends session and project as decided in `settle`, then calls `then`. A setup sheet that is being written is
-    /// finished first.
+    /// Calls `then` once no setup sheet is being written: closing the project, which the user asked for later, must not
+    /// lose it. The sheet can be cancelled like any task. Does nothing while an earlier call is waiting.
+    void whenSheetIsWritten(std::function<void()> then);
+    /// Ends session, tasks and project as decided in `settle`, then calls `then`.
     void closeProject(bool abandon, std::function<void()> then);
 
 signals:
@@ -67,7 +69,7 @@ signals:
     void restartExported(int line, const QString& file);
 
 private:
-    void whenSheetIsWritten(std::function<void()> then);
+    void awaitSheet(std::function<void()> then);
     void openProject(const QString& file);
     void openProgram(const QString& file);
     void addProgramPath(const QString& file);
@@ -82,7 +84,8 @@ private:
     Workbench& workbench_;
     UserSettings& settings_;
     QWidget& window_;
-    bool asking_ = false; ///< a question is open
+    bool asking_ = false;        ///< a question is open
+    bool awaitingSheet_ = false; ///< whenSheetIsWritten is waiting
 };
 
 /// The part shipped with Burin.

@@ -85,8 +85,15 @@ void FaceDialog::layOut() {
     connect(copy_, &QPushButton::clicked, this, &FaceDialog::copy);
     connect(new QShortcut(QKeySequence::Copy, this), &QShortcut::activated, copy_, &QPushButton::click);
     connect(export_, &QPushButton::clicked, this, [this] { emit exportRequested(faceTable(shownFaces(), ',')); });
-    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &FaceDialog::choose);
-    connect(table_, &QTableView::clicked, this, &FaceDialog::choose); // again, in case the view was moved since
+    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
+        justChosen_ = true;
+        QMetaObject::invokeMethod(
+            this, [this] { justChosen_ = false; }, Qt::QueuedConnection);
+        choose(index);
+    });
+    connect(table_, &QTableView::pressed, this, [this](const QModelIndex& index) {
+        if (!justChosen_) choose(index); // again, in case the view was moved since
+    });
 }
 
 void FaceDialog::setFaces(const FaceTableModel::Faces& faces, const QString& problem) {

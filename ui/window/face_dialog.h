@@ -52,6 +52,7 @@ private:
 
     FaceTableModel model_;
     QSortFilterProxyModel sorted_;
+    bool justChosen_ = false; ///< by the event being handled
     QTableView* table_ = nullptr;
     QLabel* summary_ = nullptr;
     Notice* notice_ = nullptr;

@@ -408,7 +408,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     event->ignore();
     if (ending_) return;
-    flow_.settle([this](bool abandon) { end(abandon); });
+    flow_.whenSheetIsWritten([this] {
+        if (!ending_) flow_.settle([this](bool abandon) { end(abandon); }); // endQuietly does not wait
+    });
 }
 
 void MainWindow::endQuietly() {

@@ -5,6 +5,7 @@
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
+#include "ui/panels/texts.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -67,10 +68,7 @@ void MainWindow::connectActions() {
     on(ActionId::tools, [this] { showTools(); });
     on(ActionId::materials, [this] { showMaterials(); });
     on(ActionId::devices, [this] { showDevices(); });
-    on(ActionId::scoreTake, [this] {
-        const auto& shown = workbench_.time.shown();
-        workbench_.score.ask(shown && !workbench_.time.showsProgram() ? shown->moment.take : 0);
-    });
+    on(ActionId::scoreTake, [this] { workbench_.score.ask(workbench_.mill.chosenTake()); });
     connect(&workbench_.score, &ScoreController::asked, this, &MainWindow::showScore, Qt::QueuedConnection);
     on(ActionId::welcome, [this] {
         if (pages_->currentWidget() != welcome_) {
@@ -130,6 +128,11 @@ QString MainWindow::programPathText(const ProgramPasses& passes) const {
         text << (passes.startless == 1 ? tr("1 move was left out: the program does not state where it begins.")
                                        : tr("%n moves were left out: the program does not state where they begin.",
                                             nullptr, count(passes.startless)));
+    if (const std::size_t changes = passes.coolantChanges(); changes > 0)
+        text << (changes == 1
+                     ? tr("1 pass changes its coolant; the first one other than off was kept for all of it.")
+                     : tr("%n passes change their coolant; the first one other than off was kept for all of each.",
+                          nullptr, count(changes)));
     return text.join(QLatin1Char(' '));
 }
 
@@ -280,15 +283,19 @@ void MainWindow::connectFirstJob() {
     });
 }
 
-/// Closes the project, then starts the first job. If it is already running, the same shortcut moves the focus to it.
+/// Closes the project, then starts the first job. While it is running, the same shortcut moves the focus to it; after
+/// its last step, it starts again.
 void MainWindow::beginFirstJob() {
-    if (coach_->running()) return coach_->takeKeyboard();
-    flow_.settle([this](bool abandon) {
+    if (coach_->running() && !coach_->job().finished()) return coach_->takeKeyboard();
+    const auto begin = [this](bool abandon) {
         flow_.closeProject(abandon, [this] {
             message_->dismiss();
             showWelcome();
             coach_->begin();
         });
+    };
+    flow_.whenSheetIsWritten([this, begin] {
+        if (!ending_) flow_.settle(begin);
     });
 }
 

@@ -54,10 +54,11 @@ void MainWindow::layOutHistory() {
                                 *actions_[ActionId::showHistory], *view_);
     history->setMinimumWidth(leastDockWidth);
     historyDock_->setWidget(history);
-    // As for Ctrl+Z: not during a stroke.
+    // As for Ctrl+Z: not during a stroke, nor while takes are changing.
     const auto follow = [this, history] { history->setEnabled(workbench_.canUndoNow()); };
     for (const Controller* controller :
-         {static_cast<const Controller*>(&workbench_.session), static_cast<const Controller*>(&workbench_.showMe)})
+         {static_cast<const Controller*>(&workbench_.session), static_cast<const Controller*>(&workbench_.showMe),
+          static_cast<const Controller*>(&workbench_.mill)})
         connect(controller, &Controller::changed, this, follow);
     connect(&workbench_.session, &SessionRunner::ticked, this, follow);
 }

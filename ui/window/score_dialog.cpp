@@ -24,12 +24,15 @@ namespace {
 
 constexpr int scoreDialogWidth = 660; // pixels
 
-QLabel* makeScoreLabel(const char* what, ScoreValue value, QWidget* parent) {
+/// @param column title of the label's column; empty: none
+QLabel* makeScoreLabel(const char* what, const QString& column, ScoreValue value, QWidget* parent) {
     auto* label = new QLabel(parent);
     const std::string_view key = keyOf(value);
     label->setObjectName(QLatin1String(what) + QLatin1String(key.data(), static_cast<qsizetype>(key.size())));
     label->setToolTip(scoreDefinition(value));
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    const QString row = scoreTitle(value);
+    label->setAccessibleName(column.isEmpty() ? row : QStringLiteral("%1, %2").arg(row, column));
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     return label;
 }
 
@@ -46,14 +49,13 @@ ScoreDialog::ScoreDialog(ScoreController& score, const MillController& mill, con
     connect(&score_, &Controller::failed, this,
             [this](const Error& error) { notice_->tell(Notice::Kind::error, Messages::sentence(error)); });
     connect(&tasks, &TaskRunner::changed, this, &ScoreDialog::showProgress);
-    offerTakes();
     showState();
     reference_->setFocus();
 }
 
 ScoreDialog::~ScoreDialog() {
     disconnect(&score_, nullptr, this, nullptr);
-    score_.cancel();
+    score_.discard(); // so that nobody scores again when takes change
 }
 
 void ScoreDialog::layOut() {
@@ -91,8 +93,8 @@ void ScoreDialog::layOutRows(QGridLayout& grid) {
         auto* title = new QLabel(scoreTitle(value), this);
         title->setToolTip(scoreDefinition(value));
         Row& row = rows_[static_cast<std::size_t>(value)];
-        row = {makeScoreLabel("score_", value, this), makeScoreLabel("reference_", value, this),
-               makeScoreLabel("verdict_", value, this)};
+        row = {makeScoreLabel("score_", tr("Take"), value, this),
+               makeScoreLabel("reference_", tr("Reference"), value, this), makeScoreLabel("verdict_", {}, value, this)};
         for (QLabel* number : {row.own, row.reference}) number->setFont(numberFont(font()));
         grid.addWidget(title, place, 0);
         grid.addWidget(row.own, place, 1, Qt::AlignRight);
@@ -149,10 +151,10 @@ void ScoreDialog::offerTakes() {
 void ScoreDialog::choose() {
     notice_->clear();
     score_.choose(take_->currentData().toString().toLongLong(), reference_->currentData().toString().toLongLong());
-    offerTakes();
 }
 
 void ScoreDialog::showState() {
+    offerTakes(); // takes may have been added, named or removed
     for (const ScoreValue value : allScoreValues) showRow(value);
     drawn_->setEnabled(score_.reference() != 0);
     showProgress();
@@ -170,6 +172,8 @@ void ScoreDialog::showRow(ScoreValue value) {
     setLook(row.verdict, verdict.kind == ScoreVerdict::Kind::better  ? "inOrder"
                          : verdict.kind == ScoreVerdict::Kind::worse ? "force"
                                                                      : "quiet");
+    // A label's name hides its text from a screen reader.
+    for (QLabel* label : {row.own, row.reference, row.verdict}) label->setAccessibleDescription(label->text());
 }
 
 void ScoreDialog::showProgress() {

@@ -21,8 +21,9 @@ class ChoiceBox;
 class Notice;
 
 /// Shows the values of a take next to those of a reference chosen in the dialog, with a verdict on each. The controller
-/// holds the choice and the scores; closing the dialog cancels the work. Its combo boxes are "scoreTake" and
-/// "scoreReference"; its labels are "score_duration_s", "reference_duration_s", "verdict_duration_s" and so on.
+/// holds the choice and the scores; closing the dialog cancels the work and discards the scores. Its combo boxes are
+/// "scoreTake" and "scoreReference"; its labels are "score_duration_s", "reference_duration_s", "verdict_duration_s"
+/// and so on.
 class ScoreDialog final : public QDialog {
     Q_OBJECT
 public:

@@ -109,7 +109,7 @@ void showTakeMenu(Workbench& workbench, std::int64_t take, std::uint64_t sample,
                                          askName(TakeMenu::tr("Rename the take"), takeName(info.name), parent));
              });
     if (workbench.score.possible())
-        addEntry(*menu, TakeMenu::tr("S&core…"),
+        addEntry(*menu, TakeMenu::tr("Scor&e…"),
                  TakeMenu::tr("State how well the take was milled, and compare it with a reference."), "scoreTakeEntry",
                  [&workbench, take] { workbench.score.ask(take); });
     addEntry(*menu, TakeMenu::tr("&Delete"), TakeMenu::tr("The workpiece is milled again without it."),

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/face_controller.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace burin {
@@ -64,12 +63,6 @@ void FaceController::forget() {
     part_.reset();
     patches_.reset();
     stop();
-}
-
-double FaceController::fraction() const {
-    const std::vector<TaskRow> rows = desk_.tasks.rows();
-    const auto row = std::ranges::find(rows, TaskKind::faces, &TaskRow::kind);
-    return row == rows.end() ? 0.0 : row->fraction;
 }
 
 } // namespace burin

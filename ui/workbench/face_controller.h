@@ -26,7 +26,8 @@ public:
     void stop();   ///< ends the inspection and discards its result; the faces of the part stay cached
     void forget(); ///< as `stop`, and also discards the cached faces
     bool busy() const { return desk_.tasks.running(TaskKind::faces); }
-    double fraction() const; ///< progress of the running inspection, 0 … 1
+    /// Progress of the running inspection, 0 … 1
+    double fraction() const { return desk_.tasks.fraction(TaskKind::faces); }
     /// The worst first; null if there was no inspection or it has not finished.
     std::shared_ptr<const std::vector<FaceQuality>> faces() const noexcept { return faces_; }
     const std::optional<Error>& problem() const noexcept { return problem_; } ///< why there are no faces

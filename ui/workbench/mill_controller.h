@@ -65,13 +65,15 @@ public:
     /// The take that actions on one take apply to; 0: none. State of the user interface only, never saved.
     std::int64_t chosenTake() const noexcept;
     void chooseTake(std::int64_t id);
-    /// Whether a take can be swapped with its neighbour; false during a recording. @param by -1: earlier; 1: later
+    /// Whether takes are being moved or copied: the undo stack gets its entry when that is done.
+    bool changingTakes() const noexcept { return changesUnderWay_ != 0; }
+    /// Whether a take can be swapped with its neighbour; false during a recording and while takes are changing. @param
+    /// by -1: earlier; 1: later
     bool canMove(std::int64_t take, int by) const noexcept;
-    bool canCopy(std::int64_t take) const noexcept; ///< false during a recording
+    bool canCopy(std::int64_t take) const noexcept; ///< false during a recording and while takes are changing
     // Entries of the undo stack that leave the workpiece unchanged.
-    void moveTake(std::int64_t id, int by);              ///< @param by as in canMove
-    void moveTakeTo(std::int64_t id, std::size_t place); ///< @param place index in allTakes
-    void duplicateTake(std::int64_t id);                 ///< the copy is appended and chosen
+    void moveTake(std::int64_t id, int by); ///< @param by as in canMove
+    void duplicateTake(std::int64_t id);    ///< the copy is appended and chosen
 
     /// Loads the takes of a project.
     void load(std::vector<TakeInfo> takes);
@@ -97,6 +99,7 @@ private:
     void tookBack(std::int64_t take, bool undo);
     void changeTake(std::int64_t id, bool remove, const Then& then);
     std::optional<std::size_t> placeOf(std::int64_t take) const noexcept; ///< index in allTakes
+    void countChanges(int by);
     void reorder(std::function<Result<TakeOrder>(const Project& project)> wanted);
     void applyOrder(const TakeOrder& order);
     void showCopy(std::int64_t id, bool shown);
@@ -127,6 +130,7 @@ private:
     std::vector<TakeInfo> takes_;    ///< all of the project
     std::vector<TakeInfo> standing_; ///< the takes that have strokes, or may still get some
     std::int64_t chosen_ = 0;        ///< may no longer exist
+    int changesUnderWay_ = 0;        ///< of the order of takes and copies, that the project has yet to answer
     std::uint64_t strokesSeen_ = 0;
     std::map<std::int64_t, std::size_t> strokes_;
     std::map<std::int64_t, std::vector<std::uint64_t>> numbers_; ///< of strokes in effect, ascending

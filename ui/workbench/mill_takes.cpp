@@ -66,7 +66,7 @@ bool MillController::canMove(std::int64_t take, int by) const noexcept {
 }
 
 bool MillController::canCopy(std::int64_t take) const noexcept {
-    return placeOf(take) && !recording() && !recordingSince_ && !startingRecording_;
+    return placeOf(take) && !changingTakes() && !recording() && !recordingSince_ && !startingRecording_;
 }
 
 void MillController::moveTake(std::int64_t id, int by) {
@@ -80,9 +80,9 @@ void MillController::moveTake(std::int64_t id, int by) {
     });
 }
 
-void MillController::moveTakeTo(std::int64_t id, std::size_t place) {
-    if (!canCopy(id) || placeOf(id) == place || place >= takes_.size()) return;
-    reorder([id, place](const Project& project) { return orderWithTakeAt(project, id, place); });
+void MillController::countChanges(int by) {
+    changesUnderWay_ += by;
+    emit changed();
 }
 
 /// The workpiece is unchanged, since the takes cut the same in any order. @param wanted called on the project's thread
@@ -90,6 +90,7 @@ void MillController::reorder(std::function<Result<TakeOrder>(const Project& proj
     struct Change {
         TakeOrder before, after;
     };
+    countChanges(1);
     desk_.project.post(
         [wanted = std::move(wanted)](Project& project) -> Result<Change> {
             Result<TakeOrder> before = project.takeOrder();
@@ -101,6 +102,7 @@ void MillController::reorder(std::function<Result<TakeOrder>(const Project& proj
             return Change{std::move(*before), std::move(*after)};
         },
         [this](const Result<Change>& change) {
+            countChanges(-1);
             if (!change) {
                 emit failed(change.error());
                 return;
@@ -124,8 +126,10 @@ void MillController::applyOrder(const TakeOrder& order) {
 /// The workpiece is unchanged, since a copy cuts nothing that its original left.
 void MillController::duplicateTake(std::int64_t id) {
     if (!canCopy(id)) return;
+    countChanges(1);
     desk_.project.post([id](Project& project) { return project.duplicateTake(id); },
                        [this, id](const Result<std::int64_t>& copy) {
+                           countChanges(-1);
                            if (!copy) {
                                emit failed(copy.error());
                                return;

@@ -29,9 +29,15 @@ PathComparer::PathComparer(const Desk& desk, const WorkpieceController& workpiec
 }
 
 void PathComparer::open() {
-    if (open_ || !possible()) return;
-    open_ = true;
-    version_ = {};
+    if (!possible()) return;
+    if (open_) {
+        if (busy() || !problem()) return;
+        answered_.reset();
+        problem_.reset();
+    } else {
+        open_ = true;
+        version_ = {};
+    }
     goOn();
     emit changed();
 }
@@ -76,7 +82,13 @@ void PathComparer::setTolerance(double tolerance) {
 }
 
 std::shared_ptr<const ComparedPaths> PathComparer::compared() const {
-    return compared_ && compared_->first == path_.evaluated() ? compared_ : nullptr;
+    return other() && answered_->tolerance == tolerance_ ? compared_ : nullptr;
+}
+
+std::shared_ptr<const EvaluatedPath> PathComparer::other() const {
+    const bool fits =
+        compared_ && !path_.outdated() && compared_->first == path_.evaluated() && answered_->version == version_;
+    return fits ? compared_->second : nullptr;
 }
 
 /// Returns the path that the job mills with the tool of a version; null if there is none.

@@ -39,7 +39,8 @@ public:
 
     /// Whether there is a path to compare.
     bool possible() const { return path_.stored() != nullptr && path_.evaluated(); }
-    void open(); ///< starts with a comparison with the recording
+    /// Starts with a comparison with the recording. If open, repeats a comparison that failed or was cancelled.
+    void open();
     void close();
     bool isOpen() const noexcept { return open_; }
     /// Everything that the path in force can be compared with.
@@ -48,8 +49,12 @@ public:
     void choose(const PathVersion& version);
     double tolerance() const noexcept { return tolerance_; } ///< mm
     void setTolerance(double tolerance);
-    /// The comparison for the latest evaluation of the path; null if not open or not computed.
+    /// The comparison of the path in force with the chosen version at the chosen tolerance; null if not open or not
+    /// computed.
     std::shared_ptr<const ComparedPaths> compared() const;
+    /// The path of the chosen version, known even if `compared` is not after a change of the tolerance; null if not
+    /// known.
+    std::shared_ptr<const EvaluatedPath> other() const;
     std::optional<Error> problem() const { return compared_ ? std::nullopt : problem_; } ///< why there is no comparison
     bool busy() const noexcept { return asked_.has_value(); }
 

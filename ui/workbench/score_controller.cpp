@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/score_controller.h"
 
+#include "core/job/job_paths.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -15,12 +17,6 @@ ScoreController::ScoreController(const Desk& desk, const WorkpieceController& wo
 
 bool ScoreController::possible() const {
     return workpiece_.milling() && !workpiece_.embedding() && !session_.running() && !mill_.allTakes().empty();
-}
-
-double ScoreController::fraction() const {
-    const std::vector<TaskRow> rows = desk_.tasks.rows();
-    const auto row = std::ranges::find(rows, TaskKind::score, &TaskRow::kind);
-    return row == rows.end() ? 0.0 : row->fraction;
 }
 
 void ScoreController::choose(std::int64_t take, std::int64_t reference) {
@@ -45,7 +41,7 @@ void ScoreController::choose(std::int64_t take, std::int64_t reference) {
 void ScoreController::ask(std::int64_t take) {
     if (!possible()) return;
     const std::vector<TakeInfo>& takes = mill_.allTakes();
-    if (take == 0) take = takes.back().id;
+    if (take == 0) take = newestTake(takes).id;
     const auto other = std::ranges::find_if(takes, [take](const TakeInfo& info) { return info.id != take; });
     const std::int64_t first = other == takes.end() ? 0 : other->id;
     choose(take, reference_ != 0 && reference_ != take ? reference_ : first);
@@ -79,8 +75,9 @@ void ScoreController::setDrawn(bool drawn) {
     if (std::exchange(drawn_, drawn) != drawn) emit changed();
 }
 
-/// The scored recordings may have changed or been removed.
+/// The scored recordings may have changed or been removed: those that still exist are scored again.
 void ScoreController::followTakes() {
+    const bool wanted = busy() || !scores_.empty();
     cancel();
     scores_.clear();
     const auto gone = [this](std::int64_t take) {
@@ -88,14 +85,19 @@ void ScoreController::followTakes() {
     };
     if (gone(take_)) take_ = 0;
     if (gone(reference_)) reference_ = 0;
+    if (wanted && take_ != 0) return choose(take_, reference_);
+    emit changed();
+}
+
+void ScoreController::discard() {
+    cancel();
+    scores_.clear();
     emit changed();
 }
 
 void ScoreController::forget() {
-    cancel();
-    scores_.clear();
     take_ = reference_ = 0;
-    emit changed();
+    discard();
 }
 
 } // namespace burin

@@ -28,11 +28,13 @@ public:
     std::int64_t take() const noexcept { return take_; }           ///< 0: none was chosen
     std::int64_t reference() const noexcept { return reference_; } ///< 0: none
     bool busy() const noexcept { return reading_ != nullptr || desk_.tasks.running(TaskKind::score); }
-    double fraction() const; ///< progress of the running work, 0 … 1
+    /// Progress of the running work, 0 … 1
+    double fraction() const { return desk_.tasks.fraction(TaskKind::score); }
     /// The score of the take, then that of the reference if there is one. Empty if not (yet) scored.
     const std::vector<TakeScore>& scores() const noexcept { return scores_; }
     /// Ends the running work, if any, without scores.
     void cancel();
+    void discard(); ///< cancels and discards the scores; the choice of takes stays
     /// Whether the timeline draws the reference behind the take.
     void setDrawn(bool drawn);
     bool drawn() const noexcept { return drawn_; }

@@ -121,6 +121,11 @@ bool TaskRunner::running(TaskKind kind) const {
     return std::ranges::any_of(tasks_, isWanted) || std::ranges::any_of(waiting_, isWanted);
 }
 
+double TaskRunner::fraction(TaskKind kind) const {
+    const Task* task = find(kind);
+    return task == nullptr ? 0.0 : task->progress.fraction();
+}
+
 std::vector<TaskRow> TaskRunner::rows() const {
     std::vector<TaskRow> rows;
     for (const auto& task : tasks_)

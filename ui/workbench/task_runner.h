@@ -99,7 +99,8 @@ public:
     /// Calls `then` once no task is running or waiting, when data that tasks read may be changed. At once if there are
     /// none.
     void whenIdle(std::function<void()> then);
-    bool running(TaskKind kind) const; ///< or waiting; an abandoned task does not count, although it has yet to end
+    bool running(TaskKind kind) const;    ///< or waiting; an abandoned task does not count, although it has yet to end
+    double fraction(TaskKind kind) const; ///< progress of the running task of a kind, 0 … 1; 0 if none is running
     bool idle() const { return tasks_.empty() && waiting_.empty(); }
     std::vector<TaskRow> rows() const;
 

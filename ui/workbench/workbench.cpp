@@ -224,7 +224,7 @@ void Workbench::continueShow() {
 }
 
 bool Workbench::canUndoNow() const {
-    return !showMe.showing() && !(session.running() && session.state().cutting);
+    return !showMe.showing() && !mill.changingTakes() && !(session.running() && session.state().cutting);
 }
 
 void Workbench::undoLast() {

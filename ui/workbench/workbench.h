@@ -102,7 +102,8 @@ public:
     void ensureWorkpiece();
     /// Starts the demonstration as soon as part, workpiece and boundary are ready; embeds if needed.
     void showHowItIsDone();
-    /// Undoes the newest entry of the undo stack; does nothing during a stroke or while the virtual operator mills.
+    /// Undoes the newest entry of the undo stack; does nothing during a stroke, while takes are changing or while the
+    /// virtual operator mills.
     void undoLast();
     void redoLast();
     bool canUndoNow() const;

@@ -46,16 +46,10 @@ PartFacePatch measuredPatch(const TopoDS_Face& face, TriangleMesh mesh) {
 
 /// Returns the centroid of the largest triangle of each face number; the origin for a number without triangles.
 std::vector<glm::dvec3> largestMiddles(const SolidMesh& mesh, std::size_t count) {
-    std::vector<glm::dvec3> middles(count, glm::dvec3(0.0));
-    std::vector<double> largest(count, -1.0);
-    for (std::size_t i = 0; i < mesh.faceOf.size(); ++i) {
-        const auto& [a, b, c] = mesh.mesh.triangles[i];
-        const Triangle corners{mesh.mesh.vertices[a], mesh.mesh.vertices[b], mesh.mesh.vertices[c]};
-        const double area = glm::length(areaNormal(corners));
-        if (area <= largest[mesh.faceOf[i]]) continue;
-        largest[mesh.faceOf[i]] = area;
-        middles[mesh.faceOf[i]] = (corners[0] + corners[1] + corners[2]) / 3.0;
-    }
+    std::vector<LargestTriangle> largest(count);
+    for (std::size_t i = 0; i < mesh.faceOf.size(); ++i) largest[mesh.faceOf[i]].add(cornersOf(mesh.mesh, i));
+    std::vector<glm::dvec3> middles;
+    for (const LargestTriangle& each : largest) middles.push_back(each.centroid());
     return middles;
 }
 

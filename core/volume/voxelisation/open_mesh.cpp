@@ -15,7 +15,7 @@ namespace burin {
 
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
+using TriangleIndices = std::array<std::uint32_t, 3>;
 
 /// An edge that an odd number of triangles share, in the direction that more of them take.
 struct OpenEdge {
@@ -156,8 +156,8 @@ OpenMesh::OpenMesh(const TriangleMesh& mesh, double tolerance) : closed_(weldIde
 
 void OpenMesh::dropDuplicates() {
     // With the least index first, two triangles are equal only if they have the same orientation.
-    std::vector<Triangle> canonical = closed_.triangles;
-    for (Triangle& triangle : canonical) std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    std::vector<TriangleIndices> canonical = closed_.triangles;
+    for (TriangleIndices& triangle : canonical) std::ranges::rotate(triangle, std::ranges::min_element(triangle));
     std::vector<std::uint32_t> order(canonical.size());
     std::iota(order.begin(), order.end(), 0U);
     std::ranges::sort(order, {}, [&](std::uint32_t t) { return std::pair(canonical[t], t); });
@@ -179,7 +179,7 @@ void OpenMesh::mergeRims(double tolerance) {
     NearbyPlaces places(tolerance);
     for (auto& [vertex, goal] : merged) goal = places.findOrAdd(vertex, closed_.vertices[vertex]);
     std::size_t kept = 0;
-    for (Triangle triangle : closed_.triangles) {
+    for (TriangleIndices triangle : closed_.triangles) {
         for (std::uint32_t& vertex : triangle)
             if (const auto found = merged.find(vertex); found != merged.end()) vertex = found->second;
         if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])

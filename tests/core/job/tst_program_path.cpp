@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin::tst_program_path {
 
@@ -237,6 +238,21 @@ private slots:
             passesOfProgram(text, "two.ngc", "linuxcnc", milling_, ToolChoice{{first, other}, false}, progress);
         QCOMPARE(unknown.error().code, ErrorCode::nameUnknown);
         QCOMPARE(unknown.error().place, std::string("T7"));
+    }
+
+    /// Passes with one coolant, or with none, have nothing to tell; a pass that cuts dry, with mist and with flood is
+    /// one. Coolant that is switched while the tool moves at rapid, and switched back, changes nothing.
+    void aLostChangeOfCoolantIsCounted() {
+        const auto changes = [&](const std::string& cut) {
+            const ProgramPasses passes =
+                passesOf("G21 G90 G94 G54\nS9000 M3\nG0 X-14 Y0 Z2\n" + cut + "M2\n", milling_);
+            return std::pair(passes.coolantChanges(), passes.passes.front().coolant);
+        };
+        QVERIFY(changes("G1 Z-1 F200\nX0\nX8\n") == std::pair(std::size_t{0}, Coolant::off));
+        QVERIFY(changes("M8\nG1 Z-1 F200\nX0\nM9\nG0 Z2\nX2\nM8\nG1 Z-1\n") ==
+                std::pair(std::size_t{0}, Coolant::flood));
+        QVERIFY(changes("G1 Z-1 F200\nM7\nX0\nM9\nM8\nX8\n") == std::pair(std::size_t{1}, Coolant::mist));
+        QVERIFY(changes("M8\nG1 Z-1 F200\nM9\nX8\n") == std::pair(std::size_t{1}, Coolant::flood));
     }
 
     void whatNoPathCanHoldIsRefused() {

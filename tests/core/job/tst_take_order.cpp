@@ -231,15 +231,69 @@ private slots:
         QVERIFY(project.removeTake(ids[1]));
         QCOMPARE(hashOf(project), hash);
         QCOMPARE(hashOf(project, true), hash);
-        QCOMPARE(project.takes()->back().copyOf, std::int64_t{0});
-        QVERIFY(project.restoreTake(ids[1]) && project.takes()->back().copyOf == ids[1]);
-        // The original of a copy of a copy is the nearest one that is not removed.
+        QCOMPARE(project.takes()->back().copyOf, ids[1]); // it stays a copy
+        QVERIFY(project.restoreTake(ids[1]));
+        // The original of a copy of a copy is the recording.
         const Result<std::int64_t> second = project.duplicateTake(*copy);
-        QVERIFY(second && project.takeOutline(*second)->info.copyOf == *copy);
+        QVERIFY(second && project.takeOutline(*second)->info.copyOf == ids[1]);
         QVERIFY(project.removeTake(*copy) && project.takeOutline(*second)->info.copyOf == ids[1]);
         QVERIFY(project.removeTake(*second));
         QCOMPARE(*project.jobDigest(), digest);
         QCOMPARE(project.duplicateTake(99).error().code, ErrorCode::nameUnknown);
+    }
+
+    /// A removed take is erased when its project is opened. A copy of an erased copy is a copy of the recording, and
+    /// copies of an erased recording remain copies; nothing else names erased takes.
+    void anErasedTakeIsForgotten() {
+        QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("p.burin").toStdString();
+        std::vector<std::int64_t> ids;
+        std::int64_t copy = 0, second = 0;
+        {
+            Project project = *Project::create(file);
+            for (int i = 0; i < 2; ++i) {
+                auto writer = project.beginTake(fixture::takeInfo("t"));
+                QVERIFY(writer && writer->append(fixture::handSamples(0, 5)) && writer->finish());
+                ids.push_back(writer->id());
+            }
+            copy = *project.duplicateTake(ids[0]);
+            second = *project.duplicateTake(copy);
+            QVERIFY(project.setTakeOrder(TakeOrder({second, copy, ids[1], ids[0]})));
+            QVERIFY(project.removeTake(copy) && project.save());
+        }
+        const auto row = [&file](const char* name) {
+            Result<Database> database = Database::open(file, "", Database::Access::write);
+            if (!database) return std::string("not opened");
+            Result<Statement> rows = Statement::prepare(
+                *database, std::string("SELECT json FROM setup_setting WHERE name = '") + name + "'");
+            return *rows->step() ? std::string(rows->text(0)) : std::string();
+        };
+        const auto listOf = [](std::initializer_list<std::int64_t> takes) {
+            std::string text;
+            for (const std::int64_t take : takes) text += (text.empty() ? "[" : ",") + std::to_string(take);
+            return text + "]";
+        };
+        QCOMPARE(row("take_order"), listOf({second, copy, ids[1], ids[0]}));
+        {
+            Project project = *Project::open(file);
+            QCOMPARE(listed(project), (std::vector{second, ids[1], ids[0]}));
+            QCOMPARE(project.takes()->front().copyOf, ids[0]);
+            QVERIFY(project.save());
+        }
+        QCOMPARE(row("take_order"), listOf({second, ids[1], ids[0]}));
+        QCOMPARE(row("take_copies"), "[" + listOf({second, ids[0]}) + "]");
+        {
+            Project project = *Project::open(file);
+            QVERIFY(project.removeTake(ids[0]) && project.save());
+        }
+        {
+            Project project = *Project::open(file);
+            QCOMPARE(listed(project), (std::vector{second, ids[1]}));
+            QCOMPARE(project.takes()->front().copyOf, ids[0]);
+            QVERIFY(project.save());
+        }
+        QCOMPARE(row("take_order"), listOf({second, ids[1]}));
+        QCOMPARE(row("take_copies"), "[" + listOf({second, ids[0]}) + "]");
     }
 
     /// The order of takes does not affect the job: paths keep their takes, tools their order, and results that depend
@@ -281,12 +335,22 @@ private slots:
         QVERIFY(with && project.setPath(*with));
         QCOMPARE(strokes().size(), before.size() + 1);
         QVERIFY(!withTake(project, *with, copy) && !withTake(project, path, 99));
-        const Result<StoredPath> without = withoutTake(*with, copy);
-        QVERIFY(without && without->sources == path.sources && !withoutTake(*without, copy));
+        const Result<StoredPath> without = withoutTake(project, *with, copy);
+        QVERIFY(without && without->sources == path.sources && !withoutTake(project, *without, copy));
+        // The newest recording would be added again, an earlier one stays out.
+        QCOMPARE(withoutTake(project, path, ids[2]).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(takesOf(withoutTake(project, path, ids[0])->sources), (std::vector{ids[1], ids[2]}));
+        // A take that was recorded since belongs to the path although the copy has a later number.
+        StoredPath older = path;
+        older.sources.pop_back();
+        QCOMPARE(takesOf(withTake(project, older, copy)->sources), (std::vector{ids[0], ids[1], ids[2], copy}));
         QVERIFY(project.setPath(*without));
         QVERIFY(strokes() == before);
-        // If the original is removed, the copy is a take like any other.
-        QVERIFY(project.removePath(path.id) && project.removeTake(ids[0]));
+        // If the original is removed, the copy is not added to paths that lack it; a new path has it, and one alone.
+        const Result<StoredPath> shorter = withoutTake(project, path, ids[0]);
+        QVERIFY(shorter && project.setPath(*shorter) && project.duplicateTake(copy) && project.removeTake(ids[0]));
+        QCOMPARE(strokes().size(), before.size() - 1);
+        QVERIFY(project.removePath(path.id));
         QCOMPARE(takesOf(standardPath(project, tool)->sources), (std::vector{ids[2], ids[1], copy}));
     }
 

@@ -130,8 +130,9 @@ private slots:
         const TakeScore score = recordings.score(take, blockMilling());
         QVERIFY(is(score[ScoreValue::gougeTries], 3.0));
         QVERIFY(is(score[ScoreValue::largestPush], 0.8));
-        QVERIFY(is(score[ScoreValue::duration], 1.0));
-        QVERIFY(is(score[ScoreValue::milling], 0.88)); // without 20 ticks of a stopped spindle and 100 undone ones
+        QVERIFY(is(score[ScoreValue::duration], 0.999)); // from the first to the last of 1000 ticks
+        // Ticks 0 to 549 and 570 to 899: the spindle is stopped between them, and the last 100 ticks were undone.
+        QVERIFY(is(score[ScoreValue::milling], 0.549 + 0.329));
         QVERIFY(!score[ScoreValue::meanForce] && is(score[ScoreValue::removed], 0.0));
         QVERIFY(!score[ScoreValue::meanStockLeft]); // no part
         Progress progress;
@@ -185,7 +186,7 @@ private slots:
         QVERIFY(is(after[ScoreValue::meanStockLeft], leftOn(0.5), 0.03));
         QVERIFY(is(after[ScoreValue::mostStockLeft], 6.0, 0.01));
         QVERIFY(is(half[ScoreValue::removed], 400.0, 0.5) && is(after[ScoreValue::removed], 200.0, 0.5));
-        const double seconds = 441 * tick;
+        const double seconds = 440 * tick; // from the first to the last of 441 ticks
         QVERIFY(is(half[ScoreValue::milling], seconds));
         QVERIFY(is(half[ScoreValue::removalRate], 400.0 / seconds, 0.5 / seconds));
         const std::vector<SampleRange> whole{{0, lower.size()}};
@@ -196,6 +197,24 @@ private slots:
         std::vector<Sample> leaning = ticks(100);
         leaning[50].proxy.axis = glm::normalize(glm::dvec3(0.1, 0.0, 1.0));
         QVERIFY(!recordings.score(recordings.record(leaning), part)[ScoreValue::meanStockLeft]);
+    }
+
+    /// 300 ticks without a sample: 100 while the tool mills, which count as milling, and 200 while the spindle is off.
+    /// The duration is that of the list of takes.
+    void missedTicksTakeTime() {
+        std::vector<Sample> samples = ticks(1000);
+        for (std::size_t i = 600; i < 700; ++i) samples[i].flags |= sampleSpindleOff;
+        for (std::size_t i = 200; i < samples.size(); ++i) {
+            samples[i].tick += i < 650 ? 100 : 300;
+            samples[i].time = tick * static_cast<double>(samples[i].tick);
+        }
+        Recordings recordings;
+        const std::int64_t take = recordings.record(samples);
+        const TakeScore score = recordings.score(take, blockMilling());
+        QVERIFY(is(score[ScoreValue::duration], 1.299));
+        QCOMPARE(score[ScoreValue::duration], recordings.project.takes()->front().seconds);
+        // Ticks 0 to 699 and 1000 to 1299.
+        QVERIFY(is(score[ScoreValue::milling], 0.699 + 0.299));
     }
 
     /// Verdict, difference, and ratio to the reference.
