@@ -5,6 +5,7 @@
 #include "program_run.h"
 
 #include "core/tool/tool_library.h"
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 
 #include <QCoreApplication>
@@ -154,6 +155,7 @@ private slots:
     /// The part lies on its side. Its flat bottom is laid down by a point on it, which restores the original
     /// orientation.
     void aPartIsLaidDownByAFace() {
+        BURIN_ONLY_IN_LONG_RUNS;
         const ProgramRun tilted = runBurin({"embed", sample, "-o", in("side.burin"), "--voxel", "1", "--turn", "y:90",
                                             "--turn", "z:30", "--move", "0,0,20", "--json"});
         QCOMPARE(tilted.status, 0);

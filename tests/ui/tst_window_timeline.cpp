@@ -207,6 +207,7 @@ private slots:
     /// In the program step the timeline is the program's: its workpiece at the end is that of the check, the current
     /// line follows, blocks are stepped through; in the other steps it is that of the takes again.
     void aProgramIsGoneThrough() {
+        BURIN_ONLY_IN_LONG_RUNS;
         QVERIFY(newPath(*driver_));
         QVERIFY(postProgram(*driver_));
         QVERIFY(driver_->step(JobStep::program));
