@@ -836,7 +836,7 @@
         <translation>&amp;Erster Auftrag</translation>
     </message>
     <message>
-        <source>Be guided through a complete job on the sample part, step by step.</source>
+        <source>Start a guide through a complete job on the sample part, step by step.</source>
         <translation>Schritt für Schritt durch einen ganzen Auftrag am Beispielteil geführt werden.</translation>
     </message>
     <message>
@@ -2161,11 +2161,11 @@
         <translation>0 bis %1</translation>
     </message>
     <message>
-        <source>%1 pass changes its coolant; the first one other than off was kept for all of it.</source>
+        <source>The coolant changes within %1 pass; its first coolant (mist or flood) applies to the whole pass.</source>
         <translation>%1 Durchgang wechselt das Kühlmittel; das erste außer „aus“ gilt nun für den ganzen Durchgang.</translation>
     </message>
     <message>
-        <source>%1 passes change their coolant; the first one other than off was kept for all of each.</source>
+        <source>The coolant changes within %1 passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
         <translation>%1 Durchgänge wechseln das Kühlmittel; das erste außer „aus“ gilt nun jeweils für den ganzen Durchgang.</translation>
     </message>
 </context>
@@ -5356,7 +5356,7 @@
         <translation>Werkzeug wählen</translation>
     </message>
     <message>
-        <source>Click “%1” in the list. Any other tool does as well.</source>
+        <source>Click “%1” in the list. Any other tool will do.</source>
         <translation>Klicken Sie in der Liste auf „%1“. Jedes andere Werkzeug geht auch.</translation>
     </message>
     <message>
@@ -11785,11 +11785,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Die Tabelle der Flächen wurde in „%1“ geschrieben.</translation>
     </message>
     <message>
-        <source>1 pass changes its coolant; the first one other than off was kept for all of it.</source>
+        <source>The coolant changes within 1 pass; its first coolant (mist or flood) applies to the whole pass.</source>
         <translation>1 Durchgang wechselt das Kühlmittel; das erste außer „aus“ gilt nun für den ganzen Durchgang.</translation>
     </message>
     <message numerus="yes">
-        <source>%n passes change their coolant; the first one other than off was kept for all of each.</source>
+        <source>The coolant changes within %n passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
         <translation>
             <numerusform>%n Durchgang wechselt das Kühlmittel; das erste außer „aus“ gilt nun für den ganzen Durchgang.</numerusform>
             <numerusform>%n Durchgänge wechseln das Kühlmittel; das erste außer „aus“ gilt nun jeweils für den ganzen Durchgang.</numerusform>
@@ -16406,7 +16406,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Erster Auftrag</translation>
     </message>
     <message>
-        <source>Be guided through a complete job, step by step.</source>
+        <source>Start a guide through a complete job, step by step.</source>
         <translation>Schritt für Schritt durch einen ganzen Auftrag geführt werden.</translation>
     </message>
     <message>

@@ -836,7 +836,7 @@
         <translation>第一个作业(&amp;F)</translation>
     </message>
     <message>
-        <source>Be guided through a complete job on the sample part, step by step.</source>
+        <source>Start a guide through a complete job on the sample part, step by step.</source>
         <translation>在示例零件上，按步骤引导完成一个完整的作业。</translation>
     </message>
     <message>
@@ -2161,11 +2161,11 @@
         <translation>0 到 %1</translation>
     </message>
     <message>
-        <source>%1 pass changes its coolant; the first one other than off was kept for all of it.</source>
+        <source>The coolant changes within %1 pass; its first coolant (mist or flood) applies to the whole pass.</source>
         <translation>%1 个走刀中途改变冷却；整个走刀采用第一种非关闭的冷却。</translation>
     </message>
     <message>
-        <source>%1 passes change their coolant; the first one other than off was kept for all of each.</source>
+        <source>The coolant changes within %1 passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
         <translation>%1 个走刀中途改变冷却；每个走刀整体采用其第一种非关闭的冷却。</translation>
     </message>
 </context>
@@ -5355,7 +5355,7 @@
         <translation>选择刀具</translation>
     </message>
     <message>
-        <source>Click “%1” in the list. Any other tool does as well.</source>
+        <source>Click “%1” in the list. Any other tool will do.</source>
         <translation>在列表中点击“%1”。其他刀具也可以。</translation>
     </message>
     <message>
@@ -11772,11 +11772,11 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>面的表格已写入“%1”。</translation>
     </message>
     <message>
-        <source>1 pass changes its coolant; the first one other than off was kept for all of it.</source>
+        <source>The coolant changes within 1 pass; its first coolant (mist or flood) applies to the whole pass.</source>
         <translation>1 个走刀中途改变冷却；整个走刀采用第一种非关闭的冷却。</translation>
     </message>
     <message numerus="yes">
-        <source>%n passes change their coolant; the first one other than off was kept for all of each.</source>
+        <source>The coolant changes within %n passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
         <translation>
             <numerusform>%n 个走刀中途改变冷却；每个走刀整体采用其第一种非关闭的冷却。</numerusform>
         </translation>
@@ -16379,7 +16379,7 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>第一个作业</translation>
     </message>
     <message>
-        <source>Be guided through a complete job, step by step.</source>
+        <source>Start a guide through a complete job, step by step.</source>
         <translation>按步骤引导完成一个完整的作业。</translation>
     </message>
     <message>

@@ -31,9 +31,10 @@ std::string textOfLosses(const ProgramPasses& passes) {
     add(passes.startless, BURIN_TEXT("Command", "%1 move was left out: the program does not state where it begins."),
         BURIN_TEXT("Command", "%1 moves were left out: the program does not state where they begin."));
     add(passes.coolantChanges(),
-        BURIN_TEXT("Command", "%1 pass changes its coolant; the first one other than off was kept for all of it."),
         BURIN_TEXT("Command",
-                   "%1 passes change their coolant; the first one other than off was kept for all of each."));
+                   "The coolant changes within %1 pass; its first coolant (mist or flood) applies to the whole pass."),
+        BURIN_TEXT("Command", "The coolant changes within %1 passes; the first coolant (mist or flood) of each applies "
+                              "to the whole pass."));
     return text;
 }
 

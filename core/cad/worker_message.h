@@ -84,6 +84,9 @@ struct WorkerProgress {
 
 using WorkerFrame = std::variant<WorkerProgress, WorkerAnswer, ModelPreview>;
 
+/// Written into every request and frame; those of another version are not read.
+inline constexpr std::uint32_t workerMessageVersion = 7;
+
 std::string encodeRequest(const WorkerRequest& request);
 /// Empty if the bytes are not a request of this version.
 std::optional<WorkerRequest> decodeRequest(std::string_view bytes);

@@ -295,7 +295,7 @@ constexpr std::array rows{
     Row{ActionId::welcome, "welcomeAction", QT_TRANSLATE_NOOP("Actions", "&Welcome page"),
         QT_TRANSLATE_NOOP("Actions", "Show how to begin."), "Ctrl+Shift+F1"},
     Row{ActionId::firstJob, "firstJobAction", QT_TRANSLATE_NOOP("Actions", "&First job"),
-        QT_TRANSLATE_NOOP("Actions", "Be guided through a complete job on the sample part, step by step."),
+        QT_TRANSLATE_NOOP("Actions", "Start a guide through a complete job on the sample part, step by step."),
         "Ctrl+Alt+J"},
     Row{ActionId::keyList, "keyListAction", QT_TRANSLATE_NOOP("Actions", "&Keys and mouse"),
         QT_TRANSLATE_NOOP("Actions", "All keyboard shortcuts and mouse actions."), "Ctrl+F1"},

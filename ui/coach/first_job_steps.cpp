@@ -113,7 +113,7 @@ const std::vector<FirstJobStep>& firstJobSteps() {
          .key = ActionId::embed,
          .done = partIsEmbedded},
         {.title = QT_TRANSLATE_NOOP("FirstJob", "Choose a tool"),
-         .text = QT_TRANSLATE_NOOP("FirstJob", "Click “%1” in the list. Any other tool does as well."),
+         .text = QT_TRANSLATE_NOOP("FirstJob", "Click “%1” in the list. Any other tool will do."),
          .argument = nameOfGoodTool,
          .place = JobStep::tool,
          .widget = "toolList",

@@ -120,7 +120,7 @@ QWidget* WelcomePage::firstJob() {
     auto* row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(16);
-    firstJob_ = button(tr("First job"), "firstJobButton", tr("Be guided through a complete job, step by step."));
+    firstJob_ = button(tr("First job"), "firstJobButton", tr("Start a guide through a complete job, step by step."));
     firstJob_->setMinimumHeight(40);
     firstJob_->setCursor(Qt::PointingHandCursor);
     connect(firstJob_, &QPushButton::clicked, this, &WelcomePage::firstJobRequested);
