@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include <type_traits>
+#include <vector>
 
 namespace burin {
 
@@ -23,13 +24,20 @@ struct RegisteredTest {
 /// Registers `test` for main() (tests/test_program.cpp). To be called before main() only.
 bool registerTest(const RegisteredTest& test);
 
-/// Runs the functions of Test that the arguments, which are those of QtTest, request; returns QtTest's status.
+/// Completes the arguments of a test, which are those of QtTest: unless they name functions of it, or the run is a long
+/// one, with its functions that are not marked by BURIN_ONLY_IN_LONG_RUNS (tests/long_run.h).
+std::vector<QByteArray> withFunctions(const QMetaObject& test, std::vector<QByteArray> arguments);
+
+/// Runs the functions of Test that the arguments request; returns QtTest's status.
 template <typename Test, typename Application>
 int runTest(int argc, char** argv) {
     Application application(argc, argv);
     if constexpr (std::is_base_of_v<QCoreApplication, Application>) application.setAttribute(Qt::AA_Use96Dpi);
     Test test;
-    return QTest::qExec(&test, argc, argv);
+    std::vector<QByteArray> arguments = withFunctions(Test::staticMetaObject, {argv, argv + argc});
+    std::vector<char*> values;
+    for (QByteArray& argument : arguments) values.push_back(argument.data());
+    return QTest::qExec(&test, static_cast<int>(values.size()), values.data());
 }
 
 } // namespace burin

@@ -182,8 +182,7 @@ private slots:
 
     /// Each library that one of its programs needs comes with a package that it depends on, according to readelf and
     /// dpkg.
-    void thePackageDependsOnAllThatItLoads() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void thePackageDependsOnAllThatItLoads() {
         const Outcome packed =
             run(QStringLiteral("cpack"), {QStringLiteral("-G"), QStringLiteral("DEB"), QStringLiteral("--config"),
                                           QStringLiteral(BURIN_BUILD_DIRECTORY "/CPackConfig.cmake"),

@@ -154,8 +154,7 @@ private slots:
 
     /// The part lies on its side. Its flat bottom is laid down by a point on it, which restores the original
     /// orientation.
-    void aPartIsLaidDownByAFace() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void aPartIsLaidDownByAFace() {
         const ProgramRun tilted = runBurin({"embed", sample, "-o", in("side.burin"), "--voxel", "1", "--turn", "y:90",
                                             "--turn", "z:30", "--move", "0,0,20", "--json"});
         QCOMPARE(tilted.status, 0);

@@ -155,8 +155,7 @@ private slots:
     }
 
     /// Figure 13b of the paper.
-    void freeCarvingSaysThatNothingPushesBack() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void freeCarvingSaysThatNothingPushesBack() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
         QVERIFY(open(driver));
@@ -237,8 +236,7 @@ private slots:
             QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(text.where, text.text)));
     }
 
-    void theWorkpieceIsExported() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void theWorkpieceIsExported() {
         WindowDriver driver(QSize(1280, 800));
         QVERIFY(open(driver));
         QVERIFY(embed(driver));

@@ -73,20 +73,20 @@ class TestWindowProgram : public QObject {
     Q_OBJECT
 private slots:
     void aMoveAndItsLineLeadToEachOther();
-    void textThatWasNotCheckedSurvivesAnEndFromOutside();
+    BURIN_ONLY_IN_LONG_RUNS void textThatWasNotCheckedSurvivesAnEndFromOutside();
     void textThatTheCheckRefusedSurvives();
     void whatIsTypedWhileItIsCheckedStays();
-    void aNewTextToolAndValuesStandOnOneLine();
+    BURIN_ONLY_IN_LONG_RUNS void aNewTextToolAndValuesStandOnOneLine();
     void theTextOpensNextToTheView();
     void findingsStandBesideTheText();
     void theRestIsExportedFromTheSelectedLine();
     void aRefusedRestIsExportedWithAReason();
     void aMachineIsCopiedChangedUsedAndDeleted();
-    void aMachineThatIsGoneHasAStandIn();
+    BURIN_ONLY_IN_LONG_RUNS void aMachineThatIsGoneHasAStandIn();
     void aPostOutlastsAChangeOfTheMachine();
-    void aCheckOutlastsAChangeOfTheMachine();
+    BURIN_ONLY_IN_LONG_RUNS void aCheckOutlastsAChangeOfTheMachine();
     void lettersInTheTextAreNoShortcuts_data();
-    void lettersInTheTextAreNoShortcuts();
+    BURIN_ONLY_IN_LONG_RUNS void lettersInTheTextAreNoShortcuts();
 };
 
 /// After a broken tool: the shortcut of the action, a file name, and the file resumes with the cut of that line.
@@ -321,7 +321,6 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
 
 /// One sentence says which machine is missing and which one is used instead; work goes on.
 void TestWindowProgram::aMachineThatIsGoneHasAStandIn() {
-    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QVERIFY(saveMachine(copyOf(*loadMachine("haas-mill"), "gone", "Gone"), false));
     QVERIFY(mill(driver));
@@ -370,7 +369,6 @@ void TestWindowProgram::aPostOutlastsAChangeOfTheMachine() {
 }
 
 void TestWindowProgram::aCheckOutlastsAChangeOfTheMachine() {
-    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
     QVERIFY(text != nullptr);
@@ -488,7 +486,6 @@ void TestWindowProgram::lettersInTheTextAreNoShortcuts_data() {
 
 /// "G", "M", "S", "P", "I", "F", "1" and "4" are shortcuts of the view elsewhere.
 void TestWindowProgram::lettersInTheTextAreNoShortcuts() {
-    BURIN_ONLY_IN_LONG_RUNS;
     QFETCH(bool, docked);
     QFETCH(bool, editable);
     WindowDriver driver;
@@ -520,7 +517,6 @@ void TestWindowProgram::lettersInTheTextAreNoShortcuts() {
 /// A line is selected, the path changes and the program is posted again: the values next to the text belong to the
 /// selected line.
 void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {
-    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     const ProgramController& program = driver.window().workbench().program;
     QVERIFY(mill(driver) && post(driver));
@@ -623,7 +619,6 @@ void TestWindowProgram::textThatTheCheckRefusedSurvives() {
 }
 
 void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
-    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QPlainTextEdit* text = textToEdit(driver);
     QVERIFY(text != nullptr);

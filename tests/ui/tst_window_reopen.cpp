@@ -26,9 +26,9 @@ private slots:
     void aProjectIsWhereItWasLeft();
     void aWorkpieceIsThereWithoutAStroke();
     void lookingAroundIsNothingToSave();
-    void whatCanBeUndoneIsSaid();
-    void aProgramThatPassedIsPassedAgain();
-    void aVerdictOfSomethingElseIsOutOfDate();
+    BURIN_ONLY_IN_LONG_RUNS void whatCanBeUndoneIsSaid();
+    BURIN_ONLY_IN_LONG_RUNS void aProgramThatPassedIsPassedAgain();
+    BURIN_ONLY_IN_LONG_RUNS void aVerdictOfSomethingElseIsOutOfDate();
     void whatChangesAfterOpeningMakesTheVerdictOutOfDate();
 };
 
@@ -157,7 +157,6 @@ void TestWindowReopen::lookingAroundIsNothingToSave() {
 }
 
 void TestWindowReopen::whatCanBeUndoneIsSaid() {
-    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QVERIFY(makeReady(driver, 1.0));
     const auto undo = [&] { return driver.visible<QPushButton>("undoStrokeButton"); };
@@ -173,7 +172,6 @@ void TestWindowReopen::whatCanBeUndoneIsSaid() {
 }
 
 void TestWindowReopen::aProgramThatPassedIsPassedAgain() {
-    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     Workbench* workbench = &driver.window().workbench();
     QVERIFY(makeReady(driver) && recordLine(driver, {-15, 0}, {15, 0}) && driver.settle());
@@ -211,7 +209,6 @@ void TestWindowReopen::aProgramThatPassedIsPassedAgain() {
 
 /// The file was changed by another program meanwhile: the tool that milled, as an older Burin would.
 void TestWindowReopen::aVerdictOfSomethingElseIsOutOfDate() {
-    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     QVERIFY(postAndLeave(driver));
     {

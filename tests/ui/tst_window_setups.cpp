@@ -179,8 +179,7 @@ private slots:
     }
 
     /// After a change of the first side, the second one reports it and takes its stock again.
-    void aChangedFirstSideIsTold() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void aChangedFirstSideIsTold() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         Workbench& workbench = workbenchOf(driver);

@@ -96,8 +96,7 @@ private slots:
     }
 
     /// Esc on the way to the start of a stroke: nothing was cut, and there is nothing to repeat or undo.
-    void aStrokeThatIsGivenUpOnItsWayIsNone() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void aStrokeThatIsGivenUpOnItsWayIsNone() {
         millLine(*driver_, {-15, -8}, {-5, -8});
         QVERIFY(strokesAre(1));
         const auto canRepeat = [&] { return driver_->visible<QPushButton>("repeatLowerButton")->isEnabled(); };
@@ -118,8 +117,7 @@ private slots:
         QCOMPARE(workbench().workpiece.strokes().count(), std::size_t{1});
     }
 
-    void xAndYLockAStrokeUntilPressedAgain() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void xAndYLockAStrokeUntilPressedAgain() {
         driver_->key(Qt::Key_X);
         QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("locked to X")); }, 2000));
         millLine(*driver_, {-12, -6}, {12, 6});
@@ -318,8 +316,7 @@ private slots:
 
     /// Undoing the only stroke of a take removes the take from the list, the path and the program; redo restores it. If
     /// the project is saved and reopened without it, it stays removed.
-    void undoOfATakesFirstStrokeLeavesNoTraceOfIt() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void undoOfATakesFirstStrokeLeavesNoTraceOfIt() {
         const PathController& path = workbench().path;
         const ProgramController& program = workbench().program;
         millLine(*driver_, {-12, -4}, {12, -4});
@@ -359,8 +356,7 @@ private slots:
     }
 
     /// Without a recording the setup can be changed and a path can't be made; after the undo it is the same again.
-    void undoOfTheVeryFirstStrokeLeavesTheSetupOpen() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void undoOfTheVeryFirstStrokeLeavesTheSetupOpen() {
         millLine(*driver_, {-12, -4}, {12, -4});
         QVERIFY(strokesAre(1));
         driver_->key(Qt::Key_Escape);
@@ -385,8 +381,7 @@ private slots:
         QVERIFY(driver_->waitFor([&] { return takesAre(1) && path.evaluated() == evaluated && !path.outdated(); }));
     }
 
-    void helpAndBack() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void helpAndBack() {
         driver_->key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver_->visible<QWidget>("backButton") != nullptr);
         driver_->shoot("strokes-welcome-back");
@@ -403,8 +398,7 @@ private slots:
         QVERIFY(workbench().mill.active()); // that Esc was handled by the page
     }
 
-    void aMessageLeavesTheViewCubeFree() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void aMessageLeavesTheViewCubeFree() {
         viewport().setStandardView(StandardView::isometric);
         QTest::qWait(400); // the view turns
         const QString name = QStringLiteral("a name that is so long that it takes the whole width of the view.step");
@@ -421,8 +415,7 @@ private slots:
     }
 
     /// A lock is set by a key, while the user is moving to a field.
-    void aLockMovesNoFieldOfThePanel() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void aLockMovesNoFieldOfThePanel() {
         auto* field = driver_->visible<QAbstractSpinBox>("speedField");
         const QPoint before = field->mapTo(&driver_->window(), QPoint());
         viewport().setFocus();
@@ -437,8 +430,7 @@ private slots:
 
     /// A field is disabled and a message appears while the user types digits: none of them turns the view, and nothing
     /// moves.
-    void nothingThatComesUnderTheHandMakesAShortcutOfATypedKey() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void nothingThatComesUnderTheHandMakesAShortcutOfATypedKey() {
         auto* field = driver_->visible<QAbstractSpinBox>("depthOfCutField");
         QTest::mouseDClick(field, Qt::LeftButton, Qt::NoModifier, field->rect().center());
         const QPoint before = field->mapTo(&driver_->window(), QPoint());

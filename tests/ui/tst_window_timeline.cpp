@@ -69,8 +69,7 @@ private slots:
     }
 
     /// Keys, playing with a pause, and its end.
-    void itPlaysToTheEnd() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void itPlaysToTheEnd() {
         QVERIFY(driver_->clickOn("timeStartButton"));
         QVERIFY(driver_->waitFor([&] { return time().shown() && !time().arriving() && time().seconds() == 0.0; }));
         auto* speed = driver_->visible<QComboBox>("playSpeed");
@@ -125,8 +124,7 @@ private slots:
     }
 
     /// The part that was switched off is milled on top again from its menu; the project opens with the same workpiece.
-    void bothVersionsAreKept() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void bothVersionsAreKept() {
         QVERIFY(seek(secondsOfTake(1)));
         QVERIFY(driver_->clickOn("punchInButton"));
         QVERIFY(driver_->waitFor([&] { return workbench().mill.recording(); }));
@@ -206,8 +204,7 @@ private slots:
 
     /// In the program step the timeline is the program's: its workpiece at the end is that of the check, the current
     /// line follows, blocks are stepped through; in the other steps it is that of the takes again.
-    void aProgramIsGoneThrough() {
-        BURIN_ONLY_IN_LONG_RUNS;
+    BURIN_ONLY_IN_LONG_RUNS void aProgramIsGoneThrough() {
         QVERIFY(newPath(*driver_));
         QVERIFY(postProgram(*driver_));
         QVERIFY(driver_->step(JobStep::program));

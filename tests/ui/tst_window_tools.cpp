@@ -51,8 +51,8 @@ class TestWindowTools : public QObject {
     Q_OBJECT
 private slots:
     void eachToolHasItsPathAndTheProgramHasThemAll();
-    void aLaterToolSeesWhatAnEarlierOneLeft();
-    void oneClickMakesThePathsOfAllTools();
+    BURIN_ONLY_IN_LONG_RUNS void aLaterToolSeesWhatAnEarlierOneLeft();
+    BURIN_ONLY_IN_LONG_RUNS void oneClickMakesThePathsOfAllTools();
 };
 
 void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
@@ -142,7 +142,6 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
 
 /// Two tools milled before a path was requested: the program includes both, and one undo removes both paths.
 void TestWindowTools::oneClickMakesThePathsOfAllTools() {
-    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver));
@@ -184,7 +183,6 @@ void TestWindowTools::oneClickMakesThePathsOfAllTools() {
 
 /// Two tools in one groove: the larger one is milled first, whichever was recorded first.
 void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
-    BURIN_ONLY_IN_LONG_RUNS;
     WindowDriver driver;
     Workbench& workbench = driver.window().workbench();
     QVERIFY(makeReady(driver, 0.2));

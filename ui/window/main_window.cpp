@@ -9,6 +9,7 @@
 #include "ui/panels/texts.h"
 #include "ui/panels/timeline_panel.h"
 #include "ui/scene/view_cube_room.h"
+#include "ui/theme/without_style_sheet.h"
 #include "ui/window/device_dialog.h"
 #include "ui/window/machine_dialog.h"
 #include "ui/window/material_dialog.h"
@@ -57,7 +58,10 @@ MainWindow::MainWindow(QWidget* parent)
     setAcceptDrops(true);
     setMinimumSize(smallestWindow);
     dress(settings_.preferences().theme); // before widgets are created, which take font and style from it
-    layOut();
+    {
+        const WithoutStyleSheet whileLaidOut(*qobject_cast<QApplication*>(QCoreApplication::instance()));
+        layOut();
+    }
     presenters_ = std::make_unique<Presenters>(
         workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_, *timeline_, *tree_}, nullptr);
     coach_ = std::make_unique<Coach>(*this, workbench_, actions_);
