@@ -17,6 +17,8 @@ struct sqlite3_stmt;
 
 namespace burin {
 
+class ProjectStep;
+
 /// One connection to an SQLite file. Every fault is returned as an Error that names `subject`, the file known to the
 /// user, even if the connection is to a working copy of it. Not thread-safe: one thread at a time. Statements must be
 /// destroyed before it.
@@ -50,6 +52,8 @@ public:
 
 private:
     friend class Statement;
+    friend class StepRecorder;
+    friend Result<void> revertRows(Database& database, const ProjectStep& step);
     friend Result<void> copyDatabase(Database& from, Database& to);
     struct Connection {
         sqlite3* handle = nullptr;

@@ -98,15 +98,15 @@ Result<std::int64_t> jobDigest(Database& database, SetupId setup) {
         std::pair{"body", std::string("SELECT * FROM body ORDER BY rowid")},
         std::pair{"setup", "SELECT id, json FROM setup WHERE id = " + id},
         std::pair{"material", std::string("SELECT * FROM material ORDER BY rowid")},
-        std::pair{"obstacle", "SELECT * FROM obstacle WHERE setup = " + id + " ORDER BY rowid"},
+        std::pair{"obstacle", "SELECT * FROM obstacle WHERE setup = " + id + " ORDER BY position"},
         // If nothing is switched off, the result is the same as that of versions without switching off.
         std::pair{"undone_stretch", "SELECT * FROM (SELECT * FROM undone_stretch WHERE take IN " + takes +
                                         " ORDER BY rowid) UNION ALL SELECT * FROM (SELECT 0, take, first, count FROM "
                                         "switched_off_stretch WHERE take IN " +
                                         takes + " ORDER BY take, first)"},
         std::pair{"path", "SELECT * FROM path WHERE setup = " + id + " ORDER BY rowid"},
-        std::pair{"path_source", "SELECT * FROM path_source WHERE path IN " + paths + " ORDER BY rowid"},
-        std::pair{"path_edit", "SELECT * FROM path_edit WHERE path IN " + paths + " ORDER BY rowid"},
+        std::pair{"path_source", "SELECT * FROM path_source WHERE path IN " + paths + " ORDER BY path, position"},
+        std::pair{"path_edit", "SELECT * FROM path_edit WHERE path IN " + paths + " ORDER BY path, position"},
         std::pair{"take", "SELECT id, tool_id, allowance, tick_period FROM take WHERE id IN " + takes + " ORDER BY id"},
         std::pair{"samples", "SELECT take, first, count FROM sample_chunk WHERE take IN " + takes + " ORDER BY 1, 2"},
         std::pair{"generated", "SELECT id, tool_id, allowance FROM generated WHERE setup = " + id + " ORDER BY id"},

@@ -104,7 +104,8 @@ Result<void> Project::saveAs(const fs::path& file) {
         if (readOnly()) static_cast<void>(impl_->database.execute("PRAGMA query_only = ON"));
         return std::move(opened).error();
     }
-    if (!readOnly()) impl_->copy->abandon();       // everything in it is in the new file
+    if (!readOnly()) impl_->copy->abandon(); // everything in it is in the new file
+    impl_->step.reset();
     impl_->database = std::move(opened->database); // the old connection must be closed before its working copy is
                                                    // removed
     impl_->copy = std::move(opened->copy);
@@ -114,6 +115,30 @@ Result<void> Project::saveAs(const fs::path& file) {
     impl_->savedChanges.reset();
     impl_->keptAside = std::move(opened->keptAside);
     return {};
+}
+
+Result<void> Project::beginStep() {
+    impl_->step.reset();
+    Result<StepRecorder> recorder = StepRecorder::begin(impl_->database);
+    if (!recorder) return std::move(recorder).error();
+    impl_->step = std::move(*recorder);
+    return {};
+}
+Result<std::shared_ptr<const ProjectStep>> Project::endStep() {
+    if (!impl_->step) return std::shared_ptr<const ProjectStep>();
+    Result<std::shared_ptr<const ProjectStep>> step = impl_->step->end(impl_->file);
+    impl_->step.reset();
+    return step;
+}
+Result<std::shared_ptr<const ProjectStep>> Project::revert(const ProjectStep& step) {
+    if (readOnly()) return Error{ErrorCode::fileNotWritable, impl_->file.string(), {}, "open for reading alone"};
+    Result<StepRecorder> recorder = StepRecorder::begin(impl_->database);
+    if (!recorder) return std::move(recorder).error();
+    return impl_->change([&](Database& database) -> Result<std::shared_ptr<const ProjectStep>> {
+        if (Result<void> reverted = revertRows(database, step); !reverted) return std::move(reverted).error();
+        if (Result<void> removed = removeOrphans(database); !removed) return std::move(removed).error();
+        return recorder->end(impl_->file);
+    });
 }
 
 void Project::abandonChanges() noexcept {

@@ -27,6 +27,7 @@
 
 namespace burin {
 
+class ProjectStep;
 class StagedFile;
 class WorkingCopy;
 
@@ -110,6 +111,16 @@ public:
     /// Errors: as `save`, projectInUse, projectNotBurin, argumentInvalid (a take is being recorded); nothing has
     /// changed then.
     Result<void> saveAs(const std::filesystem::path& file);
+    /// Records from now on which rows change, until `endStep`; of recordings only what this object changes. A step that
+    /// was begun before is dropped. Errors: outOfMemory.
+    Result<void> beginStep();
+    /// Returns what has changed since `beginStep`; null: nothing. Errors: outOfMemory.
+    Result<std::shared_ptr<const ProjectStep>> endStep();
+    /// Makes the rows of a step what they were before it, whatever has become of them since. What belongs to a setup
+    /// that no longer exists then is removed too; its takes are hidden as by `removeTake`. The setup in use is not
+    /// changed, and may be one that no longer exists. Returns the step in the other direction; null: nothing changed.
+    /// Errors: as the setters; nothing has changed then.
+    Result<std::shared_ptr<const ProjectStep>> revert(const ProjectStep& step);
     /// Discards all unsaved changes: the working copy is removed with this object, including any later changes to it,
     /// and the next `open` finds the file as it was saved. Needs no free space on the disk.
     void abandonChanges() noexcept;

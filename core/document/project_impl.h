@@ -5,6 +5,7 @@
 #include "core/document/document_state.h"
 #include "core/document/opening.h"
 #include "core/document/project.h"
+#include "core/document/project_step.h"
 #include "core/document/working_copy.h"
 
 #include <cstdint>
@@ -71,6 +72,7 @@ public:
     std::shared_ptr<WorkingCopy> copy; ///< null: open for reading only
     std::shared_ptr<WorkingCopy> lock; ///< of a project that is open for reading only, if it could be locked
     Database database;
+    std::optional<StepRecorder> step; ///< under way; ends before the connection
     bool recovered = false;
     std::optional<std::int64_t> savedChanges; ///< `changes` of the file after the last save by this object
     std::filesystem::path keptAside;

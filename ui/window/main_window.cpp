@@ -103,6 +103,7 @@ void MainWindow::layOut() {
     viewport_ = new Viewport;
     viewport_->setObjectName(QStringLiteral("viewport"));
     viewport_->setFocusPolicy(Qt::StrongFocus);
+    viewport_->setAccessibleName(tr("View of part and workpiece"));
     viewBar_ = new ViewBar(
         {*actions_[ActionId::parallelView], *actions_[ActionId::sectionPlane], *actions_[ActionId::flipSection]});
     jobLine_ = new JobLine;

@@ -58,7 +58,7 @@ void MainWindow::layOutHistory() {
     const auto follow = [this, history] { history->setEnabled(workbench_.canUndoNow()); };
     for (const Controller* controller :
          {static_cast<const Controller*>(&workbench_.session), static_cast<const Controller*>(&workbench_.showMe),
-          static_cast<const Controller*>(&workbench_.mill)})
+          static_cast<const Controller*>(&workbench_.mill), static_cast<const Controller*>(&workbench_.setups)})
         connect(controller, &Controller::changed, this, follow);
     connect(&workbench_.session, &SessionRunner::ticked, this, follow);
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "ui/workbench/history.h"
 #include "ui/workbench/project_thread.h"
 #include "ui/workbench/task_runner.h"
 
 #include <QObject>
-#include <QUndoStack>
 
 namespace burin {
 
@@ -14,7 +14,7 @@ namespace burin {
 struct Desk {
     ProjectThread& project;
     TaskRunner& tasks;
-    QUndoStack& undo;
+    History& undo;
 };
 
 /// Controls one subject of the work: holds its state, changes it, stores it in the project and reports changes.
@@ -29,12 +29,13 @@ signals:
     void failed(const burin::Error& error);
 
 protected:
-    /// Changes the project in the background if one is open; errors are reported by `failed`.
+    /// Changes the project in the background if one is open, unless an undo or redo restores its rows; errors are
+    /// reported by `failed`.
     template <class Work>
     void store(Work work) {
         desk_.project.postToPlace(
-            [work = std::move(work)](std::optional<Project>& place) mutable -> Result<void> {
-                return place ? work(*place) : Result<void>();
+            [work = std::move(work), &project = desk_.project](std::optional<Project>& place) mutable -> Result<void> {
+                return place && !project.restoring() ? work(*place) : Result<void>();
             },
             [this](const Result<void>& stored) {
                 if (!stored) emit failed(stored.error());

@@ -102,6 +102,12 @@ Result<ProjectContents> contentsOf(const Project& project) {
     return contents;
 }
 
+/// Uses another setup and reads it.
+Result<ProjectContents> contentsIn(Project& project, SetupId id) {
+    if (Result<void> used = project.useSetup(id); !used) return std::move(used).error();
+    return contentsOf(project);
+}
+
 /// Returns the name given to a file of an earlier format, if any.
 Result<fs::path> saveWith(Project& project, const std::string& left) {
     if (!left.empty())
@@ -185,13 +191,17 @@ void DocumentController::createNew(bool abandon, Then then) {
         [this, then = std::move(then)](Result<Opened> outcome) { take(std::move(outcome), then); });
 }
 
-void DocumentController::useSetup(SetupId id, Then then) {
-    desk_.project.ask(
-        [id](Project& project) -> Result<ProjectContents> {
+void DocumentController::useSetup(SetupId id, Then then, const std::optional<SharedStep>& step) {
+    desk_.project.post(
+        [id, step](Project& project) -> Result<ProjectContents> {
             const SetupId before = project.usedSetup();
-            if (Result<void> used = project.useSetup(id); !used) return std::move(used).error();
-            Result<ProjectContents> contents = contentsOf(project);
-            if (!contents) static_cast<void>(project.useSetup(before)); // restores what the window shows
+            if (step)
+                if (Result<void> turned = step->turn(project); !turned) return std::move(turned).error();
+            Result<ProjectContents> contents = contentsIn(project, id);
+            if (!contents) { // restores what the window shows
+                if (step) static_cast<void>(step->turn(project));
+                static_cast<void>(project.useSetup(before));
+            }
             return contents;
         },
         [this, then = std::move(then)](const Result<ProjectContents>& contents) {

@@ -75,7 +75,8 @@ public:
     void saveAs(const std::filesystem::path& file, Then then = {});
     void close(bool abandon, Then then = {});
     /// Switches the open project to another setup, or reads the present one again.
-    void useSetup(SetupId id, Then then = {});
+    /// @param step is turned first; if that fails or the setup can't be read, everything stays as it was
+    void useSetup(SetupId id, Then then = {}, const std::optional<SharedStep>& step = std::nullopt);
 
     /// Sets the function that returns the user's position in the work, which is stored with each save. Empty text is
     /// not stored.

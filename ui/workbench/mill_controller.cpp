@@ -28,7 +28,13 @@ MillController::MillController(const Desk& desk, WorkpieceController& workpiece,
     connect(&session_, &SessionRunner::ticked, this, &MillController::noteStrokes);
     connect(&session_, &SessionRunner::ticked, this, &MillController::followButton);
     connect(&session_, &SessionRunner::ended, this, &MillController::noteLeft);
-    connect(&session_, &SessionRunner::recordingStarted, this, [this] { refreshTakes(); });
+    connect(&session_, &SessionRunner::recordingStarted, this, [this] {
+        takeAwaited_ = true;
+        refreshTakes([this] {
+            if (std::exchange(takeAwaited_, false) && !takes_.empty()) recorded_ = newestTake(takes_).id;
+            noteStrokes();
+        });
+    });
     connect(&session_, &SessionRunner::endedByItself, this, [this] {
         if (active()) leave(); // a fault, which is reported when the session ends
     });
@@ -40,7 +46,7 @@ void MillController::noteLeft() {
     mouse_ = nullptr;
     device_.reset();
     noteStrokes();
-    refreshTakes();
+    refreshTakes([this] { noteRecording(); });
     if (was) emit left();
     emit changed();
 }
@@ -156,7 +162,7 @@ void MillController::stopRecording(Then then) {
     session_.stopRecording([this, then = std::move(then)](bool) {
         recordingSince_ = false;
         noteStrokes();
-        refreshTakes();
+        refreshTakes([this] { noteRecording(); });
         if (then) then();
         emit changed();
     });
@@ -257,7 +263,7 @@ void MillController::setSwitchedOff(const QString& title, WantedOff wanted, Then
                 return;
             }
             auto once = std::make_shared<Then>(then);
-            desk_.undo.push(new ValueCommand<SwitchedOff>(
+            desk_.undo.pushDone(new ValueCommand<SwitchedOff>(
                 title, -1, change->before, change->after,
                 [this, once](const SwitchedOff& off) { applySwitchedOff(off, std::exchange(*once, {})); }));
         });
@@ -283,20 +289,32 @@ void MillController::moveStroke(std::int64_t take, bool undo) {
         to.push_back(from.back());
         from.pop_back();
     }
-    strokes_[take] = undo ? strokes_[take] - 1 : strokes_[take] + 1;
+    std::size_t& strokes = strokes_[take]; // 0 as well if the workpiece was not recomputed since the project was read
+    strokes = undo ? strokes - std::min<std::size_t>(strokes, 1) : strokes + 1;
+}
+
+/// A recording without strokes counts as well, so that what was done before it can't be undone while it stands.
+void MillController::noteRecording() {
+    const std::int64_t take = std::exchange(recorded_, 0);
+    if (!placeOf(take)) return;
+    desk_.undo.pushDone(
+        new DoneCommand(tr("take without strokes"), [this, take](bool undo) { emit takeUndone(take, undo); }));
 }
 
 void MillController::noteStrokes() {
+    if (takeAwaited_) return;
     const std::uint64_t now = workpiece_.strokes().added();
     const std::uint64_t fresh = now - std::exchange(strokesSeen_, now);
     const StrokeHistory& history = workpiece_.strokes();
     for (std::size_t i = std::min<std::size_t>(fresh, history.count()); i-- > 0;) {
         const Stroke& stroke = history.newest(i);
-        desk_.undo.push(
+        desk_.undo.pushRecorded(
             new DoneCommand(tr("stroke"), [this, place = StrokePlace{stroke.take, {stroke.first, stroke.count}}](
-                                              bool undo) { takeBack(place, undo); }));
+                                              bool undo) { takeBack(place, undo); }),
+            stroke.take);
     }
     if (fresh == 0) return;
+    recorded_ = 0;
     if (workpiece_.strokes().canUndo()) {
         const std::int64_t take = workpiece_.strokes().newest().take;
         strokes_[take] += fresh;
@@ -340,7 +358,8 @@ void MillController::setStrokes(std::map<std::int64_t, std::size_t> strokes) {
 
 void MillController::load(std::vector<TakeInfo> takes) {
     takes_ = std::move(takes);
-    chosen_ = 0;
+    chosen_ = recorded_ = 0;
+    takeAwaited_ = false;
     allowance_ = takes_.empty() ? 0.0 : newestTake(takes_).allowance;
     strokesSeen_ = workpiece_.strokes().added();
     strokes_.clear();

@@ -29,6 +29,8 @@ public:
     const std::optional<StylusDescription>& device() const noexcept { return device_; }
     const WorkspaceMapping& mapping() const noexcept { return mapping_; }
     bool recording() const noexcept { return session_.running() && session_.state().recording; }
+    /// Whether a recording is running in which nothing was milled yet.
+    bool recordsNothingYet() const noexcept { return recording() && recorded_ != 0; }
     double allowance() const noexcept { return allowance_; } ///< mm
     /// All takes except those whose strokes were all undone; redo restores those.
     const std::vector<TakeInfo>& takes() const noexcept { return standing_; }
@@ -48,7 +50,8 @@ public:
     /// running
     bool startRecording();
     void stopRecording(Then then = {});
-    void setAllowance(double millimetres); ///< an entry of the undo stack
+    void setAllowance(double millimetres);                                  ///< an entry of the undo stack
+    void showAllowance(double millimetres) { applyAllowance(millimetres); } ///< no entry of the undo stack
     /// Sets the dead man's buttons, one bit each: forces only while one of them is held; 0: always. With a device in
     /// use, mill mode is restarted, as the change must not be felt in the middle of a stroke.
     void setForceButtons(std::uint32_t buttons);
@@ -87,6 +90,8 @@ signals:
     void recordingBegan(bool well);  ///< after startRecording
     void strokeTakenBack(bool undo); ///< the newest one; false: it was redone
     void takesChanged();             ///< recordings were added or removed, or strokes of them undone
+    /// A recording without strokes is undone or redone.
+    void takeUndone(qint64 take, bool undo);
 
 private:
     /// A stroke of a take.
@@ -105,6 +110,7 @@ private:
     void showCopy(std::int64_t id, bool shown);
     void applySwitchedOff(const SwitchedOff& off, const Then& then);
     void noteStrokes();
+    void noteRecording();
     void moveStroke(std::int64_t take, bool undo);
     void sortOut();
     void applyAllowance(double millimetres);
@@ -132,6 +138,8 @@ private:
     std::int64_t chosen_ = 0;        ///< may no longer exist
     int changesUnderWay_ = 0;        ///< of the order of takes and copies, that the project has yet to answer
     std::uint64_t strokesSeen_ = 0;
+    std::int64_t recorded_ = 0; ///< the newest recording, until it has an entry of the undo stack; 0: none
+    bool takeAwaited_ = false;  ///< a recording was begun, whose take is not known yet
     std::map<std::int64_t, std::size_t> strokes_;
     std::map<std::int64_t, std::vector<std::uint64_t>> numbers_; ///< of strokes in effect, ascending
     std::vector<std::uint64_t> undoneNumbers_;                   ///< the one to redo first comes last

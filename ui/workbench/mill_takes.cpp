@@ -21,13 +21,13 @@ void MillController::nameTake(std::int64_t id, const QString& name) {
                                refreshTakes();
                            });
     };
-    desk_.undo.push(
+    desk_.undo.pushDone(
         new ValueCommand<std::string>(tr("name of a take"), -1, take->name, name.trimmed().toStdString(), apply));
 }
 
 void MillController::removeTake(std::int64_t id) {
     changeTake(id, true, [this, id] {
-        desk_.undo.push(new DoneCommand(tr("delete a take"), [this, id](bool undo) { changeTake(id, !undo, {}); }));
+        desk_.undo.pushDone(new DoneCommand(tr("delete a take"), [this, id](bool undo) { changeTake(id, !undo, {}); }));
     });
 }
 
@@ -108,7 +108,7 @@ void MillController::reorder(std::function<Result<TakeOrder>(const Project& proj
                 return;
             }
             if (change->before == change->after) return;
-            desk_.undo.push(new DoneCommand(tr("order of takes"), [this, orders = *change](bool undo) {
+            desk_.undo.pushDone(new DoneCommand(tr("order of takes"), [this, orders = *change](bool undo) {
                 applyOrder(undo ? orders.before : orders.after);
             }));
             refreshTakes();
@@ -136,8 +136,8 @@ void MillController::duplicateTake(std::int64_t id) {
                            }
                            if (const auto strokes = strokes_.find(id); strokes != strokes_.end())
                                strokes_[*copy] = strokes->second;
-                           desk_.undo.push(new DoneCommand(tr("copy of a take"),
-                                                           [this, copy = *copy](bool undo) { showCopy(copy, !undo); }));
+                           desk_.undo.pushDone(new DoneCommand(
+                               tr("copy of a take"), [this, copy = *copy](bool undo) { showCopy(copy, !undo); }));
                            refreshTakes([this, copy = *copy] { chooseTake(copy); });
                        });
 }

@@ -66,12 +66,13 @@ void ModelController::mirror(int axis) {
     if (!model_) return;
     const auto other = placed(model_, mirroredAcross(axis, model_->box().centre()));
     using Shared = std::shared_ptr<const Model>;
-    desk_.undo.push(new ValueCommand<Shared>(tr("mirrored part"), -1, model_, other, [this](const Shared& model) {
-        model_ = model;
-        store([model](Project& project) { return project.setModel(*model); });
-        emit mirrored();
-        emit changed();
-    }));
+    desk_.undo.pushForming(
+        new ValueCommand<Shared>(tr("mirrored part"), -1, model_, other, [this](const Shared& model) {
+            model_ = model;
+            store([model](Project& project) { return project.setModel(*model); });
+            emit mirrored();
+            emit changed();
+        }));
 }
 
 void ModelController::load(std::shared_ptr<const Model> model) {

@@ -197,6 +197,16 @@ void PathController::takesChanged(const std::vector<TakeInfo>& all, const std::v
     emit changed();
 }
 
+void PathController::forgetTake(std::int64_t take) {
+    bool used = false;
+    for (StoredPath& path : paths_) used = std::erase(path.sources, PathSource{take}) > 0 || used;
+    if (!used) return;
+    selection_.reset();
+    updateJob();
+    countVersion();
+    emit changed();
+}
+
 void PathController::recordingBegins() {
     evaluation_.hold();
 }
@@ -237,17 +247,18 @@ void PathController::makeNew() {
     }
     if (!workpiece_.milling() || making_ || toolsWithoutPath().empty()) return;
     making_ = true;
-    desk_.project.post([tools = toolsWithoutPath()](Project& project) { return makeStandard(project, tools); },
-                       [this, load = loads_, tool = tool_](const Result<std::vector<StoredPath>>& paths) {
-                           if (load != loads_) return; // another project
-                           making_ = false;
-                           if (paths) {
-                               keepNew(*paths);
-                           } else if (tool == tool_) {
-                               notMade_ = paths.error();
-                           }
-                           emit changed();
-                       });
+    desk_.project.postStep(
+        [tools = toolsWithoutPath()](Project& project) { return makeStandard(project, tools); },
+        [this, load = loads_, tool = tool_](const Result<std::vector<StoredPath>>& paths, const SharedStep& step) {
+            if (load != loads_) return; // another project
+            making_ = false;
+            if (paths) {
+                keepNew(*paths, {}, step);
+            } else if (tool == tool_) {
+                notMade_ = paths.error();
+            }
+            emit changed();
+        });
     emit changed();
 }
 
@@ -410,11 +421,16 @@ void PathController::evaluate() {
 }
 
 /// The project has stored them already, even if the request was replaced meanwhile.
-void PathController::keepNew(const std::vector<StoredPath>& paths) {
+void PathController::keepNew(const std::vector<StoredPath>& paths, const std::vector<GeneratedInfo>& sources,
+                             const SharedStep& step) {
     notMade_.reset();
     paths_.insert(paths_.end(), paths.begin(), paths.end());
-    desk_.undo.push(new ValueCommand<bool>(tr("new path"), -1, false, true,
-                                           [this, paths](bool present) { setPresent(paths, present); }));
+    desk_.undo.pushStored(new ValueCommand<bool>(tr("new path"), -1, false, true,
+                                                 [this, paths, sources](bool present) {
+                                                     learn(sources);
+                                                     setPresent(paths, present);
+                                                 }),
+                          step);
 }
 
 /// @param paths as they were made: later edits are undone before the paths are removed

@@ -98,6 +98,7 @@ public:
     /// @param newestStrokes as returned by MillController::newestStrokes
     void takesChanged(const std::vector<TakeInfo>& all, const std::vector<TakeInfo>& standing,
                       const std::map<std::int64_t, std::uint64_t>& newestStrokes);
+    void forgetTake(std::int64_t take);  ///< no path mills it any more; the project has stored that, or is about to
     void recordingBegins();              ///< nothing is evaluated during milling by hand
     void workpieceRemade();              ///< links and feeds may change
     void useTool(const std::string& id); ///< the tool in force
@@ -130,11 +131,13 @@ private:
     };
     struct AddedSources;
     void addSources(const QString& text, std::vector<NewSource> added);
-    void keepSources(const QString& text, const AddedSources& added);
+    void keepSources(const QString& text, const AddedSources& added, const SharedStep& step);
+    void learn(const std::vector<GeneratedInfo>& sources);
     void applySources(std::int64_t path, const std::vector<PathSource>& sources);
     RecordedKey recordedKey(const std::string& tool) const;
     void followRecordings();
-    void keepNew(const std::vector<StoredPath>& paths);
+    void keepNew(const std::vector<StoredPath>& paths, const std::vector<GeneratedInfo>& sources,
+                 const SharedStep& step);
     void setPresent(const std::vector<StoredPath>& paths, bool present);
     void keepTakes(const StoredPath& path);
 

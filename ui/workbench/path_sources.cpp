@@ -49,7 +49,7 @@ void PathController::addSources(const QString& text, std::vector<NewSource> adde
         const StoredPath before = own != nullptr ? *own : StoredPath{};
         paths.try_emplace(each.tool.id, ChangedPath{before, before});
     }
-    desk_.project.post(
+    desk_.project.postStep(
         [added = std::move(added), paths = std::move(paths)](Project& project) mutable -> Result<AddedSources> {
             AddedSources made{{}, std::move(paths)};
             for (const NewSource& each : added) {
@@ -72,21 +72,18 @@ void PathController::addSources(const QString& text, std::vector<NewSource> adde
             }
             return made;
         },
-        [this, text, load = loads_](const Result<AddedSources>& made) {
+        [this, text, load = loads_](const Result<AddedSources>& made, const SharedStep& step) {
             if (load != loads_) return; // another project
             if (made)
-                keepSources(text, *made);
+                keepSources(text, *made, step);
             else
                 emit failed(made.error());
         });
 }
 
-/// The project has stored them already.
-void PathController::keepSources(const QString& text, const AddedSources& added) {
-    for (const GeneratedInfo& source : added.sources) {
-        generated_.push_back(source);
-        sources_.push_back(sourceOf(source));
-    }
+/// The project has stored them already; its step belongs to the first entry.
+void PathController::keepSources(const QString& text, const AddedSources& added, const SharedStep& step) {
+    learn(added.sources);
     std::vector<StoredPath> made;
     std::vector<ChangedPath> changed;
     for (const auto& [tool, path] : added.paths) {
@@ -96,21 +93,37 @@ void PathController::keepSources(const QString& text, const AddedSources& added)
             changed.push_back(path);
     }
     if (changed.empty()) {
-        keepNew(made);
+        keepNew(made, added.sources, step);
         return;
     }
     desk_.undo.beginMacro(text);
-    if (!made.empty()) keepNew(made);
+    if (!made.empty()) keepNew(made, added.sources, step);
     for (const ChangedPath& path : changed) {
-        desk_.undo.push(new ValueCommand<std::vector<PathSource>>(
+        auto* sources = new ValueCommand<std::vector<PathSource>>(
             text, -1, path.before.sources, path.after.sources,
-            [this, id = path.after.id](const std::vector<PathSource>& sources) { applySources(id, sources); }));
+            [this, id = path.after.id, added = added.sources](const std::vector<PathSource>& wanted) {
+                learn(added);
+                applySources(id, wanted);
+            });
+        if (made.empty() && &path == &changed.front())
+            desk_.undo.pushStored(sources, step);
+        else
+            desk_.undo.push(sources);
         if (!sameEdits(path.before.edits, path.after.edits))
             desk_.undo.push(new ValueCommand<std::vector<Edit>>(
                 text, -1, path.before.edits, path.after.edits,
                 [this, id = path.after.id](const std::vector<Edit>& edits) { apply(id, edits); }));
     }
     desk_.undo.endMacro();
+}
+
+/// Notes sources that are new, or that were undone when the project was read.
+void PathController::learn(const std::vector<GeneratedInfo>& sources) {
+    for (const GeneratedInfo& source : sources) {
+        if (std::ranges::find(generated_, source.id, &GeneratedInfo::id) != generated_.end()) continue;
+        generated_.push_back(source);
+        sources_.push_back(sourceOf(source));
+    }
 }
 
 const StoredPath* PathController::pathOf(const std::string& tool) const {

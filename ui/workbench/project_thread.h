@@ -12,8 +12,29 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace burin {
+
+/// What an entry of the undo stack changed in the rows of the project, in the order in which it did; empty: nothing
+/// that is known. The rows belong to the project's thread alone, the object itself to any.
+class SharedStep {
+public:
+    SharedStep() : rows_(std::make_shared<Rows>()) {}
+
+    // Project's thread:
+    bool empty() const noexcept { return rows_->empty(); }
+    void add(std::shared_ptr<const ProjectStep> step) const;
+    /// Adds the rows of a later entry that is merged into this one.
+    void join(const SharedStep& later) const;
+    /// Makes the rows what they were on the other side of the entry, and turns the step around. Errors: those of
+    /// Project::revert. The rows are not known then.
+    Result<void> turn(Project& project) const;
+
+private:
+    using Rows = std::vector<std::shared_ptr<const ProjectStep>>;
+    std::shared_ptr<Rows> rows_;
+};
 
 /// Holds the open project on a thread of its own, so that the user interface never waits for the disk. Work is done in
 /// the order in which it was posted. The one exception is `lend`: a session must start and stop within some
@@ -56,6 +77,33 @@ public:
             emit worked();
         });
     }
+    /// `post` for work that is an entry of the undo stack; if it fails, what it stored is reverted. @param done gets
+    /// the result and the step
+    template <class Work, class Done>
+    void postStep(Work work, Done done) {
+        using Outcome = std::invoke_result_t<Work&, Project&>;
+        const SharedStep step;
+        post(
+            [work = std::move(work), step](Project& project) mutable -> Outcome {
+                if (Result<void> begun = project.beginStep(); !begun) return std::move(begun).error();
+                Outcome outcome = work(project);
+                Result<std::shared_ptr<const ProjectStep>> rows = project.endStep();
+                if (!rows) return std::move(rows).error();
+                if (outcome)
+                    step.add(std::move(*rows));
+                else if (*rows) // it has not succeeded as a whole
+                    static_cast<void>(project.revert(**rows));
+                return outcome;
+            },
+            [step, done = std::move(done)](Outcome outcome) mutable { done(std::move(outcome), step); });
+    }
+    /// Calls `change`, which may change the project through Controller::store. If the rows of `step` are not known,
+    /// they are recorded. Otherwise they are made what they were on the other side of it instead of being stored again.
+    void follow(const SharedStep& step, const std::function<void()>& change);
+    /// Joins the step of an entry that was merged into an earlier one.
+    void join(const SharedStep& earlier, const SharedStep& later);
+    /// Whether what is to be stored is restored by `follow` anyway. Project's thread.
+    bool restoring() const noexcept { return restoring_; }
     /// Calls `use` on the user interface's thread once the work posted before is done, while the project's thread is
     /// blocked. Null if no project is open.
     void lend(std::function<void(Project*)> use);
@@ -64,7 +112,8 @@ public:
     void finish();
 
 signals:
-    void worked(); ///< the project may have changed
+    void worked();                          ///< the project may have changed
+    void failed(const burin::Error& error); ///< of `follow`
 
 private:
     using Job = std::function<void(std::optional<Project>&)>;
@@ -77,6 +126,7 @@ private:
 
     QThread thread_;
     QObject* worker_ = nullptr;    ///< lives in thread_
+    bool restoring_ = false;       ///< thread_ alone
     std::optional<Project> place_; ///< accessed by thread_ alone, except while it is lent
 };
 

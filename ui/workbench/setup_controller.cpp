@@ -165,20 +165,25 @@ void SetupController::load(std::shared_ptr<const Model> model, const std::option
     emit changed();
 }
 
+void SetupController::showUnstored(const Setup& setup) {
+    adopt(setup);
+    emit changed();
+}
+
 void SetupController::edit(const Setup& edited) {
     if (locked_ || embedAlike(edited, setup_)) return;
     const bool leaves = edited.leftBy && edited.form != StockForm::file;
     const Setup setup = leaves ? withoutLeft(edited) : edited;
     const ShapeChange change = changeFrom(setup_, setup);
-    desk_.undo.push(new ValueCommand<Setup>(change.title, change.kind, setup_, setup,
-                                            [this](const Setup& value) { apply(value); }));
+    desk_.undo.pushForming(new ValueCommand<Setup>(change.title, change.kind, setup_, setup,
+                                                   [this](const Setup& value) { apply(value); }));
 }
 
 void SetupController::chooseStockMaterial(const std::string& id) {
     if (locked_ || id == setup_.stockMaterial) return;
     Setup setup = setup_;
     setup.stockMaterial = id;
-    desk_.undo.push(
+    desk_.undo.pushForming(
         new ValueCommand<Setup>(tr("stock material"), -1, setup_, setup, [this](const Setup& value) { apply(value); }));
 }
 
@@ -188,8 +193,8 @@ void SetupController::chooseBodyMaterial(std::size_t body, const std::string& id
     setup.bodyMaterials.resize(model_->bodies.size());
     if (setup.bodyMaterials[body] == id) return;
     setup.bodyMaterials[body] = id;
-    desk_.undo.push(new ValueCommand<Setup>(tr("material of a body"), -1, setup_, setup,
-                                            [this](const Setup& value) { apply(value); }));
+    desk_.undo.pushForming(new ValueCommand<Setup>(tr("material of a body"), -1, setup_, setup,
+                                                   [this](const Setup& value) { apply(value); }));
 }
 
 void SetupController::chooseRole(std::size_t body, BodyRole role) {
@@ -197,7 +202,7 @@ void SetupController::chooseRole(std::size_t body, BodyRole role) {
     Setup setup = setup_;
     setup.roles.resize(model_->bodies.size(), BodyRole::part);
     setup.roles[body] = role;
-    desk_.undo.push(
+    desk_.undo.pushForming(
         new ValueCommand<Setup>(tr("role of a body"), -1, setup_, setup, [this](const Setup& value) { apply(value); }));
 }
 
@@ -232,7 +237,7 @@ void SetupController::setRegions(const std::vector<MaterialRegion>& regions) {
     if (locked_ || regions == setup_.regions) return;
     Setup setup = setup_;
     setup.regions = regions;
-    desk_.undo.push(
+    desk_.undo.pushForming(
         new ValueCommand<Setup>(tr("layers"), -1, setup_, setup, [this](const Setup& value) { apply(value); }));
 }
 
@@ -260,8 +265,8 @@ void SetupController::place(const Placement& by) {
 }
 
 void SetupController::editPlacement(const Setup& setup) {
-    desk_.undo.push(new ValueCommand<Setup>(tr("placement of the part"), -1, setup_, setup,
-                                            [this](const Setup& value) { apply(value); }));
+    desk_.undo.pushForming(new ValueCommand<Setup>(tr("placement of the part"), -1, setup_, setup,
+                                                   [this](const Setup& value) { apply(value); }));
 }
 
 void SetupController::examineFace(const glm::dvec3& place, std::function<void(const PartFace&)> then) {

@@ -47,6 +47,8 @@ public:
     /// Loads the setup of a project.
     void load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup,
               const std::vector<Property>& materials);
+    /// Shows a setup that can't be embedded, as it was edited; no entry of the undo stack.
+    void showUnstored(const Setup& setup);
 
     // Each is an entry of the undo stack; they do nothing while it is locked.
     void edit(const Setup& setup);

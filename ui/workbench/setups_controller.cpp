@@ -3,6 +3,7 @@
 #include "ui/workbench/setups_controller.h"
 
 #include "core/job/setup_title.h"
+#include "ui/workbench/value_command.h"
 
 #include <algorithm>
 #include <utility>
@@ -135,19 +136,29 @@ void SetupsController::keep(const QString& name, const Result<Setup>& setup) {
         emit changed();
         return;
     }
-    desk_.project.post([name = name.toStdString(), setup = *setup, target = neighbours_.target.target()](
-                           Project& project) { return storeFurtherSetup(project, name, setup, target); },
-                       [this](const Result<SetupId>& id) {
-                           adding_ = false;
-                           emit changed();
-                           if (!id) {
-                               emit failed(id.error());
-                               return;
-                           }
-                           neighbours_.document.useSetup(*id, [this](bool used) {
-                               if (used) emit added();
+    desk_.project.postStep([name = name.toStdString(), setup = *setup, target = neighbours_.target.target()](
+                               Project& project) { return storeFurtherSetup(project, name, setup, target); },
+                           [this, before = desk_.undo.present()](const Result<SetupId>& id, const SharedStep& step) {
+                               if (!id) {
+                                   adding_ = false;
+                                   emit failed(id.error());
+                                   emit changed();
+                                   return;
+                               }
+                               useAfter(tr("further setup"), *id, step, before, [this] { emit added(); });
                            });
-                       });
+}
+
+/// Uses a setup after a step that was made, and adds the step to the undo stack.
+void SetupsController::useAfter(const QString& title, SetupId id, const SharedStep& step, const WorkState& before,
+                                std::function<void()> then) {
+    adding_ = true; // nothing is undone meanwhile
+    neighbours_.document.useSetup(id, [this, title, step, before, then = std::move(then)](bool used) {
+        adding_ = false;
+        if (used) then();
+        desk_.undo.pushStep(title, step, before);
+        emit changed();
+    });
 }
 
 void SetupsController::reread(const Result<std::vector<SetupName>>& setups) {
@@ -162,12 +173,15 @@ void SetupsController::reread(const Result<std::vector<SetupName>>& setups) {
 void SetupsController::rename(const QString& name) {
     const auto own = std::ranges::find(setups_, used_, &SetupName::id);
     if (own == setups_.end() || own->name == name.toStdString()) return;
-    desk_.project.post(
-        [name = name.toStdString(), id = used_](Project& project) -> Result<std::vector<SetupName>> {
-            if (Result<void> named = project.nameSetup(id, name); !named) return std::move(named).error();
-            return project.setups();
-        },
-        [this](const Result<std::vector<SetupName>>& setups) { reread(setups); });
+    const auto apply = [this, id = used_](const std::string& wanted) {
+        desk_.project.post(
+            [wanted, id](Project& project) -> Result<std::vector<SetupName>> {
+                if (Result<void> named = project.nameSetup(id, wanted); !named) return std::move(named).error();
+                return project.setups();
+            },
+            [this](const Result<std::vector<SetupName>>& setups) { reread(setups); });
+    };
+    desk_.undo.pushDone(new ValueCommand<std::string>(tr("name of a setup"), -1, own->name, name.toStdString(), apply));
 }
 
 void SetupsController::remove() {
@@ -176,7 +190,7 @@ void SetupsController::remove() {
     const SetupId other = own == setups_.begin() ? setups_[1].id : std::prev(own)->id;
     rest_([this, other, gone = used_] {
         // It is removed first: if that fails, nothing has changed and it is still shown.
-        desk_.project.post(
+        desk_.project.postStep(
             [other, gone](Project& project) -> Result<void> {
                 if (Result<void> used = project.useSetup(other); !used) return used;
                 Result<void> removed = project.removeSetup(gone);
@@ -184,9 +198,9 @@ void SetupsController::remove() {
                 static_cast<void>(project.useSetup(gone)); // can't fail: it exists
                 return removed;
             },
-            [this, other](const Result<void>& removed) {
+            [this, other, before = desk_.undo.present()](const Result<void>& removed, const SharedStep& step) {
                 if (removed)
-                    neighbours_.document.useSetup(other);
+                    useAfter(tr("deletion of a setup"), other, step, before, [] {});
                 else
                     emit failed(removed.error());
             });
@@ -197,7 +211,7 @@ void SetupsController::remove() {
 void SetupsController::takeStockAnew() {
     const Setup& setup = neighbours_.setup.setup();
     if (!setup.leftBy || neighbours_.setup.locked() || adding()) return;
-    retaken_ = Retaken{used_, setup, false};
+    retaken_ = Retaken{used_, setup, false, desk_.undo.present()};
     emit changed();
     rest_([this, from = setup.leftBy->setup] {
         neighbours_.document.useSetup(from, [this](bool used) {
@@ -229,20 +243,23 @@ void SetupsController::tellRetaken(const Result<Setup>& setup) {
         if (setup.error().code != ErrorCode::cancelled) emit failed(setup.error());
         return endRetaking();
     }
-    desk_.project.post([setup = *setup, id = retaken_->id](Project& project) { return project.setSetup(setup, id); },
-                       [this](const Result<void>& stored) {
-                           if (!stored) emit failed(stored.error());
-                           endRetaking();
-                       });
+    desk_.project.postStep(
+        [setup = *setup, id = retaken_->id](Project& project) { return project.setSetup(setup, id); },
+        [this](const Result<void>& stored, const SharedStep& step) {
+            if (!stored) emit failed(stored.error());
+            if (stored && retaken_) retaken_->step = step;
+            endRetaking();
+        });
 }
 
 /// Returns to the setup whose stock was taken, with or without success.
 void SetupsController::endRetaking() {
     if (!retaken_) return;
-    const SetupId id = std::exchange(retaken_, std::nullopt)->id;
+    const Retaken retaken = *std::exchange(retaken_, std::nullopt);
     emit changed();
-    neighbours_.document.useSetup(id, [this](bool used) {
+    neighbours_.document.useSetup(retaken.id, [this, retaken](bool used) {
         if (used) emit added();
+        if (retaken.step) desk_.undo.pushStep(tr("stock of another setup"), *retaken.step, retaken.before);
     });
 }
 

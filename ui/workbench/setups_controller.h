@@ -65,6 +65,8 @@ private:
     void tellRetaken(const Result<Setup>& setup);
     void endRetaking();
     void keep(const QString& name, const Result<Setup>& setup);
+    void useAfter(const QString& title, SetupId id, const SharedStep& step, const WorkState& before,
+                  std::function<void()> then);
     void reread(const Result<std::vector<SetupName>>& setups);
 
     Neighbours neighbours_;
@@ -74,7 +76,9 @@ private:
     struct Retaken {
         SetupId id = firstSetup;
         Setup setup;
-        bool begun = false; ///< whether the workpiece that it comes from is being made, or is ready
+        bool begun = false;               ///< whether the workpiece that it comes from is being made, or is ready
+        WorkState before;                 ///< of the window
+        std::optional<SharedStep> step{}; ///< once the stock is stored
     };
     std::optional<Retaken> retaken_;
     std::function<void()> again_; ///< restarts the task that reads the workpiece; null if none is under way

@@ -70,14 +70,21 @@ std::vector<Controller*> Workbench::controllers() {
 
 void Workbench::wire() {
     for (Controller* controller : controllers()) connect(controller, &Controller::failed, this, &Workbench::failed);
-    connect(&document, &DocumentController::opened, this, &Workbench::load);
+    serveHistory();
+    connect(&project_, &ProjectThread::failed, this, &Workbench::failed);
+    connect(&document, &DocumentController::opened, this, [this](const ProjectContents& contents) {
+        undo_.clear();
+        load(contents);
+    });
     connect(&document, &DocumentController::setupUsed, this, &Workbench::load);
     connect(&document, &DocumentController::closed, this, &Workbench::clear);
     connect(&setups, &SetupsController::added, this, &Workbench::ensureWorkpiece);
     setups.setRest([this](std::function<void()> then) { comeToRest(std::move(then)); });
-    connect(&model, &ModelController::mirrored, this, [this] { setup.exchangeModel(model.model()); });
+    connect(&model, &ModelController::mirrored, this, [this] {
+        setup.exchangeModel(model.model());
+        workpiece.clear(); // it is that of the other part
+    });
     connect(&model, &ModelController::imported, this, [this] {
-        undo_.clear();
         workpiece.clear();
         area.load({});
         path.load({}, {}, {});
@@ -95,9 +102,9 @@ void Workbench::wire() {
         lockSetup();
         path.takesChanged(mill.allTakes(), mill.takes(), mill.newestStrokes());
     });
+    connect(&mill, &MillController::takeUndone, this, &Workbench::hideTake);
     connect(&session, &SessionRunner::recordingStarted, this, [this] {
         path.recordingBegins();
-        if (!setup.locked()) undo_.clear(); // changes of what is now locked can't be undone
         setup.setLocked(true);
     });
     connect(&path, &Controller::changed, this, &Workbench::lockSetup); // passes may have been added or removed
@@ -120,7 +127,6 @@ void Workbench::wire() {
 }
 
 void Workbench::load(const ProjectContents& contents) {
-    undo_.clear();
     workpiece.clear();
     model.load(contents.model);
     tool.load(contents.tools, contents.takes.empty() ? std::string() : newestTake(contents.takes).toolId);
@@ -153,6 +159,7 @@ void Workbench::lockSetup() {
 }
 
 void Workbench::clear() {
+    undo_.clear();
     load({});
 }
 
@@ -166,14 +173,11 @@ void Workbench::importPart(const std::filesystem::path& file, bool abandon, doub
 }
 
 void Workbench::adoptPart(const std::shared_ptr<const Model>& part, bool abandon) {
-    if (!importNeedsNewProject()) {
-        model.adopt(part);
-        return;
-    }
+    if (!importNeedsNewProject()) return takePart(part);
     comeToRest([this, part, abandon] {
         document.createNew(abandon, [this, part](bool made) {
             if (made)
-                model.adopt(part);
+                takePart(part);
             else
                 model.dropPreview();
         });
@@ -187,20 +191,24 @@ void Workbench::updatePart(const std::filesystem::path& file) {
 }
 
 void Workbench::putUpdated(const std::shared_ptr<const Model>& part) {
-    const bool embedded = workpiece.embedded();
-    desk_.project.post([part](Project& project) { return burin::updatePart(project, *part); },
-                       [this, embedded](const Result<PartUpdate>& update) {
-                           model.dropPreview();
-                           if (!update) {
-                               emit failed(update.error());
-                               return;
-                           }
-                           document.useSetup(setups.used(), [this, embedded, update = *update](bool used) {
-                               if (!used) return;
-                               if (embedded) ensureWorkpiece();
-                               emit partUpdated(update);
+    desk_.project.postStep([part](Project& project) { return burin::updatePart(project, *part); },
+                           [this, before = workState()](const Result<PartUpdate>& update, const SharedStep& step) {
+                               model.dropPreview();
+                               if (update)
+                                   putUpdatedInUse(*update, step, before);
+                               else
+                                   emit failed(update.error());
                            });
-                       });
+}
+
+void Workbench::putUpdatedInUse(const PartUpdate& update, const SharedStep& step, const WorkState& before) {
+    document.useSetup(setups.used(), [this, update, step, before](bool used) {
+        if (used) {
+            if (before.embedded) ensureWorkpiece();
+            emit partUpdated(update);
+        }
+        undo_.pushStep(tr("updated part"), step, before);
+    });
 }
 
 void Workbench::ensureWorkpiece() {
@@ -224,11 +232,16 @@ void Workbench::continueShow() {
 }
 
 bool Workbench::canUndoNow() const {
-    return !showMe.showing() && !mill.changingTakes() && !(session.running() && session.state().cutting);
+    return !showMe.showing() && !mill.changingTakes() && !setups.adding() &&
+           !(session.running() && session.state().cutting);
 }
 
 void Workbench::undoLast() {
-    if (canUndoNow()) undo_.undo();
+    if (!canUndoNow()) return;
+    if (mill.recordsNothingYet()) // it becomes an entry when it ends
+        mill.stopRecording([this] { mill.refreshTakes([this] { undo_.undo(); }); });
+    else
+        undo_.undo();
 }
 
 void Workbench::redoLast() {

@@ -32,7 +32,6 @@
 #include "ui/workbench/workpiece_keeper.h"
 
 #include <QObject>
-#include <QUndoStack>
 
 namespace burin {
 
@@ -41,7 +40,7 @@ class Workbench final : public QObject {
     Q_OBJECT
     ProjectThread project_; // before what uses them
     TaskRunner tasks_;
-    QUndoStack undo_;
+    History undo_{project_};
     Desk desk_{project_, tasks_, undo_};
     bool showWhenReady_ = false;
 
@@ -83,7 +82,7 @@ public:
 
     std::vector<Controller*> controllers();
     TaskRunner& tasks() noexcept { return tasks_; }
-    QUndoStack& undo() noexcept { return undo_; }
+    History& undo() noexcept { return undo_; }
 
     /// Reads `file` and makes it the part as `adoptPart` does. On failure the open project is unchanged.
     /// @param fileUnit mm per unit of a file that states none
@@ -103,7 +102,7 @@ public:
     /// Starts the demonstration as soon as part, workpiece and boundary are ready; embeds if needed.
     void showHowItIsDone();
     /// Undoes the newest entry of the undo stack; does nothing during a stroke, while takes are changing or while the
-    /// virtual operator mills.
+    /// virtual operator mills. It may take a moment (History::busy).
     void undoLast();
     void redoLast();
     bool canUndoNow() const;
@@ -116,8 +115,16 @@ signals:
     void textWanted(); ///< receivers with text not passed on yet must pass it on now
     void failed(const burin::Error& error);
     void partUpdated(const burin::PartUpdate& update);
+    void setupShown(const QString& title); ///< undo or redo switched to it
 
 private:
+    void serveHistory();
+    WorkState workState() const;
+    void goTo(const WorkState& state, const std::optional<SharedStep>& step, std::function<void(bool)> then);
+    void restore(const WorkState& state);
+    void hideTake(std::int64_t take, bool hidden);
+    void takePart(const std::shared_ptr<const Model>& part);
+    void putUpdatedInUse(const PartUpdate& update, const SharedStep& step, const WorkState& before);
     void putUpdated(const std::shared_ptr<const Model>& part);
     void wire();
     void load(const ProjectContents& contents);

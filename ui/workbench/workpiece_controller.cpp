@@ -175,10 +175,11 @@ void WorkpieceController::embed() {
 
 /// A run started before used the previous state of the recordings.
 void WorkpieceController::remake() {
-    if (!embedded()) return;
+    const bool first = !embedded();
+    if (first && !embedding()) return;
     ++generation_;
     desk_.tasks.abandon(TaskKind::embedding);
-    readWork(&WorkpieceController::remakeWith);
+    readWork(first ? &WorkpieceController::embedWith : &WorkpieceController::remakeWith);
 }
 
 void WorkpieceController::readWork(void (WorkpieceController::*then)(const RecordedWork&), bool fromKept) {

@@ -48,6 +48,7 @@ public:
     /// Recomputes the workpiece: embeds, then replays the project's recordings.
     void embed();
     /// Recomputes the embedded workpiece after what counts of the recordings has changed, starting from stored states.
+    /// If it is being embedded, that begins again.
     void remake();
     void clear();
 
