@@ -101,6 +101,7 @@ constexpr std::array findingNames{
     BURIN_TEXT("FindingName", "shank_collision"),
     BURIN_TEXT("FindingName", "holder_collision"),
     BURIN_TEXT("FindingName", "spindle_off"),
+    BURIN_TEXT("FindingName", "spindle_on"),
     BURIN_TEXT("FindingName", "travel_limit"),
     BURIN_TEXT("FindingName", "feed_limit"),
     BURIN_TEXT("FindingName", "spindle_limit"),

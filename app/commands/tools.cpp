@@ -239,7 +239,8 @@ struct ShapeArguments {
     double tolerance = 0.005;
     double fileUnit = 1.0;
     int number = 0; ///< 0: that of `like`
-    bool replace = false;
+    bool replace = false, fixed = false;
+    double angle = 0.0; ///< degrees
 };
 
 int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
@@ -254,6 +255,12 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
     request.name = arguments.name.empty() ? arguments.id : arguments.name;
     request.tolerance = arguments.tolerance;
     request.import.fileUnit = arguments.fileUnit;
+    request.turns = !arguments.fixed;
+    request.angle = arguments.angle * pi / 180.0;
+    if (request.turns && arguments.angle != 0.0)
+        return context.fail({ErrorCode::argumentInvalid, "--angle", formatShortest(arguments.angle),
+                             worded(BURIN_TEXT("Command", "no value, unless --fixed states that the tool does not "
+                                                          "turn"))});
     context.stage(BURIN_TEXT("Command", "Importing"));
     const Result<ShapedTool> shaped = shapedTool(request, context.progress());
     if (!shaped) return context.fail(shaped.error());
@@ -263,7 +270,8 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
         {{"lift_mm", shaped->lift},
          {"excess_mm", shaped->excess},
          {"profile_lines", cutter.profile.size()},
-         {"coarser_than_asked", shaped->coarser}},
+         {"coarser_than_asked", shaped->coarser},
+         {"turns", cutter.turns()}},
         "\n  " +
             worded(BURIN_TEXT("Command", "profile of %1 lines, at most %2 mm wider than what the flutes sweep in a "
                                          "turn, never narrower"),
@@ -274,7 +282,13 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
                  : std::string()) +
             "\n  " +
             worded(BURIN_TEXT("Command", "moved along Z by %1 mm, so that the tip is at 0"),
-                   {formatShortest(shaped->lift)}));
+                   {formatShortest(shaped->lift)}) +
+            (cutter.turns()
+                 ? std::string()
+                 : "\n  " + worded(BURIN_TEXT("Command", "does not turn: the models cut and touch the stock, with X "
+                                                         "at %1 degrees from X of the setup; the profile keeps them "
+                                                         "out of the part"),
+                                   {formatShortest(arguments.angle)})));
 }
 
 void registerShape(CommandParser tools, CommandContext& context, int& status) {
@@ -308,6 +322,14 @@ void registerShape(CommandParser tools, CommandContext& context, int& status) {
                 BURIN_TEXT("Help", "Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)"))
         .range(1e-6, 1e6)
         .showDefault();
+    shape.flag("--fixed", arguments->fixed,
+               BURIN_TEXT("Help", "The tool does not turn (scraper, planing blade): the models themselves cut, and the "
+                                  "profile only keeps them out of the part"));
+    shape
+        .option("--angle", arguments->angle,
+                BURIN_TEXT("Help", "With --fixed: angle from X of the setup to X of the models, degrees, "
+                                   "counterclockwise seen from above"))
+        .range(-360.0, 360.0);
     shape.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace your tool of this ID"));
     shape.run([arguments, &context, &status] { status = shapeTool(*arguments, context); });
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cutting/contact.h"
 
+#include "core/cutting/contact_overlap.h"
 #include "core/cutting/footprint.h"
 #include "core/cutting/line_frame.h"
 #include "core/tool/piece_chord.h"
@@ -16,12 +17,6 @@
 namespace burin {
 
 namespace {
-
-struct Overlap {
-    std::array<std::uint64_t, 256> byProperty{}; ///< run units
-    std::uint64_t units = 0;
-    glm::dvec3 moment{0.0}; ///< mm times units, line frame
-};
 
 /// Returns a piece that contains every point within `margin` of another one.
 RevolvedPiece grown(const RevolvedPiece& piece, double margin) noexcept {
@@ -63,7 +58,7 @@ public:
 
     /// Visits the bricks that may contain overlapped material, and adds the overlap.
     /// @param bricks  null: every brick may contain material
-    void addTo(Overlap& overlap, OccupiedBricks* bricks) noexcept {
+    void addTo(ContactOverlap& overlap, OccupiedBricks* bricks) noexcept {
         if (columns_.last < columns_.first || rows_.last < rows_.first) return;
         const auto& [lowCorner, highCorner] = grid_.box();
         if (reach_.high.z <= alongLow_ || reach_.low.z >= inLineFrame(grid_, highCorner).z) return;
@@ -102,7 +97,7 @@ private:
         const std::optional<Span> span = grownPiece.along(middle.x, middle.y);
         return span && pose_.tip.z + span->low < high && pose_.tip.z + span->high > low;
     }
-    void addBrick(LineStretch us, LineStretch vs, Overlap& overlap) noexcept {
+    void addBrick(LineStretch us, LineStretch vs, ContactOverlap& overlap) noexcept {
         if (!swept_) swept_.emplace(piece_, pose_.tip, pose_.tip, pose_.axis);
         for (LineIndex line{us.first, vs.first}; line.v <= vs.last; ++line.v)
             for (line.u = us.first; line.u <= us.last; ++line.u) {
@@ -110,21 +105,17 @@ private:
                 if (const std::optional<Span> span = swept_->along(centre.x, centre.y)) addLine(line, *span, overlap);
             }
     }
-    void addLine(LineIndex line, const Span& span, Overlap& overlap) const noexcept {
+    void addLine(LineIndex line, const Span& span, ContactOverlap& overlap) const noexcept {
         const RunPosition from = grid_.toRunPosition(span.low), to = grid_.toRunPosition(span.high);
         if (from >= to) return;
         std::uint64_t units = 0;
         forEachPieceNotOwed(workpiece_, window_, line, from, to,
                             [&](PropertyIndex, RunPosition start, RunPosition end) { units += end - start; });
         if (units <= tolerance_) return;
-        const glm::dvec2 centre = grid_.lineCentre(line);
-        const auto add = [&](PropertyIndex property, RunPosition start, RunPosition end) {
-            const double middle = 0.5 * (grid_.toMillimetres(start) + grid_.toMillimetres(end));
-            overlap.byProperty[property] += end - start;
-            overlap.moment += static_cast<double>(end - start) * glm::dvec3(centre, middle);
-        };
-        forEachPieceNotOwed(workpiece_, window_, line, from, to, add);
-        overlap.units += units;
+        forEachPieceNotOwed(workpiece_, window_, line, from, to,
+                            [&](PropertyIndex property, RunPosition start, RunPosition end) {
+                                overlap.add(grid_, line, property, start, end);
+                            });
     }
 
     const RunVolume& workpiece_;
@@ -140,27 +131,13 @@ private:
     std::optional<SweptPiece> swept_; ///< only made when a brick may overlap the piece
 };
 
-void rankProperties(const RunVolume& workpiece, const Overlap& overlap, ShankContact& contact) noexcept {
-    const double unitVolume = workpiece.grid().unitVolume();
-    for (std::size_t i = 1; i < overlap.byProperty.size(); ++i) {
-        if (overlap.byProperty[i] == 0) continue;
-        const auto property = static_cast<PropertyIndex>(i);
-        TouchedProperty touched{property, workpiece.properties().isProtected(property),
-                                static_cast<double>(overlap.byProperty[i]) * unitVolume};
-        (touched.isProtected ? contact.touchesProtected : contact.touchesStock) = true;
-        for (TouchedProperty& place : contact.touched)
-            if (touched.volume > place.volume) std::swap(touched, place);
-    }
-    contact.property = contact.touched.front().property;
-}
-
 ShankContact contactAt(const RunVolume& workpiece, const GapWindow* window, std::span<const RevolvedPiece> tool,
                        std::size_t fluteCount, const ToolPose& setupPose, OccupiedBricks* bricks) noexcept {
     ShankContact contact;
     if (!isFinite(setupPose.tip) || !isFinite(setupPose.axis)) return contact;
     const Grid& grid = workpiece.grid();
     const ToolPose pose = inLineFrame(grid, setupPose);
-    Overlap overlap;
+    ContactOverlap overlap;
     std::uint64_t most = 0;
     for (std::size_t i = fluteCount; i < tool.size(); ++i) {
         const std::uint64_t before = overlap.units;
@@ -169,11 +146,7 @@ ShankContact contactAt(const RunVolume& workpiece, const GapWindow* window, std:
         most = overlap.units - before;
         contact.piece = static_cast<std::uint32_t>(i);
     }
-    if (overlap.units == 0) return contact;
-    contact.touches = true;
-    contact.place = inSetupFrame(grid, overlap.moment / static_cast<double>(overlap.units));
-    contact.volume = static_cast<double>(overlap.units) * grid.unitVolume();
-    rankProperties(workpiece, overlap, contact);
+    overlap.describe(workpiece, contact);
     return contact;
 }
 

@@ -63,6 +63,7 @@ CuttingCoefficients cuttingCoefficients(const PropertyList& properties, double d
 
 SpinningTool spinningTool(const Tool& tool, double edgeSpeed) noexcept {
     const double radius = tool.cutter.radius();
+    if (!tool.cutter.turns()) return {radius, edgeSpeed, 0.0, false};
     return {radius, edgeSpeed, radius > 0.0 ? tool.fluteCount * edgeSpeed / (2.0 * pi * radius) : 0.0};
 }
 
@@ -91,13 +92,14 @@ CuttingForce cuttingForce(const CutResult& cut, const CuttingCoefficients& coeff
     const double ratio = cut.engagement.area > 0.0 ? std::min(1.0, result.area / cut.engagement.area) : slotChipRatio;
     const double feedPerTooth = tool.teethPerSecond > 0.0 ? way / (period * tool.teethPerSecond) : 0.0;
     const double engagedEdge = tool.teethPerSecond * cut.engagement.area / tool.edgeSpeed; // mm
+    const double speed = tool.turns ? tool.edgeSpeed : way / period;                       // mm/s
     double radialEnergy = 0.0;
     for (const MaterialVolume& material : cut.removed) {
         if (material.property == airProperty) break;
         const CuttingCoefficients::Entry& entry = coefficients.byProperty[material.property];
         const double rate = material.reported / period, share = material.reported / cut.reported;
-        const double tangential =
-            newtonMillimetresPerJoule * entry.energyAt(feedPerTooth * ratio) * rate / tool.edgeSpeed;
+        const double specific = tool.turns ? entry.energyAt(feedPerTooth * ratio) : entry.tableEnergy;
+        const double tangential = newtonMillimetresPerJoule * specific * rate / speed;
         result.removalRate += rate;
         result.tangential += tangential + entry.edgeForce * engagedEdge * share;
         result.radial += entry.radialRatio * tangential + entry.radialEdgeForce * engagedEdge * share;

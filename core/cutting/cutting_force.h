@@ -35,11 +35,12 @@ struct CuttingCoefficients {
 /// @param diameter mm, of the tool
 CuttingCoefficients cuttingCoefficients(const PropertyList& properties, double diameter);
 
-/// A tool on a turning spindle, as needed for the force.
+/// A tool, as needed for the force: on a turning spindle, or one that doesn't turn, whose edge moves with the tip.
 struct SpinningTool {
     double radius = 0.0;         ///< mm, largest radius of the flutes, > 0
     double edgeSpeed = 0.0;      ///< v, mm/s, of the flutes' edge, > 0
     double teethPerSecond = 0.0; ///< 1/s
+    bool turns = true;           ///< false: v is the speed of the motion, and K is tableEnergy
 };
 SpinningTool spinningTool(const Tool& tool, double edgeSpeed) noexcept;
 
@@ -75,6 +76,9 @@ struct CuttingForce {
 /// Tangential: against the motion of the point where material is removed, including the rotation of the axis. Radial:
 /// from that point towards the axis; within a third of the radius it turns towards the direction of the axis, so that a
 /// plunging tool is pushed back along its axis and the force does not jump.
+///
+/// A tool that doesn't turn: the same with v of the motion, so that Ft = 1000 K A, with A the area that meets material;
+/// no chip law and no edge force, as both are stated for teeth.
 /// @param cut    what the tick removed; its reported volumes drive the force
 /// @param from, to tool poses, setup frame. @param period of the tick, s, > 0
 CuttingForce cuttingForce(const CutResult& cut, const CuttingCoefficients& coefficients, const SpinningTool& tool,

@@ -3,7 +3,9 @@
 #include "core/cutting/removal.h"
 
 #include "core/cutting/pose_steps.h"
+#include "core/cutting/solid_cutter.h"
 #include "core/cutting/window_cutter.h"
+#include "core/geometry/upright.h"
 
 #include <algorithm>
 #include <cassert>
@@ -28,6 +30,8 @@ constexpr double pendingShare = 1.0 / 48.0;
 // only `excessShare`: if the runs lie across the spindle, a ramp removes a whole layer of scanlines in one tick, which
 // the flux has already reported continuously.
 constexpr double evenShare = 1.0 / 4.0, excessShare = 1.0 / 8.0;
+// Motion over which the volume of a tool that doesn't turn is reported: it removes rows of voxels at a time.
+constexpr double spreadVoxels = 2.0;
 
 /// Returns the part of the pending difference that a tick reports in addition to the flux.
 double dueOf(double pending, double flux) noexcept {
@@ -57,7 +61,10 @@ MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing
     reportsFlux_ = !isBall || first.bottomRadius <= largestFluxBall * grid.edge();
     reach_ = reachOf(flutes);
     cutsSinceLook_ = cutsPerLook; // so that the first cut measures the engagement
-    if (known && writing == Writing::deferred) cutter_ = std::make_unique<WindowCutter>(first, grid);
+    if (!cutter.turns())
+        solid_ = std::make_unique<SolidCutter>(*cutter.solid, grid);
+    else if (known && writing == Writing::deferred)
+        cutter_ = std::make_unique<WindowCutter>(first, grid);
 }
 
 MaterialRemoval::~MaterialRemoval() = default;
@@ -93,12 +100,18 @@ CutResult MaterialRemoval::cut(RunVolume& workpiece, const ToolPose& from, const
     bool putOff = false;
     if (cutter_) {
         putOff = cutter_->cut(workpiece, from, to, removed);
+    } else if (solid_) {
+        assert(isUpright(from.axis) && isUpright(to.axis)); // others are refused before
+        solid_->cut(workpiece, from.tip, to.tip, removed);
     } else {
         sweep_.cut(workpiece, from, to, removed);
     }
     CutResult result = account(workpiece, removed);
     result.putOff = putOff;
-    report(workpiece, from, to, result);
+    if (solid_)
+        reportSpread(workpiece, from, to, result);
+    else
+        report(workpiece, from, to, result);
     return result;
 }
 
@@ -119,6 +132,7 @@ CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
 Engagement MaterialRemoval::engagement(const RunVolume& workpiece, const ToolPose& from,
                                        const ToolPose& to) const noexcept {
     SurfaceFlux::Flux flux;
+    if (solid_) return flux.engagement; // its surface is not that of the pieces
     const bool known = isFinite(from.tip) && isFinite(to.tip) && isFinite(from.axis) && isFinite(to.axis);
     if (known && (from.tip != to.tip || from.axis != to.axis)) surface_.measure(workpiece, window(), from, to, flux);
     return flux.engagement;
@@ -146,6 +160,7 @@ bool MaterialRemoval::settled() const noexcept {
 
 void MaterialRemoval::reset() noexcept {
     if (cutter_) cutter_->reset();
+    if (solid_) solid_->reset();
     pending_.fill(0.0);
     lastPlace_ = glm::dvec3(0.0);
     cutsSinceLook_ = cutsPerLook;
@@ -191,6 +206,22 @@ void MaterialRemoval::report(const RunVolume& workpiece, const ToolPose& from, c
         lastPlace_ = result.centroid - tip;
     }
     result.reportedCentroid = tip + lastPlace_;
+    keepUsed(result);
+}
+
+void MaterialRemoval::reportSpread(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
+                                   CutResult& result) noexcept {
+    const double share = std::min(1.0, glm::length(to.tip - from.tip) / (spreadVoxels * workpiece.grid().edge()));
+    for (MaterialVolume& material : result.removed) {
+        if (material.property == airProperty) break;
+        double& pending = pending_[material.property];
+        pending += material.volume;
+        material.reported = share * pending;
+        pending -= material.reported;
+        result.reported += material.reported;
+    }
+    if (result.volume > 0.0) lastPlace_ = result.centroid - to.tip;
+    result.reportedCentroid = to.tip + lastPlace_;
     keepUsed(result);
 }
 

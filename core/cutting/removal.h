@@ -17,6 +17,7 @@
 
 namespace burin {
 
+class SolidCutter;
 class WindowCutter;
 
 /// Volume of one material, mm³.
@@ -56,7 +57,9 @@ enum class Writing : std::uint8_t {
     deferred, ///< within 16 cuts, or with `settle`: for loops of short moves, many times faster
 };
 
-/// Removes the volume that the flutes sweep between two poses from the machinable runs of a workpiece.
+/// Removes the volume that the flutes sweep between two poses from the machinable runs of a workpiece. A tool that
+/// doesn't turn is swept as the solid that it is (SolidCutter), upright, and written with every cut: along the runs
+/// exact to a run unit, sideways within an eighth of a voxel along each axis (SolidColumns::deviation).
 /// Keeps the state of the smooth reported volume from tick to tick; use one object for each tool and workpiece.
 /// No allocation, lock or exception in `cut`, `approach` and `settle`. Only on the workpiece's writer thread.
 ///
@@ -74,10 +77,11 @@ public:
     /// The reported volume is the flux through the flutes' surface for moves in which no point of the flutes moves by
     /// 0.3 voxel or more, whatever the axes of tool and runs; for longer moves, and for a ball of more than 30 voxels
     /// of radius, it is the exact volume. 1/48 of the lag of the reported sum behind the exact one is added in each
-    /// tick in which the tool moves; of the lag beyond a quarter of the flux only 1/384.
-    /// Cost: grows with the scanlines under the cutter, not with the grid.
+    /// tick in which the tool moves; of the lag beyond a quarter of the flux only 1/384. Of a tool that doesn't turn
+    /// the reported volume is the exact one, spread over two voxels of its motion, and the engagement stays 0. Cost:
+    /// grows with the scanlines under the cutter, not with the grid.
     CutResult cut(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
-    /// The same with any axis, which may rotate during the move.
+    /// The same with any axis, which may rotate during the move; a tool that doesn't turn has to be upright (asserted).
     CutResult cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept;
     /// Prepares, within a tick's bounds, for a cut that may begin at this pose, so that the first contact of a large
     /// tool is not expensive. Cuts nothing. Call it in every tick in which the tool moves without cutting.
@@ -105,9 +109,11 @@ private:
     void report(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to, CutResult& result) noexcept;
     Engagement recentEngagement(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to,
                                 bool removes) noexcept;
+    void reportSpread(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to, CutResult& result) noexcept;
 
     SweepCutter sweep_;
     std::unique_ptr<WindowCutter> cutter_; ///< null: written with every cut, or a form of tool that it does not support
+    std::unique_ptr<SolidCutter> solid_;   ///< null: the tool turns
     SurfaceFlux surface_;
     double reach_ = 0.0; ///< mm, largest distance of the flutes from the tip
     bool reportsFlux_ = true;

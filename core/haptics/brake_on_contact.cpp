@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 
@@ -15,10 +16,26 @@ BrakeOnContact::BrakeOnContact(const Cutter& cutter, const Grid& grid)
     double thinnest = tool_.front().widestRadius();
     for (const RevolvedPiece& piece : tool_) thinnest = std::min(thinnest, piece.widestRadius());
     stride_ = std::max(thinnest, 0.05);
+    if (cutter.turns() || cutter.solid->shank.empty()) return;
+    solid_.emplace(*cutter.solid, grid, static_cast<std::uint32_t>(fluteCount_));
+    stride_ = std::min(stride_, grid.edge()); // its pieces say nothing about its thickness
+    while (fluteCount_ < tool_.size() && sectionOf(cutter, fluteCount_) == ToolSection::shank) ++fluteCount_;
+}
+
+/// @param mayTouch number of pieces, from the tip, that may touch; 0: a tool that can't cut, by the pieces around it
+ShankContact BrakeOnContact::standing(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch,
+                                      const ToolPose& pose) noexcept {
+    ShankContact contact = check_.at(workpiece, tool_, mayTouch, pose, owed);
+    if (!solid_ || mayTouch == 0) return contact;
+    ShankContact shank = solid_->at(workpiece, pose.tip);
+    if (!shank.touches) return contact;
+    if (contact.volume > shank.volume) std::swap(contact, shank);
+    shank.volume += contact.volume;
+    return shank;
 }
 
 ShankContact BrakeOnContact::at(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& pose) noexcept {
-    return check_.at(workpiece, tool_, fluteCount_, pose, owed);
+    return standing(workpiece, owed, fluteCount_, pose);
 }
 
 ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
@@ -33,16 +50,14 @@ ShankContact BrakeOnContact::onTheWayWithFlutes(const RunVolume& workpiece, cons
 
 ShankContact BrakeOnContact::barred(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch,
                                     const ToolPose& from, const ToolPose& to) noexcept {
-    const auto standing = [&](const ToolPose& pose) noexcept {
-        return check_.at(workpiece, tool_, mayTouch, pose, owed);
-    };
     const double way = glm::length(to.tip - from.tip) + reach_ * glm::length(to.axis - from.axis);
     const int steps = std::clamp(static_cast<int>(std::ceil(way / stride_)), 1, 16);
     const PoseSteps motion(from, to, reach_, stride_);
     for (int i = 1; i <= steps; ++i) {
-        const ShankContact contact = standing(motion.poseAt(static_cast<double>(i) / static_cast<double>(steps)));
+        const ShankContact contact =
+            standing(workpiece, owed, mayTouch, motion.poseAt(static_cast<double>(i) / static_cast<double>(steps)));
         if (!contact.touches) continue;
-        const ShankContact before = standing(from);
+        const ShankContact before = standing(workpiece, owed, mayTouch, from);
         if (!before.touches || contact.volume >= before.volume) return contact;
     }
     return {};

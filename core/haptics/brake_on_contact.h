@@ -3,14 +3,17 @@
 #pragma once
 
 #include "core/cutting/contact.h"
+#include "core/cutting/solid_contact.h"
 #include "core/tool/tool.h"
 
+#include <optional>
 #include <vector>
 
 namespace burin {
 
 /// Keeps shank and holder from moving into anything (paper, 4.2): checks whether a motion of the tool is blocked. A
-/// tool that is in contact already, because the workpiece changed around it, may move where the overlap shrinks.
+/// tool that is in contact already, because the workpiece changed around it, may move where the overlap shrinks. The
+/// shank of a tool that doesn't turn is that of its model, if it has one.
 class BrakeOnContact {
 public:
     BrakeOnContact(const Cutter& cutter, const Grid& grid);
@@ -27,15 +30,21 @@ public:
     /// @param owed pending cuts that the workpiece does not show yet; nullptr: none
     ShankContact at(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& pose) noexcept;
     /// Must be called after the workpiece was changed otherwise than by cutting.
-    void workpieceChanged() noexcept { check_.forget(); }
+    void workpieceChanged() noexcept {
+        check_.forget();
+        if (solid_) solid_->forget();
+    }
 
 private:
+    ShankContact standing(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch,
+                          const ToolPose& pose) noexcept;
     ShankContact barred(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch, const ToolPose& from,
                         const ToolPose& to) noexcept;
 
-    std::vector<RevolvedPiece> tool_; ///< flutes, shank, holder
-    std::size_t fluteCount_ = 1;
-    double reach_; ///< mm, distance of the tool's farthest point from the tip
+    std::vector<RevolvedPiece> tool_;   ///< flutes, shank, holder
+    std::size_t fluteCount_ = 1;        ///< number of pieces, from the tip, that may touch
+    std::optional<SolidContact> solid_; ///< the shank, if the pieces do not have it
+    double reach_;                      ///< mm, distance of the tool's farthest point from the tip
     ContactCheck check_;
     double stride_ = 1.0; ///< mm; with checks at this spacing nothing on the way is missed
 };

@@ -79,7 +79,7 @@ FeedProposal feedIn(PropertyIndex material, const SmoothedCut& cut, const Tool& 
 
 std::optional<FeedProposal> proposeFeed(const SmoothedCut& cut, const Tool& tool, const MachineProfile& machine,
                                         const PropertyList& properties) {
-    if (!cut.cuts()) return std::nullopt;
+    if (!cut.cuts() || !tool.cutter.turns()) return std::nullopt;
     // The spindle has one speed for all materials, and the chips depend on it.
     double spindleSpeed = machine.maximumSpindleSpeed;
     for (const PropertyIndex material : cut.materials) {

@@ -37,7 +37,7 @@ struct FeedProposal {
 /// The engaged surface is underestimated by up to 0.5 rad (Engagement), so that chips are taken as thicker than they
 /// are and the feed tends to be too low.
 /// @param properties of the workpiece
-/// @return empty if nothing is cut, or a material lacks values for the tool
+/// @return empty if nothing is cut, the tool doesn't turn, or a material lacks values for the tool
 std::optional<FeedProposal> proposeFeed(const SmoothedCut& cut, const Tool& tool, const MachineProfile& machine,
                                         const PropertyList& properties);
 

@@ -207,6 +207,8 @@ Result<StoredPath> standardPath(const Project& project, const std::string& toolI
     if (!others) return others.error();
     path.name = "path " + std::to_string(others->size() + 1);
     path.edits = standardEdits();
+    const Result<Tool> tool = toolFor(project, toolId);
+    if (tool && !tool->cutter.turns()) path.edits = forFixedTool(std::move(path.edits));
     return path;
 }
 

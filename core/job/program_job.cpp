@@ -58,6 +58,9 @@ Result<void> checkNumbers(const std::vector<Tool>& tools) {
 Result<std::string> post(const MillingContext& milling, const ProgramPaths& paths, const ProgramRequest& request,
                          Progress& progress) {
     if (Result<void> numbered = checkNumbers(paths.tools); !numbered) return numbered.error();
+    for (const Tool& tool : paths.tools)
+        if (Result<void> turns = checkTurns(tool.cutter, "a program for a tool that doesn't turn"); !turns)
+            return turns.error();
     PostRequest post;
     post.programName = request.name;
     post.header = programHeader(milling, paths.tools, request.setupName);
@@ -324,6 +327,10 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const M
         return evaluate(path.name, std::move(strokes), path.edits, context, progress);
     }();
     if (!evaluated) return evaluated;
+    if (!tool.cutter.turns()) { // it mills neither climb nor conventional, and clears less than its profile
+        evaluated->cleared = context.cleared;
+        return evaluated;
+    }
     const ProgressPart part(progress, editing, 1.0);
     Result<MilledSides> sides = millingSides(evaluated->path, context, progress);
     if (!sides) return std::move(sides).error();

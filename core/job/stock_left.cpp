@@ -107,6 +107,7 @@ void StockLeftMeter::sweepTo(const glm::dvec3& tip, std::span<const RevolvedPiec
 
 void StockLeftMeter::sweep(std::span<const PathPoint> points, std::size_t from, std::size_t to, const Tool& tool,
                            const Progress& progress) {
+    if (!tool.cutter.turns()) return; // it clears less than its profile
     const std::vector<RevolvedPiece> flutes = flutePieces(tool.cutter);
     double widest = 0.0;
     for (const RevolvedPiece& piece : flutes) widest = std::max(widest, piece.widestRadius());

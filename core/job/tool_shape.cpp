@@ -4,6 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/tool/revolution_envelope.h"
+#include "core/tool/tool_solid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,12 +99,18 @@ Result<ShapedTool> shapedTool(const ToolShapeRequest& request, Progress& progres
     cutter.fluteLength = envelope->profile.back().height;
     cutter.stickOut = cutter.fluteLength + free;
     tool.maximumDepthOfCut = std::min(tool.maximumDepthOfCut, cutter.fluteLength);
+    ToolSolid solid{weldIdenticalVertices(*flutes), {}, request.angle};
     if (!request.shank.empty()) {
         const ProgressPart reading(progress, 0.5, 1.0);
         Result<TriangleMesh> shank = closedMesh(request.shank, request.import, progress);
         if (!shank) return shank.error();
         lift(*shank, shaped.lift);
         if (Result<void> taken = takeShank(*shank, *envelope, cutter); !taken) return taken.error();
+        solid.shank = weldIdenticalVertices(*shank);
+    }
+    if (!request.turns) {
+        cutter.solid = std::make_shared<const ToolSolid>(std::move(solid));
+        tool.source = "models of " + tool.source;
     }
     if (Result<void> valid = validate(tool); !valid) return valid.error();
     return shaped;

@@ -20,6 +20,8 @@ struct ToolShapeRequest {
     Tool like;                    ///< provides number, flutes, limits, holder, and the shank if there is no model of it
     std::string id, name;
     double tolerance = 0.005; ///< mm, by which the profile may be farther from the axis
+    bool turns = true;        ///< false: the models themselves are the tool, which doesn't turn (tool_solid.h)
+    double angle = 0.0;       ///< rad, of a tool that doesn't turn: ToolSolid::angle
     ImportOptions import;
 };
 
@@ -32,7 +34,8 @@ struct ShapedTool {
 };
 
 /// Reads the models and computes the profile of the volume that they sweep while the spindle turns: a rotating tool
-/// cuts like this profile, regardless of the shape of its teeth; a hollow tip is treated as filled.
+/// cuts like this profile, regardless of the shape of its teeth; a hollow tip is treated as filled. A tool that doesn't
+/// turn keeps the models as its shape, and the profile as the bound that keeps it out of the part.
 /// Errors: those of importModel, argumentInvalid (a surface that is not closed; a shank that protrudes from the flutes
 /// below their end, or ends there), those of `validate`.
 Result<ShapedTool> shapedTool(const ToolShapeRequest& request, Progress& progress);

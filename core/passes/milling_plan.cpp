@@ -150,6 +150,8 @@ MotionLimits inSetup(MotionLimits device, double scale) {
 }
 
 Result<void> checkPlannable(const Tool& tool) {
+    if (Result<void> turns = checkTurns(tool.cutter, "the virtual operator with a tool that doesn't turn"); !turns)
+        return turns;
     const CutterType type = tool.cutter.type;
     if (type != CutterType::drill && type != CutterType::lollipop && !narrowsUpwards(tool.cutter.profile)) return {};
     return Error{ErrorCode::notSupported,

@@ -17,6 +17,8 @@ namespace {
 
 /// Errors: notSupported.
 Result<void> checkTool(PassKind kind, const Tool& tool) {
+    if (Result<void> turns = checkTurns(tool.cutter, "a computed pass with a tool that doesn't turn"); !turns)
+        return turns;
     const bool drills = tool.cutter.type == CutterType::drill;
     if (kind != PassKind::drill && !drills) return checkPlannable(tool);
     if (kind == PassKind::drill && drills) return {};

@@ -148,6 +148,22 @@ std::vector<Edit> programEdits() {
     return {{FitArcs{.tolerance = 0.002}}, {low}, {stated}};
 }
 
+bool suitsFixedTool(const EditParameters& parameters) {
+    if (traitsOf(parameters).group == EditGroup::feeds) return false;
+    const auto* link = std::get_if<Link>(&parameters);
+    return link == nullptr || (link->travel == Link::Travel::safe && link->entry == Link::Entry::plunge);
+}
+
+std::vector<Edit> forFixedTool(std::vector<Edit> edits) {
+    for (Edit& edit : edits)
+        if (auto* link = std::get_if<Link>(&edit.parameters)) {
+            link->travel = Link::Travel::safe;
+            link->entry = Link::Entry::plunge;
+        }
+    std::erase_if(edits, [](const Edit& edit) { return !suitsFixedTool(edit.parameters); });
+    return edits;
+}
+
 std::vector<Edit> everyEdit() {
     return allKinds(std::make_index_sequence<std::variant_size_v<EditParameters>>{});
 }

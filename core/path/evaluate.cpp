@@ -74,6 +74,11 @@ Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>&
 Result<EvaluatedPath> evaluate(const std::string& name, std::vector<SourceStrokes> sources,
                                const std::vector<Edit>& edits, const PathContext& context, Progress& progress) {
     if (Result<void> order = checkOrder(edits); !order) return order.error();
+    if (!context.tool.cutter.turns())
+        for (const Edit& edit : edits)
+            if (edit.enabled && !suitsFixedTool(edit.parameters))
+                return Error{ErrorCode::argumentInvalid, "edit", std::string(idOf(edit.parameters)),
+                             "no feeds, and links at the safe height without ramps: the tool doesn't turn"};
     Result<PathUnderEdit> state = allStrokes(std::move(sources), context);
     if (!state) return state.error();
     EvaluatedPath evaluated;

@@ -74,7 +74,10 @@ bool isFree(CutterType type, CutterValue value) noexcept {
 }
 
 Cutter fitted(Cutter cutter) {
-    if (cutter.type != CutterType::profile) cutter.profile.clear();
+    if (cutter.type != CutterType::profile) {
+        cutter.profile.clear();
+        cutter.solid = nullptr;
+    }
     cutter.cornerRadius = fittedCorner(cutter);
     if (!isFree(cutter.type, CutterValue::tipDiameter)) cutter.tipDiameter = 0.0;
     const bool angleFits = cutter.taperAngle > 0.0 && cutter.taperAngle <= 89.0 * degree;

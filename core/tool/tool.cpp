@@ -5,6 +5,7 @@
 #include "core/base/estimate.h"
 #include "core/base/numbers.h"
 #include "core/tool/flute_form.h"
+#include "core/tool/tool_solid.h"
 
 #include <cmath>
 #include <utility>
@@ -41,7 +42,8 @@ Result<void> validateCutter(const Cutter& cutter) {
     if (Result<void> form = validateFlutes(cutter); !form) return form;
     if (!std::isfinite(cutter.stickOut) || cutter.stickOut < cutter.fluteLength)
         return invalid("cutter.stick_out_mm", cutter.stickOut, "at least the length of the flutes");
-    return validateHolder(cutter.holder);
+    if (Result<void> holder = validateHolder(cutter.holder); !holder) return holder;
+    return cutter.turns() ? Result<void>() : validateSolid(cutter);
 }
 
 } // namespace
@@ -72,6 +74,11 @@ Result<void> validate(const Tool& tool) {
                                      {"maximum_width_of_cut_mm", tool.maximumWidthOfCut}})
         if (!std::isfinite(value) || value < 0.0) return invalid(key, value, "at least 0");
     return {};
+}
+
+Result<void> checkTurns(const Cutter& cutter, std::string_view request) {
+    if (cutter.turns()) return {};
+    return Error{ErrorCode::notSupported, std::string(request), "a tool that turns", {}};
 }
 
 std::vector<RevolvedPiece> pieces(const Cutter& cutter) {

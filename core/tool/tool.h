@@ -7,11 +7,14 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace burin {
+
+struct ToolSolid;
 
 /// The shape of the flutes. All are solids of revolution about the tool axis, with the tip at height 0.
 enum class CutterType : std::uint8_t {
@@ -59,7 +62,12 @@ struct Cutter {
     double tipDiameter = 0.0; ///< mm: taper and chamfer, of the flat tip, measured at its edge before rounding
     double taperAngle = 0.0;  ///< rad, between axis and cone: taper, taper ball, drill, chamfer (half of a point angle)
     std::vector<ProfileElement> profile{}; ///< of CutterType::profile
+    /// Null: the tool turns and has the shape above. Otherwise it doesn't turn and has this shape (tool_solid.h); the
+    /// profile encloses what it would sweep in a turn. The stock is cut and touched by the solid; whatever keeps the
+    /// tool out of the part, of fixtures and of travel uses the profile, which is never smaller.
+    std::shared_ptr<const ToolSolid> solid{};
 
+    bool turns() const noexcept { return solid == nullptr; }
     double radius() const noexcept { return 0.5 * diameter; }
     double length() const noexcept; ///< tip to the top of the holder, mm
 };
@@ -88,8 +96,10 @@ struct Tool {
 
 /// Errors: argumentInvalid with the key and what is allowed (diameters > 0, 0 <= corner radius <= radius, flutes at
 /// least as long as the height of the corner, stick-out >= flutes, no empty holder segment; values that a type does not
-/// use are 0).
+/// use are 0; a solid lies within the profile).
 Result<void> validate(const Tool& tool);
+/// Errors: notSupported (subject: `request`), if the tool doesn't turn.
+Result<void> checkTurns(const Cutter& cutter, std::string_view request);
 
 /// Returns the flutes as convex pieces from the tip up: one for ball, flat, bull nose and lollipop, more for the other
 /// types. Exact, except that hollow arcs are replaced by chords, which are farther from the axis by at most

@@ -6,6 +6,7 @@
 #include "core/base/resource_folder.h"
 #include "core/base/units.h"
 #include "core/tool/segment_json.h"
+#include "core/tool/tool_solid.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -49,6 +50,7 @@ void readCutter(JsonObject& from, Cutter& cutter) {
     cutter.shankDiameter = from.number("shank_diameter_mm", length);
     cutter.stickOut = from.number("stick_out_mm", length);
     readSegments(from, "holder", cutter.holder);
+    if (!from.booleanOr("turns", true)) cutter.solid = std::make_shared<const ToolSolid>(readSolid(from));
 }
 
 /// Reads values that may be missing: files of older tools do not have them. A source for a key that the file lacks is
@@ -104,6 +106,7 @@ nlohmann::ordered_json cutterJson(const Cutter& cutter) {
     json["shank_diameter_mm"] = cutter.shankDiameter;
     json["stick_out_mm"] = cutter.stickOut;
     json["holder"] = holder;
+    if (!cutter.turns()) writeSolid(*cutter.solid, json);
     return json;
 }
 

@@ -118,7 +118,8 @@ private:
     std::uint32_t causeOf(const Finding& finding) {
         const std::size_t motion = motionOf(finding.line);
         if (motion == program_.motions.size()) return finding.line;
-        if (finding.kind == FindingKind::spindleOff) return spindleCause(finding, motion);
+        if (finding.kind == FindingKind::spindleOff || finding.kind == FindingKind::spindleOn)
+            return spindleCause(finding, motion);
         if (!isOfPlace(finding.kind)) return finding.line;
         if (suspect_ && isIn(*suspect_, motion)) return suspect_->line;
         if (const std::optional<std::uint32_t> line = leftPathOn(motion)) return *line;

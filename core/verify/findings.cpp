@@ -40,6 +40,8 @@ const char* idOf(FindingKind kind) {
         return "holder_collision";
     case FindingKind::spindleOff:
         return "spindle_off";
+    case FindingKind::spindleOn:
+        return "spindle_on";
     case FindingKind::travelLimit:
         return "travel_limit";
     case FindingKind::feedLimit:
@@ -114,6 +116,7 @@ const char* unitOf(FindingKind kind) {
     case FindingKind::shankCollision:
     case FindingKind::holderCollision:
     case FindingKind::spindleOff:
+    case FindingKind::spindleOn:
         return "mm^3";
     case FindingKind::feedLimit:
         return "mm/min";
@@ -144,6 +147,8 @@ TextId remedyOf(FindingKind kind) {
         return BURIN_TEXT("Finding", "mill the material around it first, or use a tool with a longer stick-out");
     case FindingKind::spindleOff:
         return BURIN_TEXT("Finding", "start the spindle before this move");
+    case FindingKind::spindleOn:
+        return BURIN_TEXT("Finding", "stop the spindle before this move, and hold it: the tool doesn't turn");
     case FindingKind::travelLimit:
         return BURIN_TEXT("Finding", "place the part elsewhere on the table, or use a machine with more travel");
     case FindingKind::feedLimit:

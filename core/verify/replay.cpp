@@ -74,7 +74,8 @@ private:
             if (i >= tool.fluteCount)
                 piece = piece.grown(tool.near);
             else if (move.rapid)
-                piece = piece.grown(grid_.edge()); // for what it may graze
+                piece = piece.grown(grid_.edge());             // for what it may graze
+            if (tool.solid) piece = piece.grown(grid_.edge()); // its tip is moved to a lattice
             if (piece.low.z < top) reach.include(piece);
         }
         if (reach.empty()) return {};
@@ -90,10 +91,12 @@ private:
     std::vector<std::uint32_t> moves_;
 };
 
-void judgeRemoval(const ToolMove& move, const MoveCut& cut, Findings& findings) {
+void judgeRemoval(const ToolMove& move, const Tool& tool, const MoveCut& cut, Findings& findings) {
     if (cut.volume <= harmlessRemoval) return;
     if (move.rapid) findings.add(FindingKind::rapidInStock, move.line, cut.centroid, cut.volume);
-    if (!move.spindleOn) findings.add(FindingKind::spindleOff, move.line, cut.centroid, cut.volume);
+    if (move.spindleOn != tool.cutter.turns())
+        findings.add(move.spindleOn ? FindingKind::spindleOn : FindingKind::spindleOff, move.line, cut.centroid,
+                     cut.volume);
 }
 
 std::vector<MoveCut> sumsOf(const std::vector<RowResult>& rows, std::size_t moves, const Grid& grid) {
@@ -196,7 +199,7 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
     if (!written) return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
     std::vector<MoveCut> cuts = sumsOf(rows, moves.size(), grid);
-    for (std::size_t i = 0; i < moves.size(); ++i) judgeRemoval(moves[i], cuts[i], findings);
+    for (std::size_t i = 0; i < moves.size(); ++i) judgeRemoval(moves[i], tools[moves[i].tool], cuts[i], findings);
     if (exact != nullptr) {
         std::vector<GrazedLine> grazed;
         for (const RowResult& row : rows) grazed.insert(grazed.end(), row.grazed.begin(), row.grazed.end());

@@ -26,9 +26,9 @@ struct NearWatch {
 };
 
 /// Cuts the moves, in order, into a workpiece, flutes before shank and holder, and reports what must not happen:
-/// removal by a rapid or with the spindle off, and contact of shank or holder with anything. Uses all cores; the result
-/// does not depend on their number. Each move is swept exactly, so that the result is that of the moves made one by
-/// one.
+/// removal by a rapid, with the spindle off, or with the spindle on by a tool that doesn't turn, and contact of shank
+/// or holder with anything. Uses all cores; the result does not depend on their number. Each move is swept exactly (a
+/// tool that doesn't turn: as SolidColumns does), so that the result is that of the moves made one by one.
 /// @param tools indexed by ToolMove::tool
 /// @param steps receives what the feed moves met, step by step, in ascending order; null: not requested
 /// @param exact the exact workpiece, for rapids that graze it by less than a voxel (judgeGrazes); null: not requested

@@ -3,6 +3,7 @@
 #include "core/verify/row_replay.h"
 
 #include "core/cutting/line_frame.h"
+#include "core/cutting/solid_contact.h"
 #include "core/geometry/grown_pieces.h"
 
 #include <algorithm>
@@ -35,6 +36,7 @@ ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistan
     , upright(grid.axis() == RunAxis::z)
     , near(nearDistance)
     , filter(std::span(stack).first(fluteCount), grid) {
+    if (!cutter.turns()) solid = std::make_shared<const SolidColumns>(*cutter.solid, grid);
     const glm::dvec3 axis = inLineFrame(grid, toolAxis);
     for (std::size_t i = 0; i < stack.size(); ++i) {
         if (i < fluteCount) {
@@ -46,6 +48,8 @@ ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistan
         const double across = stack[i].widestRadius() * std::sqrt(std::max(0.0, 1.0 - axis.z * axis.z));
         guardBottom = std::min(guardBottom, std::min(stack[i].bottom * axis.z, stack[i].top * axis.z) - across);
     }
+    if (hasSolidShank()) // it may begin within the flutes
+        guardBottom = std::min(guardBottom, boundingBox(cutter.solid->shank).low.z * axis.z);
 }
 
 std::uint32_t stepsOf(const ToolMove& move, double edge) noexcept {
@@ -68,12 +72,12 @@ void RowReplay::make(std::uint32_t number) {
     const ReplayTool& tool = tools_[move.tool];
     const glm::dvec3 from = inLineFrame(grid_, move.begin().tip), to = inLineFrame(grid_, move.to.tip);
     UnitSum removed;
-    metered_ = meters_ && !move.rapid;
+    metered_ = meters_ && !move.rapid && !tool.solid;
     if (metered_)
         meter_.begin(number, std::span(tool.stack).first(tool.fluteCount), from, to, inLineFrame(grid_, toolAxis));
     const std::size_t contacts = result_.contacts.size();
     if (!mayTouch(tool, from, to)) {
-        if (tool.upright)
+        if (tool.upright && !tool.solid)
             cutUpright(tool, from, to, removed);
         else
             cutSwept(tool, from, to, removed);
@@ -87,7 +91,7 @@ void RowReplay::make(std::uint32_t number) {
             tip = next;
         }
     }
-    if (grazes_ && move.rapid && tool.upright) lookGrazed(tool, from, to, number);
+    if (grazes_ && move.rapid && tool.upright && !tool.solid) lookGrazed(tool, from, to, number);
     if (removed.units > 0) result_.cuts.push_back({number, removed});
     if (metered_) meter_.finish(result_.steps);
     if (tool.near > 0.0 && result_.contacts.size() == contacts) lookNear(tool, from, to, number);
@@ -161,6 +165,7 @@ void RowReplay::cutBrick(std::int32_t brick, std::uint64_t lines, UnitSum& remov
 }
 
 void RowReplay::cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed) {
+    if (tool.solid) return cutSolid(*tool.solid, from, to, removed);
     const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
     for (std::size_t i = 0; i < tool.fluteCount; ++i) {
         std::int32_t brick = -1;
@@ -194,7 +199,8 @@ bool RowReplay::mayTouch(const ReplayTool& tool, const glm::dvec3& from, const g
     const double lowest = std::min(from.z, to.z) + tool.guardBottom - inLineFrame(grid_, grid_.low()).z;
     if (lowest >= reach_ * grid_.edge() / unitsPerVoxel) return false;
     const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
-    for (std::size_t i = tool.fluteCount; i < tool.stack.size(); ++i)
+    if (tool.hasSolidShank() && shankTouches(*tool.solid, from, to)) return true;
+    for (std::size_t i = tool.guardFirst(); i < tool.stack.size(); ++i)
         if (touches(SweptPiece(tool.stack[i], from, to, axis), contactTolerance(tool.stack[i], grid_))) return true;
     return false;
 }
@@ -214,7 +220,7 @@ void RowReplay::lookNear(const ReplayTool& tool, const glm::dvec3& from, const g
     const double lowest = std::min(from.z, to.z) + tool.guardBottom - tool.near - inLineFrame(grid_, grid_.low()).z;
     if (lowest >= reach_ * grid_.edge() / unitsPerVoxel) return;
     const auto guards = std::span(tool.stack).subspan(tool.fluteCount);
-    lookNear(guards.first(tool.shankCount), ToolSection::shank, tool.near, from, to, number);
+    if (!tool.hasSolidShank()) lookNear(guards.first(tool.shankCount), ToolSection::shank, tool.near, from, to, number);
     lookNear(guards.subspan(tool.shankCount), ToolSection::holder, tool.near, from, to, number);
 }
 
@@ -254,8 +260,9 @@ bool RowReplay::isNear(std::span<const RevolvedPiece> section, double by, const 
 }
 
 void RowReplay::lookAt(const ReplayTool& tool, const glm::dvec3& tip, std::uint32_t number, std::uint32_t step) {
+    if (tool.hasSolidShank()) lookAtShank(tool, tip, number, step);
     const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
-    for (std::size_t i = tool.fluteCount; i < tool.stack.size(); ++i) {
+    for (std::size_t i = tool.guardFirst(); i < tool.stack.size(); ++i) {
         UnitSum touched;
         const SweptPiece piece(tool.stack[i], tip, tip, axis);
         const RunPosition tolerance = contactTolerance(tool.stack[i], grid_);

@@ -4,12 +4,14 @@
 
 #include "core/base/progress.h"
 #include "core/cutting/footprint.h"
+#include "core/cutting/solid_columns.h"
 #include "core/verify/cut_filter.h"
 #include "core/verify/rapid_graze.h"
 #include "core/verify/row_stock.h"
 #include "core/verify/step_meter.h"
 #include "core/verify/tool_moves.h"
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,6 +31,12 @@ struct ReplayTool {
     std::size_t shankCount = 0;       ///< number of pieces after the flutes that belong to the shank
     double near = 0.0;                ///< mm; 0: not requested
     CutFilter filter;
+    std::shared_ptr<const SolidColumns> solid; ///< null: the tool turns
+
+    /// Number of pieces, from the tip, whose contact with the stock is not judged by the pieces: the flutes, and a
+    /// shank that has a model of its own.
+    std::size_t guardFirst() const noexcept { return fluteCount + (hasSolidShank() ? shankCount : 0); }
+    bool hasSolidShank() const noexcept { return solid && solid->hasShank(); }
 };
 
 /// What a move removed in one row of bricks.
@@ -64,7 +72,8 @@ inline constexpr double passResolution = 1.0 / 32.0;
 ///
 /// The flutes of a move cut in one go, swept exactly. The sweep of shank and holder over the whole move is compared
 /// with what stands before the move: if it overlaps nothing, no step of it does. Only otherwise the move is made in
-/// steps of at most a voxel, and each step is cut before it is examined.
+/// steps of at most a voxel, and each step is cut before it is examined. A tool that doesn't turn cuts, and touches
+/// with its shank, as a solid (SolidColumns); loads, grazes and near passes of that shank are not examined.
 class RowReplay {
 public:
     /// @param meters whether RowResult::steps is requested @param grazes whether RowResult::grazed is requested
@@ -90,6 +99,9 @@ private:
     void make(std::uint32_t number);
     void cutUpright(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
     void cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
+    void cutSolid(const SolidColumns& solid, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
+    bool shankTouches(const SolidColumns& solid, const glm::dvec3& from, const glm::dvec3& to) const;
+    void lookAtShank(const ReplayTool& tool, const glm::dvec3& tip, std::uint32_t number, std::uint32_t step);
     void take(LineIndex line, RunPosition from, RunPosition to, UnitSum& removed);
     void cutBrick(std::int32_t brick, std::uint64_t lines, UnitSum& removed);
     void lookGrazed(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, std::uint32_t number);

@@ -131,7 +131,7 @@ void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
         const Tool& tool = replayed.tools[move.tool];
         const glm::dvec3 way = move.to.tip - move.begin().tip;
         const bool down = way.z < 0.0 && std::hypot(way.x, way.y) < -steepest * way.z;
-        if (tool.centreCutting || move.rapid || !down) {
+        if (tool.centreCutting || !tool.cutter.turns() || move.rapid || !down) {
             depth = 0.0;
             continue;
         }

@@ -62,6 +62,7 @@ enum class FindingKind : std::uint8_t {
     shankCollision,    ///< amount: mm³ of overlap
     holderCollision,   ///< amount: mm³ of overlap
     spindleOff,        ///< amount: mm³ removed while the spindle stands still
+    spindleOn,         ///< amount: mm³ removed by a tool that doesn't turn, while the spindle turns
     travelLimit,       ///< amount: mm of travel that an axis would need
     feedLimit,         ///< amount: mm/min
     spindleLimit,      ///< amount: 1/min

@@ -5,6 +5,7 @@
 #include "tests/benchmarks/peers/openvdb.h"
 #include "tests/benchmarks/scenes/cutting_scene.h"
 #include "tests/benchmarks/scenes/tool_paths.h"
+#include "tests/core/tool/fixed_tools.h"
 
 #include <array>
 #include <functional>
@@ -207,6 +208,33 @@ void tiltedTools(Session& session) {
                                 {}});
 }
 
+/// A tool of arbitrary shape that doesn't turn: a bumpy body, 240 voxels high and 48 across, which is 60 mm by 12 mm at
+/// voxels of 0.25 mm. All of it cuts.
+Cutter bumpyTool() {
+    TriangleMesh body = shapes::starShaped(64, 64, [](double longitude, double latitude) {
+        return 1.0 + 0.12 * std::sin(5.0 * longitude) * std::cos(latitude) + 0.1 * std::sin(9.0 * latitude);
+    });
+    const Box box = boundingBox(body);
+    for (glm::dvec3& vertex : body.vertices)
+        vertex = {vertex.x * 48.0 / box.size().x, vertex.y * 48.0 / box.size().y,
+                  (vertex.z - box.low.z) * 240.0 / box.size().z};
+    return cutters::fixed(std::move(body), {}, 0.3);
+}
+
+void toolsThatDontTurn(Session& session) {
+    struct Walk {
+        const char* step;
+        double length; // voxels per tick: at 0.25 mm and 1 kHz 12.5 and 250 mm/s
+    };
+    for (const Walk& each : {Walk{"m005", 0.05}, Walk{"m1", 1.0}}) {
+        const std::string name = std::string("cut.fixed.60mm.") + each.step + ".512";
+        if (!session.wants(name)) continue;
+        (void)measure(
+            session,
+            {name, block(512), bumpyTool(), upright(walk(512.0, 50.0, each.length, 2000)), nullopt, 700.0, {}});
+    }
+}
+
 /// Rows along a block's top at a distance of one radius, each as long as the block, then the same a radius deeper.
 std::vector<glm::dvec3> rowsOverBlock(const glm::dvec3& size, double radius, std::size_t ticks) {
     const double step = 0.2 * radius;
@@ -277,6 +305,7 @@ void cuttingFigures(Session& session) {
     slowAndFastWalks(session);
     otherScenes(session);
     tiltedTools(session);
+    toolsThatDontTurn(session);
     firstContact(session);
 }
 

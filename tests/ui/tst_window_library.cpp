@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/holder_library.h"
+#include "core/tool/tool_solid.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/places.h"
 #include "tests/stl_text.h"
@@ -15,6 +16,7 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPointer>
@@ -375,6 +377,64 @@ private slots:
         driver.key(Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(workbench.tool.current().id, before);
         QVERIFY(!loadTool("form-tool"));
+    }
+
+    /// A scraper of 8 × 2 mm, turned so that its blade is along Y and drawn along Y with the mouse: the slot is as wide
+    /// as the blade is thick, not as wide as what it would sweep in a turn.
+    void aScraperMillsASlotOfItsOwn() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(makeReady(driver));
+        const QString blade = write(driver, "scraper.stl", stlText(shapes::box({-4.0, -1.0, 0.0}, {4.0, 1.0, 60.0})));
+        driver.whenDialogStands([&](QWidget& dialog) {
+            const Closing closing(dialog);
+            chooseFile(driver, blade);
+            click(dialog, "flutesFileButton");
+            auto* direction = dialog.findChild<QDoubleSpinBox*>("toolDirection");
+            QVERIFY(!direction->isEnabled());
+            dialog.findChild<QComboBox*>("toolMotion")->setFocus();
+            QTest::keyClick(dialog.findChild<QComboBox*>("toolMotion"), Qt::Key_Down);
+            QVERIFY(direction->isEnabled());
+            direction->setFocus();
+            direction->selectAll();
+            QTest::keyClicks(direction, "90");
+            QTest::keyClick(direction, Qt::Key_Tab);
+            driver.shoot("library-12-a-scraper-of-a-model");
+            for (const VisibleText& cut : clippedTexts(dialog))
+                QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(cut.where, cut.text)));
+            click(dialog, "makeToolButton");
+        });
+        driver.window().setFocus();
+        driver.key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver.waitFor([&] { return workbench.tool.current().id == "scraper"; }, 10000));
+        const Cutter& cutter = workbench.tool.current().cutter;
+        QVERIFY(!cutter.turns() && std::abs(cutter.solid->angle - 0.5 * std::acos(-1.0)) < 1e-9);
+        QVERIFY(driver.waitFor([&] {
+            return workbench.workpiece.ready() && workbench.workpiece.milling()->tool.id == "scraper";
+        }) && driver.settle());
+        QVERIFY(driver.step(JobStep::tool) && driver.settle());
+        driver.shoot("library-13-it-does-not-turn");
+        for (const VisibleText& cut : clippedTexts(driver.window()))
+            QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(cut.where, cut.text)));
+        const RunVolume& workpiece = workbench.workpiece.milling()->embedded.workpiece;
+        const Grid& grid = workpiece.grid();
+        QCOMPARE(grid.axis(), RunAxis::z);
+        const Setup& setup = workbench.setup.setup();
+        QVERIFY(recordLine(driver, {0.0, -6.0}, {0.0, 6.0}) && driver.settle());
+        driver.shoot("library-14-its-slot");
+        QVERIFY(removedSoFar(*workbench.workpiece.milling()) > 1.0);
+        int width = 0; // scanlines, across the slot in its middle
+        const auto v = static_cast<std::int32_t>((setup.workOffset.y - grid.low().y) / grid.edge());
+        for (std::int32_t u = 0; u < grid.lineCountU(); ++u) {
+            const glm::dvec2 centre = grid.lineCentre({u, v});
+            if (std::abs(centre.x - setup.workOffset.x) > 10.0) continue; // beside the stock as well
+            const auto line = workpiece.line({u, v});
+            const RunPosition top = line.back().property() != airProperty ? grid.lineEnd()
+                                    : line.size() > 1                     ? line[line.size() - 2].end()
+                                                                          : 0;
+            if (grid.toMillimetres(top) < setup.stock.high.z - 0.05) ++width;
+        }
+        QVERIFY2(width >= 4 && width <= 6, qPrintable(QString::number(width))); // 2 mm, and the mouse may waver
     }
 
     void theStockComesFromAFile() {

@@ -266,6 +266,8 @@ QString kindText(const Finding& finding, LengthUnit unit) {
         return PanelTexts::tr("Holder collision, %1").arg(volume);
     case FindingKind::spindleOff:
         return PanelTexts::tr("Spindle off in %1").arg(volume);
+    case FindingKind::spindleOn:
+        return PanelTexts::tr("Spindle on in %1").arg(volume);
     case FindingKind::travelLimit:
         return PanelTexts::tr("Travel of %1 needed").arg(length);
     case FindingKind::feedLimit:

@@ -133,6 +133,7 @@ void ToolDrawing::paintEvent(QPaintEvent*) {
     if (cutter.stickOut > cutter.fluteLength)
         fill(frustum(cutter.fluteLength, cutter.shankDiameter, cutter.stickOut, cutter.shankDiameter), colours.shank);
     fill(fluteOutline(cutter), colours.flutes);
+    if (!cutter.turns()) return paintHeights(painter, axis);
     painter.save();
     painter.setClipPath(toScreen.map(fluteOutline(cutter)));
     painter.setPen(QPen(mixed(colours.flutes, colours.holder, 0.7), 1.0));

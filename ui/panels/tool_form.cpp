@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/tool/cutter_shape.h"
 #include "core/tool/tool_ranges.h"
+#include "core/tool/tool_solid.h"
 #include "ui/panels/segment_table.h"
 
 #include <QCoreApplication>
@@ -36,6 +37,18 @@ auto ofTool(double Tool::*value) {
 }
 auto setTool(double Tool::*value) {
     return [value](Tool& tool, double entered) { tool.*value = entered; };
+}
+bool isFixedTool(const Tool& tool) {
+    return !tool.cutter.turns();
+}
+double bladeDirection(const Tool& tool) {
+    return isFixedTool(tool) ? tool.cutter.solid->angle : 0.0;
+}
+void setBladeDirection(Tool& tool, double entered) {
+    if (!isFixedTool(tool)) return;
+    ToolSolid solid = *tool.cutter.solid;
+    solid.angle = entered;
+    tool.cutter.solid = std::make_shared<const ToolSolid>(std::move(solid));
 }
 auto freeIn(CutterValue value) {
     return [value](const Tool& tool) { return isFree(tool.cutter.type, value); };
@@ -104,6 +117,12 @@ void ToolForm::addFlutes() {
                  false,
                  [](const Tool& tool) { return static_cast<double>(tool.fluteCount); },
                  [](Tool& tool, double value) { tool.fluteCount = static_cast<int>(std::lround(value)); }}});
+    addNumbers(
+        "cutter.angle_deg", tr("Direction"),
+        tr("Of a tool that doesn't turn, about its axis: from X of the setup to X of its models, counterclockwise "
+           "seen from above"),
+        {{Quantity::angle, {-360.0 * degree, 360.0 * degree}, false, bladeDirection, setBladeDirection, isFixedTool}},
+        false);
     addChoice("centre_cutting", tr("Cuts at its centre"), tr("May plunge straight down"),
               {{tr("No"), tr("Yes")},
                [](const Tool& tool) { return tool.centreCutting ? 1 : 0; },

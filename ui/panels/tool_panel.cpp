@@ -32,7 +32,7 @@ public:
 private:
     ValueRow* addRow(const QString& label, const char* name);
     void showMeasures(const Tool& tool);
-    void showConditions();
+    void showConditions(bool turns);
 
     ToolPanel* panel_;
     QVBoxLayout* column_;
@@ -99,10 +99,16 @@ void ToolPanel::Fields::showMeasures(const Tool& tool) {
     setWrappedText(source_, QString::fromStdString(tool.source));
 }
 
-void ToolPanel::Fields::showConditions() {
-    feed_->setValue(feedText(state.feed, unit));
-    plunge_->setValue(feedText(state.plungeFeed, unit));
-    speed_->setValue(spindleSpeedText(state.spindleSpeed));
+/// The tables state feeds and speeds of teeth that turn.
+void ToolPanel::Fields::showConditions(bool turns) {
+    feed_->setValue(feedText(turns ? state.feed : 0.0, unit));
+    plunge_->setValue(feedText(turns ? state.plungeFeed : 0.0, unit));
+    speed_->setValue(spindleSpeedText(turns ? state.spindleSpeed : 0.0));
+    if (!turns)
+        return estimate_->tell(
+            Notice::Kind::information,
+            ToolPanel::tr("This tool doesn't turn: it cuts as its model sweeps, upright and in a fixed "
+                          "direction. It has no feeds, passes or programs."));
     estimate_->tell(Notice::Kind::warning, state.conditionsEstimated && state.feed > 0.0
                                                ? ToolPanel::tr("Feed and speed come from values that are estimates.")
                                                : QString());
@@ -139,7 +145,7 @@ void ToolPanel::Fields::refresh() {
     drawing_->setTool(tool);
     drawing_->setUnit(unit);
     if (tool) showMeasures(*tool);
-    showConditions();
+    showConditions(!tool || tool->cutter.turns());
 }
 
 ToolPanel::ToolPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {

@@ -46,8 +46,7 @@ void StylusGhost::setPalette(const Palette& palette) {
 
 void StylusGhost::setTool(const std::optional<Tool>& tool) {
     hasTool_ = tool.has_value();
-    if (tool)
-        vtkPolyDataMapper::SafeDownCast(flutes_->GetMapper())->SetInputData(piecesSurface(flutePieces(tool->cutter)));
+    if (tool) vtkPolyDataMapper::SafeDownCast(flutes_->GetMapper())->SetInputData(flutesSurface(tool->cutter));
     refresh();
 }
 

@@ -3,6 +3,7 @@
 #include "ui/scene/tool_actors.h"
 
 #include "core/base/units.h"
+#include "core/tool/tool_solid.h"
 #include "ui/scene/across.h"
 #include "ui/scene/actors.h"
 #include "ui/scene/film_actor.h"
@@ -99,15 +100,19 @@ void ToolActors::setTool(const std::optional<Tool>& tool) {
     cutter_ = tool ? std::optional(tool->cutter) : std::nullopt;
     if (!tool) return;
     const std::vector<RevolvedPiece> stack = pieces(tool->cutter);
+    const ToolSolid* solid = tool->cutter.solid.get();
+    const bool shankMesh = solid != nullptr && !solid->shank.empty();
     double widest = 0.0;
     for (const RevolvedPiece& piece : stack) widest = std::max(widest, piece.widestRadius());
     for (std::size_t i = 0; i < stack.size(); ++i) {
         const ToolSection part = sectionOf(tool->cutter, i);
-        const vtkSmartPointer<vtkPolyData> surface = pieceSurface(stack[i]);
         if (part == ToolSection::flutes) {
-            add(Section::flutes, surfaceActor(surface));
+            if (tool->cutter.turns()) add(Section::flutes, surfaceActor(pieceSurface(stack[i])));
             continue;
         }
+        const vtkSmartPointer<vtkPolyData> surface = shankMesh && part == ToolSection::shank
+                                                         ? meshSurface(turnedAboutAxis(solid->shank, solid->angle))
+                                                         : pieceSurface(stack[i]);
         add(part == ToolSection::shank ? Section::shank : Section::holder, surfaceActor(surface), glassActor(surface));
         vtkSmartPointer<vtkActor> outline = surfaceActor(pieceSurface(grown(stack[i], 0.06 * widest)));
         outline->GetProperty()->LightingOff();
@@ -115,7 +120,10 @@ void ToolActors::setTool(const std::optional<Tool>& tool) {
         outline->PickableOff();
         add(Section::outline, outline);
     }
-    add(Section::edges, lineActor(lineData(cuttingEdges(*tool))));
+    if (tool->cutter.turns())
+        add(Section::edges, lineActor(lineData(cuttingEdges(*tool))));
+    else
+        add(Section::flutes, surfaceActor(flutesSurface(tool->cutter)));
     refresh();
 }
 

@@ -3,6 +3,7 @@
 #include "ui/scene/tool_surface.h"
 
 #include "core/base/units.h"
+#include "core/tool/tool_solid.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
@@ -59,9 +60,28 @@ vtkSmartPointer<vtkPolyData> pieceSurface(const RevolvedPiece& piece) {
     return normals->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> piecesSurface(std::span<const RevolvedPiece> pieces) {
+vtkSmartPointer<vtkPolyData> meshSurface(const TriangleMesh& mesh) {
+    vtkNew<vtkPoints> points;
+    for (const glm::dvec3& vertex : mesh.vertices) points->InsertNextPoint(vertex.x, vertex.y, vertex.z);
+    vtkNew<vtkCellArray> triangles;
+    for (const auto& triangle : mesh.triangles) {
+        triangles->InsertNextCell(3);
+        for (const std::uint32_t vertex : triangle) triangles->InsertCellPoint(vertex);
+    }
+    vtkNew<vtkPolyData> surface;
+    surface->SetPoints(points);
+    surface->SetPolys(triangles);
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(surface);
+    normals->SetFeatureAngle(40.0);
+    normals->Update();
+    return normals->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> flutesSurface(const Cutter& cutter) {
+    if (!cutter.turns()) return meshSurface(turnedAboutAxis(cutter.solid->flutes, cutter.solid->angle));
     vtkNew<vtkAppendPolyData> all;
-    for (const RevolvedPiece& piece : pieces) all->AddInputData(pieceSurface(piece));
+    for (const RevolvedPiece& piece : flutePieces(cutter)) all->AddInputData(pieceSurface(piece));
     all->Update();
     return all->GetOutput();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/tool_shape_dialog.h"
 
+#include "core/base/units.h"
 #include "core/tool/tool_ranges.h"
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/panels/buttons.h"
@@ -9,6 +10,7 @@
 #include "ui/panels/field_row.h"
 #include "ui/panels/file_units.h"
 #include "ui/panels/length_field.h"
+#include "ui/panels/quantity_field.h"
 
 #include <QBoxLayout>
 #include <QCoreApplication>
@@ -64,6 +66,21 @@ void ToolShapeDialog::layOut(LengthUnit unit) {
     number_->setRange(1, tool_range::highestNumber);
     number_->setValue(like_.number);
     column->addWidget(new FieldRow(tr("Number"), number_, tr("T in programs"), this));
+    motion_ = new ChoiceBox(this);
+    motion_->setObjectName(QStringLiteral("toolMotion"));
+    motion_->addItems({tr("Turns with the spindle"), tr("Doesn't turn: scraper, planing blade")});
+    column->addWidget(new FieldRow(
+        tr("Motion"), motion_,
+        tr("A tool that doesn't turn cuts as its models sweep; their profile only keeps them out of the part"), this,
+        FieldRow::choiceWidth));
+    direction_ = new QuantityField(Quantity::angle, this);
+    direction_->setObjectName(QStringLiteral("toolDirection"));
+    direction_->limit(-2.0 * pi, 2.0 * pi);
+    direction_->showValue(0.0);
+    column->addWidget(new FieldRow(tr("Direction"), direction_,
+                                   tr("About the axis: from X of the setup to X of the models, counterclockwise seen "
+                                      "from above"),
+                                   this));
     tolerance_ = new LengthField(this);
     tolerance_->setObjectName(QStringLiteral("profileTolerance"));
     tolerance_->setLengthUnit(unit);
@@ -82,6 +99,7 @@ void ToolShapeDialog::layOut(LengthUnit unit) {
     connect(flutes_.button, &QPushButton::clicked, this, [this] { choose(flutes_, tr("Flutes")); });
     connect(shank_.button, &QPushButton::clicked, this, [this] { choose(shank_, tr("Shank")); });
     connect(name_, &QLineEdit::textChanged, this, &ToolShapeDialog::update);
+    connect(motion_, &QComboBox::currentIndexChanged, this, &ToolShapeDialog::update);
     connect(make_, &QPushButton::clicked, this, &QDialog::accept);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
 }
@@ -109,6 +127,7 @@ void ToolShapeDialog::update() {
     const auto isStl = [](const FileChoice& choice) {
         return choice.file.endsWith(QLatin1String(".stl"), Qt::CaseInsensitive);
     };
+    direction_->setEnabled(motion_->currentIndex() == 1);
     unit_->setEnabled(isStl(flutes_) || isStl(shank_)); // other formats state their unit
     enableUnless(make_,
                  flutes_.file.isEmpty()              ? tr("Choose a model of the flutes first.")
@@ -125,6 +144,8 @@ ToolShapeRequest ToolShapeDialog::request() const {
     request.like.number = number_->value();
     request.name = name_->text().trimmed().toStdString();
     request.tolerance = tolerance_->value();
+    request.turns = motion_->currentIndex() == 0;
+    request.angle = request.turns ? 0.0 : direction_->value();
     request.import.fileUnit = unit_->currentData().toDouble();
     return request;
 }

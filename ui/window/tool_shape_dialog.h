@@ -15,6 +15,7 @@ class QSpinBox;
 namespace burin {
 
 class LengthField;
+class QuantityField;
 
 /// Asks for the models of a tool's flutes and shank and for the name of the new tool.
 class ToolShapeDialog final : public QDialog {
@@ -45,6 +46,8 @@ private:
     QComboBox* unit_ = nullptr;
     QLineEdit* name_ = nullptr;
     QSpinBox* number_ = nullptr;
+    QComboBox* motion_ = nullptr; ///< 0: turns with the spindle, 1: does not turn
+    QuantityField* direction_ = nullptr;
     LengthField* tolerance_ = nullptr;
     QPushButton* make_ = nullptr;
 };

@@ -242,7 +242,9 @@ void PathController::workpieceRemade() {
 
 void PathController::makeNew() {
     if (stored() != nullptr) {
-        push(tr("new path"), standardEdits());
+        const Tool& tool = workpiece_.milling() ? workpiece_.milling()->tool : Tool{};
+        const bool fixed = tool.id == tool_ && !tool.cutter.turns();
+        push(tr("new path"), fixed ? forFixedTool(standardEdits()) : standardEdits());
         return;
     }
     if (!workpiece_.milling() || making_ || toolsWithoutPath().empty()) return;

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/cutting/removed_units.h"
+#include "core/cutting/solid_columns.h"
+#include "core/volume/runs/run_volume.h"
+
+#include <optional>
+
+namespace burin {
+
+/// Removes what the solid of an upright tool that doesn't turn sweeps on straight moves from the machinable runs of a
+/// workpiece, scanline by scanline and written at once; the deviation is that of SolidColumns. Remembers where its last
+/// move ended: a move from there visits only what the tool enters. No allocation, lock or exception in `cut`. Only on
+/// the workpiece's writer thread.
+class SolidCutter {
+public:
+    /// Allocates. @param grid that of every workpiece that is cut
+    SolidCutter(const ToolSolid& solid, const Grid& grid) : columns_(solid, grid) {}
+
+    /// @param from, to tips, mm, setup frame, finite. Adds to `removed`.
+    void cut(RunVolume& workpiece, const glm::dvec3& from, const glm::dvec3& to, RemovedUnits& removed) noexcept;
+    /// Call after the workpiece was changed otherwise than by `cut`.
+    void reset() noexcept { cleared_.reset(); }
+    const SolidColumns& columns() const noexcept { return columns_; }
+
+private:
+    SolidColumns columns_;
+    std::optional<glm::dvec3> cleared_; ///< mm, tip at which the flutes hold nothing machinable
+};
+
+} // namespace burin

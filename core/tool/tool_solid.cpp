@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/tool/tool_solid.h"
+
+#include "core/base/numbers.h"
+#include "core/base/units.h"
+#include "core/tool/tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace burin {
+
+namespace {
+
+constexpr NumberRange solidCoordinate{-1000.0, 1000.0}; // mm
+constexpr NumberRange solidTurn{-360.0, 360.0};              // degrees
+constexpr double solidFit = 1e-3;                            // mm, between a model and the profile around it
+
+Error badSolid(const char* key, std::string value, std::string allowed) {
+    return {ErrorCode::argumentInvalid, std::string("cutter.") + key, std::move(value), std::move(allowed)};
+}
+
+Result<void> checkMesh(const char* key, const TriangleMesh& mesh) {
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t vertex : triangle)
+            if (vertex >= mesh.vertices.size())
+                return badSolid(key, std::to_string(vertex), "triangles of the vertices that are there");
+    if (const std::size_t open = countOpenEdges(weldIdenticalVertices(mesh)); open > 0)
+        return badSolid(key, std::to_string(open), "a closed surface; close its holes");
+    return {};
+}
+
+/// Whether all vertices lie in one of the pieces.
+bool isWithin(const TriangleMesh& mesh, const std::vector<RevolvedPiece>& pieces) {
+    return std::ranges::all_of(mesh.vertices, [&](const glm::dvec3& vertex) {
+        const double radius = std::hypot(vertex.x, vertex.y);
+        return std::ranges::any_of(
+            pieces, [&](const RevolvedPiece& piece) { return signedDistance(piece, radius, vertex.z) <= solidFit; });
+    });
+}
+
+/// Flat lists of numbers: [x, y, z, x, …] and [a, b, c, a, …].
+void readSolidMesh(JsonObject& from, const char* key, TriangleMesh& mesh) {
+    from.object(key, [&](JsonObject& model) {
+        const std::vector<double> places = model.numbers("vertices_mm", solidCoordinate, 3);
+        for (std::size_t i = 0; i + 2 < places.size(); i += 3)
+            mesh.vertices.emplace_back(places[i], places[i + 1], places[i + 2]);
+        const std::vector<double> corners =
+            model.numbers("triangles", {0.0, static_cast<double>(3 * ToolSolid::mostTriangles)}, 3);
+        for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+            mesh.triangles.push_back({static_cast<std::uint32_t>(corners[i]),
+                                      static_cast<std::uint32_t>(corners[i + 1]),
+                                      static_cast<std::uint32_t>(corners[i + 2])});
+    });
+}
+
+nlohmann::ordered_json solidMeshJson(const TriangleMesh& mesh) {
+    nlohmann::ordered_json places = nlohmann::ordered_json::array(), corners = nlohmann::ordered_json::array();
+    for (const glm::dvec3& vertex : mesh.vertices)
+        for (int axis = 0; axis < 3; ++axis) places.push_back(vertex[axis]);
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t corner : triangle) corners.push_back(corner);
+    return {{"vertices_mm", std::move(places)}, {"triangles", std::move(corners)}};
+}
+
+} // namespace
+
+TriangleMesh turnedAboutAxis(const TriangleMesh& mesh, double angle) {
+    TriangleMesh turned = mesh;
+    const double cosine = std::cos(angle), sine = std::sin(angle);
+    for (glm::dvec3& vertex : turned.vertices)
+        vertex = {cosine * vertex.x - sine * vertex.y, sine * vertex.x + cosine * vertex.y, vertex.z};
+    return turned;
+}
+
+Result<void> validateSolid(const Cutter& cutter) {
+    const ToolSolid& solid = *cutter.solid;
+    const std::size_t triangles = solid.flutes.triangles.size() + solid.shank.triangles.size();
+    if (cutter.type != CutterType::profile)
+        return badSolid("type", std::string(cutterTypeName(cutter.type)), "profile: the tool doesn't turn");
+    if (solid.flutes.empty() || triangles > ToolSolid::mostTriangles)
+        return badSolid("flutes_mesh", std::to_string(triangles),
+                        "1 to " + std::to_string(ToolSolid::mostTriangles) + " triangles");
+    if (!std::isfinite(solid.angle)) return badSolid("angle_deg", formatShortest(solid.angle), "a number");
+    if (Result<void> flutes = checkMesh("flutes_mesh", solid.flutes); !flutes) return flutes;
+    if (Result<void> shank = checkMesh("shank_mesh", solid.shank); !shank) return shank;
+    const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
+    if (!isWithin(solid.flutes, flutes))
+        return badSolid("flutes_mesh", {}, "inside the profile: make the tool from its models anew");
+    if (!isWithin(solid.shank, pieces(cutter)))
+        return badSolid("shank_mesh", {}, "inside the shank: make the tool from its models anew");
+    if (!solid.shank.empty() && std::abs(boundingBox(solid.shank).high.z - cutter.stickOut) > solidFit)
+        return badSolid("stick_out_mm", formatShortest(cutter.stickOut), "the height of the model of the shank");
+    return {};
+}
+
+ToolSolid readSolid(JsonObject& from) {
+    ToolSolid solid;
+    solid.angle = from.number("angle_deg", solidTurn) * pi / 180.0;
+    readSolidMesh(from, "flutes_mesh", solid.flutes);
+    if (from.has("shank_mesh")) readSolidMesh(from, "shank_mesh", solid.shank);
+    return solid;
+}
+
+void writeSolid(const ToolSolid& solid, nlohmann::ordered_json& cutter) {
+    cutter["turns"] = false;
+    cutter["angle_deg"] = std::round(solid.angle * 180.0 / pi * 1e9) / 1e9; // as it was stated
+    cutter["flutes_mesh"] = solidMeshJson(solid.flutes);
+    if (!solid.shank.empty()) cutter["shank_mesh"] = solidMeshJson(solid.shank);
+}
+
+} // namespace burin
