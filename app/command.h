@@ -62,6 +62,7 @@ using Register = void (*)(CommandParser program, CommandContext& context, int& s
 void registerImport(CommandParser program, CommandContext& context, int& status);
 void registerEmbed(CommandParser program, CommandContext& context, int& status);
 void registerSetup(CommandParser program, CommandContext& context, int& status);
+void registerFixtures(CommandParser program, CommandContext& context, int& status);
 void registerMill(CommandParser program, CommandContext& context, int& status);
 void registerPath(CommandParser program, CommandContext& context, int& status);
 void registerPost(CommandParser program, CommandContext& context, int& status);

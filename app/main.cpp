@@ -22,12 +22,13 @@
 
 namespace {
 
-constexpr std::array commands{
-    burin::registerImport,    burin::registerEmbed,   burin::registerSetup,  burin::registerMill,
-    burin::registerPath,      burin::registerPost,    burin::registerVerify, burin::registerInfo,
-    burin::registerCalibrate, burin::registerDemo,    burin::registerBench,  burin::registerDevices,
-    burin::registerMeasure,   burin::registerPicture, burin::registerSheet,  burin::registerMachines,
-    burin::registerMaterials, burin::registerTools,   burin::registerTake,   burin::registerVolume};
+constexpr std::array commands{burin::registerImport,   burin::registerEmbed,     burin::registerSetup,
+                              burin::registerMill,     burin::registerPath,      burin::registerPost,
+                              burin::registerVerify,   burin::registerInfo,      burin::registerCalibrate,
+                              burin::registerDemo,     burin::registerBench,     burin::registerDevices,
+                              burin::registerMeasure,  burin::registerPicture,   burin::registerSheet,
+                              burin::registerMachines, burin::registerMaterials, burin::registerTools,
+                              burin::registerTake,     burin::registerVolume,    burin::registerFixtures};
 
 void addCommands(const burin::CommandLine& line, burin::CommandContext& context, int& status) {
     for (const burin::Register registerCommand : commands) registerCommand(line.program(), context, status);

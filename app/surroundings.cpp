@@ -3,6 +3,7 @@
 #include "app/surroundings.h"
 
 #include "app/command.h"
+#include "app/fixture_arguments.h"
 #include "app/number_list.h"
 #include "app/report.h"
 #include "app/wording.h"
@@ -204,9 +205,13 @@ json jsonOf(const AxisMode& axis) {
 }
 
 json jsonOf(const Obstacle& obstacle) {
-    return {{"name", obstacle.name},           {"kind", kindName(obstacle.kind)},
-            {"shape", shapeName(obstacle)},    {"bounding_box_mm", jsonOf(boundsOf(obstacle))},
-            {"clearance_mm", obstacle.margin}, {"on", obstacle.on}};
+    return {{"name", obstacle.name},
+            {"kind", kindName(obstacle.kind)},
+            {"shape", shapeName(obstacle)},
+            {"bounding_box_mm", jsonOf(boundsOf(obstacle))},
+            {"clearance_mm", obstacle.margin},
+            {"on", obstacle.on},
+            {"library", obstacle.design ? jsonOf(*obstacle.design) : json(nullptr)}};
 }
 
 json jsonOf(const std::vector<Obstacle>& obstacles) {
@@ -237,8 +242,9 @@ std::string textOf(const Obstacle& obstacle) {
     const Box box = boundsOf(obstacle);
     return worded(obstacle.on ? BURIN_TEXT("Command", "%1 \"%2\": %3 from (%4) to (%5) mm, clearance %6 mm")
                               : BURIN_TEXT("Command", "%1 \"%2\": %3 from (%4) to (%5) mm, clearance %6 mm, off"),
-                  {wordFor(kindName(obstacle.kind)), obstacle.name, wordFor(shapeName(obstacle)), lengthsOf(box.low),
-                   lengthsOf(box.high), formatShortest(obstacle.margin)});
+                  {wordFor(kindName(obstacle.kind)), obstacle.name,
+                   obstacle.design ? worded(rowOf(obstacle.design->kind).title) : wordFor(shapeName(obstacle)),
+                   lengthsOf(box.low), lengthsOf(box.high), formatShortest(obstacle.margin)});
 }
 
 std::string textOf(const BoundLayer& layer) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/fixture_arguments.h"
 #include "app/report.h"
 #include "app/setups.h"
 #include "app/surroundings.h"
@@ -23,6 +24,7 @@ namespace {
 struct SetupArguments {
     std::string project;
     SurroundingsArguments around;
+    FixtureArguments fixtures;
     SetupsArguments setups;
     ZeroArguments zero;
     std::vector<std::string> remove, switchOn, switchOff;
@@ -30,7 +32,7 @@ struct SetupArguments {
     std::string machine, dialect, units;
 
     bool changes() const {
-        return setups.changes() || !zero.empty() ||
+        return setups.changes() || !zero.empty() || !fixtures.empty() ||
                !(machine.empty() && dialect.empty() && units.empty() && around.fixtures.empty() &&
                  around.keepOuts.empty() && around.axis.empty() && around.travel.empty() && remove.empty() &&
                  switchOn.empty() && switchOff.empty());
@@ -62,6 +64,14 @@ Result<void> changeObstacles(std::vector<Obstacle>& obstacles, const SetupArgume
     if (!added) return std::move(added).error();
     obstacles = joined(std::move(obstacles), std::move(*added));
     return {};
+}
+
+Result<void> changeLibraryFixtures(const Project& project, std::vector<Obstacle>& obstacles,
+                                   const SetupArguments& arguments) {
+    if (arguments.fixtures.empty()) return {};
+    const Result<Setup> setup = project.setup();
+    if (!setup) return setup.error();
+    return changeFixtures(obstacles, arguments.fixtures, setup->stock, arguments.around.clearance);
 }
 
 /// Another machine implies the dialect of its control.
@@ -111,6 +121,7 @@ Result<void> checkTravel(const Around& around) {
 /// Applies the arguments; errors in them are detected before anything is stored.
 Result<void> change(ProjectChange& project, Around& around, const SetupArguments& arguments, Progress& progress) {
     if (Result<void> done = changeObstacles(around.obstacles, arguments, progress); !done) return done;
+    if (Result<void> done = changeLibraryFixtures(*project, around.obstacles, arguments); !done) return done;
     if (!arguments.around.axis.empty()) {
         const Result<AxisMode> axis = axisModeOf(arguments.around.axis);
         if (!axis) return axis.error();
@@ -213,6 +224,7 @@ void registerSetup(CommandParser program, CommandContext& context, int& status) 
     addSetups(command, arguments->setups);
     addZero(command, arguments->zero);
     addSurroundings(command, arguments->around);
+    addFixtures(command, arguments->fixtures);
     const auto addNames = [&](const char* option, std::vector<std::string>& names, TextId help) {
         command.option(option, names, help).oneAtATime();
     };

@@ -40,6 +40,7 @@ enum class ErrorCode : std::uint16_t {
     volumeOutOfMemory, ///< the reserved memory is used up; subject: bytes reserved
     partOutsideStock,  ///< subject: body; place: by how much, with unit
     stockInvalid,      ///< subject: the parameter; detail: what is allowed
+    fixtureInStock,    ///< subject: fixture; place: how deep, with unit
     // tools, materials, machines (resources)
     resourceInvalid, ///< subject: file; place: key; detail: what is wrong
     // devices and haptics
@@ -109,6 +110,7 @@ constexpr ErrorClass errorClass(ErrorCode code) noexcept {
     case ErrorCode::editUnguarded:
     case ErrorCode::stockInvalid:
     case ErrorCode::partOutsideStock:
+    case ErrorCode::fixtureInStock:
     case ErrorCode::dialectNotFound:
     case ErrorCode::deviceNotFound:
     case ErrorCode::volumeTooLarge:

@@ -52,6 +52,30 @@ void add(json& record, const CylinderShape& cylinder) {
 
 void add(json&, const TriangleMesh&) {}
 
+/// Versions of Burin that don't know this key, and those that don't know the kind, see a mesh like any other.
+void add(json& record, const FixtureDesign& design) {
+    const FixtureKindRow& row = rowOf(design.kind);
+    json values = json::object();
+    for (std::size_t i = 0; i < row.parameters.size(); ++i) values[row.parameters[i].key] = design.values[i];
+    record["library"] = {
+        {"kind", row.id}, {"values_mm", values}, {"place_mm", jsonOf(design.place)}, {"turn_rad", design.turn}};
+}
+
+/// Empty if this version can't make such a fixture.
+std::optional<FixtureDesign> fixtureDesignOf(const json& record) try {
+    const std::optional<FixtureKind> kind = fixtureKindFromId(record.at("kind").get<std::string>());
+    if (!kind) return std::nullopt;
+    FixtureDesign design = standardFixture(*kind);
+    for (const FixtureParameter& parameter : rowOf(*kind).parameters)
+        setValue(design, parameter.key, record.at("values_mm").at(parameter.key).get<double>());
+    design.place = vectorOf(record.at("place_mm"));
+    design.turn = record.at("turn_rad").get<double>();
+    if (!checkFixture(design)) return std::nullopt;
+    return design;
+} catch (const json::exception&) {
+    return std::nullopt;
+}
+
 std::optional<Obstacle> readObstacle(const json& record, std::string_view blob) {
     Obstacle obstacle;
     obstacle.name = record.at("name").get<std::string>();
@@ -66,6 +90,7 @@ std::optional<Obstacle> readObstacle(const json& record, std::string_view blob) 
         std::optional<TriangleMesh> mesh = decodeMesh(blob);
         if (!mesh) return std::nullopt;
         obstacle.shape = std::move(*mesh);
+        if (record.contains("library")) obstacle.design = fixtureDesignOf(record["library"]);
     }
     if (!checkObstacle(obstacle)) return std::nullopt;
     return obstacle;
@@ -125,6 +150,7 @@ RecordWithBlob recordOf(const Obstacle& obstacle) {
                    {"margin_mm", obstacle.margin},
                    {"on", obstacle.on}};
     std::visit([&](const auto& shape) { add(record, shape); }, obstacle.shape);
+    if (obstacle.design) add(record, *obstacle.design);
     const auto* mesh = std::get_if<TriangleMesh>(&obstacle.shape);
     return {textOf(record), mesh != nullptr ? encodeMesh(*mesh) : std::string()};
 }

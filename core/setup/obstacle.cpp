@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/geometry/frame_along.h"
 #include "core/geometry/pose.h"
+#include "core/setup/round_sides.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +24,8 @@ TriangleMesh meshOf(const Box& box) {
 /// Returns a prism circumscribed about the cylinder.
 TriangleMesh meshOf(const CylinderShape& cylinder) {
     const glm::dvec3 x = anyAcross(cylinder.axis), y = glm::cross(cylinder.axis, x);
-    const double half = std::acos(cylinder.radius / (cylinder.radius + cylinderChord));
-    const auto sides = static_cast<std::uint32_t>(std::clamp(std::ceil(pi / half), 8.0, 4096.0));
-    const double radius = cylinder.radius / std::cos(pi / sides);
+    const std::uint32_t sides = sidesAround(cylinder.radius, cylinderChord);
+    const double radius = cornerRadius(cylinder.radius, sides);
     TriangleMesh mesh;
     const glm::dvec3 rise = cylinder.height * cylinder.axis;
     for (std::uint32_t i = 0; i < sides; ++i) {
@@ -114,7 +114,7 @@ std::string openEdges(std::size_t count) {
 
 bool operator==(const Obstacle& one, const Obstacle& other) {
     if (one.name != other.name || one.margin != other.margin || one.on != other.on || one.kind != other.kind ||
-        one.shape.index() != other.shape.index())
+        one.shape.index() != other.shape.index() || one.design != other.design)
         return false;
     return std::visit(
         [&](const auto& shape) { return same(shape, std::get<std::decay_t<decltype(shape)>>(other.shape)); },

@@ -8,9 +8,11 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/setup/cylinder_shape.h"
+#include "core/setup/fixture_kind.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -30,6 +32,7 @@ struct Obstacle {
     double margin = 0.0;                                  ///< distance that the tool keeps from it, mm, >= 0
     bool on = true;                                       ///< in force from the start; off: ignored for now
     ObstacleKind kind = ObstacleKind::fixture;
+    std::optional<FixtureDesign> design{}; ///< of a fixture from the library: what its mesh was made of
 
     friend bool operator==(const Obstacle& one, const Obstacle& other);
 };

@@ -200,6 +200,7 @@ void CommandLanguageTest::answersAreInTheUsersLanguage_data() {
     row("verify", {"verify", "@/wrong.ngc", "--project", "@/cube.burin"}, 1);
     row("verify one tool", {"verify", "@/gouge.ngc", "--project", "@/cube.burin", "--tool", "ball-6"}, 1);
     row("machines", {"machines", "list"});
+    row("fixtures", {"fixtures"});
     row("picture", {"picture", "@/cube.burin", "-o", "@/x.png"});
     row("bench", {"bench"});
 }

@@ -46,6 +46,7 @@ void ActionStates::update() {
            workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.readingStock());
     enable(ActionId::tools, !workbench.tool.locked()); // the tool in the spindle must not change
     enable(ActionId::toolShape, !workbench.tool.locked() && !workbench.tool.shaping());
+    enable(ActionId::libraryFixture, workbench.fixtures.possible() && workbench.setup.usable() && free);
     enable(ActionId::addFixtureFile,
            workbench.setup.hasPart() && !workbench.surroundings.locked() && !workbench.surroundings.importing());
     enable(ActionId::axisOfView, workbench.setup.hasPart() && !workbench.surroundings.locked());

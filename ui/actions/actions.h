@@ -65,6 +65,7 @@ enum class ActionId : std::size_t {
     embed,
     stockFile,
     toolShape,
+    libraryFixture,
     addFixtureFile,
     axisOfView,
     millMode,

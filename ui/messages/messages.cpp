@@ -124,6 +124,8 @@ QString Messages::sentence(const Error& error) {
         return tr("\"%1\" reaches out of the stock (%2); enlarge the stock or its margin.").arg(subject, place);
     case ErrorCode::stockInvalid:
         return tr("The stock's \"%1\" can't be used; allowed is: %2.").arg(subject, detail);
+    case ErrorCode::fixtureInStock:
+        return tr("\"%1\" would be %2 deep in the stock; move it, or change its sizes.").arg(subject, place);
     case ErrorCode::resourceInvalid:
         return tr("\"%1\" can't be used because of \"%2\" (%3); correct the file.").arg(file, place, detail);
     case ErrorCode::deviceNotFound:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/obstacle_card.h"
 
+#include "ui/messages/messages.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
@@ -74,6 +75,12 @@ void ObstacleCard::addHead() {
     connect(remove_, &QToolButton::clicked, this, &ObstacleCard::removalRequested);
     auto* head = new QHBoxLayout;
     head->addWidget(switch_, 1);
+    if (obstacle_.design) {
+        change_ = makeIconButton(QStringLiteral("edit"), tr("Change its sizes and its position"),
+                                 name_ + QStringLiteral("Change"), this);
+        connect(change_, &QToolButton::clicked, this, &ObstacleCard::changeRequested);
+        head->addWidget(change_);
+    }
     head->addWidget(remove_);
     static_cast<QVBoxLayout*>(layout())->addLayout(head);
 }
@@ -162,6 +169,11 @@ void ObstacleCard::addShape() {
                    QStringLiteral("Height"), tr("Height"), -1, [](const Obstacle& of) { return cylinderOf(of).height; },
                    [](Obstacle& of, double value) { cylinderOf(of).height = value; }));
         fields_.back().field->limit(smallest, farthestCoordinate);
+    } else if (obstacle_.design) {
+        origin_ = makeWrappedLabel(figures_);
+        origin_->setObjectName(name_ + QStringLiteral("Origin"));
+        origin_->setProperty("look", "small");
+        figures_->layout()->addWidget(origin_);
     } else {
         QLabel* count = makeWrappedLabel(figures_);
         count->setProperty("look", "small");
@@ -171,9 +183,20 @@ void ObstacleCard::addShape() {
     }
 }
 
+void ObstacleCard::showOrigin() {
+    if (origin_ == nullptr || !obstacle_.design) return;
+    const QString kind = Messages::text(rowOf(obstacle_.design->kind).title);
+    setWrappedText(origin_, inStock_ > 0.0
+                                ? tr("From the library: %1. It is %2 deep in the stock; change its position or size.")
+                                      .arg(kind, lengthText(inStock_, unit_))
+                                : tr("From the library: %1").arg(kind));
+}
+
 void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool locked) {
     obstacle_ = *row.obstacle;
     zero_ = zero;
+    inStock_ = row.inStock;
+    showOrigin();
     switch_->show(title(), row.on, boundNewsText(row.news));
     kind_->setCurrentIndex(static_cast<int>(obstacle_.kind));
     for (const Field& field : fields_) {
@@ -181,10 +204,15 @@ void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool 
         field.field->showValue(field.axis < 0 ? value : value - zero[field.axis]);
     }
     setEnabledKeepingFocus(figures_, !locked);
+    if (change_ != nullptr)
+        enableUnless(change_, locked ? tr("Stop the recording first.") : QString(),
+                     tr("Change its sizes and its position"));
     enableUnless(remove_, locked ? tr("Stop the recording first.") : QString(), tr("Delete it"));
 }
 
 void ObstacleCard::setUnit(LengthUnit unit) {
+    unit_ = unit;
+    showOrigin();
     for (const Field& field : fields_) {
         field.field->setLengthUnit(unit);
         if (field.bare) field.field->setSuffix({}); // three fields side by side have no room for it

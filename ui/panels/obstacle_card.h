@@ -40,6 +40,7 @@ signals:
     void edited(const burin::Obstacle& obstacle);
     void switched(bool on);
     void removalRequested();
+    void changeRequested(); ///< of a fixture of the library
 
 private:
     using Get = std::function<double(const Obstacle&)>;
@@ -55,6 +56,7 @@ private:
         QString text;
     };
     void addHead();
+    void showOrigin();
     void addShape();
     QuantityField* addField(const QString& name, const QString& label, int axis, Get get, Set set);
     void addRow(const QString& label, const QString& toolTip, QuantityField* field);
@@ -64,9 +66,12 @@ private:
     QString name_;
     Obstacle obstacle_;
     glm::dvec3 zero_{0.0};
+    double inStock_ = 0.0; ///< mm
+    LengthUnit unit_ = LengthUnit::millimetre;
     NamedSwitch* switch_ = nullptr;
-    QToolButton* remove_ = nullptr;
+    QToolButton *change_ = nullptr, *remove_ = nullptr; ///< `change_`: of a fixture of the library, else null
     ChoiceBox* kind_ = nullptr;
+    QLabel* origin_ = nullptr; ///< of a fixture of the library, else null
     QWidget* figures_ = nullptr;
     std::vector<Field> fields_;
     std::vector<Title> titles_; ///< of the rows of three fields

@@ -73,6 +73,8 @@ struct ObstacleRow {
     std::shared_ptr<const Obstacle> obstacle; ///< never null; `on` states whether it is switched on
     bool on = true;
     BoundNews news = BoundNews::none;
+    double inStock =
+        0.0; ///< how deep a fixture of the library is in the stock, mm: the stock changed after it was placed
 };
 
 struct SurroundingsState {

@@ -86,7 +86,8 @@ void SurroundingsPanel::Fields::addAddition() {
     addition_->setToolTip(SurroundingsPanel::tr("Kind of fixture or keep-out volume to add"));
     addition_->addItems({SurroundingsPanel::tr("Fixture: box"), SurroundingsPanel::tr("Fixture: cylinder"),
                          SurroundingsPanel::tr("Fixture from a file…"), SurroundingsPanel::tr("Keep out: box"),
-                         SurroundingsPanel::tr("Keep out: cylinder")}); // in the order of Addition
+                         SurroundingsPanel::tr("Keep out: cylinder"),
+                         SurroundingsPanel::tr("Fixture from the library…")}); // in the order of Addition
     add_ = makeButton(SurroundingsPanel::tr("Add"), QStringLiteral("add"), QStringLiteral("addObstacleButton"), panel_);
     connect(add_, &QPushButton::clicked, this,
             [this] { emit panel_->additionWanted(static_cast<Addition>(addition_->currentIndex())); });
@@ -152,6 +153,7 @@ void SurroundingsPanel::Fields::rebuildCards() {
         connect(card, &ObstacleCard::edited, this,
                 [this, i](const Obstacle& obstacle) { emit panel_->obstacleEdited(i, obstacle); });
         connect(card, &ObstacleCard::switched, this, [this, i](bool on) { emit panel_->obstacleSwitched(i, on); });
+        connect(card, &ObstacleCard::changeRequested, this, [this, i] { emit panel_->obstacleChangeRequested(i); });
         connect(card, &ObstacleCard::removalRequested, this, [this, i] { emit panel_->obstacleRemovalRequested(i); });
         cards_.push_back(card);
     }

@@ -13,7 +13,7 @@ namespace burin {
 class SurroundingsPanel : public QWidget {
     Q_OBJECT
 public:
-    enum class Addition { fixtureBox, fixtureCylinder, fixtureFile, keepOutBox, keepOutCylinder };
+    enum class Addition { fixtureBox, fixtureCylinder, fixtureFile, keepOutBox, keepOutCylinder, fixtureOfLibrary };
     Q_ENUM(Addition)
 
     explicit SurroundingsPanel(QWidget* parent = nullptr);
@@ -26,6 +26,7 @@ signals:
     void obstacleEdited(std::size_t place, const burin::Obstacle& obstacle);
     void obstacleSwitched(std::size_t place, bool on);
     void obstacleRemovalRequested(std::size_t place);
+    void obstacleChangeRequested(std::size_t place); ///< of a fixture of the library
     void travelSwitched(bool on);
     void axisChosen(const burin::AxisMode& axis);
     void axisOfViewRequested(); ///< set the tool axis to the view direction

@@ -96,6 +96,12 @@ void MainWindow::connectActions() {
         showStep(JobStep::stock);
         panels_->showPanel(panels_->zero);
     });
+    connect(&presenters_->fixtures, &FixturePresenter::placingBegins, this, [this] {
+        if (presenters_->job.shown() != JobStep::stock) showStep(JobStep::stock);
+        panels_->showPanel(panels_->surroundings);
+    });
+    connect(&presenters_->surroundings, &SurroundingsPresenter::libraryFixtureWanted,
+            actions_[ActionId::libraryFixture], &QAction::trigger);
     connect(&presenters_->zero, &ZeroPresenter::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
     connect(&presenters_->tree, &TreePresenter::stepWanted, this, &MainWindow::showStep);

@@ -49,11 +49,11 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
             {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, line, pickZero,
              touchZero});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
-            {embed,     stockFile,   toolShape,   addFixtureFile, axisOfView,    line,      millMode,
-             raster,    repeatLower, repeatLeft,  repeatRight,    line,          playTime,  presentTime,
-             punchIn,   addMarker,   takeUp,      takeDown,       duplicateTake, scoreTake, line,
-             guides,    nearestEdge, levelAbove,  levelBelow,     line,          clutch,    recentre,
-             alignHand, finerHand,   coarserHand, rateControl,    line,          showMe,    stopShow});
+            {embed,       stockFile,   toolShape,  libraryFixture, addFixtureFile, axisOfView, line,        millMode,
+             raster,      repeatLower, repeatLeft, repeatRight,    line,           playTime,   presentTime, punchIn,
+             addMarker,   takeUp,      takeDown,   duplicateTake,  scoreTake,      line,       guides,      nearestEdge,
+             levelAbove,  levelBelow,  line,       clutch,         recentre,       alignHand,  finerHand,   coarserHand,
+             rateControl, line,        showMe,     stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
             {newPath, newPass, programPath, measurePasses, brushArea, lassoArea, faceArea, clearArea, evaluatePath,
              comparePaths, line, drawStretch, drawEdit});

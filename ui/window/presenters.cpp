@@ -37,7 +37,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , tree(workbench, stage.tree, scene, this)
     , excess(workbench, stage.viewport, this)
     , faces(workbench, stage.viewport, stage.panels.program->deviation(), this)
-    , comparison(workbench, stage.viewport, this) {
+    , comparison(workbench, stage.viewport, this)
+    , fixtures(workbench, stage.viewport, this) {
     connect(&scene, &ScenePresenter::hiddenBodiesChanged, this, [this](const std::set<std::size_t>& bodies) {
         part.setHiddenBodies(bodies);
         setups.setHiddenBodies(bodies);
@@ -46,6 +47,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     });
     connect(&pathScene, &PathScenePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&area, &AreaPresenter::escapeChanged, &status, &Presenter::presentSoon);
+    connect(&fixtures, &FixturePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(stage.panels.program, &ProgramPanel::lineChosen, &workbench.time, &TimeController::followLine);
     connect(&time, &TimePresenter::breakpointAsked, this,
             [&workbench, panel = stage.panels.program] { workbench.time.toggleBreakpoint(panel->line()); });
@@ -73,6 +75,7 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
     excess.connectActions(actions);
     faces.connectActions(actions);
     comparison.connectActions(actions);
+    fixtures.connectActions(actions);
 }
 
 void Presenters::setUnit(LengthUnit unit) {
@@ -80,7 +83,7 @@ void Presenters::setUnit(LengthUnit unit) {
              &part,    &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
              &mill,    &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
              &status,  &job,          &scene,  &guideScene, &programScene, &deviation, &area,    &time,
-             &measure, &tree,         &excess, &faces,      &comparison})
+             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures})
         presenter->setUnit(unit);
 }
 

@@ -7,6 +7,7 @@
 #include "ui/window/deviation_presenter.h"
 #include "ui/window/excess_presenter.h"
 #include "ui/window/face_presenter.h"
+#include "ui/window/fixture_presenter.h"
 #include "ui/window/guide_presenter.h"
 #include "ui/window/guide_scene_presenter.h"
 #include "ui/window/hand_presenter.h"
@@ -77,6 +78,7 @@ public:
     ExcessPresenter excess;
     FacePresenter faces;
     ComparisonPresenter comparison;
+    FixturePresenter fixtures;
 };
 
 } // namespace burin

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/surroundings_presenter.h"
 
+#include "core/setup/fixture_solid.h"
+
 namespace burin {
 
 namespace {
@@ -16,7 +18,9 @@ BoundNews newsOf(const std::optional<LayerNews>& news) {
 
 SurroundingsPresenter::SurroundingsPresenter(Workbench& workbench, SurroundingsPanel& panel, BoundsPanel& switches,
                                              Viewport& viewport, QObject* parent)
-    : Presenter(workbench, {&workbench.surroundings, &workbench.setup, &workbench.workpiece, &workbench.mill}, parent)
+    : Presenter(workbench,
+                {&workbench.surroundings, &workbench.setup, &workbench.workpiece, &workbench.mill, &workbench.fixtures},
+                parent)
     , panel_(panel)
     , switches_(switches)
     , viewport_(viewport) {
@@ -26,6 +30,7 @@ SurroundingsPresenter::SurroundingsPresenter(Workbench& workbench, SurroundingsP
     connect(&panel, &SurroundingsPanel::obstacleEdited, &surroundings, &SurroundingsController::change);
     connect(&panel, &SurroundingsPanel::obstacleSwitched, &surroundings, &SurroundingsController::setOn);
     connect(&panel, &SurroundingsPanel::obstacleRemovalRequested, &surroundings, &SurroundingsController::remove);
+    connect(&panel, &SurroundingsPanel::obstacleChangeRequested, &workbench.fixtures, &FixtureController::beginChange);
     connect(&panel, &SurroundingsPanel::travelSwitched, &surroundings, &SurroundingsController::setTravelOn);
     connect(&panel, &SurroundingsPanel::axisChosen, &surroundings, &SurroundingsController::setAxis);
     connect(&switches, &BoundsPanel::obstacleSwitched, &surroundings, &SurroundingsController::setOn);
@@ -58,7 +63,9 @@ void SurroundingsPresenter::add(SurroundingsPanel::Addition addition) {
     case keepOutCylinder:
         return surroundings.addCylinder(ObstacleKind::keepOut);
     case fixtureFile:
-        emit fixtureFileWanted();
+        return emit fixtureFileWanted();
+    case fixtureOfLibrary:
+        emit libraryFixtureWanted();
     }
 }
 
@@ -70,9 +77,14 @@ void SurroundingsPresenter::present() {
     for (std::size_t i = 0; i < surroundings.obstacles().size(); ++i) {
         const PlacedObstacle& placed = surroundings.obstacles()[i];
         const BoundNews news = newsOf(surroundings.news(i));
-        state.obstacles.push_back({placed.obstacle, placed.on, news});
-        marks.push_back({placed.obstacle, placed.on, news == BoundNews::holds});
+        const std::optional<FixtureDesign>& design = placed.obstacle->design;
+        const double inStock = design && state.hasPart ? depthIn(*design, workbench_.setup.setup().stock) : 0.0;
+        state.obstacles.push_back({placed.obstacle, placed.on, news, inStock});
+        if (i != workbench_.fixtures.instead() || !workbench_.fixtures.preview())
+            marks.push_back({placed.obstacle, placed.on, news == BoundNews::holds});
     }
+    if (const std::shared_ptr<const Obstacle>& fixture = workbench_.fixtures.preview())
+        marks.push_back({fixture, true, workbench_.fixtures.problem().has_value()});
     if (workbench_.workpiece.embedded()) { // bodies of the model with the role of fixtures
         const std::shared_ptr<const MillingContext> milling = workbench_.workpiece.milling();
         for (const Obstacle& fixture : milling->bodyFixtures)

@@ -22,6 +22,7 @@ public:
 
 signals:
     void fixtureFileWanted();
+    void libraryFixtureWanted();
 
 private:
     void present() override;

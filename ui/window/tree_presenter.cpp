@@ -259,6 +259,14 @@ void TreePresenter::showFixtureMenu(std::size_t place, const QPoint& globalPosit
     const std::vector<PlacedObstacle>& obstacles = workbench_.surroundings.wanted().obstacles;
     if (place >= obstacles.size()) return;
     QMenu* menu = makeContextMenu("fixtureMenu", QString::fromStdString(obstacles[place].obstacle->name), &tree_);
+    const Obstacle& fixture = *obstacles[place].obstacle;
+    if (fixture.design)
+        addEntry(*menu, tr("&Change…"), tr("Change its sizes and its position."), "changeFixtureAction",
+                 [this, place] { workbench_.fixtures.beginChange(place); });
+    addEntry(*menu, tr("&Rename…"), tr("Rename it."), "renameFixtureAction",
+             [this, place, before = QString::fromStdString(fixture.name)] {
+                 workbench_.surroundings.rename(place, askName(tr("Rename the fixture"), before, &tree_));
+             });
     addEntry(*menu, tr("&Delete"), tr("Delete it from the setup."), "deleteFixtureAction",
              [this, place] { workbench_.surroundings.remove(place); });
     menu->popup(globalPosition);

@@ -13,7 +13,6 @@ namespace burin {
 
 namespace {
 
-constexpr double fixtureMargin = 1.0; // mm
 constexpr double besideStock = 2.0;   // mm
 constexpr double fixtureShare = 0.25; // of the stock's longest side
 constexpr double sameAxis = 1e-12;    // of 1 - cos
@@ -42,13 +41,19 @@ void SurroundingsController::load(std::vector<Obstacle> obstacles, const AxisMod
     emit changed();
 }
 
-QString SurroundingsController::freeName(ObstacleKind kind) const {
-    const QString pattern = kind == ObstacleKind::keepOut ? tr("Keep-out %1") : tr("Fixture %1");
+QString SurroundingsController::freeName(const QString& pattern) const {
+    const bool numbered = pattern.contains(QStringLiteral("%1"));
     for (int number = 1;; ++number) {
-        const std::string name = pattern.arg(number).toStdString();
-        const auto same = [&](const PlacedObstacle& other) { return other.obstacle->name == name; };
-        if (std::ranges::none_of(wanted_.obstacles, same)) return QString::fromStdString(name);
+        const QString name = numbered      ? pattern.arg(number)
+                             : number == 1 ? pattern
+                                           : pattern + QStringLiteral(" %1").arg(number);
+        const auto same = [&](const PlacedObstacle& other) { return other.obstacle->name == name.toStdString(); };
+        if (std::ranges::none_of(wanted_.obstacles, same)) return name;
     }
+}
+
+QString SurroundingsController::nameFor(ObstacleKind kind) const {
+    return freeName(kind == ObstacleKind::keepOut ? tr("Keep-out %1") : tr("Fixture %1"));
 }
 
 void SurroundingsController::addBox(ObstacleKind kind) {
@@ -56,7 +61,7 @@ void SurroundingsController::addBox(ObstacleKind kind) {
     const Box stock = workpiece_.wantedStock();
     const glm::dvec3 low = placeBeside(stock);
     const double size = sizeFor(stock);
-    add({freeName(kind).toStdString(),
+    add({nameFor(kind).toStdString(),
          Box{low - glm::dvec3(0.0, 0.5 * size, 0.0), low + glm::dvec3(size, 0.5 * size, size)},
          kind == ObstacleKind::fixture ? fixtureMargin : 0.0, true, kind});
 }
@@ -69,7 +74,7 @@ void SurroundingsController::addCylinder(ObstacleKind kind) {
     cylinder.radius = 0.5 * size;
     cylinder.base = placeBeside(stock) + glm::dvec3(cylinder.radius, 0.0, 0.0);
     cylinder.height = size;
-    add({freeName(kind).toStdString(), cylinder, kind == ObstacleKind::fixture ? fixtureMargin : 0.0, true, kind});
+    add({nameFor(kind).toStdString(), cylinder, kind == ObstacleKind::fixture ? fixtureMargin : 0.0, true, kind});
 }
 
 void SurroundingsController::add(Obstacle obstacle) {
@@ -114,6 +119,16 @@ void SurroundingsController::change(std::size_t place, const Obstacle& obstacle)
     std::vector<PlacedObstacle> obstacles = wanted_.obstacles;
     obstacles[place].obstacle = std::make_shared<const Obstacle>(obstacle);
     setObstacles(tr("fixture"), std::move(obstacles), obstacleValue + static_cast<int>(place));
+}
+
+void SurroundingsController::rename(std::size_t place, const QString& name) {
+    if (locked() || place >= wanted_.obstacles.size() || name.isEmpty()) return;
+    Obstacle renamed = *wanted_.obstacles[place].obstacle;
+    if (renamed.name == name.toStdString()) return;
+    renamed.name = freeName(name).toStdString();
+    std::vector<PlacedObstacle> obstacles = wanted_.obstacles;
+    obstacles[place].obstacle = std::make_shared<const Obstacle>(std::move(renamed));
+    setObstacles(tr("fixture renamed"), std::move(obstacles));
 }
 
 void SurroundingsController::remove(std::size_t place) {

@@ -32,13 +32,19 @@ public:
     /// Loads the fixtures and limits of a project.
     void load(std::vector<Obstacle> obstacles, const AxisMode& axis, const TravelPlacement& travel);
 
+    static constexpr double fixtureMargin = 1.0; ///< mm, of new fixtures
+    /// The pattern if no fixture has this name; otherwise, or if it has a place for one, with a number that is free.
+    QString freeName(const QString& pattern) const;
+
     // These do nothing while it is locked.
+    void add(Obstacle obstacle);
     void addBox(ObstacleKind kind);      ///< next to the stock
     void addCylinder(ObstacleKind kind); ///< likewise
     /// Adds the bodies of a model as fixtures, in the coordinates of its file. @param fileUnit mm per unit of a file
     /// that states none
     void importFile(const std::filesystem::path& file, double fileUnit);
     void change(std::size_t place, const Obstacle& obstacle);
+    void rename(std::size_t place, const QString& name); ///< a name that another one has gets a number
     void remove(std::size_t place);
     void setAxis(const AxisMode& axis); ///< @param axis its direction is normalised
     // These are possible at any time.
@@ -46,11 +52,10 @@ public:
     void setTravelOn(bool on);
 
 private:
-    void add(Obstacle obstacle);
     void setObstacles(const QString& title, std::vector<PlacedObstacle> obstacles, int kind = -1);
     void apply(const std::vector<PlacedObstacle>& obstacles);
     void switchLayers();
-    QString freeName(ObstacleKind kind) const;
+    QString nameFor(ObstacleKind kind) const;
     std::optional<std::size_t> layerOf(std::size_t place) const;
     std::optional<std::size_t> travelLayer() const;
     std::optional<LayerNews> newsOf(std::optional<std::size_t> layer) const;

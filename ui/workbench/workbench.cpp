@@ -33,6 +33,7 @@ Workbench::Workbench(QObject* parent)
     , viewDevice(desk_, styluses, session, this)
     , mill(desk_, workpiece, session, styluses, this)
     , surroundings(desk_, workpiece, mill, session, this)
+    , fixtures(desk_, workpiece, surroundings, this)
     , guides(desk_, workpiece, mill, session, this)
     , hand(desk_, workpiece, mill, session, styluses, guides, this)
     , showMe(desk_, workpiece, session, this)
@@ -65,7 +66,7 @@ std::vector<Controller*> Workbench::controllers() {
     return {&document, &model,        &setup,      &material,     &tool,         &target,  &workpiece, &styluses,
             &session,  &deviceTester, &viewDevice, &mill,         &surroundings, &guides,  &hand,      &showMe,
             &path,     &area,         &passes,     &passMeasurer, &pathValuer,   &measure, &program,   &setups,
-            &sheet,    &time,         &keeper,     &faces,        &pathComparer, &score};
+            &sheet,    &time,         &keeper,     &faces,        &pathComparer, &score,   &fixtures};
 }
 
 void Workbench::wire() {
@@ -133,6 +134,7 @@ void Workbench::load(const ProjectContents& contents) {
     setup.load(contents.model, contents.setup, contents.materials);
     setups.load(contents);
     target.load(contents.target);
+    fixtures.cancel();
     surroundings.load(contents.obstacles, contents.axis, contents.travel);
     guides.load(contents.guides);
     mill.load(contents.takes);

@@ -7,6 +7,7 @@
 #include "ui/workbench/device_tester.h"
 #include "ui/workbench/document_controller.h"
 #include "ui/workbench/face_controller.h"
+#include "ui/workbench/fixture_controller.h"
 #include "ui/workbench/hand_controller.h"
 #include "ui/workbench/material_controller.h"
 #include "ui/workbench/measure_controller.h"
@@ -61,6 +62,7 @@ public:
     ViewDevice viewDevice;
     MillController mill;
     SurroundingsController surroundings;
+    FixtureController fixtures;
     GuideController guides;
     HandController hand;
     ShowMe showMe;

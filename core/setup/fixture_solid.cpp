@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/setup/fixture_solid.h"
+
+#include "core/base/units.h"
+#include "core/setup/box_union.h"
+#include "core/setup/obstacle.h"
+#include "core/setup/round_sides.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace burin {
+
+namespace {
+
+FixtureSolids viseSolids(const FixtureDesign& of) {
+    const double half = 0.5 * valueOf(of, "opening"), depth = valueOf(of, "jaw-depth"), top = valueOf(of, "grip"),
+                 bed = top - valueOf(of, "jaw-height"), jaw = 0.5 * valueOf(of, "jaw-width"),
+                 body = 0.5 * valueOf(of, "body-width");
+    FixtureSolids solids;
+    solids.boxes = {
+        {{half, -jaw, bed}, {half + depth, jaw, top}},
+        {{-half - depth, -jaw, bed}, {-half, jaw, top}},
+        {{-half - depth - valueOf(of, "tail"), -body, bed - valueOf(of, "body-height")}, {half + depth, body, bed}}};
+    return solids;
+}
+
+FixtureSolids stepClampSolids(const FixtureDesign& of) {
+    const double height = valueOf(of, "height"), half = 0.5 * valueOf(of, "width"),
+                 thickness = valueOf(of, "thickness"), nose = -0.5 * valueOf(of, "contact"),
+                 end = nose + valueOf(of, "length"), step = valueOf(of, "block-length") / blockSteps,
+                 stud = valueOf(of, "stud-distance"), slot = 0.5 * valueOf(of, "slot");
+    FixtureSolids solids;
+    solids.boxes.push_back({{nose, -half, 0.0}, {end, half, thickness}});
+    for (int i = 0; i < blockSteps; ++i)
+        solids.boxes.push_back(
+            {{end + (i - 1) * step, -half, -height}, {end + i * step, half, -height * i / blockSteps}});
+    solids.cutAway.push_back({{stud - slot, -slot, 0.0}, {stud + slot, slot, thickness}});
+    const double washer = thickness + solidGap, nut = washer + valueOf(of, "washer-thickness"),
+                 top = nut + valueOf(of, "nut-height"), radius = 0.5 * valueOf(of, "stud");
+    solids.rounds.push_back({{stud, 0.0},
+                             {{radius, -height, washer},
+                              {0.5 * valueOf(of, "washer"), washer, nut},
+                              {valueOf(of, "nut") / std::sqrt(3.0), nut, top},
+                              {radius, top, top + valueOf(of, "stud-end")}}});
+    return solids;
+}
+
+FixtureSolids toeClampSolids(const FixtureDesign& of) {
+    const double nose = valueOf(of, "nose-length"), top = valueOf(of, "grip-height"),
+                 noseHalf = 0.5 * valueOf(of, "nose-width"), half = 0.5 * valueOf(of, "width");
+    FixtureSolids solids;
+    solids.boxes = {{{0.0, -noseHalf, top - valueOf(of, "nose-thickness")}, {nose, noseHalf, top}},
+                    {{nose, -half, 0.0}, {nose + valueOf(of, "length"), half, valueOf(of, "height")}}};
+    return solids;
+}
+
+FixtureSolids screwSolids(const FixtureDesign& of) {
+    const double washer = valueOf(of, "washer-thickness"), head = valueOf(of, "head");
+    const double headRadius = of.kind == FixtureKind::hexScrew ? head / std::sqrt(3.0) : 0.5 * head;
+    FixtureSolids solids;
+    solids.rounds.push_back({glm::dvec2(0.0),
+                             {{0.5 * valueOf(of, "diameter"), -valueOf(of, "depth"), 0.0, true},
+                              {0.5 * valueOf(of, "washer"), 0.0, washer},
+                              {headRadius, washer, washer + valueOf(of, "head-height")}}});
+    return solids;
+}
+
+FixtureSolids parallelsSolids(const FixtureDesign& of) {
+    const double length = 0.5 * valueOf(of, "length"), half = 0.5 * valueOf(of, "thickness"),
+                 distance = 0.5 * valueOf(of, "distance"), height = valueOf(of, "height");
+    FixtureSolids solids;
+    for (const double middle : {-distance, distance})
+        solids.boxes.push_back({{-length, middle - half, -height}, {length, middle + half, 0.0}});
+    return solids;
+}
+
+FixtureSolids plateSolids(const FixtureDesign& of) {
+    const double length = 0.5 * valueOf(of, "length"), width = 0.5 * valueOf(of, "width");
+    FixtureSolids solids;
+    solids.boxes = {{{-length, -width, -valueOf(of, "thickness")}, {length, width, 0.0}}};
+    return solids;
+}
+
+/// A prism around each step, closed by the faces between neighbours of different width.
+TriangleMesh roundMesh(const RoundBody& body) {
+    const double widest = std::ranges::max(body.steps, {}, &RoundStep::radius).radius;
+    const std::uint32_t sides = sidesAround(widest, cylinderChord);
+    TriangleMesh mesh;
+    const auto ring = [&](const RoundStep& step, double height) {
+        for (std::uint32_t i = 0; i < sides; ++i) {
+            const double angle = 2.0 * pi * i / sides, radius = cornerRadius(step.radius, sides);
+            mesh.vertices.emplace_back(body.centre + radius * glm::dvec2(std::cos(angle), std::sin(angle)), height);
+        }
+    };
+    for (const RoundStep& step : body.steps) {
+        ring(step, step.low);
+        ring(step, step.high);
+    }
+    const auto rings = static_cast<std::uint32_t>(2 * body.steps.size()), bottom = rings * sides, top = bottom + 1;
+    mesh.vertices.emplace_back(body.centre, body.steps.front().low);
+    mesh.vertices.emplace_back(body.centre, body.steps.back().high);
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const std::uint32_t next = (i + 1) % sides;
+        for (std::uint32_t r = 0; r + 1 < rings; ++r) {
+            const std::uint32_t a = r * sides + i, b = r * sides + next;
+            mesh.triangles.push_back({a, b, b + sides});
+            mesh.triangles.push_back({a, b + sides, a + sides});
+        }
+        mesh.triangles.push_back({bottom, next, i});
+        mesh.triangles.push_back({top, top - 1 - sides + i, top - 1 - sides + next});
+    }
+    return mesh;
+}
+
+/// Cosine and sine of the turn; exact for quarter turns.
+glm::dvec2 directionOf(double turn) noexcept {
+    const double quarters = turn / (0.5 * pi), whole = std::round(quarters);
+    if (std::abs(quarters - whole) > 1e-12) return {std::cos(turn), std::sin(turn)};
+    constexpr std::array exact{glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), glm::dvec2(-1.0, 0.0),
+                               glm::dvec2(0.0, -1.0)};
+    return exact[static_cast<std::size_t>(static_cast<long>(whole) & 3)];
+}
+
+glm::dvec2 turned(const glm::dvec2& direction, const glm::dvec2& v) noexcept {
+    return {direction.x * v.x - direction.y * v.y, direction.y * v.x + direction.x * v.y};
+}
+
+/// How far one interval has to move to get out of another one.
+double overlap(double low, double high, double otherLow, double otherHigh) noexcept {
+    return std::min(high - otherLow, otherHigh - low);
+}
+
+/// The least over the axes that may separate a turned box from an upright one.
+double boxDepth(const FixtureDesign& design, const Box& box, const Box& stock) {
+    const glm::dvec2 x = directionOf(design.turn), y(-x.y, x.x);
+    const glm::dvec2 centre(inSetup(design, box.centre())), stockCentre(stock.centre()), half(0.5 * box.size()),
+        stockHalf(0.5 * stock.size());
+    double depth = overlap(box.low.z + design.place.z, box.high.z + design.place.z, stock.low.z, stock.high.z);
+    for (const glm::dvec2& axis : {glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), x, y}) {
+        const double reach = half.x * std::abs(glm::dot(axis, x)) + half.y * std::abs(glm::dot(axis, y)) +
+                             stockHalf.x * std::abs(axis.x) + stockHalf.y * std::abs(axis.y);
+        depth = std::min(depth, reach - std::abs(glm::dot(axis, centre - stockCentre)));
+    }
+    return depth;
+}
+
+double roundDepth(const FixtureDesign& design, const glm::dvec2& middle, const RoundStep& step, const Box& stock) {
+    const glm::dvec2 centre(inSetup(design, glm::dvec3(middle, 0.0)));
+    const glm::dvec2 out = glm::abs(centre - glm::dvec2(stock.centre())) - 0.5 * glm::dvec2(stock.size());
+    const double away =
+        std::max(out.x, out.y) <= 0.0 ? std::max(out.x, out.y) : glm::length(glm::max(out, glm::dvec2(0.0)));
+    return std::min(step.radius - away,
+                    overlap(step.low + design.place.z, step.high + design.place.z, stock.low.z, stock.high.z));
+}
+
+} // namespace
+
+FixtureSolids solidsOf(const FixtureDesign& design) {
+    switch (design.kind) {
+    case FixtureKind::vise:
+        return viseSolids(design);
+    case FixtureKind::stepClamp:
+        return stepClampSolids(design);
+    case FixtureKind::toeClamp:
+        return toeClampSolids(design);
+    case FixtureKind::hexScrew:
+    case FixtureKind::socketScrew:
+        return screwSolids(design);
+    case FixtureKind::parallels:
+        return parallelsSolids(design);
+    case FixtureKind::plate:
+        return plateSolids(design);
+    }
+    return {};
+}
+
+glm::dvec3 inSetup(const FixtureDesign& design, const glm::dvec3& place) noexcept {
+    return design.place + glm::dvec3(turned(directionOf(design.turn), glm::dvec2(place)), place.z);
+}
+
+TriangleMesh meshOf(const FixtureDesign& design) {
+    const FixtureSolids solids = solidsOf(design);
+    TriangleMesh mesh = boxUnion(solids.boxes, solids.cutAway);
+    for (const RoundBody& body : solids.rounds) append(mesh, roundMesh(body));
+    for (glm::dvec3& vertex : mesh.vertices) vertex = inSetup(design, vertex);
+    return mesh;
+}
+
+double depthIn(const FixtureDesign& design, const Box& stock) {
+    constexpr double touching = 1e-6; // mm, of rounding
+    const FixtureSolids solids = solidsOf(design);
+    double deepest = 0.0;
+    for (const Box& box : solids.boxes) deepest = std::max(deepest, boxDepth(design, box, stock));
+    for (const RoundBody& body : solids.rounds)
+        for (const RoundStep& step : body.steps)
+            if (!step.inStock) deepest = std::max(deepest, roundDepth(design, body.centre, step, stock));
+    return deepest > touching ? deepest : 0.0;
+}
+
+} // namespace burin

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/fixture_dialog.h"
+
+#include "core/base/units.h"
+#include "ui/messages/messages.h"
+#include "ui/panels/buttons.h"
+#include "ui/panels/choice_box.h"
+#include "ui/panels/field_row.h"
+#include "ui/panels/guide_words.h"
+#include "ui/panels/length_field.h"
+#include "ui/panels/notice.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+
+namespace burin {
+
+namespace {
+
+constexpr int fixtureDialogWidth = 400, sizesHeight = 250; // pixels
+constexpr double farthestPlace = 1e4;                      // mm
+constexpr int smallAngle = 15, largeAngle = 90;            // degrees
+constexpr double degreeOfTurn = pi / 180.0;
+
+} // namespace
+
+FixtureDialog::FixtureDialog(QWidget* parent) : QDialog(parent) {
+    setObjectName(QStringLiteral("fixtureDialog"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 12);
+    column->setSpacing(8);
+    addKind(*column);
+    addSizes(*column);
+    addPosition(*column);
+    addTurns(*column);
+    auto* hint = new QLabel(tr("Click the stock or the table in the view, or drag, to place it. In the view, the arrow "
+                               "keys move it by 1 mm (Shift: 0.1 mm, Ctrl: 10 mm), R rotates it by 15° (Shift: 90°), "
+                               "Enter accepts it."),
+                            this);
+    hint->setProperty("look", "small");
+    hint->setWordWrap(true);
+    column->addWidget(hint);
+    auto* notices = new NoticePlace(this);
+    notice_ = notices->add("fixtureNotice");
+    column->addWidget(notices);
+    addButtons(*column);
+    setFixedWidth(fixtureDialogWidth);
+}
+
+void FixtureDialog::addKind(QVBoxLayout& column) {
+    kind_ = new ChoiceBox(this);
+    kind_->setObjectName(QStringLiteral("fixtureKind"));
+    for (const FixtureKindRow& row : fixtureKinds) {
+        kind_->addItem(Messages::text(row.title));
+        kind_->setItemData(kind_->count() - 1, Messages::text(row.toolTip), Qt::ToolTipRole);
+    }
+    column.addWidget(
+        new FieldRow(tr("Kind"), kind_, tr("Kind of fixture of the library"), this, FieldRow::choiceWidth));
+    connect(kind_, &QComboBox::activated, this,
+            [this](int index) { emit kindChosen(fixtureKinds[static_cast<std::size_t>(index)].kind); });
+    about_ = new QLabel(this);
+    about_->setProperty("look", "quiet");
+    about_->setWordWrap(true);
+    column.addWidget(about_);
+}
+
+void FixtureDialog::addSizes(QVBoxLayout& column) {
+    auto* area = new QScrollArea(this);
+    area->setObjectName(QStringLiteral("fixtureSizes"));
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFixedHeight(sizesHeight);
+    sizes_ = new QWidget(area);
+    new QVBoxLayout(sizes_);
+    area->setWidget(sizes_);
+    column.addWidget(area);
+}
+
+void FixtureDialog::addPosition(QVBoxLayout& column) {
+    placeTitle_ = new QLabel(this);
+    placeTitle_->setProperty("look", "quiet");
+    column.addWidget(placeTitle_);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    for (int axis = 0; axis < 3; ++axis) {
+        auto* field = new LengthField(this);
+        field->setObjectName(QStringLiteral("fixturePlace") + axisLetter(axis));
+        field->setAccessibleName(tr("Position") + QLatin1Char(' ') + axisLetter(axis));
+        field->setToolTip(tr("Origin of the fixture, from program zero"));
+        field->limit(-farthestPlace, farthestPlace);
+        field->setMinimumWidth(40);
+        row->addWidget(field, 1);
+        place_[static_cast<std::size_t>(axis)] = field;
+        connect(field, &QuantityField::valueEdited, this, [this, axis](double value) {
+            glm::dvec3 place = state_.design.place;
+            place[axis] = value + state_.zero[axis];
+            emit placeEdited(place);
+        });
+    }
+    column.addLayout(row);
+}
+
+void FixtureDialog::addTurns(QVBoxLayout& column) {
+    turn_ = new QuantityField(Quantity::angle, this);
+    turn_->setObjectName(QStringLiteral("fixtureTurn"));
+    turn_->limit(-pi, pi);
+    column.addWidget(new FieldRow(tr("Rotation"), turn_, tr("About Z, through its origin"), this));
+    connect(turn_, &QuantityField::valueEdited, this, &FixtureDialog::turnEdited);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    for (const int angle : {-largeAngle, -smallAngle, smallAngle, largeAngle}) {
+        QPushButton* button =
+            makeButton(QStringLiteral("%1%2°").arg(angle > 0 ? QStringLiteral("+") : QStringLiteral("−"),
+                                                   QString::number(std::abs(angle))),
+                       {}, QStringLiteral("fixtureTurn%1").arg(angle), this);
+        button->setToolTip(tr("Rotate it about Z"));
+        button->setAutoDefault(false);
+        row->addWidget(button, 1);
+        connect(button, &QPushButton::clicked, this, [this, angle] { emit turnedBy(angle * degreeOfTurn); });
+    }
+    column.addLayout(row);
+}
+
+void FixtureDialog::addButtons(QVBoxLayout& column) {
+    accept_ = makePrimaryButton({}, QStringLiteral("acceptFixtureButton"), this);
+    QPushButton* cancel =
+        makeButton(tr("Cancel"), QStringLiteral("cancel"), QStringLiteral("cancelFixtureButton"), this);
+    cancel->setToolTip(tr("Change nothing"));
+    for (QPushButton* button : {accept_, cancel}) button->setAutoDefault(false); // Enter is the fields'
+    auto* row = new QHBoxLayout;
+    row->addStretch(1);
+    row->addWidget(accept_);
+    row->addWidget(cancel);
+    column.addLayout(row);
+    connect(accept_, &QPushButton::clicked, this, &FixtureDialog::acceptRequested);
+    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+}
+
+void FixtureDialog::rebuildSizes(FixtureKind kind) {
+    values_.clear();
+    auto* column = static_cast<QVBoxLayout*>(sizes_->layout());
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    while (QLayoutItem* item = column->takeAt(0)) {
+        if (QWidget* row = item->widget()) {
+            row->hide();
+            row->deleteLater(); // one of its fields may be emitting
+        }
+        delete item;
+    }
+    for (const FixtureParameter& parameter : rowOf(kind).parameters) {
+        auto* field = new LengthField(sizes_);
+        field->setObjectName(QStringLiteral("fixture-") + QLatin1String(parameter.key));
+        field->limit(parameter.range.low, parameter.range.high);
+        const std::size_t index = values_.size();
+        connect(field, &QuantityField::valueEdited, this,
+                [this, index](double value) { emit valueEdited(index, value); });
+        column->addWidget(
+            new FieldRow(Messages::text(parameter.label), field, Messages::text(parameter.toolTip), sizes_));
+        values_.push_back(field);
+    }
+    column->addStretch(1);
+    built_ = kind;
+}
+
+void FixtureDialog::setState(const FixtureDialogState& state) {
+    state_ = state;
+    const FixtureDesign& design = state.design;
+    if (built_ != design.kind) rebuildSizes(design.kind);
+    setWindowTitle(state.changing ? tr("Change a fixture") : tr("Add a fixture"));
+    kind_->setCurrentIndex(static_cast<int>(design.kind));
+    kind_->setEnabled(!state.changing);
+    about_->setText(Messages::text(rowOf(design.kind).toolTip));
+    for (std::size_t i = 0; i < values_.size(); ++i) {
+        values_[i]->setLengthUnit(state.unit);
+        values_[i]->showValue(design.values[i]);
+    }
+    placeTitle_->setText(tr("%1 X, Y, Z, in %2").arg(tr("Position"), unitText(state.unit)));
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+        const auto axis = static_cast<int>(i);
+        place_[i]->setLengthUnit(state.unit);
+        place_[i]->setSuffix({}); // three fields side by side have no room for it
+        place_[i]->showValue(design.place[axis] - state.zero[axis]);
+    }
+    turn_->showValue(design.turn);
+    accept_->setText(state.changing ? tr("Change") : tr("Add"));
+    enableUnless(accept_, state.problem,
+                 state.changing ? tr("Change the fixture of the setup") : tr("Add the fixture to the setup"));
+    notice_->tell(Notice::Kind::error, state.problem);
+}
+
+} // namespace burin
