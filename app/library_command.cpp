@@ -4,13 +4,10 @@
 
 #include "app/command.h"
 
-#include <memory>
-
 namespace burin {
 
 CommandParser registerLibrary(CommandParser program, CommandContext& context, int& status,
-                              const LibraryCommand& library) {
-    auto arguments = std::make_shared<LibraryArguments>();
+                              const LibraryCommand& library, std::shared_ptr<LibraryArguments> arguments) {
     const CommandParser command = program.command(library.name, library.about);
     command.requireCommand();
     addJsonFlag(command, context);

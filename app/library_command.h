@@ -4,6 +4,7 @@
 
 #include "app/command_line.h"
 
+#include <memory>
 #include <string>
 
 namespace burin {
@@ -13,6 +14,7 @@ class CommandContext;
 /// The arguments of a command for a library of the user's own files.
 struct LibraryArguments {
     std::string id, file, newId, name;
+    std::string library; ///< of tools; empty: not stated
     bool replace = false;
 };
 
@@ -26,8 +28,10 @@ struct LibraryCommand {
     Run runList, runShow, runAdd, runCopy, runRemove;
 };
 
-/// @return the command, to which subcommands may be added
+/// @param arguments shared with options and subcommands that are added
+/// @return the command, to which they may be added
 CommandParser registerLibrary(CommandParser program, CommandContext& context, int& status,
-                              const LibraryCommand& library);
+                              const LibraryCommand& library,
+                              std::shared_ptr<LibraryArguments> arguments = std::make_shared<LibraryArguments>());
 
 } // namespace burin

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/commands/tool_commands.h"
 #include "app/library_command.h"
 #include "app/wording.h"
 #include "core/base/file.h"
@@ -20,65 +21,101 @@
 
 namespace burin {
 
-namespace {
-
 using nlohmann::json;
 
-json briefOf(const Tool& tool) {
+json briefOf(const Tool& tool, const ToolLibraries& libraries) {
     return {{"id", tool.id},
             {"name", tool.name},
             {"own", !isShippedTool(tool.id)},
+            {"library", libraries.libraryOf(tool.id)},
             {"number", tool.number},
             {"type", cutterTypeName(tool.cutter.type)},
             {"diameter_mm", tool.cutter.diameter},
             {"flute_length_mm", tool.cutter.fluteLength}};
 }
 
-int listTools(const LibraryArguments&, CommandContext& context) {
+std::string linesOf(const std::vector<std::string>& notes) {
+    std::string lines;
+    for (const std::string& note : notes) lines += "\n  " + note;
+    return lines;
+}
+
+Result<ToolLibraries> librariesWith(const std::string& chosen) {
+    Result<ToolLibraries> libraries = loadToolLibraries();
+    if (!libraries || chosen.empty() || chosen == allTools || chosen == starterLibrary) return libraries;
+    const Result<void> known = checkOwnLibrary(*libraries, chosen);
+    return known ? libraries : Result<ToolLibraries>(known.error());
+}
+
+std::vector<std::string> listedIds(const ToolLibraries& libraries, const std::string& library) {
+    std::vector<std::string> ids = toolIds();
+    if (!library.empty()) std::erase_if(ids, [&](const std::string& id) { return !libraries.isIn(id, library); });
+    return ids;
+}
+
+Result<Tool> listedTool(const std::string& id, const std::string& library) {
+    const Result<ToolLibraries> libraries = librariesWith(library);
+    if (!libraries) return libraries.error();
+    Result<Tool> tool = loadTool(id);
+    if (!tool || library.empty() || libraries->isIn(id, library)) return tool;
+    std::string others;
+    for (const std::string& each : listedIds(*libraries, library)) others += (others.empty() ? "" : ", ") + each;
+    return Error{ErrorCode::nameUnknown, "tool", id, others};
+}
+
+int keepTool(const Tool& tool, bool replace, const std::string& library, CommandContext& context, json more,
+             const std::string& notes) {
+    Result<ToolLibraries> libraries = librariesWith(library);
+    if (!libraries) return context.fail(libraries.error());
+    const bool stays = library.empty() && isOfUser(toolResource, tool.id);
+    const std::string target = stays             ? libraries->libraryOf(tool.id)
+                               : library.empty() ? std::string(ownLibrary)
+                                                 : library;
+    if (const Result<void> own = checkOwnLibrary(*libraries, target); !own) return context.fail(own.error());
+    const Result<std::filesystem::path> file = saveTool(tool, replace);
+    if (!file) return context.fail(file.error());
+    if (const Result<void> put = putTool(tool.id, target); !put) return context.fail(put.error());
+    libraries = loadToolLibraries();
+    more.update(briefOf(tool, libraries ? *libraries : ToolLibraries{}));
+    more["file"] = file->string();
+    context.answer(more, tool.id + ": " + file->string() + notes);
+    return 0;
+}
+
+namespace {
+
+int listTools(const LibraryArguments& arguments, CommandContext& context) {
+    const Result<ToolLibraries> libraries = librariesWith(arguments.library);
+    if (!libraries) return context.fail(libraries.error());
     json tools = json::array();
     std::string text;
     int status = 0;
-    for (const std::string& id : toolIds()) {
+    for (const std::string& id : listedIds(*libraries, arguments.library)) {
         const Result<Tool> tool = loadTool(id);
         if (!tool) { // the others can still be used
             status = context.fail(tool.error());
             continue;
         }
-        tools.push_back(briefOf(*tool));
-        text += (text.empty() ? "" : "\n") + id + std::string(id.size() < 20 ? 20 - id.size() : 1, ' ') +
-                worded(isShippedTool(id) ? BURIN_TEXT("Command", "shipped  T%1  %2 mm  %3")
-                                         : BURIN_TEXT("Command", "own      T%1  %2 mm  %3"),
-                       {std::to_string(tool->number), formatShortest(tool->cutter.diameter), resourceName(tool->name)});
+        tools.push_back(briefOf(*tool, *libraries));
+        const std::string library = libraries->libraryOf(id);
+        text +=
+            (text.empty() ? "" : "\n") + id + std::string(id.size() < 20 ? 20 - id.size() : 1, ' ') +
+            worded(isShippedTool(id) ? BURIN_TEXT("Command", "shipped  T%1  %2 mm  %3")
+                                     : BURIN_TEXT("Command", "own      T%1  %2 mm  %3"),
+                   {std::to_string(tool->number), formatShortest(tool->cutter.diameter), resourceName(tool->name)}) +
+            (libraries->contains(library) ? "  [" + library + "]" : "");
     }
     if (status == 0) context.answer({{"tools", tools}}, text);
     return status;
 }
 
 int showTool(const LibraryArguments& arguments, CommandContext& context) {
-    const Result<Tool> tool = loadTool(arguments.id);
+    const Result<Tool> tool = listedTool(arguments.id, arguments.library);
     if (!tool) return context.fail(tool.error());
     std::string text = toJson(*tool);
     text.pop_back(); // `answer` adds the line end
     context.answer(json::parse(text), text);
     return 0;
-}
-
-int keepTool(const Tool& tool, bool replace, CommandContext& context, json more = json::object(),
-             const std::string& notes = {}) {
-    const Result<std::filesystem::path> file = saveTool(tool, replace);
-    if (!file) return context.fail(file.error());
-    more.update(briefOf(tool));
-    more["file"] = file->string();
-    context.answer(more, tool.id + ": " + file->string() + notes);
-    return 0;
-}
-
-constexpr const char* usualTool = "flat-6"; ///< supplies values that a file of another program lacks
-
-std::string linesOf(const std::vector<std::string>& notes) {
-    std::string lines;
-    for (const std::string& note : notes) lines += "\n  " + note;
-    return lines;
 }
 
 int addTool(const LibraryArguments& arguments, CommandContext& context) {
@@ -87,7 +124,8 @@ int addTool(const LibraryArguments& arguments, CommandContext& context) {
     const Result<Tool> like = loadTool(usualTool);
     if (!like) return context.fail(like.error());
     const Result<ReadTool> read = toolFromText(*text, arguments.file, *like);
-    return read ? keepTool(read->tool, arguments.replace, context, {{"notes", read->notes}}, linesOf(read->notes))
+    return read ? keepTool(read->tool, arguments.replace, arguments.library, context, {{"notes", read->notes}},
+                           linesOf(read->notes))
                 : context.fail(read.error());
 }
 
@@ -100,141 +138,21 @@ int copyTool(const LibraryArguments& arguments, CommandContext& context) {
     for (const std::string& id : toolIds())
         if (Result<Tool> each = loadTool(id); each && id != arguments.newId) tools.push_back(std::move(*each));
     copy.number = freeToolNumber(tools);
-    return keepTool(copy, arguments.replace, context);
+    return keepTool(copy, arguments.replace, arguments.library, context);
 }
 
 int deleteTool(const LibraryArguments& arguments, CommandContext& context) {
+    if (!arguments.library.empty())
+        if (const Result<Tool> listed = listedTool(arguments.id, arguments.library); !listed)
+            return context.fail(listed.error());
     if (const Result<void> removed = removeTool(arguments.id); !removed) return context.fail(removed.error());
+    if (const Result<void> put = putTool(arguments.id, std::string(ownLibrary)); !put) return context.fail(put.error());
     context.answer({{"removed", arguments.id}}, worded(BURIN_TEXT("Command", "%1: removed"), {arguments.id}));
     return 0;
 }
 
-struct ImportArguments {
-    std::string file, like = usualTool, units = "mm";
-    bool replace = false, dryRun = false;
-};
-
-/// Shipped tools are not replaced: a tool with the id of one gets a number appended to its id.
-void keepClearOfShipped(ReadTools& read) {
-    for (ReadTool& tool : read.tools)
-        tool.tool.id = freeResourceId(tool.tool.id, [&](const std::string& id) {
-            const auto has = [&](const ReadTool& other) { return &other != &tool && other.tool.id == id; };
-            return isShippedTool(id) || std::ranges::any_of(read.tools, has);
-        });
-}
-
-/// Refuses to store any tool if one of them cannot be stored. Errors: argumentInvalid.
-Result<void> mayBeKept(const ReadTools& read, bool replace) {
-    for (const ReadTool& tool : read.tools)
-        if (isOfUser(toolResource, tool.tool.id) && !replace)
-            return Error{ErrorCode::argumentInvalid, "tool", tool.tool.id,
-                         worded(BURIN_TEXT("Command", "an ID that is free, or --replace for one of your own"))};
-    return {};
-}
-
-/// Stores all tools, or restores the previous ones if one cannot be written. Errors: those of saveTool.
-Result<void> keepAll(const ReadTools& read) {
-    std::vector<std::pair<std::string, std::optional<Tool>>> before;
-    for (const ReadTool& tool : read.tools) {
-        Result<Tool> own = isOfUser(toolResource, tool.tool.id) ? loadTool(tool.tool.id) : Result<Tool>(Error{});
-        const auto saved = saveTool(tool.tool, true);
-        if (saved) {
-            before.emplace_back(tool.tool.id, own ? std::optional(std::move(*own)) : std::nullopt);
-            continue;
-        }
-        for (const auto& [id, former] : before) // a failure to restore is covered by the same error
-            if (former)
-                static_cast<void>(saveTool(*former, true));
-            else
-                static_cast<void>(removeTool(id));
-        return saved.error();
-    }
-    return {};
-}
-
-int importTools(const ImportArguments& arguments, CommandContext& context) {
-    const Result<Tool> like = loadTool(arguments.like);
-    if (!like) return context.fail(like.error());
-    Result<ReadTools> read = toolsFromFile(arguments.file, *like, arguments.units == "inch" ? millimetresPerInch : 1.0);
-    if (!read) return context.fail(read.error());
-    keepClearOfShipped(*read);
-    if (const Result<void> free = mayBeKept(*read, arguments.replace); !free) return context.fail(free.error());
-    if (!arguments.dryRun)
-        if (const Result<void> kept = keepAll(*read); !kept) return context.fail(kept.error());
-    json tools = json::array();
-    std::string text;
-    for (const ReadTool& tool : read->tools) {
-        json brief = briefOf(tool.tool);
-        brief["notes"] = tool.notes;
-        tools.push_back(std::move(brief));
-        text += (text.empty() ? "" : "\n") + tool.tool.id + ": T" + std::to_string(tool.tool.number) + ", " +
-                formatShortest(tool.tool.cutter.diameter) + " mm" + linesOf(tool.notes);
-    }
-    context.answer({{"tools", tools}, {"left_out", read->leftOut}},
-                   text + (read->leftOut.empty()
-                               ? std::string()
-                               : "\n" + worded(BURIN_TEXT("Command", "left out:")) + linesOf(read->leftOut)));
-    return 0;
-}
-
-void registerToolImport(CommandParser tools, CommandContext& context, int& status) {
-    auto arguments = std::make_shared<ImportArguments>();
-    const CommandParser imports = tools.command(
-        "import", BURIN_TEXT("Help", "Add tools of another program to your own: a Fusion library (*.tools, *.json), a "
-                                     "FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC "
-                                     "table (*.tbl). What can't be held is listed"));
-    imports.passOn();
-    imports.positional(BURIN_TEXT("Argument", "FILE"), arguments->file, BURIN_TEXT("Help", "File to read")).required();
-    imports
-        .option("--like", arguments->like,
-                BURIN_TEXT("Help", "Tool that lends what the file does not say: holder, stick-out, limits; of a "
-                                   "LinuxCNC table the form"))
-        .showDefault();
-    imports.option("--units", arguments->units, BURIN_TEXT("Help", "Unit of a LinuxCNC table, which states none"))
-        .choices({"mm", "inch"});
-    imports.flag("--replace", arguments->replace, BURIN_TEXT("Help", "Replace your own tools of these IDs"));
-    imports.flag("--dry-run", arguments->dryRun, BURIN_TEXT("Help", "List what would be added; keep nothing"));
-    imports.run([arguments, &context, &status] { status = importTools(*arguments, context); });
-}
-
-struct ExportArguments {
-    std::vector<std::string> ids;
-    std::string file;
-    std::string units = "mm";
-};
-
-int exportTools(const ExportArguments& arguments, CommandContext& context) {
-    std::vector<Tool> tools;
-    for (const std::string& id : arguments.ids.empty() ? toolIds() : arguments.ids) {
-        Result<Tool> tool = loadTool(id);
-        if (!tool) return context.fail(tool.error());
-        tools.push_back(std::move(*tool));
-    }
-    const Result<WrittenTools> written = toolsFor(arguments.file, tools.size() == 1 ? tools.front().id : std::string(),
-                                                  tools, arguments.units == "inch" ? millimetresPerInch : 1.0);
-    if (!written) return context.fail(written.error());
-    if (const Result<void> done = writeFileAtomically(arguments.file, written->text); !done)
-        return context.fail(done.error());
-    context.answer({{"file", arguments.file}, {"tools", tools.size()}, {"notes", written->notes}},
-                   arguments.file + linesOf(written->notes));
-    return 0;
-}
-
-void registerExport(CommandParser tools, CommandContext& context, int& status) {
-    auto arguments = std::make_shared<ExportArguments>();
-    const CommandParser exports = tools.command(
-        "export", BURIN_TEXT("Help", "Write tools for other programs: a LinuxCNC tool table (*.tbl), a Fusion "
-                                     "library (*.tools), a CAMotics table (*.ctbl), a FreeCAD tool bit (*.fctb), or "
-                                     "Burin's own form (*.json)"));
-    exports.passOn();
-    exports.positional(BURIN_TEXT("Argument", "ID"), arguments->ids, BURIN_TEXT("Help", "Tools (default: all)"));
-    exports.option("-o,--output", arguments->file, BURIN_TEXT("Help", "File to write")).required();
-    exports.option("--units", arguments->units, BURIN_TEXT("Help", "Unit of the machine that reads the table"))
-        .choices({"mm", "inch"});
-    exports.run([arguments, &context, &status] { status = exportTools(*arguments, context); });
-}
-
 struct ShapeArguments {
+    std::shared_ptr<const LibraryArguments> tools;
     std::string id, flutes, shank, like, name;
     double tolerance = 0.005;
     double fileUnit = 1.0;
@@ -266,7 +184,7 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
     if (!shaped) return context.fail(shaped.error());
     const Cutter& cutter = shaped->tool.cutter;
     return keepTool(
-        shaped->tool, arguments.replace, context,
+        shaped->tool, arguments.replace, arguments.tools->library, context,
         {{"lift_mm", shaped->lift},
          {"excess_mm", shaped->excess},
          {"profile_lines", cutter.profile.size()},
@@ -291,8 +209,10 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
                                    {formatShortest(arguments.angle)})));
 }
 
-void registerShape(CommandParser tools, CommandContext& context, int& status) {
+void registerShape(CommandParser tools, std::shared_ptr<const LibraryArguments> chosen, CommandContext& context,
+                   int& status) {
     auto arguments = std::make_shared<ShapeArguments>();
+    arguments->tools = std::move(chosen);
     const CommandParser shape = tools.command(
         "shape", BURIN_TEXT("Help", "Make a tool of models of its flutes and its shank: what they sweep while the "
                                     "spindle turns. Axis +Z through the origin, towards the holder"));
@@ -337,21 +257,28 @@ void registerShape(CommandParser tools, CommandContext& context, int& status) {
 } // namespace
 
 void registerTools(CommandParser program, CommandContext& context, int& status) {
+    const auto arguments = std::make_shared<LibraryArguments>();
     const CommandParser tools = registerLibrary(
         program, context, status,
         {"tools",
          BURIN_TEXT("Help", "List and show tools; copy, add and delete your own, and make them of "
-                            "models. Every tool states the source of its values"),
+                            "models. Tools form libraries. Every tool states the source of its values"),
          BURIN_TEXT("Help", "List all tools with their numbers and diameters"),
          BURIN_TEXT("Help", "Print the file of a tool (JSON), in the form that add reads"),
          BURIN_TEXT("Help", "Add a tool to your own; every value is checked"),
          BURIN_TEXT("Help", "Tool file (JSON), or a FreeCAD tool bit (*.fctb)"),
          BURIN_TEXT("Help", "Copy a tool to one of your own"), BURIN_TEXT("Help", "Tool to copy"),
          BURIN_TEXT("Help", "Delete one of your own tools"), BURIN_TEXT("Help", "Replace your tool of this ID"),
-         BURIN_TEXT("Help", "Tool"), &listTools, &showTool, &addTool, &copyTool, &deleteTool});
-    registerShape(tools, context, status);
-    registerToolImport(tools, context, status);
-    registerExport(tools, context, status);
+         BURIN_TEXT("Help", "Tool"), &listTools, &showTool, &addTool, &copyTool, &deleteTool},
+        arguments);
+    tools.option("--library", arguments->library,
+                 BURIN_TEXT("Help", "Tool library: all, starter (what Burin is shipped with), mine (your own tools "
+                                    "that are in no other), or one that you have named (default: all; of new tools "
+                                    "mine)"));
+    registerShape(tools, arguments, context, status);
+    registerToolExchange(tools, arguments, context, status);
+    registerToolLibraries(tools, arguments, context, status);
+    registerToolPreset(tools, arguments, context, status);
 }
 
 } // namespace burin

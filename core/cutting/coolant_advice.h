@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/coolant.h"
+#include "core/tool/tool.h"
 #include "core/volume/runs/property_list.h"
 
 namespace burin {
@@ -11,7 +12,8 @@ namespace burin {
 inline constexpr std::string_view floodCoolant = "flood_coolant";
 inline constexpr std::string_view mistCoolant = "mist_coolant";
 
-/// Returns the coolant advised for a material: flood takes precedence over mist; none if neither is advised.
-Coolant advisedCoolant(const Property& material);
+/// Returns the coolant of the tool's preset for a material; if it states none, that advised for the material: flood
+/// takes precedence over mist; none if neither is advised.
+Coolant advisedCoolant(const Tool& tool, const Property& material);
 
 } // namespace burin

@@ -32,7 +32,50 @@ double rampAngleFor(const Tool& tool, const Property& material) {
     return (tool.centreCutting ? angle : 0.5 * angle) * degree;
 }
 
+/// @param highest spindle speed, 1/min
+Result<CuttingConditions> conditionsOf(const CuttingPreset& preset, const Tool& tool, const Property& material,
+                                       double highest, double maximumFeed) {
+    CuttingConditions conditions;
+    conditions.spindleSpeed = std::min(preset.spindleSpeed, highest);
+    const double turns = conditions.spindleSpeed / preset.spindleSpeed;
+    const double wantedFeed = turns * feedOf(preset, tool.fluteCount);
+    conditions.feed = std::min(wantedFeed, maximumFeed);
+    double plunge = turns * preset.plungeFeed;
+    if (!(plunge > 0.0)) {
+        const Result<double> ratio = positiveValue(material, plungeFeedRatio, tool.cutter.type);
+        if (!ratio) return ratio.error();
+        plunge = conditions.feed * *ratio;
+    }
+    conditions.plungeFeed = std::min(plunge, maximumFeed);
+    conditions.limitedByMachine = preset.spindleSpeed > highest || wantedFeed > maximumFeed;
+    return conditions;
+}
+
+Result<CuttingConditions> tableConditions(const Tool& tool, const Property& material, double highest,
+                                          double maximumFeed) {
+    const Result<double> speed = positiveValue(material, surfaceSpeed, tool.cutter.type);
+    if (!speed) return speed.error();
+    const Result<double> chipLoad = positiveValue(material, chipLoadPerDiameter, tool.cutter.type);
+    if (!chipLoad) return chipLoad.error();
+    const Result<double> plungeRatio = positiveValue(material, plungeFeedRatio, tool.cutter.type);
+    if (!plungeRatio) return plungeRatio.error();
+    const double diameter = tool.cutter.diameter;
+    const double wantedSpindle = *speed * millimetresPerMetre / (pi * diameter);
+    CuttingConditions conditions;
+    conditions.spindleSpeed = std::min(wantedSpindle, highest);
+    // The chip load is determined by the tool: the feed follows the spindle speed that is really reached.
+    const double wantedFeed = conditions.spindleSpeed * tool.fluteCount * *chipLoad * diameter;
+    conditions.feed = std::min(wantedFeed, maximumFeed);
+    conditions.plungeFeed = std::min(conditions.feed * *plungeRatio, maximumFeed);
+    conditions.limitedByMachine = wantedSpindle > highest || wantedFeed > maximumFeed;
+    return conditions;
+}
+
 } // namespace
+
+const CuttingPreset* presetFor(const Tool& tool, const Property& material) noexcept {
+    return presetFor(tool, material.id, material.base);
+}
 
 std::string valueForCutter(std::string_view name, CutterType cutter) {
     return std::string(name) + '_' + std::string(cutterTypeName(cutter));
@@ -42,26 +85,15 @@ Result<CuttingConditions> cuttingConditions(const Tool& tool, const Property& ma
                                             double maximumFeed) {
     if (Result<void> valid = checkLimit("maximum spindle speed", maximumSpindleSpeed); !valid) return valid.error();
     if (Result<void> valid = checkLimit("maximum feed", maximumFeed); !valid) return valid.error();
-    const Result<double> speed = positiveValue(material, surfaceSpeed, tool.cutter.type);
-    if (!speed) return speed.error();
-    const Result<double> chipLoad = positiveValue(material, chipLoadPerDiameter, tool.cutter.type);
-    if (!chipLoad) return chipLoad.error();
-    const Result<double> plungeRatio = positiveValue(material, plungeFeedRatio, tool.cutter.type);
-    if (!plungeRatio) return plungeRatio.error();
-
-    const double diameter = tool.cutter.diameter;
     const double highest =
         tool.maximumSpindleSpeed > 0.0 ? std::min(maximumSpindleSpeed, tool.maximumSpindleSpeed) : maximumSpindleSpeed;
-    const double wantedSpindle = *speed * millimetresPerMetre / (pi * diameter);
-    CuttingConditions conditions;
-    conditions.spindleSpeed = std::min(wantedSpindle, highest);
-    // The chip load is determined by the tool: the feed follows the spindle speed that is really reached.
-    const double wantedFeed = conditions.spindleSpeed * tool.fluteCount * *chipLoad * diameter;
-    conditions.feed = std::min(wantedFeed, maximumFeed);
-    conditions.plungeFeed = std::min(conditions.feed * *plungeRatio, maximumFeed);
-    conditions.surfaceSpeed = pi * diameter * conditions.spindleSpeed / secondsPerMinute;
-    conditions.rampAngle = rampAngleFor(tool, material);
-    conditions.limitedByMachine = wantedSpindle > highest || wantedFeed > maximumFeed;
+    const CuttingPreset* preset = presetFor(tool, material);
+    Result<CuttingConditions> conditions = preset != nullptr
+                                               ? conditionsOf(*preset, tool, material, highest, maximumFeed)
+                                               : tableConditions(tool, material, highest, maximumFeed);
+    if (!conditions) return conditions;
+    conditions->surfaceSpeed = pi * tool.cutter.diameter * conditions->spindleSpeed / secondsPerMinute;
+    conditions->rampAngle = rampAngleFor(tool, material);
     return conditions;
 }
 

@@ -84,14 +84,14 @@ struct CuttingForce {
 CuttingForce cuttingForce(const CutResult& cut, const CuttingCoefficients& coefficients, const SpinningTool& tool,
                           const ToolPose& from, const ToolPose& to, double period) noexcept;
 
-/// The cutting conditions of a tool in a material by the tables: the feed for the machine, independent of the hand's
-/// speed.
+/// The cutting conditions of a tool in a material by the tool's preset or the tables: the feed for the machine,
+/// independent of the hand's speed.
 struct CuttingConditions {
     double spindleSpeed = 0.0;     ///< 1/min
     double feed = 0.0;             ///< mm/min
     double plungeFeed = 0.0;       ///< mm/min
     double surfaceSpeed = 0.0;     ///< mm/s, surface speed of the flutes at the spindle speed
-    bool limitedByMachine = false; ///< the value of the table exceeded a limit of the tool or machine
+    bool limitedByMachine = false; ///< the value of preset or table exceeded a limit of the tool or machine
     double rampAngle = 0.0;        ///< rad, largest angle at which ramps and helices enter material
 };
 /// Returns the name of the value of a material that overrides `name` for one type of cutter: "surface_speed_drill".
@@ -99,8 +99,13 @@ std::string valueForCutter(std::string_view name, CutterType cutter);
 /// The values that a material may state for a single type of cutter in addition to the general ones.
 inline constexpr std::array valuesByCutter{surfaceSpeed, chipLoadPerDiameter, plungeFeedRatio};
 
-/// Returns n = vc / (pi D) and feed = n z fz, both within the given limits; if the spindle speed is limited, the feed
-/// follows the reduced speed. Values for the tool's type of cutter (`valueForCutter`) override the general ones.
+/// Returns the tool's preset for a material, a grade also by its base; nullptr: the tables apply.
+const CuttingPreset* presetFor(const Tool& tool, const Property& material) noexcept;
+
+/// Returns the values of the tool's preset for the material, if it has one; the tables lend a plunge feed that the
+/// preset does not state. Otherwise n = vc / (pi D) and feed = n z fz, both within the given limits; if the spindle
+/// speed is limited, the feed follows the reduced speed. Values for the tool's type of cutter (`valueForCutter`)
+/// override the general ones.
 /// @param maximumSpindleSpeed of the machine, 1/min; the tool's own limit applies too
 /// @param maximumFeed         of the machine, mm/min
 /// Errors: resourceInvalid (subject: material, place: the missing value), argumentInvalid (a limit not above 0).

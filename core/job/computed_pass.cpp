@@ -61,6 +61,7 @@ Result<PassBasis> passBasis(const MillingContext& milling, std::vector<PathMatte
 Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling, const PassRequest& request,
                            double coarseness, Progress& progress) {
     const Tool tool = plannedTool(milling);
+    const ClearingSteps steps = clearingSteps(milling);
     const double stated = milling.tool.maximumDepthOfCut; // bending and breaking limit feeds only: a row is narrow
     const std::vector<ObstacleSolid> obstacles = solidsOf(milling.surroundings());
     const PassGround ground{milling.part,
@@ -69,9 +70,10 @@ Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling
                             milling.setup.stock,
                             obstacles,
                             basis.standing,
-                            tool.maximumDepthOfCut,
+                            steps.levelDepth,
                             stated > 0.0 ? stated : tool.cutter.fluteLength,
-                            coarseness};
+                            coarseness,
+                            steps.stepOver};
     return planPass(request, ground, progress);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/cut_depth.h"
 
+#include "core/passes/pass_request.h"
 #include "core/verify/load_limits.h"
 
 #include <algorithm>
@@ -42,6 +43,16 @@ Tool plannedTool(const MillingContext& milling) {
     const double share = depthShare(milling.embedded.workpiece.properties()[milling.embedded.stockProperty]);
     tool.maximumDepthOfCut = std::min(share * tool.cutter.diameter, deepestCut(milling, tool.cutter.diameter));
     return tool;
+}
+
+ClearingSteps clearingSteps(const MillingContext& milling) {
+    ClearingSteps steps{usualRoughStep * milling.tool.cutter.diameter, plannedTool(milling).maximumDepthOfCut};
+    const Property& stock = milling.embedded.workpiece.properties()[milling.embedded.stockProperty];
+    const CuttingPreset* preset = presetFor(milling.tool, stock);
+    if (preset == nullptr) return steps;
+    if (preset->stepOver > 0.0) steps.stepOver = preset->stepOver;
+    if (preset->stepDown > 0.0) steps.levelDepth = std::min(steps.levelDepth, preset->stepDown);
+    return steps;
 }
 
 StandingStock seenFromAbove(const RunVolume& workpiece) {

@@ -15,6 +15,15 @@ double deepestCut(const MillingContext& milling, double width);
 /// in rows nearly as wide as the tool, and to what spindle and tool withstand.
 Tool plannedTool(const MillingContext& milling);
 
+/// Steps of passes that clear stock in levels, where their request states none. mm
+struct ClearingSteps {
+    double stepOver = 0.0;   ///< between loops
+    double levelDepth = 0.0; ///< between levels
+};
+/// Returns the steps that the tool's preset for the stock states, levels no deeper than plannedTool allows. Without
+/// them the loops are a share of the diameter apart, and the levels as deep as plannedTool allows.
+ClearingSteps clearingSteps(const MillingContext& milling);
+
 /// Returns the height map of the machinable stock. Unknown if the runs are not parallel to Z.
 StandingStock seenFromAbove(const RunVolume& workpiece);
 

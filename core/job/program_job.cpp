@@ -164,6 +164,17 @@ std::string textOf(const ProgramZero& zero) {
     return text;
 }
 
+/// Returns the coolants that tools use in the stock and the machine does not have, each once.
+std::vector<Coolant> missingCoolants(const std::vector<Tool>& tools, const Property& material,
+                                     const MachineProfile& machine) {
+    std::vector<Coolant> missing;
+    for (const Tool& tool : tools)
+        if (const Coolant advised = advisedCoolant(tool, material);
+            !machine.has(advised) && std::ranges::find(missing, advised) == missing.end())
+            missing.push_back(advised);
+    return missing;
+}
+
 } // namespace
 
 std::vector<std::string> programHeader(const MillingContext& milling, const std::vector<Tool>& tools,
@@ -187,8 +198,8 @@ std::vector<std::string> programHeader(const MillingContext& milling, const std:
     lines.push_back("Stock in program coordinates: " + place(stock.low - milling.setup.workOffset) + " to " +
                     place(stock.high - milling.setup.workOffset) + " mm");
     const Property& material = milling.embedded.workpiece.properties()[milling.embedded.stockProperty];
-    if (const Coolant advised = advisedCoolant(material); !milling.machine.has(advised))
-        lines.push_back("Coolant: " + std::string(idOf(advised)) + " is advised for " + material.name +
+    for (const Coolant missing : missingCoolants(tools, material, milling.machine))
+        lines.push_back("Coolant: " + std::string(idOf(missing)) + " is advised for " + material.name +
                         ", the machine has none");
     for (const Tool& tool : tools)
         lines.push_back((tools.size() > 1 ? "Tool " + std::to_string(tool.number) + ": " : "Tool: ") + tool.name +
@@ -307,7 +318,7 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const M
     for (const CuttingConditions& each : *byMaterial)
         if (each.rampAngle > 0.0) context.conditions.rampAngle = std::min(context.conditions.rampAngle, each.rampAngle);
     context.materialConditions = std::move(*byMaterial);
-    context.advisedCoolant = advisedCoolant(material);
+    context.advisedCoolant = advisedCoolant(tool, material);
     context.machine = milling.machine;
     context.stock = milling.setup.stock;
     context.obstacles = solidsOf(milling.surroundings());

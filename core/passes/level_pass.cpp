@@ -27,6 +27,12 @@ constexpr double atCorner = 0.05;      // mm between the point that a dogbone re
 // of the cutter's diameter squared: smaller level faces get no level of their own
 constexpr double levelFaceShare = 0.25;
 
+/// mm
+double loopStepOf(const PassRequest& request, const PassGround& ground) noexcept {
+    if (request.stepOver > 0.0) return request.stepOver;
+    return ground.loopStep > 0.0 ? ground.loopStep : usualRoughStep * ground.tool.cutter.diameter;
+}
+
 class LevelPlanner {
 public:
     LevelPlanner(const PassRequest& request, const PassGround& ground, Progress& progress)
@@ -34,7 +40,7 @@ public:
         , ground_(ground)
         , progress_(progress)
         , heights_(ground.stock, ground.tool.cutter, ground.coarseness)
-        , stepOver_(request.stepOver > 0.0 ? request.stepOver : usualRoughStep * ground.tool.cutter.diameter)
+        , stepOver_(loopStepOf(request, ground))
         // Above the whole part, the error of the field is no reason to keep away from it.
         , keep_(request.allowance + (request.kind == PassKind::face ? -1.0 : 1.0) * ground.field.errorBound())
         , top_(request.top.value_or(ground.stock.high.z))

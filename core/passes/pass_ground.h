@@ -24,10 +24,11 @@ struct PassGround {
     Box stock;
     std::span<const ObstacleSolid> obstacles; ///< that the tool keeps clear of
     StandingStock standing;                   ///< what is left of the stock; empty: the whole box stands
-    double levelDepth = 0.0; ///< mm: the largest depth of a level that tool, spindle and material can bear
-    double rowDepth = 0.0;   ///< mm: the largest depth of cut of a row next to the one before it, as the tool states it
+    double levelDepth = 0.0;                  ///< mm: depth of a level where the request states none
+    double rowDepth = 0.0; ///< mm: the largest depth of cut of a row next to the one before it, as the tool states it
     /// Factor for the distances of rows, rasters and points; > 1 for a preview, 1 for the pass itself.
     double coarseness = 1.0;
+    double loopStep = 0.0; ///< mm: between loops of a level where the request states none; 0: a share of the diameter
 };
 
 /// The tip positions of one continuous part of a pass, mm.

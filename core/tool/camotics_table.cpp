@@ -64,6 +64,7 @@ std::optional<ReadTool> toolOf(const std::string& number, const json& item, cons
     tool.number = static_cast<int>(std::lround(std::min(parseNumber(number).value_or(0.0), 1e9)));
     tool.source = "CAMotics tool table";
     tool.sources.clear();
+    tool.presets.clear();
     Cutter& cutter = tool.cutter;
     cutter.profile.clear();
     cutter.type = form->type;
@@ -150,6 +151,7 @@ Result<WrittenTools> camoticsTable(const std::vector<Tool>& tools) {
     if (table.empty()) return Error{ErrorCode::notSupported, "a CAMotics tool table of these tools", "other forms", ""};
     written.text = table.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
     written.notes.emplace_back("Flutes, shank, holder and limits can't be stored in this format.");
+    noteLostPresets(tools, written);
     return written;
 }
 

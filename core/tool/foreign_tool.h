@@ -14,9 +14,35 @@ namespace burin {
 /// @param like provides the limits. Errors: resourceInvalid.
 Result<ReadTool> soundTool(ReadTool read, const std::string& origin, const Tool& like);
 
+// Presets of other programs.
+/// Adds a preset to a tool as it was read: its name is made unique, and its material becomes an id. What Burin can't
+/// represent is left out with a note. @param material as the other program calls it; empty: any
+void addForeignPreset(CuttingPreset preset, std::string_view material, ReadTool& read);
+/// Leaves out presets, or steps of them, that are beyond the tool's own limits, with a note each.
+void keepSoundPresets(ReadTool& read);
+/// Returns the surface speed of a spindle speed in 1/min, m/min, and the reverse.
+double surfaceSpeedOf(double spindleSpeed, double diameter) noexcept;
+double spindleSpeedOf(double surfaceSpeed, double diameter) noexcept;
+/// Reads the presets of a tool of a Fusion library, whose shape has been read. @param unit mm, of the tool's lengths
+void readFusionPresets(const nlohmann::json& item, double unit, ReadTool& read);
+nlohmann::json fusionPresets(const Tool& tool);
+/// Reads the presets of a FreeCAD bit whose shape has been read.
+void readFreecadPresets(const nlohmann::json& bit, ReadTool& read);
+nlohmann::ordered_json freecadPresets(const Tool& tool);
+
+/// Adds a note if one of the tools has presets, for formats that have none.
+void noteLostPresets(const std::vector<Tool>& tools, WrittenTools& written);
+
 /// Returns an integer, limited to the range of int.
 int wholeNumberOf(const nlohmann::json& value);
 
+/// A note of each FreeCAD bit that is written.
+inline constexpr const char* lostInBit = "Holder, number and limits have no place in a bit and were left out.";
+/// Whether the JSON value is a FreeCAD library: a list of paths to bits.
+bool isFreecadLibrary(const nlohmann::json& file);
+/// Reads a FreeCAD library with the bits that it names. @param file of the library
+Result<ReadTools> readFreecadLibrary(const nlohmann::json& library, const std::filesystem::path& file,
+                                     const Tool& like);
 /// Reads a Fusion library. Errors: those of soundTool for all of its tools.
 Result<ReadTools> readFusion(const nlohmann::json& library, const std::string& origin, const Tool& like);
 /// Reads a JSON object with CAMotics' tools by number.

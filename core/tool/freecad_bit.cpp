@@ -5,9 +5,7 @@
 #include "core/base/resource_folder.h"
 #include "core/base/units.h"
 #include "core/tool/cutter_shape.h"
-#include "core/tool/tool_exchange.h"
-
-#include <nlohmann/json.hpp>
+#include "core/tool/foreign_tool.h"
 
 #include <algorithm>
 #include <array>
@@ -66,10 +64,13 @@ public:
         if (tool.id.empty()) return wrong("name", "has to have a letter or a digit");
         tool.source = "FreeCAD tool bit " + origin_.substr(origin_.find_last_of('/') + 1);
         tool.sources.clear();
+        tool.presets.clear();
         readCutter(*type);
         if (fault_) return *fault_;
         tool.cutter = fitted(tool.cutter);
         tool.maximumDepthOfCut = std::min(tool.cutter.fluteLength, like_.maximumDepthOfCut);
+        readFreecadPresets(bit_, result_);
+        keepSoundPresets(result_);
         // The values must be valid in one of Burin's own files.
         if (Result<Tool> sound = toolFromJson(toJson(tool), origin_); !sound) return sound.error();
         return std::move(result_);
@@ -192,6 +193,10 @@ private:
     ReadTool result_;
 };
 
+bool hasSteps(const CuttingPreset& preset) {
+    return preset.stepDown > 0.0 || preset.stepOver > 0.0 || preset.coolant;
+}
+
 std::string millimetres(double value) {
     return formatShortest(value) + " mm";
 }
@@ -234,15 +239,19 @@ Result<WrittenTools> freecadBit(const Tool& tool) {
         parameters["CuttingEdgeAngle"] = angle();
         parameters["TipDiameter"] = millimetres(cutter.tipDiameter);
     }
-    const ordered_json bit{{"version", 2},
-                           {"name", tool.name},
-                           {"shape", form->shape},
-                           {"shape-type", form->name},
-                           {"parameter", parameters},
-                           {"attribute", ordered_json::object()}};
-    return WrittenTools{bit.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n",
-                        {"Length is the stick-out, as far as Burin knows the tool.",
-                         "Holder, number and limits have no place in a bit and were left out."}};
+    ordered_json bit{{"version", 2},
+                     {"name", tool.name},
+                     {"shape", form->shape},
+                     {"shape-type", form->name},
+                     {"parameter", parameters},
+                     {"attribute", ordered_json::object()}};
+    WrittenTools written;
+    written.notes = {"Length is the stick-out, as far as Burin knows the tool.", lostInBit};
+    if (!tool.presets.empty()) bit["presets"] = freecadPresets(tool);
+    if (std::ranges::any_of(tool.presets, hasSteps))
+        written.notes.emplace_back("Step-down, step-over and coolant of presets have no place in a bit.");
+    written.text = bit.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return written;
 }
 
 } // namespace burin

@@ -58,11 +58,12 @@ public:
         if (const std::string vendor = text("vendor"); !vendor.empty()) tool.source += ", " + cleanLine(vendor);
         if (const std::string product = text("product-id"); !product.empty()) tool.source += " " + cleanLine(product);
         tool.sources.clear();
+        tool.presets.clear();
         readNumber();
         readCutter(form->type);
         readHolder();
         note("Limits and strength are those of " + like_.id + ": enter your own.");
-        if (item_.contains("start-values")) note("Feed and speed presets were not imported.");
+        readFusionPresets(item_, unit_, result_);
         if (item_.contains("expressions") && !item_["expressions"].empty())
             note("Expressions were not imported, only the numbers.");
         return std::move(result_);
@@ -257,7 +258,7 @@ json itemOf(const Tool& tool) {
                 {"live", true},
                 {"manual-tool-change", false},
                 {"comment", ""}}},
-              {"start-values", {{"presets", json::array()}}}};
+              {"start-values", {{"presets", fusionPresets(tool)}}}};
     if (!segments.empty())
         item["holder"] = {{"type", "holder"}, {"unit", "millimeters"}, {"segments", std::move(segments)}};
     return item;

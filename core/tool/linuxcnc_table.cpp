@@ -62,6 +62,7 @@ Result<ReadTools> readLinuxcnc(std::string_view text, const std::string& origin,
         tool.tool.number = static_cast<int>(std::lround(std::min(*number, 1e9)));
         tool.tool.source = "LinuxCNC tool table";
         tool.tool.sources.clear();
+        tool.tool.presets.clear();
         Cutter& cutter = tool.tool.cutter;
         cutter.shankDiameter = cutter.diameter = *diameter * unit;
         cutter.cornerRadius = cutter.type == CutterType::ball ? cutter.radius() : cutter.cornerRadius;
@@ -93,6 +94,7 @@ Result<WrittenTools> linuxcncTable(std::vector<Tool> tools, double unit) {
                         " ;" + cleanLine(tool.name) + "\n";
     }
     written.notes.emplace_back("Lengths are 0: measure them on the machine.");
+    noteLostPresets(tools, written);
     return written;
 }
 

@@ -73,7 +73,7 @@ Result<void> validate(const Tool& tool) {
                                      {"maximum_chip_load_mm", tool.maximumChipLoad},
                                      {"maximum_width_of_cut_mm", tool.maximumWidthOfCut}})
         if (!std::isfinite(value) || value < 0.0) return invalid(key, value, "at least 0");
-    return {};
+    return validatePresets(tool);
 }
 
 Result<void> checkTurns(const Cutter& cutter, std::string_view request) {

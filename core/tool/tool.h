@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/revolved_piece.h"
+#include "core/tool/cutting_preset.h"
 
 #include <cstdint>
 #include <map>
@@ -89,6 +90,7 @@ struct Tool {
     double maximumChipLoad = 0.0;                 ///< mm per tooth, largest chip thickness
     double maximumWidthOfCut = 0.0;               ///< radial, mm
     std::map<std::string, std::string> sources{}; ///< by key of the file: where that value comes from
+    std::vector<CuttingPreset> presets{};         ///< feeds and speeds of the user's own, by material
 
     /// Whether the value of a key is an estimate according to its source. Thread-safe.
     bool isEstimate(const std::string& key) const;
@@ -96,7 +98,7 @@ struct Tool {
 
 /// Errors: argumentInvalid with the key and what is allowed (diameters > 0, 0 <= corner radius <= radius, flutes at
 /// least as long as the height of the corner, stick-out >= flutes, no empty holder segment; values that a type does not
-/// use are 0; a solid lies within the profile).
+/// use are 0; a solid lies within the profile), those of validatePresets.
 Result<void> validate(const Tool& tool);
 /// Errors: notSupported (subject: `request`), if the tool doesn't turn.
 Result<void> checkTurns(const Cutter& cutter, std::string_view request);

@@ -42,54 +42,12 @@ Result<ReadTools> one(Result<ReadTool> tool) {
     return read;
 }
 
-bool isFreecadLibrary(const json& file) {
-    if (!file.is_object() || !file.contains("tools") || !file["tools"].is_array()) return false;
-    return std::ranges::all_of(file["tools"], [](const json& entry) {
-        return entry.is_object() && entry.contains("path") && entry["path"].is_string();
-    });
-}
-
-/// Returns the paths where FreeCAD looks for a bit, except its own store.
-std::vector<std::filesystem::path> placesOf(const std::filesystem::path& library, const std::string& bit) {
-    const std::filesystem::path folder = library.parent_path(), name = std::filesystem::path(bit).filename();
-    return {folder / name, folder / "Bit" / name, folder.parent_path() / "Bit" / name};
-}
-
-Result<ReadTools> readFreecadLibrary(const json& library, const std::filesystem::path& file, const Tool& like) {
-    ReadTools read;
-    for (const json& entry : library["tools"]) {
-        const std::string bit = entry["path"].get<std::string>();
-        std::error_code unreached;
-        const auto places = placesOf(file, bit);
-        const auto place =
-            std::ranges::find_if(places, [&](const auto& at) { return std::filesystem::exists(at, unreached); });
-        if (place == places.end()) {
-            read.leftOut.push_back(bit + ": the tool bit was not found next to the library.");
-            continue;
-        }
-        const Result<std::string> text = readFile(*place);
-        Result<ReadTool> tool = text ? toolFromText(*text, place->string(), like) : Result<ReadTool>(text.error());
-        if (!tool) {
-            read.leftOut.push_back(bit + ": " + tool.error().place + " " + tool.error().detail + ".");
-            continue;
-        }
-        if (const auto number = entry.find("nr"); number != entry.end() && number->is_number_integer())
-            tool->tool.number = wholeNumberOf(*number);
-        if (Result<Tool> sound = toolFromJson(toJson(tool->tool), bit); !sound) {
-            read.leftOut.push_back(bit + ": " + sound.error().place + " " + sound.error().detail + ".");
-            continue;
-        }
-        read.tools.push_back(std::move(*tool));
-    }
-    return read;
-}
-
 Result<WrittenTools> oneTool(const std::string& suffix, const std::string& id, const std::vector<Tool>& tools) {
     const auto tool = std::ranges::find(tools, id, &Tool::id);
     if (tool == tools.end())
-        return Error{ErrorCode::argumentInvalid, "tools", id, "one; several go into *.tbl, *.tools or *.ctbl"};
+        return Error{ErrorCode::argumentInvalid, "tools", id, "one; several go into *.fctl, *.tbl, *.tools or *.ctbl"};
     if (suffix == ".fctb") return freecadBit(*tool);
-    return WrittenTools{toJson(*tool), {}};
+    return WrittenTools{toJson(*tool), {}, {}};
 }
 
 } // namespace
@@ -100,6 +58,7 @@ Result<ReadTool> soundTool(ReadTool read, const std::string& origin, const Tool&
     if (tool.id.empty()) tool.id = "tool-" + std::to_string(tool.number);
     tool.maximumDepthOfCut =
         std::min(tool.cutter.fluteLength, std::max(tool.maximumDepthOfCut, like.maximumDepthOfCut));
+    keepSoundPresets(read);
     if (Result<Tool> sound = toolFromJson(toJson(tool), origin); !sound) return sound.error();
     return read;
 }
@@ -140,8 +99,20 @@ Result<WrittenTools> toolsFor(const std::string& file, const std::string& id, co
     if (suffix == ".tbl") return linuxcncTable(tools, unit);
     if (suffix == ".tools") return fusionLibrary(tools);
     if (suffix == ".ctbl") return camoticsTable(tools);
+    if (suffix == ".fctl") return freecadLibrary(file, tools);
     if (suffix == ".fctb" || suffix == ".json") return oneTool(suffix, id, tools);
-    return Error{ErrorCode::argumentInvalid, "name of the file", file, "*.fctb, *.tbl, *.tools, *.ctbl or *.json"};
+    return Error{ErrorCode::argumentInvalid, "name of the file", file,
+                 "*.fctl, *.fctb, *.tbl, *.tools, *.ctbl or *.json"};
+}
+
+Result<void> writeTools(const std::filesystem::path& file, const WrittenTools& written) {
+    for (const WrittenTools::File& each : written.files) {
+        std::error_code failed;
+        std::filesystem::create_directories(each.file.parent_path(), failed);
+        if (failed) return writeError(each.file, failed.value());
+        if (Result<void> done = writeFileAtomically(each.file, each.text); !done) return done;
+    }
+    return writeFileAtomically(file, written.text);
 }
 
 } // namespace burin

@@ -38,11 +38,22 @@ Result<ReadTools> toolsFromFile(const std::filesystem::path& file, const Tool& l
 
 /// Tools in the file format of another program, with notes about what that format can't represent.
 struct WrittenTools {
+    struct File {
+        std::filesystem::path file;
+        std::string text;
+    };
     std::string text;
     std::vector<std::string> notes; ///< English, a sentence each
+    std::vector<File> files{};      ///< further files that belong to it: the bits of a FreeCAD library
 };
 /// Returns a tool bit of FreeCAD. Errors: notSupported (tapered cutters, lollipops, profiles).
 Result<WrittenTools> freecadBit(const Tool& tool);
+/// Returns a library of FreeCAD (.fctl) with its bits, which lie in a folder "Bit": next to the library's folder if
+/// that is called "Library", as FreeCAD has it, otherwise in the library's folder. A bit that is there already and that
+/// the replaced library does not name is kept; the new one gets a number appended to its name. Tools whose shapes no
+/// bit has are left out and named in the notes. @param file of the library; its stem becomes the label Errors:
+/// notSupported (all of them are), argumentInvalid (two tools with the same number).
+Result<WrittenTools> freecadLibrary(const std::filesystem::path& file, const std::vector<Tool>& tools);
 /// Returns a tool table of LinuxCNC, sorted by number, each tool in the pocket of its number; diameters in the
 /// machine's unit. Lengths are left at 0: they are measured on the machine. @param unit machine unit in mm
 /// Errors: argumentInvalid (two tools with the same number, a number above 1000, which is not a pocket).
@@ -54,10 +65,13 @@ Result<WrittenTools> fusionLibrary(const std::vector<Tool>& tools);
 /// Errors: notSupported (all of them are), argumentInvalid (two tools with the same number).
 Result<WrittenTools> camoticsTable(const std::vector<Tool>& tools);
 
-/// Returns the content for a file by its name: *.tbl, *.tools and *.ctbl contain all tools, *.fctb and *.json (Burin's
-/// own form) the one with the given id. @param unit machine unit in mm, for a LinuxCNC table
-/// Errors: those of each format, argumentInvalid (another name; an id that none of them has).
+/// Returns the content for a file by its name: *.fctl, *.tbl, *.tools and *.ctbl contain all tools, *.fctb and *.json
+/// (Burin's own form) the one with the given id. @param unit machine unit in mm, for a LinuxCNC table Errors: those of
+/// each format, argumentInvalid (another name; an id that none of them has).
 Result<WrittenTools> toolsFor(const std::string& file, const std::string& id, const std::vector<Tool>& tools,
                               double unit);
+/// Writes tools to a file, and first the further files that belong to it, creating the folders of these. Errors: those
+/// of writeFileAtomically.
+Result<void> writeTools(const std::filesystem::path& file, const WrittenTools& written);
 
 } // namespace burin

@@ -5,6 +5,7 @@
 #include "core/base/json_object.h"
 #include "core/base/resource_folder.h"
 #include "core/base/units.h"
+#include "core/tool/preset_json.h"
 #include "core/tool/segment_json.h"
 #include "core/tool/tool_solid.h"
 
@@ -128,6 +129,7 @@ Result<Tool> toolFromJson(std::string_view text, const std::string& origin) {
     tool.maximumDepthOfCut = file->number("maximum_depth_of_cut_mm", length);
     tool.maximumSpindleSpeed = file->number("maximum_spindle_speed_rpm", spindleSpeed);
     tool.source = file->text("source");
+    if (file->has("presets")) readPresets(*file, tool.presets);
     readLimits(*file, tool);
     file->object("cutter", [&](JsonObject& cutter) { readCutter(cutter, tool.cutter); });
     if (Result<void> read = file->finish(); !read) return read.error();
@@ -149,6 +151,7 @@ std::string toJson(const Tool& tool) {
                       {"maximum_spindle_speed_rpm", tool.maximumSpindleSpeed},
                       {"source", tool.source}};
     writeLimits(tool, file);
+    if (!tool.presets.empty()) file["presets"] = presetsJson(tool.presets);
     file["cutter"] = cutterJson(tool.cutter);
     // Text that is not UTF-8 is replaced: an exception must not leave this library.
     return file.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";

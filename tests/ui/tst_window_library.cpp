@@ -336,7 +336,7 @@ private slots:
         });
         driver.window().setFocus();
         driver.key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY2(told.contains("6 tools") && told.contains("Dovetail 12"), qPrintable(told));
+        QVERIFY2(told.contains("6 tools were added in the library") && told.contains("Dovetail 12"), qPrintable(told));
         QCOMPARE(workbench.tool.library().size(), before + 6);
         const Tool* const ball = toolIn(workbench.tool.library(), "ball-3-mm-long");
         QVERIFY(ball && ball->number == 7 && ball->cutter.diameter == 3.0);

@@ -137,7 +137,7 @@ QString askProgramToExport(QWidget* parent, const QString& folder, const QString
 
 QString askToolExport(QWidget* parent, const QString& folder, const QString& name) {
     return askToSave(parent, FileDialogs::tr("Export tools"), folder, name, QStringLiteral("fctb"),
-                     FileDialogs::tr("Tools for other programs (*.fctb *.tbl *.tools *.ctbl *.json)"));
+                     FileDialogs::tr("Tools for other programs (*.fctl *.fctb *.tbl *.tools *.ctbl *.json)"));
 }
 
 QString askPictureToExport(QWidget* parent, const QString& folder, const QString& name) {

@@ -108,6 +108,8 @@ struct ToolState {
     std::vector<std::string> ofTakes; ///< the tool of each take
     double feed = 0.0, plungeFeed = 0.0,
            spindleSpeed = 0.0;        ///< mm/min, mm/min, 1/min in the stock's material; 0: not known yet
+    std::string preset;               ///< name of the tool's preset that gives these; empty: the material's values do
+    bool plungeByPreset = false;      ///< whether the preset also states the plunge feed
     bool conditionsEstimated = false; ///< whether the material's values are estimates
     bool fieldBusy = false;           ///< whether the boundary for this tool is being computed
     bool locked = false;              ///< whether a recording is running

@@ -6,6 +6,7 @@
 #include "core/tool/cutter_shape.h"
 #include "core/tool/tool_ranges.h"
 #include "core/tool/tool_solid.h"
+#include "ui/panels/preset_table.h"
 #include "ui/panels/segment_table.h"
 
 #include <QCoreApplication>
@@ -56,7 +57,7 @@ auto freeIn(CutterValue value) {
 
 } // namespace
 
-ToolForm::ToolForm(std::vector<Holder> holders, QWidget* parent)
+ToolForm::ToolForm(std::vector<Holder> holders, std::vector<Property> materials, QWidget* parent)
     : RecordForm(tr("as stated in the tool's source"), parent), holders_(std::move(holders)) {
     setObjectName(QStringLiteral("toolForm"));
     addGeneral();
@@ -64,6 +65,7 @@ ToolForm::ToolForm(std::vector<Holder> holders, QWidget* parent)
     addShank();
     addHolder();
     addLimits();
+    addPresets(std::move(materials));
     closeRows();
 }
 
@@ -191,12 +193,28 @@ void ToolForm::addLimits() {
         tool_range::breakage, true, &Tool::strength);
 }
 
+void ToolForm::addPresets(std::vector<Property> materials) {
+    addTitle(tr("Feeds and speeds"));
+    presets_ = new PresetTable(std::move(materials), this);
+    const int row =
+        beginRow(tr("Presets"), presets_,
+                 tr("Feeds and speeds of your own. The first preset for the stock's material is used, without "
+                    "one the first for any material, without one the values that the material states"));
+    placeToEnd(presets_, row);
+    connect(presets_, &PresetTable::edited, this, [this](const std::vector<CuttingPreset>& presets) {
+        record_.presets = presets;
+        changed("presets");
+    });
+    onRefresh([this] { presets_->showPresets(record_.presets, record_.cutter.radius(), record_.maximumDepthOfCut); });
+}
+
 /// Values that depend on the form are updated, and a value that is not stated has no source.
 void ToolForm::settle(const std::string& key) {
     record_.cutter = fitted(record_.cutter);
     record_.maximumDepthOfCut = std::min(record_.maximumDepthOfCut, record_.cutter.fluteLength);
     record_.sources.erase("holder"); // not a key of its own, but part of the cutter
     record_.sources.erase("number");
+    if (record_.presets.empty()) record_.sources.erase("presets");
     if (key == "holder") record_.sources["cutter"] = tr("entered by the user").toStdString();
     for (const auto& [name, value] : {std::pair{"modulus_n_per_mm2", record_.modulus},
                                       {"strength_n_per_mm2", record_.strength},
@@ -208,6 +226,7 @@ void ToolForm::settle(const std::string& key) {
 void ToolForm::setLengthUnit(LengthUnit unit) {
     setUnit(unit);
     segments_->setUnit(unit);
+    presets_->setUnit(unit);
 }
 
 void ToolForm::showTool(const Tool& tool, bool locked) {
@@ -215,6 +234,8 @@ void ToolForm::showTool(const Tool& tool, bool locked) {
     lock(locked);
     segments_->setEnabled(true); // enabled, so that they can be viewed
     segments_->setReadOnly(locked);
+    presets_->setEnabled(true);
+    presets_->setReadOnly(locked);
     refresh();
 }
 

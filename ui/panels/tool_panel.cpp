@@ -67,6 +67,7 @@ ToolPanel::Fields::Fields(ToolPanel* panel) : QObject(panel), panel_(panel), col
     plunge_ = addRow(ToolPanel::tr("Plunge feed"), "plungeFeed");
     speed_ = addRow(ToolPanel::tr("Spindle speed"), "spindleSpeed");
     estimate_ = new Notice(panel);
+    estimate_->setObjectName(QStringLiteral("conditionsNotice"));
     column_->addWidget(estimate_);
     column_->addWidget(makeSectionTitle(ToolPanel::tr("Source of the dimensions"), panel));
     source_ = makeWrappedLabel(panel);
@@ -109,9 +110,17 @@ void ToolPanel::Fields::showConditions(bool turns) {
             Notice::Kind::information,
             ToolPanel::tr("This tool doesn't turn: it cuts as its model sweeps, upright and in a fixed "
                           "direction. It has no feeds, passes or programs."));
-    estimate_->tell(Notice::Kind::warning, state.conditionsEstimated && state.feed > 0.0
-                                               ? ToolPanel::tr("Feed and speed come from values that are estimates.")
-                                               : QString());
+    if (state.preset.empty())
+        estimate_->tell(Notice::Kind::warning,
+                        state.conditionsEstimated && state.feed > 0.0
+                            ? ToolPanel::tr("Feed and speed come from values that are estimates.")
+                            : QString());
+    else
+        estimate_->tell(Notice::Kind::information,
+                        (state.plungeByPreset
+                             ? ToolPanel::tr("By the preset “%1” of this tool.")
+                             : ToolPanel::tr("By the preset “%1” of this tool; the plunge feed by the material."))
+                            .arg(QString::fromStdString(state.preset)));
 }
 
 void ToolPanel::Fields::refresh() {

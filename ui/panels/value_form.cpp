@@ -41,6 +41,10 @@ void ValueForm::placeWide(QWidget* field, int row) {
     grid_->addWidget(field, row, firstField, 1, 3);
 }
 
+void ValueForm::placeToEnd(QWidget* field, int row) {
+    grid_->addWidget(field, row, firstField, 1, formColumns - 1);
+}
+
 void ValueForm::addTitle(const QString& text) {
     const int row = grid_->rowCount();
     grid_->addWidget(makeSectionTitle(text, this), row, labelColumn, 1, formColumns - 1);

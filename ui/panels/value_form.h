@@ -57,6 +57,8 @@ protected:
     int beginRow(const QString& label, QWidget* buddy, const QString& toolTip);
     /// Places a widget in the column of the first field, as wide as three fields.
     void placeWide(QWidget* field, int row);
+    /// Places a widget from the column of the first field to the end of the row.
+    void placeToEnd(QWidget* field, int row);
     void addNumberFields(const char* key, const QString& label, const QString& toolTip,
                          std::vector<NumberField> numbers, bool withSource);
     void addChoiceField(const char* key, const QString& label, const QString& toolTip, ChoiceField choice,

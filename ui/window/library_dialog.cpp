@@ -120,6 +120,10 @@ void LibraryDialog::addBelowList(QWidget* widget) {
     listButtons_->insertWidget(listButtons_->indexOf(list_) + 1, widget);
 }
 
+void LibraryDialog::addAboveList(QWidget* widget) {
+    listButtons_->insertWidget(0, widget);
+}
+
 QWidget* LibraryDialog::makeFoot() {
     auto* foot = new QWidget(this);
     auto* row = new QHBoxLayout(foot);
@@ -161,8 +165,9 @@ std::vector<LibraryDialog::Entry> LibraryDialog::foundEntries() const {
     std::erase_if(found, [&](const Entry& entry) {
         const QString text =
             entry.name + QLatin1Char(' ') + QString::fromStdString(entry.id) + QLatin1Char(' ') + entry.detail;
-        return !std::ranges::all_of(words,
-                                    [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+        return !listed(entry) || !std::ranges::all_of(words, [&](const QString& word) {
+            return text.contains(word, Qt::CaseInsensitive);
+        });
     });
     return found;
 }
@@ -197,7 +202,10 @@ void LibraryDialog::showEntry(const std::string& id) {
     const std::vector<Entry> all = entries();
     if (all.empty()) return;
     auto entry = std::ranges::find(all, id, &Entry::id);
-    if (entry == all.end()) entry = std::ranges::find(all, true, &Entry::inUse);
+    const auto isListed = [this](const Entry& one) { return listed(one); };
+    if (entry == all.end())
+        entry = std::ranges::find_if(all, [&](const Entry& one) { return one.inUse && isListed(one); });
+    if (entry == all.end()) entry = std::ranges::find_if(all, isListed);
     if (entry == all.end()) entry = all.begin();
     id_ = entry->id;
     shipped_ = entry->shipped;
@@ -206,6 +214,14 @@ void LibraryDialog::showEntry(const std::string& id) {
     notice_->tell(entry->shipped ? Notice::Kind::information : Notice::Kind::passed, about(entry->shipped));
     refreshList();
     follow();
+}
+
+void LibraryDialog::showListed() {
+    const std::vector<Entry> found = foundEntries();
+    if (found.empty() || std::ranges::find(found, id_, &Entry::id) != found.end())
+        refreshList();
+    else
+        showEntry(found.front().id);
 }
 
 void LibraryDialog::follow() {

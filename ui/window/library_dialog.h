@@ -50,13 +50,15 @@ protected:
     QPushButton* addListButton(const QString& text, const QString& icon, const QString& name, const QKeySequence& key,
                                const QString& toolTip);
     void addBelowList(QWidget* widget);
+    void addAboveList(QWidget* widget); ///< above the search
     QPushButton* addFootButton(const QString& text, const QString& icon, const QString& name);
     /// @param page the form, or its scroll area; owned by the dialog. @param nameField object name of the field in
     /// which a copy is renamed
     void start(QWidget* page, const QString& nameField, const std::string& id);
 
     const std::string& shownId() const noexcept { return id_; }
-    void showEntry(const std::string& id); ///< if it no longer exists, the first one in use, or the first
+    void showEntry(const std::string& id); ///< if it no longer exists, one in use, or the first of the list
+    void showListed();                     ///< the first of the list, unless the shown one is in it
     void refresh();                        ///< the library has changed; unsaved values stay in the fields
     void follow();                         ///< the fields were edited
     void fail(const Error& error);
@@ -64,6 +66,9 @@ protected:
     bool leaveChanges(); ///< true if nothing is unsaved or the user discards it
 
     virtual std::vector<Entry> entries() const = 0;
+    virtual bool listed(const Entry&) const {
+        return true;
+    } ///< whether it is in the part of the library that is listed
     virtual void fill(const std::string& id, bool shipped) = 0; ///< shows that item in the form
     virtual bool edited() const = 0;               ///< whether the values in the form differ from those of `shownId`
     virtual QString problem() const { return {}; } ///< why the form's values can't be saved

@@ -195,9 +195,10 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
     const double diameter = milling.tool.cutter.diameter;
     const Box part = milling.partModel->box();
     const bool free = milling.partModel->bodies.empty(), drills = milling.tool.cutter.type == CutterType::drill;
-    const PassDefaults defaults{usualRoughStep * diameter,
+    const ClearingSteps steps = clearingSteps(milling);
+    const PassDefaults defaults{steps.stepOver,
                                 usualFineStep * diameter,
-                                plannedTool(milling).maximumDepthOfCut,
+                                steps.levelDepth,
                                 usualStairs * diameter,
                                 milling.setup.stock.high.z,
                                 free ? milling.setup.stock.low.z : part.low.z,

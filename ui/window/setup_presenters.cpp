@@ -144,6 +144,10 @@ void ToolPresenter::present() {
             state.plungeFeed = conditions->plungeFeed;
             state.spindleSpeed = conditions->spindleSpeed;
         }
+        if (const CuttingPreset* preset = presetFor(tool.current(), *material)) {
+            state.preset = preset->name;
+            state.plungeByPreset = preset->plungeFeed > 0.0;
+        }
         state.conditionsEstimated =
             std::ranges::any_of(material->values, [](const auto& entry) { return entry.second.estimate; });
     }

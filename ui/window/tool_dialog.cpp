@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/tool_dialog.h"
 
-#include "core/base/file.h"
 #include "core/tool/tool_exchange.h"
 #include "core/tool/tool_library.h"
 #include "ui/dialogs/file_dialogs.h"
@@ -11,14 +10,18 @@
 #include "ui/panels/texts.h"
 #include "ui/panels/tool_drawing.h"
 #include "ui/panels/tool_form.h"
+#include "ui/window/context_menu.h"
+#include "ui/window/tool_library_bar.h"
 
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace burin {
 
@@ -38,14 +41,11 @@ ToolDialog::ToolDialog(ToolController& tools, LengthUnit unit, QWidget* parent)
                     firstToolSize, parent)
     , tools_(tools)
     , unit_(unit) {
-    auto* exports = addListButton(tr("Export…"), QStringLiteral("export"), QStringLiteral("exportToolButton"),
-                                  QKeySequence(Qt::CTRL | Qt::Key_E),
-                                  tr("Write this tool for FreeCAD (.fctb), or all for LinuxCNC (.tbl)"));
-    connect(exports, &QPushButton::clicked, this, &ToolDialog::exportTools);
-    use_ = addFootButton(tr("Load into the spindle"), QStringLiteral("check"), QStringLiteral("useToolButton"));
-    connect(use_, &QPushButton::clicked, this, [this] { tools_.choose(shownId()); });
+    addButtons();
     connect(&tools, &Controller::changed, this, &ToolDialog::refresh);
     connect(&tools, &Controller::failed, this, &ToolDialog::fail);
+    connect(bar_, &ToolLibraryBar::chosen, this, &ToolDialog::showLibrary);
+    connect(bar_, &ToolLibraryBar::failed, this, &ToolDialog::fail);
     start(makePage(), QStringLiteral("toolName"), tools.current().id);
     connect(form_, &ToolForm::edited, this, [this] {
         drawing_->setTool(form_->tool());
@@ -53,8 +53,24 @@ ToolDialog::ToolDialog(ToolController& tools, LengthUnit unit, QWidget* parent)
     });
 }
 
+void ToolDialog::addButtons() {
+    bar_ = new ToolLibraryBar(tools_, this);
+    addAboveList(bar_);
+    place_ =
+        addListButton(tr("Move or copy to…"), QStringLiteral("next"), QStringLiteral("placeToolButton"),
+                      QKeySequence(Qt::CTRL | Qt::Key_M), tr("Put this tool, or a copy of it, into another library"));
+    connect(place_, &QPushButton::clicked, this, &ToolDialog::offerLibraries);
+    auto* exports = addListButton(tr("Export…"), QStringLiteral("export"), QStringLiteral("exportToolButton"),
+                                  QKeySequence(Qt::CTRL | Qt::Key_E),
+                                  tr("Write this tool for FreeCAD (.fctb), or the listed library for FreeCAD (.fctl), "
+                                     "LinuxCNC (.tbl), Fusion (.tools) or CAMotics (.ctbl)"));
+    connect(exports, &QPushButton::clicked, this, &ToolDialog::exportTools);
+    use_ = addFootButton(tr("Load into the spindle"), QStringLiteral("check"), QStringLiteral("useToolButton"));
+    connect(use_, &QPushButton::clicked, this, [this] { tools_.choose(shownId()); });
+}
+
 QWidget* ToolDialog::makePage() {
-    form_ = new ToolForm(tools_.holders());
+    form_ = new ToolForm(tools_.holders(), tools_.materials());
     form_->setLengthUnit(unit_);
     auto* area = new QScrollArea(this);
     area->setWidget(form_);
@@ -81,6 +97,25 @@ std::vector<LibraryDialog::Entry> ToolDialog::entries() const {
     return entries;
 }
 
+bool ToolDialog::listed(const Entry& entry) const {
+    return tools_.libraries().isIn(entry.id, bar_->library());
+}
+
+std::vector<Tool> ToolDialog::listedTools() const {
+    std::vector<Tool> tools = tools_.library();
+    std::erase_if(tools, [this](const Tool& tool) { return !tools_.libraries().isIn(tool.id, bar_->library()); });
+    return tools;
+}
+
+/// Values that are not saved keep their tool shown, whatever library is listed.
+void ToolDialog::showLibrary() {
+    if (edited())
+        refresh();
+    else
+        showListed();
+    if (listedTools().empty()) warn(tr("This library is empty. Copy or move tools into it, or add them from a file."));
+}
+
 void ToolDialog::fill(const std::string& id, bool shipped) {
     const Tool* wanted = tool(id);
     if (wanted == nullptr) return;
@@ -93,12 +128,27 @@ bool ToolDialog::edited() const {
     return shown != nullptr && toJson(form_->tool()) != toJson(*shown);
 }
 
+QString ToolDialog::problem() const {
+    const std::vector<CuttingPreset>& presets = form_->tool().presets;
+    for (const CuttingPreset& preset : presets) {
+        const QString name = QString::fromStdString(preset.name);
+        if (name.isEmpty()) return tr("A preset has no name; enter one.");
+        if (std::ranges::count(presets, preset.name, &CuttingPreset::name) > 1)
+            return tr("Two presets are called “%1”; rename one of them.").arg(name);
+        if (!(preset.spindleSpeed > 0.0) || !(preset.feed + preset.chipLoad > 0.0))
+            return tr("The preset “%1” needs a speed, and a feed or a feed per tooth.").arg(name);
+    }
+    return {};
+}
+
 QString ToolDialog::about(bool shipped) const {
     if (tools_.milledWith(shownId()))
         return tr("The open project has recordings with this tool and keeps the values that they were made with.");
-    return shipped ? tr("Burin is shipped with this tool, which can't be changed. Copy it and enter the values of your "
-                        "own.")
-                   : tr("Your own tool.");
+    if (shipped)
+        return tr("Burin is shipped with this tool, which can't be changed. Copy it and enter the values of your own.");
+    const std::string library = tools_.libraries().libraryOf(shownId());
+    return library == ownLibrary ? tr("Your own tool.")
+                                 : tr("Your own tool, in the library “%1”.").arg(toolLibraryName(library));
 }
 
 void ToolDialog::followFoot() {
@@ -113,7 +163,58 @@ void ToolDialog::followFoot() {
 
 std::string ToolDialog::copy(const std::string& id) {
     const Tool* original = tool(id);
-    return original == nullptr ? id : tools_.copyTool(Tool(*original), tr("%1 (copy)").arg(toolName(*original)));
+    if (original == nullptr) return id;
+    const std::string library =
+        bar_->library() == allTools && !isShippedTool(id) ? tools_.libraries().libraryOf(id) : bar_->ownTarget();
+    const std::string made = tools_.copyTool(Tool(*original), tr("%1 (copy)").arg(toolName(*original)), library);
+    if (!tools_.libraries().isIn(made, bar_->library())) bar_->choose(library);
+    return made;
+}
+
+/// Offers the user's own libraries, and a new one.
+void ToolDialog::offerLibraries() {
+    if (!leaveChanges()) return;
+    showEntry(std::string(shownId())); // without the discarded values
+    const std::string id = shownId(), now = tools_.libraries().libraryOf(id);
+    std::vector<std::string> targets = tools_.libraries().names;
+    targets.insert(targets.begin(), std::string(ownLibrary));
+    QMenu* menu = makeContextMenu("toolLibraryMenu", tr("Move or copy to…"), this);
+    const auto label = [](std::string library) {
+        return toolLibraryName(library).replace(QLatin1Char('&'), QStringLiteral("&&"));
+    };
+    const auto add = [&](const QString& text, const QByteArray& name, const std::function<void()>& use) {
+        addEntry(*menu, text, {}, name.constData(), use);
+    };
+    for (std::size_t i = 0; !isShippedTool(id) && i < targets.size(); ++i)
+        if (targets[i] != now)
+            add(tr("Move to “%1”").arg(label(targets[i])), "moveTool" + QByteArray::number(i),
+                [this, to = targets[i]] { moveTo(to); });
+    for (std::size_t i = 0; i < targets.size(); ++i)
+        add(tr("Copy to “%1”").arg(label(targets[i])), "copyTool" + QByteArray::number(i),
+            [this, to = targets[i]] { copyTo(to); });
+    add(tr("Copy to a new library…"), "copyToolToNew", [this] {
+        const std::string copied = shownId(); // a new library is shown at once
+        const std::string library = bar_->addLibrary();
+        if (library.empty()) return;
+        showEntry(copied);
+        copyTo(library);
+    });
+    menu->popup(place_->mapToGlobal(QPoint(0, place_->height())));
+}
+
+void ToolDialog::moveTo(std::string library) {
+    const std::string id = shownId();
+    tools_.moveTool(id, library);
+    if (bar_->library() != allTools) bar_->choose(library);
+    showEntry(id);
+}
+
+void ToolDialog::copyTo(std::string library) {
+    const Tool* original = tool(shownId());
+    if (original == nullptr) return;
+    const std::string made = tools_.copyTool(Tool(*original), tr("%1 (copy)").arg(toolName(*original)), library);
+    if (bar_->library() != allTools) bar_->choose(library);
+    showEntry(made);
 }
 
 void ToolDialog::erase(const std::string& id) {
@@ -134,14 +235,32 @@ Result<LibraryDialog::Incoming> ToolDialog::read(const std::string& file) {
         const ReadTool& one = read->tools.front();
         for (const std::string& note : one.notes) notes << detailText(note);
         for (const std::string& out : read->leftOut) notes << detailText(out);
-        return Incoming{one.tool.id, [this, tool = one.tool] { tools_.keepTool(tool); }, notes.join(QLatin1Char(' '))};
+        return Incoming{one.tool.id,
+                        [this, tool = one.tool] {
+                            const std::string library = bar_->ownTarget();
+                            tools_.addTool(tool, library);
+                            if (bar_->library() != allTools) bar_->choose(library);
+                        },
+                        notes.join(QLatin1Char(' '))};
     }
     std::vector<Tool> tools;
     for (const ReadTool& each : read->tools) tools.push_back(each.tool);
-    notes << tr("%n tools were added.", nullptr, static_cast<int>(tools.size()))
+    const std::string library =
+        freeLibraryName(tools_.libraries(), std::filesystem::path(file).stem().string()); // as the file is called
+    notes << tr("%n tools were added in the library “%1”.", nullptr, static_cast<int>(tools.size()))
+                 .arg(toolLibraryName(library))
           << tr("Check the stick-out, holder and limits of each tool; other programs may not store them.");
+    QStringList ofTools; // what several tools have in common is stated once
+    for (const ReadTool& each : read->tools)
+        for (const std::string& note : each.notes) ofTools << detailText(note);
+    ofTools.removeDuplicates();
+    notes << ofTools;
     for (const std::string& out : read->leftOut) notes << detailText(out);
-    return Incoming{tools_.freeId(QString::fromStdString(tools.front().id)), [this, tools] { tools_.keepTools(tools); },
+    return Incoming{tools_.freeId(QString::fromStdString(tools.front().id)),
+                    [this, tools, library] {
+                        tools_.addTools(tools, library);
+                        bar_->choose(library);
+                    },
                     notes.join(QLatin1Char(' '))};
 }
 
@@ -150,12 +269,19 @@ void ToolDialog::exportTools() {
     if (shown == nullptr || !leaveChanges()) return;
     const QString file = askToolExport(this, QDir::homePath(), QString::fromStdString(shown->id));
     if (file.isEmpty()) return;
-    const Result<WrittenTools> written = toolsFor(file.toStdString(), shown->id, tools_.library(), 1.0);
+    const QString suffix = QFileInfo(file).suffix();
+    const bool one = suffix == QLatin1String("fctb") || suffix == QLatin1String("json");
+    const std::vector<Tool> exported = one ? std::vector<Tool>{*shown} : listedTools();
+    if (exported.empty()) {
+        warn(tr("This library is empty: there is nothing to export."));
+        return;
+    }
+    const Result<WrittenTools> written = toolsFor(file.toStdString(), shown->id, exported, 1.0);
     if (!written) {
         fail(written.error());
         return;
     }
-    if (const Result<void> done = writeFileAtomically(file.toStdString(), written->text); !done) {
+    if (const Result<void> done = writeTools(file.toStdString(), *written); !done) {
         fail(done.error());
         return;
     }

@@ -28,6 +28,10 @@ std::vector<Tool> toolLibrary() {
     return tools;
 }
 
+bool same(const std::optional<Tool>& one, const std::optional<Tool>& other) {
+    return one.has_value() == other.has_value() && (!one || toJson(*one) == toJson(*other));
+}
+
 } // namespace
 
 ToolController::ToolController(const Desk& desk, QObject* parent) : Controller(desk, parent) {
@@ -93,7 +97,7 @@ void ToolController::shape(const ToolShapeRequest& request) {
             if (!made) {
                 if (made.error().code != ErrorCode::cancelled) emit failed(made.error());
             } else if (!locked_) { // a recording may have begun meanwhile
-                push(tr("new tool"), {made->tool.id, made->tool}, made->tool.id);
+                push(tr("new tool"), {made->tool.id, made->tool}, made->tool.id, std::string(ownLibrary));
                 emit shaped(*made);
             }
             emit changed();
@@ -108,42 +112,43 @@ std::vector<Holder> ToolController::holders() {
     return holders;
 }
 
+std::vector<Property> ToolController::materials() {
+    std::vector<Property> materials;
+    for (const std::string& id : materialIds())
+        if (Result<Property> material = loadMaterial(id)) materials.push_back(std::move(*material));
+    return materials;
+}
+
 bool ToolController::milledWith(const std::string& id) const {
     return std::ranges::find(milledWith_, id) != milledWith_.end();
 }
 
-std::string ToolController::copyTool(const Tool& tool, const QString& name) {
+std::string ToolController::copyTool(const Tool& tool, const QString& name, const std::string& library) {
     const std::string id = burin::freeId(tools_, tool.id + "-copy");
     Tool copy = copyOf(tool, id, name.toStdString());
     copy.number = freeToolNumber(tools_);
-    push(tr("copy of a tool"), {id, copy}, current().id);
+    push(tr("copy of a tool"), {id, copy}, current().id, library);
     return id;
 }
 
 void ToolController::keepTool(const Tool& tool) {
-    push(tr("values of a tool"), {tool.id, tool}, current().id);
+    push(tr("values of a tool"), {tool.id, tool}, current().id, libraries_.libraryOf(tool.id));
 }
 
-std::string ToolController::keepTools(std::vector<Tool> tools) {
-    std::string first;
-    desk_.undo.beginMacro(tr("import of tools"));
-    for (Tool& tool : tools) {
-        tool.id = burin::freeId(tools_, tool.id);
-        keepTool(tool);
-        if (first.empty()) first = tool.id;
-    }
-    desk_.undo.endMacro();
-    return first;
+void ToolController::addTool(const Tool& tool, const std::string& library) {
+    push(tr("new tool"), {tool.id, tool}, current().id, library);
 }
 
 void ToolController::deleteTool(const std::string& id) {
-    push(tr("deleting a tool"), {id, std::nullopt}, id == current().id ? std::string(defaultTool) : current().id);
+    push(tr("deleting a tool"), {id, std::nullopt}, id == current().id ? std::string(defaultTool) : current().id,
+         std::string(ownLibrary));
 }
 
-void ToolController::push(const QString& text, const OwnFile<Tool>& wanted, const std::string& inSpindle) {
-    const OwnTool before{{wanted.id, itemOf(library_, wanted.id)}, current().id};
-    desk_.undo.push(
-        new ValueCommand<OwnTool>(text, -1, before, {wanted, inSpindle}, [this](const OwnTool& own) { keep(own); }));
+void ToolController::push(const QString& text, const OwnFile<Tool>& wanted, const std::string& inSpindle,
+                          const std::string& library) {
+    const OwnTool before{{wanted.id, itemOf(library_, wanted.id)}, current().id, libraries_.libraryOf(wanted.id)};
+    desk_.undo.push(new ValueCommand<OwnTool>(text, -1, before, {wanted, inSpindle, library},
+                                              [this](const OwnTool& own) { keep(own); }));
 }
 
 /// Tools that takes were milled with stay unchanged in the project.
@@ -152,8 +157,11 @@ void ToolController::keep(const OwnTool& own) {
         emit failed(done.error());
         return;
     }
+    if (const Result<void> put = putTool(own.file.id, own.file.item ? own.library : std::string(ownLibrary)); !put)
+        emit failed(put.error());
+    readLibraries();
     const std::string before = current().id;
-    const bool changes = !milledWith(own.file.id);
+    const bool changes = !milledWith(own.file.id) && !same(itemOf(tools_, own.file.id), own.file.item);
     library_ = toolLibrary();
     if (changes) {
         std::erase_if(tools_, [&](const Tool& tool) { return tool.id == own.file.id; });
@@ -169,6 +177,7 @@ void ToolController::keep(const OwnTool& own) {
 }
 
 void ToolController::load(const std::vector<Tool>& own, const std::string& last) {
+    readLibraries();
     library_ = toolLibrary();
     tools_ = library_;
     for (const Tool& tool : own) { // as they were when used, whatever the library contains now

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/resource_folder.h"
 #include "core/base/units.h"
+#include "core/cutting/coolant_advice.h"
 #include "core/cutting/cutting_force.h"
 #include "tests/core/cutting/workpieces.h"
 #include "tests/test_program.h"
@@ -230,6 +231,68 @@ private slots:
         QCOMPARE(found->feed, 1000.0);
         QCOMPARE(found->plungeFeed, 1000.0);
         QVERIFY(found->limitedByMachine);
+    }
+
+    /// 9,000 1/min and 700 mm/min are used as they are stated; the plunge feed is the material's 0.3 of the feed. At a
+    /// spindle of 6,000 1/min all are two thirds. 0.05 mm per tooth are 0.05 · 2 · 9,000 mm/min.
+    void aPresetStandsBeforeTheTable() {
+        const Property material = withValues(300.0, 0.008, 0.3);
+        Tool tool = sixMillimetres();
+        CuttingPreset preset;
+        preset.name = "own";
+        preset.material = material.id;
+        preset.spindleSpeed = 9000.0;
+        preset.feed = 700.0;
+        tool.presets = {preset};
+        const Result<CuttingConditions> stated = cuttingConditions(tool, material, 24000.0, 4000.0);
+        QVERIFY(stated);
+        QCOMPARE(stated->spindleSpeed, 9000.0);
+        QCOMPARE(stated->feed, 700.0);
+        QCOMPARE(stated->plungeFeed, 210.0);
+        QCOMPARE(stated->surfaceSpeed, pi * 6.0 * 150.0);
+        QVERIFY(!stated->limitedByMachine);
+        tool.presets[0].plungeFeed = 90.0;
+        const Result<CuttingConditions> slow = cuttingConditions(tool, material, 6000.0, 4000.0);
+        QVERIFY(slow && slow->limitedByMachine);
+        QCOMPARE(slow->spindleSpeed, 6000.0);
+        QVERIFY(std::abs(slow->feed - 700.0 * 2.0 / 3.0) < 1e-9 && std::abs(slow->plungeFeed - 60.0) < 1e-9);
+        QCOMPARE(cuttingConditions(tool, material, 24000.0, 500.0)->feed, 500.0);
+        tool.presets[0].feed = 0.0;
+        tool.presets[0].chipLoad = 0.05;
+        QVERIFY(std::abs(cuttingConditions(tool, material, 24000.0, 4000.0)->feed - 900.0) < 1e-9);
+    }
+
+    /// Which preset: that of the material, else that for any, else the table as before.
+    void presetsAreForTheirMaterial() {
+        const Property material = withValues(300.0, 0.008, 0.3);
+        Tool tool = sixMillimetres();
+        CuttingPreset any, other;
+        any.name = "any";
+        any.spindleSpeed = 5000.0;
+        any.feed = 300.0;
+        other = any;
+        other.name = "other";
+        other.material = "brass";
+        other.spindleSpeed = 6000.0;
+        const auto speed = [&] { return cuttingConditions(tool, material, 24000.0, 4000.0)->spindleSpeed; };
+        const double table = speed();
+        tool.presets = {other};
+        QCOMPARE(speed(), table);
+        tool.presets = {other, any};
+        QCOMPARE(speed(), 5000.0);
+        tool.presets.push_back(other);
+        tool.presets.back().name = "its own";
+        tool.presets.back().material = material.id;
+        QCOMPARE(speed(), 6000.0);
+        // A preset with a plunge feed needs no value of the material.
+        Property bare = material;
+        bare.values.clear();
+        QVERIFY(!cuttingConditions(tool, bare, 24000.0, 4000.0));
+        tool.presets.back().plungeFeed = 100.0;
+        QCOMPARE(cuttingConditions(tool, bare, 24000.0, 4000.0)->plungeFeed, 100.0);
+        QCOMPARE(advisedCoolant(tool, material), Coolant::off);
+        tool.presets.back().coolant = Coolant::flood;
+        QCOMPARE(advisedCoolant(tool, material), Coolant::flood);
     }
 
     void aMaterialWithoutAValueIsNamed() {

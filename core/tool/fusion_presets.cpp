@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+// The presets of a tool in Fusion's library: "start-values.presets". Lengths and feeds are in the unit of the tool.
+#include "core/tool/foreign_tool.h"
+
+#include <algorithm>
+#include <array>
+
+namespace burin {
+
+namespace {
+
+using nlohmann::json;
+
+/// Names of what Burin's presets don't have.
+constexpr std::array ownOfFusion{"n_ramp",         "v_f_ramp",    "v_f_leadIn", "v_f_leadOut",
+                                 "v_f_transition", "v_f_retract", "ramp-angle"};
+
+std::string wordIn(const json& of, const char* key) {
+    const auto found = of.find(key);
+    return found != of.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// A preset as it was read, with the name of its material.
+class FusionPreset {
+public:
+    FusionPreset(const json& preset, double unit) : json_(preset), unit_(unit) {}
+
+    CuttingPreset preset() const {
+        CuttingPreset read;
+        read.name = wordIn(json_, "name");
+        read.spindleSpeed = value("n", 1.0);
+        read.feed = value("v_f", unit_);
+        if (!(read.feed > 0.0)) read.chipLoad = value("f_z", unit_);
+        if (!(read.feed > 0.0) && !(read.chipLoad > 0.0)) read.feed = value("f_n", unit_) * read.spindleSpeed;
+        read.plungeFeed = value("v_f_plunge", unit_);
+        read.stepDown = step("stepdown", "use-stepdown");
+        read.stepOver = step("stepover", "use-stepover");
+        const std::string coolant = wordIn(json_, "tool-coolant");
+        if (coolant == "disabled") read.coolant = Coolant::off;
+        if (coolant == "mist") read.coolant = Coolant::mist;
+        if (coolant == "flood") read.coolant = Coolant::flood;
+        return read;
+    }
+    /// Fusion searches for the query; the category "all" means any material.
+    std::string material() const {
+        const auto found = json_.find("material");
+        if (found == json_.end() || !found->is_object()) return {};
+        if (const std::string query = wordIn(*found, "query"); !query.empty()) return query;
+        const std::string category = wordIn(*found, "category");
+        return category == "all" ? std::string() : category;
+    }
+    /// Returns the coolant that Burin does not have; empty: none.
+    std::string foreignCoolant() const {
+        const std::string coolant = wordIn(json_, "tool-coolant");
+        return preset().coolant ? std::string() : coolant;
+    }
+
+private:
+    double value(const char* key, double size) const {
+        const auto found = json_.find(key);
+        return found != json_.end() && found->is_number() ? found->get<double>() * size : 0.0;
+    }
+    double step(const char* key, const char* use) const {
+        const auto used = json_.find(use);
+        return used != json_.end() && used->is_boolean() && !used->get<bool>() ? 0.0 : value(key, unit_);
+    }
+
+    const json& json_;
+    double unit_; ///< mm
+};
+
+} // namespace
+
+void readFusionPresets(const json& item, double unit, ReadTool& read) {
+    const auto start = item.find("start-values");
+    if (start == item.end() || !start->is_object()) return;
+    const auto presets = start->find("presets");
+    if (presets == start->end() || !presets->is_array()) return;
+    bool more = false;
+    for (const json& each : *presets) {
+        if (!each.is_object()) continue;
+        const FusionPreset foreign(each, unit);
+        const CuttingPreset preset = foreign.preset();
+        if (const std::string coolant = foreign.foreignCoolant(); !coolant.empty())
+            read.notes.push_back("Coolant \"" + coolant + "\" of a preset was not imported.");
+        more = more || std::ranges::any_of(ownOfFusion, [&each](const char* key) { return each.contains(key); });
+        addForeignPreset(preset, foreign.material(), read);
+    }
+    if (more) read.notes.emplace_back("Feeds of presets for ramps, leads and transitions were not imported.");
+}
+
+json fusionPresets(const Tool& tool) {
+    json list = json::array();
+    for (const CuttingPreset& preset : tool.presets) {
+        const double feed = feedOf(preset, tool.fluteCount);
+        json entry{{"name", preset.name},
+                   {"material", {{"category", "all"}, {"query", preset.material}, {"use-hardness", false}}},
+                   {"n", preset.spindleSpeed},
+                   {"v_c", surfaceSpeedOf(preset.spindleSpeed, tool.cutter.diameter)},
+                   {"v_f", feed},
+                   {"f_n", feed / preset.spindleSpeed},
+                   {"f_z", feed / (preset.spindleSpeed * tool.fluteCount)},
+                   {"use-stepdown", preset.stepDown > 0.0},
+                   {"use-stepover", preset.stepOver > 0.0}};
+        if (preset.plungeFeed > 0.0) entry["v_f_plunge"] = preset.plungeFeed;
+        if (preset.stepDown > 0.0) entry["stepdown"] = preset.stepDown;
+        if (preset.stepOver > 0.0) entry["stepover"] = preset.stepOver;
+        if (preset.coolant)
+            entry["tool-coolant"] = *preset.coolant == Coolant::off ? "disabled" : idOf(*preset.coolant);
+        list.push_back(std::move(entry));
+    }
+    return list;
+}
+
+} // namespace burin
