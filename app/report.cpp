@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/report.h"
 
+#include "app/assembly_report.h"
+#include "core/cad/file_unit.h"
 #include "core/machine/machine_library.h"
 #include "core/verify/findings.h"
 #include "core/verify/report_json.h"
@@ -36,19 +38,27 @@ json jsonOf(const Model& model) {
         entry["colour"] = body.colour ? json(*body.colour) : json(nullptr);
         bodies.push_back(std::move(entry));
     }
-    json healing = json::array(), warnings = json::array();
+    json healing = json::array(), warnings = json::array(), leftOut = json::array();
     for (const ImportNote& note : model.notes)
-        (note.kind == ImportNote::Kind::warning ? warnings : healing).push_back(note.text);
-    return {{"file", model.sourceFile},
-            {"format", model.format},
-            {"unit", model.lengthUnit},
-            {"unit_scale_mm", model.unitScale},
-            {"mesh_chord_mm", model.meshChord},
-            {"volume_mm3", model.volume()},
-            {"bounding_box_mm", jsonOf(model.box())},
-            {"bodies", bodies},
-            {"healing", healing},
-            {"warnings", warnings}};
+        (note.kind == ImportNote::Kind::warning   ? warnings
+         : note.kind == ImportNote::Kind::leftOut ? leftOut
+                                                  : healing)
+            .push_back(note.text);
+    return {
+        {"file", model.sourceFile},
+        {"format", model.format},
+        {"unit", model.lengthUnit},
+        {"unit_scale_mm", model.unitScale},
+        {"stated_unit_scale_mm", model.statedUnit > 0.0 ? json(model.statedUnit) : json(nullptr)},
+        {"size_in_stated_unit_mm", unitReplaced(model) ? jsonOf(sizeInUnit(model, model.statedUnit)) : json(nullptr)},
+        {"mesh_chord_mm", model.meshChord},
+        {"volume_mm3", model.volume()},
+        {"bounding_box_mm", jsonOf(model.box())},
+        {"bodies", bodies},
+        {"assemblies", jsonOfAssemblies(model)},
+        {"healing", healing},
+        {"left_out", leftOut},
+        {"warnings", warnings}};
 }
 
 json jsonOf(const Tool& tool) {

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/assembly_report.h"
 #include "app/report.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
+#include "core/cad/file_unit.h"
 #include "core/machine/machine_library.h"
 #include "core/verify/excess.h"
 #include "core/verify/findings.h"
@@ -41,11 +43,23 @@ namespace {
 [[maybe_unused]] constexpr std::array modelWords{BURIN_TEXT("ImportUnit", "none"),
                                                  BURIN_TEXT("ImportFormat", "STL binary")};
 
-std::string bodyText(const Body& body) {
+std::string bodyText(const Body& body, const std::string& name) {
     return worded(BURIN_TEXT("Command", "body     %1: %2 mm^3, %3 mm^2, %4 faces, %5 triangles"),
-                  {bodyName(body.name).toStdString(), formatFixed(body.volume, 3), formatFixed(body.area, 3),
-                   std::to_string(body.faceCount), std::to_string(body.mesh.triangles.size())}) +
+                  {name, formatFixed(body.volume, 3), formatFixed(body.area, 3), std::to_string(body.faceCount),
+                   std::to_string(body.mesh.triangles.size())}) +
            (body.openEdges > 0 ? worded(BURIN_TEXT("Command", ", open")) : std::string());
+}
+
+std::string sizeText(const glm::dvec3& size) {
+    return formatFixed(size.x, 3) + " x " + formatFixed(size.y, 3) + " x " + formatFixed(size.z, 3) + " mm";
+}
+
+/// A line on the size in the stated unit if another one was used; else empty.
+std::string unitText(const Model& model) {
+    if (!unitReplaced(model)) return {};
+    return "\n  " +
+           worded(BURIN_TEXT("Command", "stated   unit %1: %2"),
+                  {worded({"ImportUnit", model.lengthUnit.c_str()}), sizeText(sizeInUnit(model, model.statedUnit))});
 }
 
 std::string noteText(const ImportNote& note) {
@@ -59,15 +73,18 @@ std::string noteText(const ImportNote& note) {
 std::string textOf(const Model& model) {
     if (model.bodies.empty()) return worded(BURIN_TEXT("Command", "no part"));
     const glm::dvec3 size = model.box().size();
-    std::string text =
-        model.sourceFile + "\n  " +
-        worded(BURIN_TEXT("Command", "format   %1, unit %2"),
-               {worded({"ImportFormat", model.format.c_str()}), worded({"ImportUnit", model.lengthUnit.c_str()})}) +
-        "\n  " +
-        worded(BURIN_TEXT("Command", "size     %1 x %2 x %3 mm"),
-               {formatFixed(size.x, 3), formatFixed(size.y, 3), formatFixed(size.z, 3)}) +
-        "\n  " + worded(BURIN_TEXT("Command", "volume   %1 mm^3"), {formatFixed(model.volume(), 3)});
-    for (const Body& body : model.bodies) text += "\n  " + bodyText(body);
+    const std::string unit =
+        unitReplaced(model) ? unitName(model.unitScale, formatShortest(model.unitScale) + " mm") : model.lengthUnit;
+    std::string text = model.sourceFile + "\n  " +
+                       worded(BURIN_TEXT("Command", "format   %1, unit %2"),
+                              {worded({"ImportFormat", model.format.c_str()}), worded({"ImportUnit", unit.c_str()})}) +
+                       "\n  " +
+                       worded(BURIN_TEXT("Command", "size     %1 x %2 x %3 mm"),
+                              {formatFixed(size.x, 3), formatFixed(size.y, 3), formatFixed(size.z, 3)}) +
+                       unitText(model) + "\n  " +
+                       worded(BURIN_TEXT("Command", "volume   %1 mm^3"), {formatFixed(model.volume(), 3)});
+    text += textOfTree(model,
+                       [&](std::size_t body, const std::string& name) { return bodyText(model.bodies[body], name); });
     for (const ImportNote& note : model.notes) text += "\n  " + noteText(note);
     return text;
 }

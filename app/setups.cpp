@@ -3,10 +3,11 @@
 #include "app/setups.h"
 
 #include "app/chosen_setup.h"
+#include "app/unit_argument.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/steps.h"
-#include "core/cad/import.h"
+#include "core/cad/file_unit.h"
 #include "core/job/job_paths.h"
 #include "core/job/left_stock.h"
 #include "core/job/part_update.h"
@@ -50,9 +51,10 @@ Result<void> updatePart(Project& project, const SetupsArguments& arguments, Comm
     context.stage(BURIN_TEXT("Command", "Importing"));
     const Result<Model> before = project.model();
     if (!before) return before.error();
-    ImportOptions options;
-    options.fileUnit = fileUnitAsBefore(*before);
-    const Result<Model> model = importModel(arguments.part, options, context.progress());
+    ImportOptions options = importOptionsAsBefore(*before);
+    if (Result<void> applied = applyUnit(arguments.unit, options); !applied) return applied;
+    const std::string& file = arguments.part.empty() ? before->sourceFile : arguments.part;
+    const Result<Model> model = importModel(file, options, context.progress());
     if (!model) return model.error();
     const Result<PartUpdate> update = burin::updatePart(project, *model);
     if (!update) return update.error();
@@ -124,6 +126,7 @@ void addSetups(CommandParser command, SetupsArguments& arguments) {
     command.option("--update-part", arguments.part,
                    BURIN_TEXT("Help", "Read the part again from this file: roles and materials of bodies stay by their "
                                       "names, and so do setups, recordings and paths"));
+    addUnit(command, arguments.unit);
     command.option("--name", arguments.name, BURIN_TEXT("Help", "Name of the setup"));
     command.option(
         "--delete-setup", arguments.remove,
@@ -143,7 +146,7 @@ Result<TakenStock> changeSetups(Project& project, const SetupsArguments& argumen
     };
     const bool places = !arguments.add && !arguments.placing.empty();
     const Result<void> done =
-        inOrder([&] { return arguments.part.empty() ? Result<void>() : updatePart(project, arguments, context); },
+        inOrder([&] { return arguments.readsPart() ? updatePart(project, arguments, context) : Result<void>(); },
                 [&] { return arguments.remove.empty() ? Result<void>() : remove(); },
                 [&] { return arguments.add ? keep(add(project, arguments, context)) : Result<void>(); },
                 [&] { return places ? place(project, arguments, context) : Result<void>(); },

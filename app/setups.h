@@ -16,15 +16,17 @@ namespace burin {
 struct SetupsArguments {
     std::optional<std::string> add, name;
     std::string after, remove;
-    std::string part; ///< file of the current version of the part
+    std::string part; ///< file of the current version of the part; empty: the file that it came from
+    std::string unit; ///< of that file; empty: as before
     bool newStock = false, takeStock = false;
     PlacingArguments placing;
 
-    bool changes() const { return add || name || !remove.empty() || takeStock || !placing.empty() || !part.empty(); }
+    bool readsPart() const { return !part.empty() || !unit.empty(); }
+    bool changes() const { return add || name || !remove.empty() || takeStock || !placing.empty() || readsPart(); }
 };
 
-/// Declares --add-setup, --after, --new-stock, --update-stock, --update-part, --name, --delete-setup, --align, --turn
-/// and --move.
+/// Declares --add-setup, --after, --new-stock, --update-stock, --update-part, --unit, --name, --delete-setup, --align,
+/// --turn and --move.
 void addSetups(CommandParser command, SetupsArguments& arguments);
 
 /// How the stock left by an earlier setup was taken over; empty if none was.

@@ -5,6 +5,7 @@
 #include "app/number_list.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
+#include "core/cad/body_path.h"
 
 #include <algorithm>
 #include <array>
@@ -28,23 +29,38 @@ std::optional<std::pair<std::string, std::string>> pairOf(const std::string& tex
     return std::pair(text.substr(0, equals), text.substr(equals + 1));
 }
 
-/// Calls use(body, value) for each "BODY=VALUE"; a name shared by several bodies refers to all of them.
+/// The names that an argument may mean: those of the bodies, but not too many.
+std::string knownBodies(const Model& model) {
+    constexpr std::size_t mostNames = 20;
+    std::string known;
+    for (std::size_t i = 0; i < std::min(model.bodies.size(), mostNames); ++i)
+        known += (known.empty() ? "" : ", ") + nameOf(model, i);
+    return model.bodies.size() > mostNames ? known + ", …" : known;
+}
+
+/// Calls use(body, value) for each "BODY=VALUE". A name shared by several bodies refers to all of them, and so does the
+/// path of an assembly.
 Result<void> forBodies(const char* option, const std::vector<std::string>& pairs, const Model& model,
                        const std::function<Result<void>(std::size_t body, const std::string& value)>& use) {
     for (const std::string& text : pairs) {
         const auto pair = pairOf(text, text.rfind('='));
         if (!pair) return wrongArgument(option, text, BURIN_TEXT("Command", "BODY=NAME"));
-        bool found = false;
-        std::string known;
-        for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-            known += (known.empty() ? "" : ", ") + nameOf(model, i);
-            if (nameOf(model, i) != pair->first) continue;
-            if (Result<void> used = use(i, pair->second); !used) return used;
-            found = true;
-        }
-        if (!found) return Error{ErrorCode::nameUnknown, "body", pair->first, known};
+        const std::vector<std::size_t> bodies = bodiesNamed(model, pair->first);
+        if (bodies.empty()) return Error{ErrorCode::nameUnknown, "body", pair->first, knownBodies(model)};
+        for (const std::size_t body : bodies)
+            if (Result<void> used = use(body, pair->second); !used) return used;
     }
     return {};
+}
+
+/// "#RRGGBB", sRGB; empty for any other text.
+BodyColour colourOf(const std::string& text) {
+    constexpr std::string_view digits = "0123456789abcdefABCDEF";
+    if (text.size() != 7 || text[0] != '#' || text.find_first_not_of(digits, 1) != std::string::npos) return {};
+    const auto channel = [&](std::size_t at) {
+        return static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16));
+    };
+    return std::array{channel(1), channel(3), channel(5)};
 }
 
 Result<void> setRoles(Setup& setup, const StockArguments& arguments, const Model& model) {
@@ -202,10 +218,11 @@ void addStock(CommandParser command, StockArguments& arguments) {
         command.option(option, list, help).oneAtATime();
     };
     addList("--role", arguments.roles,
-            BURIN_TEXT("Help", "Role of a body: BODY=part, stock, insert, protected-insert, fixture or ignored; may be "
-                               "repeated"));
+            BURIN_TEXT("Help",
+                       "Role of a body, or of all bodies of an assembly (by its path): BODY=part, stock, insert, "
+                       "protected-insert, fixture or ignored; may be repeated"));
     addList("--body-material", arguments.bodyMaterials,
-            BURIN_TEXT("Help", "Material of a body: BODY=NAME; may be repeated"));
+            BURIN_TEXT("Help", "Material of a body, or of all bodies of an assembly: BODY=NAME; may be repeated"));
     addList("--layer", arguments.layers,
             BURIN_TEXT("Help", "Layer of the stock: NAME=MATERIAL,AXIS,FROM,TO, mm; a later one has the place; may be "
                                "repeated"));
@@ -239,6 +256,15 @@ Result<Setup> withStock(Setup setup, const StockArguments& arguments, const Mode
     if (Result<void> set = setForm(setup, arguments); !set) return std::move(set).error();
     if (Result<void> set = setLayers(setup, arguments); !set) return std::move(set).error();
     return setup;
+}
+
+Result<void> setColours(const std::vector<std::string>& colours, Model& model) {
+    return forBodies("--colour", colours, model, [&](std::size_t body, const std::string& text) -> Result<void> {
+        const BodyColour colour = colourOf(text);
+        if (!colour) return wrongArgument("--colour", text, BURIN_TEXT("Command", "#RRGGBB, such as #3070c0"));
+        model.bodies[body].colour = colour;
+        return {};
+    });
 }
 
 nlohmann::json jsonOfLayers(const Setup& setup) {

@@ -28,6 +28,9 @@ void addStock(CommandParser command, StockArguments& arguments);
 /// Applies the arguments to a setup; placeStock does the rest. Errors: argumentInvalid, nameUnknown (a body, a layer).
 Result<Setup> withStock(Setup setup, const StockArguments& arguments, const Model& model);
 
+/// Gives bodies, or all bodies of an assembly, the colours of "BODY=#RRGGBB". Errors: argumentInvalid, nameUnknown.
+Result<void> setColours(const std::vector<std::string>& colours, Model& model);
+
 /// {"name", "material", "axis", "from_mm", "to_mm", "graded"}, ordered by priority.
 nlohmann::json jsonOfLayers(const Setup& setup);
 /// The role of each body by its name.

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "app/assembly_report.h"
 #include "app/command.h"
 #include "app/placing_arguments.h"
 #include "app/report.h"
 #include "app/stock_arguments.h"
 #include "app/surroundings.h"
+#include "app/unit_argument.h"
 #include "app/volume_files.h"
 #include "app/wording.h"
 #include "app/zero_arguments.h"
@@ -30,7 +32,8 @@ struct EmbedArguments {
     SurroundingsArguments around;
     PlacingArguments placing;
     ZeroArguments zero;
-    std::string mirror;
+    std::string mirror, unit;
+    std::vector<std::string> colours;
     bool replace = false, overrides = false;
 };
 
@@ -107,9 +110,12 @@ Result<Model> modelOf(const EmbedArguments& arguments, CommandContext& context) 
     }
     ImportOptions options;
     options.fileUnit = arguments.fileUnit;
+    if (Result<void> applied = applyUnit(arguments.unit, options); !applied) return std::move(applied).error();
     context.stage(BURIN_TEXT("Command", "Importing"));
     Result<Model> model = importModel(arguments.model, options, context.progress());
-    if (!model || arguments.mirror.empty()) return model;
+    if (!model) return model;
+    if (Result<void> coloured = setColours(arguments.colours, *model); !coloured) return std::move(coloured).error();
+    if (arguments.mirror.empty()) return model;
     const int axis = arguments.mirror.front() - 'x'; // the parser accepts x, y and z only
     auto whole = std::make_shared<const Model>(std::move(*model));
     return *placed(whole, mirroredAcross(axis, whole->box().centre()));
@@ -187,6 +193,7 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
                                 {"stock_form", idOf(setup->form)},
                                 {"free_carving", setup->freeCarving},
                                 {"roles", jsonOfRoles(*model, *setup)},
+                                {"assemblies", jsonOfAssemblies(*model)},
                                 {"materials", jsonOfMaterials(*embedded)},
                                 {"graded", jsonOfGradings(*embedded)},
                                 {"axis", jsonOf(*axis)},
@@ -196,7 +203,8 @@ int runEmbed(const EmbedArguments& arguments, CommandContext& context) {
         worded(BURIN_TEXT("Command", "part %1 mm^3 in stock %2 mm^3, %3 x %4 x %5 voxels of %6 mm"),
                {formatFixed(embedded->partVolume, 1), formatFixed(embedded->stockVolume, 1), std::to_string(voxels.x),
                 std::to_string(voxels.y), std::to_string(voxels.z), formatShortest(setup->voxel)});
-    context.answer(answer, text + textOfMaterials(*setup, *embedded) + textOfDoubts(*model, *embedded));
+    context.answer(answer, text + textOfRoles(*model, *setup) + textOfMaterials(*setup, *embedded) +
+                               textOfDoubts(*model, *embedded));
     return 0;
 }
 
@@ -227,6 +235,11 @@ void registerEmbed(CommandParser program, CommandContext& context, int& status) 
                 BURIN_TEXT("Help", "Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)"))
         .range(1e-6, 1e6)
         .showDefault();
+    addUnit(command, arguments->unit);
+    command
+        .option("--colour", arguments->colours,
+                BURIN_TEXT("Help", "Colour of a body, or of all bodies of an assembly: BODY=#RRGGBB; may be repeated"))
+        .oneAtATime();
     addZero(command, arguments->zero);
     addSurroundings(command, arguments->around);
     addJsonFlag(command, context);

@@ -3,13 +3,14 @@
 #include "core/cad/import.h"
 #include "app/command.h"
 #include "app/report.h"
+#include "app/unit_argument.h"
 
 namespace burin {
 
 namespace {
 
 struct ImportArguments {
-    std::string model;
+    std::string model, unit;
     double chord = 0.005;
     double fileUnit = 1.0;
     double seconds = 120.0;
@@ -20,6 +21,7 @@ int runImport(const ImportArguments& arguments, CommandContext& context) {
     ImportOptions options;
     options.meshChord = arguments.chord;
     options.fileUnit = arguments.fileUnit;
+    if (const Result<void> applied = applyUnit(arguments.unit, options); !applied) return context.fail(applied.error());
     options.limits.waitSeconds *= arguments.seconds / options.limits.seconds;
     options.limits.seconds = arguments.seconds;
     options.limits.memoryBytes = static_cast<std::size_t>(arguments.memory * 1e6);
@@ -48,6 +50,7 @@ void registerImport(CommandParser program, CommandContext& context, int& status)
                 BURIN_TEXT("Help", "Millimetres per unit of a file that states none (STL, OBJ, PLY, OFF)"))
         .range(1e-6, 1e6)
         .showDefault();
+    addUnit(command, arguments->unit);
     command
         .option(
             "--seconds", arguments->seconds,

@@ -28,6 +28,8 @@ Result<void> checkOptions(const ImportOptions& options) {
         return Error{ErrorCode::argumentInvalid, "meshChord", std::to_string(options.meshChord), "> 0 mm"};
     if (!isPositive(options.fileUnit))
         return Error{ErrorCode::argumentInvalid, "fileUnit", std::to_string(options.fileUnit), "> 0 mm"};
+    if (options.unitInstead && !isPositive(*options.unitInstead))
+        return Error{ErrorCode::argumentInvalid, "unit", std::to_string(*options.unitInstead), "> 0 mm"};
     return {};
 }
 
@@ -67,7 +69,8 @@ Result<Model> importModel(const fs::path& file, const ImportOptions& options, Pr
     if (Result<void> valid = checkFile(file); !valid) return std::move(valid).error();
     std::error_code ignored;
     const fs::path whole = fs::absolute(file, ignored).lexically_normal();
-    ReadRequest request{whole.string(), options.meshChord, options.fileUnit};
+    ReadRequest request{whole.string(), options.meshChord, options.unitInstead.value_or(options.fileUnit)};
+    request.unitInstead = options.unitInstead.value_or(0.0);
     request.preview = show != nullptr;
     const auto showClean = [&](ModelPreview preview) {
         preview.sourceFile = whole.string();

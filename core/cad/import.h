@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,9 @@ struct ImportLimits {
 };
 
 struct ImportOptions {
-    double meshChord = 0.005; ///< mm, largest distance between mesh and surface
-    double fileUnit = 1.0;    ///< mm per unit of a file that states none (STL, OBJ, PLY, OFF)
+    double meshChord = 0.005;          ///< mm, largest distance between mesh and surface
+    double fileUnit = 1.0;             ///< mm per unit of a file that states none (STL, OBJ, PLY, OFF)
+    std::optional<double> unitInstead; ///< mm per unit, whatever the file states; empty: as stated, or `fileUnit`
     ImportLimits limits;
     std::filesystem::path worker; ///< the import program; empty: `burin-import` in the folder of the running program
 };

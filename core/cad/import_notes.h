@@ -16,6 +16,8 @@ namespace burin::import_notes {
 // the user interface looks it up here again, so a text that was ever released must not change.
 
 inline constexpr TextId unitConverted = BURIN_TEXT("ImportNote", "Lengths in %1 were converted: 1 %2 = %3 mm.");
+inline constexpr TextId unitReplaced =
+    BURIN_TEXT("ImportNote", "The file states the unit %1 (%2 mm); 1 unit = %3 mm was used instead.");
 inline constexpr TextId unitsMixed =
     BURIN_TEXT("ImportNote", "The file mixes %1 length units; each part was converted by its own.");
 inline constexpr TextId brepWithoutUnit =
@@ -61,16 +63,28 @@ inline constexpr TextId noVolume = BURIN_TEXT("ImportNote", "%1 has no volume, s
 inline constexpr TextId partsMissing =
     BURIN_TEXT("ImportNote", "Parts are missing because they are in other files: %1. Copy those files into the folder "
                              "of the model and import it again.");
+/// The data of a file that a body does not keep.
+inline constexpr TextId faceColourLeftOut =
+    BURIN_TEXT("ImportNote", "1 face has a colour of its own, which is not shown: a body is shown in one colour.");
+inline constexpr TextId faceColoursLeftOut =
+    BURIN_TEXT("ImportNote", "%1 faces have colours of their own, which are not shown: a body is shown in one colour.");
+inline constexpr TextId transparencyLeftOut = BURIN_TEXT("ImportNote", "The transparency of colours was not imported.");
+inline constexpr TextId layersLeftOut = BURIN_TEXT("ImportNote", "Layers were not imported (number of layers: %1).");
+inline constexpr TextId annotationsLeftOut = BURIN_TEXT(
+    "ImportNote", "Dimensions, tolerances and other annotations (PMI) were not imported (number of entries: %1).");
 
-inline constexpr std::array all{unitConverted,    unitsMixed,        brepWithoutUnit, stlWithoutUnit,  sizeDoubtful,
-                                repaired,         notRepaired,       solidOpen,       insideOut,       faceSewn,
-                                facesSewn,        faceLeftOut,       facesLeftOut,    curvesLeftOut,   facesFilled,
-                                meshOpen,         meshVolumeDiffers, facesApart,      trianglesTurned, stlOpen,
-                                piecesApart,      fileWithoutUnit,   coloursLeftOut,  restLeftOut,     endMissing,
-                                endMissingBefore, noVolume,          partsMissing,    solidEmpty};
+inline constexpr std::array all{
+    unitConverted,     unitsMixed,         brepWithoutUnit,     stlWithoutUnit,  sizeDoubtful,
+    repaired,          notRepaired,        solidOpen,           insideOut,       faceSewn,
+    facesSewn,         faceLeftOut,        facesLeftOut,        curvesLeftOut,   facesFilled,
+    meshOpen,          meshVolumeDiffers,  facesApart,          trianglesTurned, stlOpen,
+    piecesApart,       fileWithoutUnit,    coloursLeftOut,      restLeftOut,     endMissing,
+    endMissingBefore,  noVolume,           partsMissing,        solidEmpty,      unitReplaced,
+    faceColourLeftOut, faceColoursLeftOut, transparencyLeftOut, layersLeftOut,   annotationsLeftOut};
 
-/// Names given to bodies and solids that have none in the file; %1: a number from 1.
+/// Names given to bodies, assemblies and solids that have none in the file; %1: a number from 1.
 inline constexpr TextId unnamedBody = BURIN_TEXT("ImportNote", "Body %1");
+inline constexpr TextId unnamedAssembly = BURIN_TEXT("ImportNote", "Assembly %1");
 inline constexpr TextId unnamedSolid = BURIN_TEXT("ImportNote", "Solid %1");
 
 /// Returns the English text with the first value for %1 and so on; at most nine values.

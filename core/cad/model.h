@@ -14,10 +14,13 @@
 
 namespace burin {
 
+/// sRGB; empty: none of its own.
+using BodyColour = std::optional<std::array<std::uint8_t, 3>>;
+
 /// One solid of a model, in mm and in the model's frame (placements of an assembly applied).
 struct Body {
-    std::string name;                                  ///< as in the file; "Body 1" … if it has none there
-    std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB, if the file has one
+    std::string name;    ///< as in the file, with the path of its assemblies (body_path.h); "Body 1" … if it has none
+    BodyColour colour;   ///< that of the file, or chosen by the user
     double volume = 0.0; ///< mm³: of the B-rep, tolerance 1e-6; of the mesh where there is no B-rep
     double area = 0.0;   ///< mm²
     Box box;             ///< tight
@@ -28,17 +31,18 @@ struct Body {
 
 /// What the import found, healed or could not heal, in the order of its steps.
 struct ImportNote {
-    enum class Kind { unit, healing, warning } kind = Kind::warning;
+    enum class Kind { unit, healing, warning, leftOut } kind = Kind::warning;
     std::string text; ///< English, for report and log
 };
 
 /// A CAD model, either as in its file or placed in a setup.
 struct Model {
-    std::string sourceFile; ///< absolute path
-    std::string format;     ///< "STEP AP214", "IGES", "BREP", "STL binary", "STL ASCII"
-    std::string lengthUnit; ///< of the file: "mm", "inch", "m", …; "none" for STL
-    double unitScale = 1.0; ///< mm per unit of the file
-    double meshChord = 0.0; ///< mm, chord of the bodies' meshes; 0 for a mesh file
+    std::string sourceFile;  ///< absolute path
+    std::string format;      ///< "STEP AP214", "IGES", "BREP", "STL binary", "STL ASCII"
+    std::string lengthUnit;  ///< that the file states: "mm", "inch", "m", …; "none" for STL
+    double unitScale = 1.0;  ///< mm per unit of the file, as used
+    double statedUnit = 0.0; ///< mm per unit that the file states, or that its format means; 0: none
+    double meshChord = 0.0;  ///< mm, chord of the bodies' meshes; 0 for a mesh file
     std::vector<Body> bodies;
     std::vector<ImportNote> notes;
     std::string brep; ///< healed B-rep, OpenCASCADE binary form; empty for a mesh file

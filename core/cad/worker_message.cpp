@@ -69,6 +69,7 @@ void write(ByteWriter& to, const Model& model) {
     to.text(model.format);
     to.text(model.lengthUnit);
     to.value(model.unitScale);
+    to.value(model.statedUnit);
     to.value(model.meshChord);
     to.value(static_cast<std::uint64_t>(model.bodies.size()));
     for (const Body& body : model.bodies) write(to, body);
@@ -153,6 +154,7 @@ std::optional<Model> readModel(ByteReader& from) {
     model.format = from.text();
     model.lengthUnit = from.text();
     model.unitScale = from.value<double>();
+    model.statedUnit = from.value<double>();
     model.meshChord = from.value<double>();
     constexpr std::size_t leastBody = 64, leastNote = 9; // bytes
     for (std::uint64_t left = from.count(leastBody); left > 0; --left) {
@@ -160,7 +162,8 @@ std::optional<Model> readModel(ByteReader& from) {
         if (!from.good() || !isSound(model.bodies.back())) return std::nullopt;
     }
     for (std::uint64_t left = from.count(leastNote); left > 0; --left) {
-        const auto kind = std::min<std::uint8_t>(from.value<std::uint8_t>(), 2);
+        constexpr auto last = static_cast<std::uint8_t>(ImportNote::Kind::leftOut);
+        const auto kind = std::min<std::uint8_t>(from.value<std::uint8_t>(), last);
         model.notes.push_back({static_cast<ImportNote::Kind>(kind), from.text()});
     }
     model.brep = from.text();

@@ -30,6 +30,7 @@ struct ReadRequest {
     std::string file;         ///< absolute path
     double meshChord = 0.005; ///< mm
     double fileUnit = 1.0;    ///< mm per unit of a file that states none
+    double unitInstead = 0.0; ///< mm per unit, whatever the file states; 0: as stated
     bool careful = false;     ///< do not use the faster of the two meshers: a process that used it crashed
     bool preview = false;     ///< send a preview as soon as there is one
 };
@@ -85,7 +86,7 @@ struct WorkerProgress {
 using WorkerFrame = std::variant<WorkerProgress, WorkerAnswer, ModelPreview>;
 
 /// Written into every request and frame; those of another version are not read.
-inline constexpr std::uint32_t workerMessageVersion = 7;
+inline constexpr std::uint32_t workerMessageVersion = 8;
 
 std::string encodeRequest(const WorkerRequest& request);
 /// Empty if the bytes are not a request of this version.

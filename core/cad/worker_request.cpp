@@ -22,6 +22,7 @@ std::string encodeRequest(const WorkerRequest& request) {
         to.text(read->file);
         to.value(read->meshChord);
         to.value(read->fileUnit);
+        to.value(read->unitInstead);
         to.value(static_cast<std::uint8_t>(read->careful));
         to.value(static_cast<std::uint8_t>(read->preview));
     } else if (const auto* distance = std::get_if<DistanceRequest>(&request)) {
@@ -60,6 +61,7 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
         read.file = from.text();
         read.meshChord = from.value<double>();
         read.fileUnit = from.value<double>();
+        read.unitInstead = from.value<double>();
         read.careful = from.value<std::uint8_t>() != 0;
         read.preview = from.value<std::uint8_t>() != 0;
         request = std::move(read);

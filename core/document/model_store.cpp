@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/clean_text.h"
 #include "core/base/compression.h"
+#include "core/base/numbers.h"
+#include "core/cad/file_unit.h"
 #include "core/document/json_placement.h"
 #include "core/document/mesh_blob.h"
 #include "core/document/stores.h"
@@ -14,9 +16,9 @@ namespace burin {
 namespace {
 
 using NoteName = std::pair<ImportNote::Kind, std::string_view>;
-constexpr std::array<NoteName, 3> noteNames{NoteName{ImportNote::Kind::unit, "unit"},
-                                            NoteName{ImportNote::Kind::healing, "healing"},
-                                            NoteName{ImportNote::Kind::warning, "warning"}};
+constexpr std::array<NoteName, 4> noteNames{
+    NoteName{ImportNote::Kind::unit, "unit"}, NoteName{ImportNote::Kind::healing, "healing"},
+    NoteName{ImportNote::Kind::warning, "warning"}, NoteName{ImportNote::Kind::leftOut, "left_out"}};
 
 std::string_view nameOf(ImportNote::Kind kind) {
     for (const auto& [value, name] : noteNames)
@@ -30,7 +32,27 @@ ImportNote::Kind kindOf(std::string_view text) {
     return ImportNote::Kind::warning;
 }
 
-std::optional<std::int64_t> packed(const std::optional<std::array<std::uint8_t, 3>>& colour) {
+/// The unit that the file states, with its length if another one is used: "inch (25.4 mm)".
+std::string unitText(const Model& model) {
+    if (!unitReplaced(model)) return model.lengthUnit;
+    return model.lengthUnit + " (" + formatShortest(model.statedUnit) + " mm)";
+}
+
+void readUnit(std::string_view text, double scale, Model& model) {
+    model.unitScale = scale;
+    model.lengthUnit = cleanLine(text);
+    model.statedUnit = model.lengthUnit == "none" ? 0.0 : scale;
+    constexpr std::string_view before = " (", after = " mm)";
+    const std::size_t start = text.rfind(before);
+    if (start == std::string_view::npos || !text.ends_with(after)) return;
+    text.remove_suffix(after.size());
+    const std::optional<double> stated = parseNumber(text.substr(start + before.size()));
+    if (!stated || !(*stated > 0.0)) return;
+    model.lengthUnit = cleanLine(text.substr(0, start));
+    model.statedUnit = *stated;
+}
+
+std::optional<std::int64_t> packed(const BodyColour& colour) {
     if (!colour) return std::nullopt;
     return std::int64_t{(*colour)[0]} << 16 | std::int64_t{(*colour)[1]} << 8 | std::int64_t{(*colour)[2]};
 }
@@ -106,8 +128,7 @@ Result<Model> loadHead(Database& database) {
     Model model;
     model.sourceFile = cleanLine(row->text(0));
     model.format = cleanLine(row->text(1));
-    model.lengthUnit = cleanLine(row->text(2));
-    model.unitScale = row->real(3);
+    readUnit(row->text(2), row->real(3), model);
     model.meshChord = row->real(4);
     std::optional<std::string> brep = decompress(row->blob(5), mostUnpacked(row->blob(5).size()));
     if (!brep) return damaged(database, "model");
@@ -131,12 +152,22 @@ Result<void> storeModel(Database& database, const Model& model) {
         if (Result<void> done = database.execute(table); !done) return done;
     const std::string brep = compress(model.brep);
     if (Result<void> done = run(database, "INSERT INTO model VALUES(1, ?, ?, ?, ?, ?, ?, ?)", model.sourceFile,
-                                model.format, model.lengthUnit, model.unitScale, model.meshChord, BlobView{brep},
+                                model.format, unitText(model), model.unitScale, model.meshChord, BlobView{brep},
                                 isNone(model.brepPlacement) ? std::string() : jsonOf(model.brepPlacement).dump());
         !done)
         return done;
     if (Result<void> done = storeBodies(database, model.bodies); !done) return done;
     return storeNotes(database, model.notes);
+}
+
+Result<void> storeColours(Database& database, const std::vector<BodyColour>& colours) {
+    std::int64_t position = 0;
+    for (const BodyColour& colour : colours)
+        if (Result<void> done =
+                run(database, "UPDATE body SET colour = ? WHERE position = ?", packed(colour), position++);
+            !done)
+            return done;
+    return {};
 }
 
 Result<Model> loadModel(Database& database) {

@@ -128,7 +128,8 @@ public:
     // Each setter is one transaction; errors: diskFull, fileNotWritable. Each getter: fileDamaged, projectIncomplete.
     // Lists are empty if nothing was stored yet; for single values the error is then projectIncomplete.
     Result<void> setModel(const Model& model);
-    Result<Model> model() const; ///< in its own frame
+    Result<void> setBodyColours(const std::vector<BodyColour>& colours); ///< of the model's bodies, in order
+    Result<Model> model() const;                                         ///< in its own frame
     /// The model as placed in a setup. Errors: also nameUnknown; in the model's own frame if nothing is embedded there
     /// yet.
     Result<std::shared_ptr<const Model>> placedModel(SetupId id = setupInUse) const;

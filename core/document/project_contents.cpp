@@ -28,6 +28,9 @@ StoredPath withSetup(StoredPath path, SetupId setup) {
 Result<void> Project::setModel(const Model& model) {
     return impl_->change([&](Database& database) { return storeModel(database, model); });
 }
+Result<void> Project::setBodyColours(const std::vector<BodyColour>& colours) {
+    return impl_->change([&](Database& database) { return storeColours(database, colours); });
+}
 Result<Model> Project::model() const {
     return impl_->read(loadModel);
 }

@@ -17,6 +17,7 @@ namespace burin {
 
 // model_store.cpp
 Result<void> storeModel(Database& database, const Model& model);
+Result<void> storeColours(Database& database, const std::vector<BodyColour>& colours); ///< of the bodies, in order
 Result<Model> loadModel(Database& database);
 
 // setup_store.cpp

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/part_update.h"
 
+#include "core/cad/body_path.h"
+#include "core/cad/file_unit.h"
 #include "core/setup/setup.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,16 +19,46 @@ namespace {
 /// The body of the old part that each body of the new part replaces; empty: the body is new.
 using Lineage = std::vector<std::optional<std::size_t>>;
 
-Lineage lineageOf(const Model& before, const Model& after) {
-    std::multimap<std::string, std::size_t> waiting; // equal names keep their order
-    for (std::size_t i = 0; i < before.bodies.size(); ++i) waiting.emplace(before.bodies[i].name, i);
-    Lineage lineage;
-    for (const Body& body : after.bodies) {
-        const auto same = waiting.lower_bound(body.name);
-        const bool known = same != waiting.end() && same->first == body.name;
-        lineage.push_back(known ? std::optional(same->second) : std::nullopt);
-        if (known) waiting.erase(same);
+using BodyKey = std::function<std::string(std::string_view path)>;
+
+/// Pairs bodies that have no partner yet and whose keys are equal, in their order. Bodies with an empty key stay alone.
+void pairBodies(const Model& before, const Model& after, const BodyKey& key, std::vector<bool>& replaced,
+                Lineage& lineage) {
+    std::multimap<std::string, std::size_t> waiting; // equal keys keep their order
+    for (std::size_t i = 0; i < before.bodies.size(); ++i)
+        if (!replaced[i]) waiting.emplace(key(before.bodies[i].name), i);
+    for (std::size_t i = 0; i < after.bodies.size(); ++i) {
+        if (lineage[i]) continue;
+        const std::string own = key(after.bodies[i].name);
+        const auto same = waiting.lower_bound(own);
+        if (own.empty() || same == waiting.end() || same->first != own) continue;
+        lineage[i] = same->second;
+        replaced[same->second] = true;
+        waiting.erase(same);
     }
+}
+
+std::string wholePath(std::string_view path) {
+    return std::string(path);
+}
+
+/// Without the assembly of the first level, whose name some CAD systems give a version number.
+std::string pathBelowRoot(std::string_view path) {
+    const std::string_view assembly = assemblyOf(path);
+    const std::size_t root = assembly.empty() ? std::string_view::npos : path.find('/');
+    return root == std::string_view::npos ? std::string() : std::string(path.substr(root + 1));
+}
+
+/// Also for projects of earlier versions of Burin, which knew no assemblies.
+std::string ownName(std::string_view path) {
+    return std::string(withoutInstance(lastElement(path)));
+}
+
+Lineage lineageOf(const Model& before, const Model& after) {
+    Lineage lineage(after.bodies.size());
+    std::vector<bool> replaced(before.bodies.size(), false);
+    for (const BodyKey& key : {BodyKey(wholePath), BodyKey(pathBelowRoot), BodyKey(ownName)})
+        pairBodies(before, after, key, replaced, lineage);
     const bool renamed = before.bodies.size() == 1 && after.bodies.size() == 1;
     if (renamed) lineage.front() = 0;
     return lineage;
@@ -49,6 +82,12 @@ PartUpdate compared(const Model& before, const Model& after, const Lineage& line
     for (std::size_t i = 0; i < before.bodies.size(); ++i)
         if (!stays[i]) update.removed.push_back(nameOf(before, i));
     return update;
+}
+
+Model coloured(Model model, const Model& before, const Lineage& lineage) {
+    for (std::size_t i = 0; i < lineage.size(); ++i)
+        if (!model.bodies[i].colour && lineage[i]) model.bodies[i].colour = before.bodies[*lineage[i]].colour;
+    return model;
 }
 
 /// Moves roles and materials to the new indices of their bodies.
@@ -94,15 +133,12 @@ Result<Setup> updatedSetup(const Project& project, SetupId id, const std::shared
 
 } // namespace
 
-double fileUnitAsBefore(const Model& before) noexcept {
-    return before.lengthUnit == "none" ? before.unitScale : 1.0;
-}
-
 Result<PartUpdate> updatePart(Project& project, const Model& model) {
     const Result<Model> before = project.model();
     if (!before) return before.error();
-    const std::shared_ptr<const Model> after = placed(std::make_shared<const Model>(model), before->brepPlacement);
-    const Lineage lineage = lineageOf(*before, *after);
+    const Lineage lineage = lineageOf(*before, model);
+    const std::shared_ptr<const Model> after =
+        placed(std::make_shared<const Model>(coloured(model, *before, lineage)), placementAsBefore(model, *before));
     PartUpdate update = compared(*before, *after, lineage);
     const Result<std::vector<SetupName>> setups = project.setups();
     if (!setups) return setups.error();

@@ -21,14 +21,13 @@ struct PartUpdate {
 
 /// Replaces the part of a project by one that was changed in the CAD system, in all of its setups. The placement is
 /// kept; roles and materials are assigned to bodies by name (several bodies of one name: in order; one body replacing
-/// one: regardless of its name). If nothing was milled yet, a stock that is derived from the part follows it; otherwise
-/// stock and zero stay where they are. Recordings, paths and passes are kept; a program becomes out of date. A mirrored
-/// part is mirrored again. The project is not saved.
+/// one: regardless of its name). In an assembly that is the path; where a path is gone, the path below a renamed
+/// assembly of the first level, or else the name of the body alone. A colour that the new file doesn't state is kept.
+/// If nothing was milled yet, a stock that is derived from the part follows it; otherwise stock and zero stay where
+/// they are. Recordings, paths and passes are kept; a program becomes out of date. A mirrored part is mirrored again.
+/// The project is not saved.
 /// @param model as read from its file
 /// Errors: those of placeStock (mainly roles that leave no part), nothing is changed then; those of Project.
 Result<PartUpdate> updatePart(Project& project, const Model& model);
-
-/// Returns the millimetres per unit for a file of the part that states no unit: as used for the previous file.
-double fileUnitAsBefore(const Model& before) noexcept;
 
 } // namespace burin

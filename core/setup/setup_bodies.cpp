@@ -16,6 +16,7 @@ Model withoutBodies(const Model& model) {
     other.format = model.format;
     other.lengthUnit = model.lengthUnit;
     other.unitScale = model.unitScale;
+    other.statedUnit = model.statedUnit;
     other.meshChord = model.meshChord;
     other.brepPlacement = model.brepPlacement;
     return other;

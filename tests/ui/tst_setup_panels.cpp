@@ -82,17 +82,15 @@ private slots:
         QVERIFY(one == many);
     }
 
-    /// A STEP file states its unit itself.
-    void theUnitOfAnStlFileIsChosen() {
+    /// The file's unit, whether stated or not, can be replaced.
+    void theUnitOfAFileIsChosen() {
         PartPanel panel;
-        panel.setState(examples::part());
-        show(panel);
-        auto& unit = child<QComboBox>(panel, "fileUnit");
-        QVERIFY(!unit.isVisible());
         auto model = std::make_shared<Model>(*examples::part().model);
         model->format = "STL binary";
         model->lengthUnit = "none";
         panel.setState({model, false});
+        show(panel);
+        auto& unit = child<QComboBox>(panel, "fileUnit");
         QVERIFY(unit.isVisible());
         QCOMPARE(unit.currentText(), QStringLiteral("mm"));
         std::vector<double> chosen;
@@ -106,6 +104,22 @@ private slots:
         model->unitScale = 3.175; // the command line accepts any scale
         panel.setState({model, false});
         QCOMPARE(unit.currentText(), QStringLiteral("3.175 mm"));
+        const auto shownTexts = [&] {
+            QStringList texts;
+            for (const QLabel* label : panel.findChildren<QLabel*>())
+                if (label->isVisible()) texts << label->text();
+            return texts;
+        };
+        QVERIFY(!shownTexts().contains("Size as stated"));
+        model = std::make_shared<Model>(*model);
+        model->format = "STEP AP214";
+        model->lengthUnit = "inch";
+        model->statedUnit = 25.4;
+        model->unitScale = 1.0;
+        panel.setState({model, false});
+        QCOMPARE(unit.currentText(), QStringLiteral("mm"));
+        QVERIFY(unit.findText("inch (stated)") >= 0 && unit.findText("3.175 mm") < 0);
+        QVERIFY(shownTexts().contains("Size as stated"));
     }
 
     void marginsAndVoxelsAreEdited() {

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // The project's tree, and hiding bodies in the view, by mouse and keys.
+#include "tests/places.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
 #include "ui/panels/project_tree.h"
 
 #include <QApplication>
+#include <QColorDialog>
 #include <QInputDialog>
 #include <QMenu>
 #include <QtTest>
@@ -38,9 +40,8 @@ void doubleClick(ProjectTree& tree, QTreeWidgetItem& row) {
     QTest::mouseDClick(tree.viewport(), Qt::LeftButton, Qt::NoModifier, place);
 }
 
-/// Opens the context menu of a row and triggers one of its actions.
-bool chooseFromMenu(WindowDriver& driver, ProjectTree& tree, QTreeWidgetItem& row, const char* menu,
-                    const char* action) {
+/// Opens the context menu of a row; null if it does not appear.
+QMenu* openMenu(WindowDriver& driver, ProjectTree& tree, QTreeWidgetItem& row, const char* menu) {
     const QPoint place = tree.visualItemRect(&row).center();
     QContextMenuEvent event(QContextMenuEvent::Mouse, place, tree.viewport()->mapToGlobal(place));
     QApplication::sendEvent(tree.viewport(), &event);
@@ -49,10 +50,31 @@ bool chooseFromMenu(WindowDriver& driver, ProjectTree& tree, QTreeWidgetItem& ro
             shown = driver.window().findChild<QMenu*>(menu);
             return shown != nullptr && shown->isVisible();
         }))
-        return false;
-    auto* chosen = shown->findChild<QAction*>(action);
+        return nullptr;
+    return shown;
+}
+
+/// Triggers an action of the context menu of a row.
+bool chooseFromMenu(WindowDriver& driver, ProjectTree& tree, QTreeWidgetItem& row, const char* menu,
+                    const char* action) {
+    QMenu* shown = openMenu(driver, tree, row, menu);
+    auto* chosen = shown != nullptr ? shown->findChild<QAction*>(action) : nullptr;
     if (chosen == nullptr) return false;
     QTest::mouseClick(shown, Qt::LeftButton, Qt::NoModifier, shown->actionGeometry(chosen).center());
+    return true;
+}
+
+/// Triggers an action of a menu within the menu of a body or an assembly.
+bool chooseFromSubmenu(WindowDriver& driver, ProjectTree& tree, QTreeWidgetItem& row, const char* submenu,
+                       const char* action) {
+    QMenu* shown = openMenu(driver, tree, row, "bodyMenu");
+    auto* within = shown != nullptr ? shown->findChild<QMenu*>(submenu) : nullptr;
+    if (within == nullptr) return false;
+    QTest::mouseClick(shown, Qt::LeftButton, Qt::NoModifier, shown->actionGeometry(within->menuAction()).center());
+    if (!driver.waitFor([&] { return within->isVisible(); })) return false;
+    auto* chosen = within->findChild<QAction*>(action);
+    if (chosen == nullptr) return false;
+    QTest::mouseClick(within, Qt::LeftButton, Qt::NoModifier, within->actionGeometry(chosen).center());
     return true;
 }
 
@@ -159,6 +181,80 @@ private slots:
         QTRY_COMPARE(names(), (QStringList{"take 2", "take 1"}));
         driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_COMPARE(names(), (QStringList{"take 1", "take 2"}));
+    }
+
+    /// The bodies of an assembly are below it; its role and colour are those of all of them, and one undo restores
+    /// them.
+    void anAssemblyIsChangedAsAWhole() {
+        WindowDriver driver;
+        drop(driver.window(), QStringLiteral(BURIN_FIXTURES "/models/mayo-332.stp"));
+        QVERIFY(driver.waitFor([&] { return workbenchOf(driver).setup.hasPart(); }));
+        QVERIFY(driver.settle());
+        ProjectTree* tree = openTree(driver);
+        QVERIFY(tree);
+        QTRY_VERIFY(rowOf(*tree, "Root") != nullptr);
+        QCOMPARE(rowOf(*tree, "Root")->childCount(), 3);
+        QCOMPARE(rowOf(*tree, "Root")->child(1)->text(0), QString("Part 2"));
+        const auto roles = [&] {
+            std::vector<BodyRole> each;
+            for (std::size_t i = 0; i < 3; ++i) each.push_back(roleOf(workbenchOf(driver).setup.setup(), i));
+            return each;
+        };
+        QVERIFY(chooseFromSubmenu(driver, *tree, *rowOf(*tree, "Root"), "bodyRoleMenu", "role-ignored"));
+        QTRY_COMPARE(roles(), std::vector(3, BodyRole::ignored));
+        QTRY_COMPARE(rowOf(*tree, "Root")->text(1), QString("Ignored"));
+        QVERIFY(chooseFromSubmenu(driver, *tree, *rowOf(*tree, "Part 2"), "bodyRoleMenu", "role-part"));
+        QTRY_COMPARE(rowOf(*tree, "Root")->text(1), QString("several roles"));
+        driver.shoot("tree-5-assembly");
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(roles(), std::vector(3, BodyRole::ignored));
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(roles(), std::vector(3, BodyRole::part));
+        const std::vector<BodyColour> before = workbenchOf(driver).model.colours();
+        driver.whenDialogStands([](QWidget& dialog) {
+            auto* colours = qobject_cast<QColorDialog*>(&dialog);
+            if (colours == nullptr) return;
+            colours->setCurrentColor(QColor(10, 200, 30));
+            colours->accept();
+        });
+        QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "Root"), "bodyMenu", "bodyColourAction"));
+        QTRY_VERIFY(workbenchOf(driver).model.colours() == std::vector<BodyColour>(3, BodyColour({10, 200, 30})));
+        QVERIFY(driver.settle());
+        driver.shoot("tree-6-coloured");
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(workbenchOf(driver).model.colours() == before);
+    }
+
+    /// A tick of the assembly hides and shows all of its bodies; it is half ticked if only some are shown.
+    void anAssemblyIsHiddenAndFolded() {
+        WindowDriver driver;
+        drop(driver.window(), QStringLiteral(BURIN_FIXTURES "/models/mayo-332.stp"));
+        QVERIFY(driver.waitFor([&] { return workbenchOf(driver).setup.hasPart(); }));
+        QVERIFY(driver.settle());
+        ProjectTree* tree = openTree(driver);
+        QVERIFY(tree);
+        QTRY_VERIFY(rowOf(*tree, "Root") != nullptr);
+        auto& viewport = *driver.visible<Viewport>("viewport");
+        const QPointF centre = QRectF(viewport.rect()).center();
+        QTRY_VERIFY(viewport.pick(centre).has_value());
+        QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "Part 2"), "bodyMenu", "hideBodyAction"));
+        QTRY_COMPARE(rowOf(*tree, "Root")->checkState(0), Qt::PartiallyChecked);
+        QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "Root"), "bodyMenu", "hideBodyAction"));
+        QTRY_COMPARE(rowOf(*tree, "Root")->checkState(0), Qt::Unchecked);
+        QTRY_VERIFY(!viewport.pick(centre).has_value());
+        tree->setFocus();
+        tree->setCurrentItem(rowOf(*tree, "Root"));
+        QTest::keyClick(tree, Qt::Key_Space);
+        QTRY_COMPARE(rowOf(*tree, "Part 3")->checkState(0), Qt::Checked);
+        QTRY_VERIFY(viewport.pick(centre).has_value());
+        // Folded by Enter, it stays so when the tree changes.
+        tree->setFocus();
+        tree->setCurrentItem(rowOf(*tree, "Root"));
+        QTest::keyClick(tree, Qt::Key_Return);
+        QVERIFY(!rowOf(*tree, "Root")->isExpanded());
+        workbenchOf(driver).setup.chooseRole(0, BodyRole::ignored);
+        QTRY_COMPARE(rowOf(*tree, "Root")->text(1), QString("several roles"));
+        QVERIFY(!rowOf(*tree, "Root")->isExpanded());
     }
 
     /// A body whose box is not ticked is not drawn, without any other effect.

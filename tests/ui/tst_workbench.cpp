@@ -192,7 +192,9 @@ private slots:
         workbench.importPart(file, false);
         QTRY_VERIFY_WITH_TIMEOUT(workbench.model.model() && !workbench.model.importing(), 20000);
         const auto before = workbench.model.model();
-        workbench.importPart(file, false, 25.4);
+        ImportOptions inches;
+        inches.unitInstead = 25.4;
+        workbench.model.read(file, inches, [&](const auto& part) { QVERIFY(workbench.changeUnit(before, part)); });
         QTRY_VERIFY_WITH_TIMEOUT(workbench.model.model() != before && !workbench.model.importing(), 20000);
         QCOMPARE(workbench.model.model()->unitScale, 25.4);
         QVERIFY(std::abs(workbench.model.model()->volume() / before->volume() - 25.4 * 25.4 * 25.4) < 1.0);

@@ -66,8 +66,12 @@ QString importNoteText(const std::string& note) {
 }
 
 QString bodyName(const std::string& name) {
-    const QString given = QString::fromStdString(name);
-    return nameOf(import_notes::unnamedBody, given).value_or(given);
+    QStringList elements = QString::fromStdString(name).split(QLatin1Char('/'));
+    for (QString& element : elements) {
+        if (const std::optional<QString> body = nameOf(import_notes::unnamedBody, element)) element = *body;
+        if (const std::optional<QString> within = nameOf(import_notes::unnamedAssembly, element)) element = *within;
+    }
+    return elements.join(QLatin1Char('/'));
 }
 
 } // namespace burin

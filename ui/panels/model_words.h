@@ -12,7 +12,8 @@ namespace burin {
 
 /// Also for notes stored in a project. Unknown texts are returned unchanged.
 QString importNoteText(const std::string& note);
-/// A name given by the file is returned unchanged; if there is none, "Body 2" is used.
+/// Of a body or an assembly. A name given by the file is returned unchanged, with its path; if there is none, "Body 2"
+/// is used.
 QString bodyName(const std::string& name);
 
 } // namespace burin

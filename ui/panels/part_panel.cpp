@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/part_panel.h"
 
-#include "core/base/numbers.h"
+#include "core/cad/body_path.h"
+#include "core/cad/file_unit.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/elided_label.h"
@@ -26,7 +27,7 @@ namespace burin {
 
 namespace {
 
-QColor swatchOf(const std::optional<std::array<std::uint8_t, 3>>& colour) {
+QColor swatchOf(const BodyColour& colour) {
     return colour ? QColor((*colour)[0], (*colour)[1], (*colour)[2]) : QColor();
 }
 
@@ -62,7 +63,7 @@ private:
     FieldRow* fileUnitRow_;
     ChoiceBox* role_;
     FieldRow* roleRow_;
-    ValueRow *format_, *size_, *volume_;
+    ValueRow *format_, *size_, *statedSize_, *volume_;
     QLabel *bodiesTitle_, *notesTitle_;
     RowList *bodies_, *notes_;
 };
@@ -88,6 +89,7 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
     inner->addWidget(file_);
     for (auto [row, text] : {std::pair{&format_, PartPanel::tr("Format")},
                              {&size_, PartPanel::tr("Size")},
+                             {&statedSize_, PartPanel::tr("Size as stated")},
                              {&volume_, PartPanel::tr("Volume")}}) {
         *row = new ValueRow(text, content_);
         inner->addWidget(*row);
@@ -115,13 +117,11 @@ PartPanel::Fields::Fields(PartPanel* panel) : QObject(panel) {
 void PartPanel::Fields::makeFileUnit(PartPanel* panel) {
     fileUnit_ = new ChoiceBox(content_);
     fileUnit_->setObjectName(QStringLiteral("fileUnit"));
-    addFileUnits(*fileUnit_);
-    fileUnitRow_ = new FieldRow(PartPanel::tr("Unit of the file"), fileUnit_,
-                                PartPanel::tr("The file states no unit. Choosing another one reads it again."),
-                                content_, FieldRow::choiceWidth);
+    fileUnitRow_ =
+        new FieldRow(PartPanel::tr("Unit of the file"), fileUnit_, QString(), content_, FieldRow::choiceWidth);
     connect(fileUnit_, &QComboBox::activated, panel, [this, panel](int index) {
         const double millimetres = fileUnit_->itemData(index).toDouble();
-        if (!state.model || millimetres == state.model->unitScale) return;
+        if (!state.model || isSameUnit(millimetres, state.model->unitScale)) return;
         emit panel->fileUnitChosen(millimetres);
         refresh(); // shows the old unit until the file has been read again, if it is
     });
@@ -164,18 +164,19 @@ void PartPanel::Fields::refreshRole() {
     setEnabledKeepingFocus(role_, !state.busy && !state.locked);
 }
 
-/// A unit that is missing in the list is added, because the command line accepts any.
 void PartPanel::Fields::refreshFileUnit() {
     const Model& model = *state.model;
-    fileUnitRow_->setVisible(model.lengthUnit == "none");
+    fileUnitRow_->show();
     setEnabledKeepingFocus(fileUnit_, !state.busy);
-    int index = fileUnit_->findData(model.unitScale);
-    if (index < 0) {
-        fileUnit_->addItem(QString::fromStdString(formatShortest(model.unitScale)) + QStringLiteral(" mm"),
-                           model.unitScale);
-        index = fileUnit_->count() - 1;
-    }
-    fileUnit_->setCurrentIndex(index);
+    offerFileUnits(*fileUnit_, model, unit);
+    fileUnit_->setToolTip(
+        statesUnit(model)
+            ? PartPanel::tr(
+                  "Choosing another unit than the stated one reads the file again: the part gets another size.")
+            : PartPanel::tr("The file states no unit. Choosing another one reads it again."));
+    const bool replaced = unitReplaced(model);
+    statedSize_->setVisible(replaced);
+    if (replaced) statedSize_->setValue(sizeText(sizeInUnit(model, model.statedUnit), unit));
 }
 
 void PartPanel::Fields::refresh() {
@@ -192,7 +193,7 @@ void PartPanel::Fields::refresh() {
                                                    "a mesh (STL, 3MF, OBJ) has only triangles."));
     empty_->setVisible(state.busy || !shown);
     content_->setVisible(shown || state.preview);
-    for (QWidget* row : {format_, size_, volume_}) row->setVisible(shown);
+    for (QWidget* row : {format_, size_, statedSize_, volume_}) row->setVisible(shown);
     if (shown) refreshModel();
     if (state.preview) refreshPreview();
 }
@@ -233,10 +234,13 @@ std::vector<ListRow> PartPanel::Fields::bodyRows() const {
     std::vector<ListRow> rows;
     for (const Body& body : state.model->bodies) {
         ListRow row;
-        row.title = row.toolTip = bodyName(body.name);
+        row.title = bodyName(std::string(lastElement(body.name)));
+        row.toolTip = bodyName(body.name);
         row.value = volumeText(body.volume, unit);
         if (const BodyRole role = roleOfBody(rows.size()); role != BodyRole::part) row.badge = roleText(role);
         QStringList details;
+        if (const std::string_view assembly = assemblyOf(body.name); !assembly.empty())
+            details.append(bodyName(std::string(assembly)));
         if (!body.box.empty()) details.append(sizeText(body.box.size(), unit));
         if (body.openEdges > 0)
             details.prepend(body.openEdges == 1
@@ -250,7 +254,7 @@ std::vector<ListRow> PartPanel::Fields::bodyRows() const {
             row.icon = QStringLiteral("warning");
             row.iconRole = &Palette::accent;
         } else {
-            row.swatch = swatchOf(body.colour);
+            row.swatch = swatchOf(rows.size() < state.colours.size() ? state.colours[rows.size()] : body.colour);
         }
         rows.push_back(row);
     }
@@ -261,7 +265,8 @@ std::vector<ListRow> PartPanel::Fields::previewRows() const {
     std::vector<ListRow> rows;
     for (const PreviewBody& body : state.preview->bodies) {
         ListRow row;
-        row.title = row.toolTip = bodyName(body.name);
+        row.title = bodyName(std::string(lastElement(body.name)));
+        row.toolTip = bodyName(body.name);
         row.swatch = swatchOf(body.colour);
         rows.push_back(row);
     }
@@ -288,6 +293,11 @@ std::vector<ListRow> PartPanel::Fields::noteRows() const {
             row.title = PartPanel::tr("Doubtful");
             row.icon = QStringLiteral("warning");
             row.iconRole = &Palette::accent;
+            break;
+        case ImportNote::Kind::leftOut:
+            row.title = PartPanel::tr("Not imported");
+            row.icon = QStringLiteral("information");
+            row.iconRole = &Palette::part;
             break;
         }
         rows.push_back(row);

@@ -8,14 +8,14 @@
 #include <QHeaderView>
 #include <QPixmap>
 
-#include <set>
+#include <map>
 #include <utility>
 
 namespace burin {
 
 namespace {
 
-constexpr int kindRole = Qt::UserRole, idRole = Qt::UserRole + 1;
+constexpr int kindRole = Qt::UserRole, idRole = Qt::UserRole + 1, foldedRole = Qt::UserRole + 2;
 constexpr int swatchSide = 10; // pixels
 
 ProjectRowKind kindOf(const QTreeWidgetItem& item) {
@@ -40,7 +40,7 @@ ProjectTree::ProjectTree(QWidget* parent) : QTreeWidget(parent) {
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
     header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     connect(this, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
-        if (kindOf(*item) == ProjectRowKind::group)
+        if (kindOf(*item) == ProjectRowKind::group || kindOf(*item) == ProjectRowKind::assembly)
             item->setExpanded(!item->isExpanded());
         else
             emit opened(kindOf(*item), idOf(*item));
@@ -58,18 +58,19 @@ void ProjectTree::setRows(const std::vector<ProjectRow>& rows) {
     if (rows == rows_) return;
     rows_ = rows;
     filling_ = true;
-    std::set<std::pair<int, qint64>> closed;
+    std::map<std::pair<int, qint64>, bool> open;
     for (QTreeWidgetItemIterator at(this); *at != nullptr; ++at)
-        if ((*at)->childCount() > 0 && !(*at)->isExpanded())
-            closed.insert({static_cast<int>(kindOf(**at)), idOf(**at)});
+        if ((*at)->childCount() > 0) open[{static_cast<int>(kindOf(**at)), idOf(**at)}] = (*at)->isExpanded();
     const QTreeWidgetItem* chosen = currentItem();
     const auto kind = chosen != nullptr ? kindOf(*chosen) : ProjectRowKind::group;
     const qint64 id = chosen != nullptr ? idOf(*chosen) : -1;
     clear();
     for (const ProjectRow& node : rows_) addTopLevelItem(itemOf(node));
-    expandAll();
-    for (QTreeWidgetItemIterator at(this); *at != nullptr; ++at)
-        if (closed.contains({static_cast<int>(kindOf(**at)), idOf(**at)})) (*at)->setExpanded(false);
+    for (QTreeWidgetItemIterator at(this); *at != nullptr; ++at) {
+        if ((*at)->childCount() == 0) continue;
+        const auto before = open.find({static_cast<int>(kindOf(**at)), idOf(**at)});
+        (*at)->setExpanded(before != open.end() ? before->second : !(*at)->data(0, foldedRole).toBool());
+    }
     if (QTreeWidgetItem* again = itemWith(kind, id)) setCurrentItem(again);
     filling_ = false;
 }
@@ -96,12 +97,13 @@ void ProjectTree::fill(QTreeWidgetItem& item, const ProjectRow& node) const {
     item.setToolTip(1, node.toolTip);
     item.setData(0, kindRole, static_cast<int>(node.kind));
     item.setData(0, idRole, node.id);
+    item.setData(0, foldedRole, node.folded);
     QFont own = font();
     own.setBold(node.current);
     item.setFont(0, own);
     item.setForeground(1, activePalette().quietText);
     if (node.dimmed) item.setForeground(0, activePalette().quietText);
-    if (node.on) item.setCheckState(0, *node.on ? Qt::Checked : Qt::Unchecked);
+    if (node.on) item.setCheckState(0, node.partly ? Qt::PartiallyChecked : *node.on ? Qt::Checked : Qt::Unchecked);
     if (node.swatch.isValid()) {
         QPixmap swatch(swatchSide, swatchSide);
         swatch.fill(node.swatch);

@@ -11,7 +11,7 @@
 namespace burin {
 
 /// The type of object that a row of the project tree represents.
-enum class ProjectRowKind { group, setup, body, fixture, tool, take, path, pass, program };
+enum class ProjectRowKind { group, setup, assembly, body, fixture, tool, take, path, pass, program };
 
 /// A row with its child rows.
 struct ProjectRow {
@@ -21,6 +21,8 @@ struct ProjectRow {
     bool current = false;     ///< in use
     bool dimmed = false;      ///< whether it is no longer in effect, or doesn't exist yet
     std::optional<bool> on{}; ///< state of its check box; empty: it has none
+    bool partly = false;      ///< whether its check box is half ticked
+    bool folded = false;      ///< whether its child rows are closed until the user opens it
     QColor swatch{};          ///< of a material; invalid: none
     std::vector<ProjectRow> children{};
     bool operator==(const ProjectRow&) const = default;

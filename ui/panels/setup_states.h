@@ -27,6 +27,7 @@ struct PartState {
     std::shared_ptr<const ModelPreview> preview{}; ///< preview of the model that is being read; null: none
     std::vector<BodyRole> roles{};                 ///< of the model's bodies
     bool locked = false;                           ///< whether there are recordings, so that roles can't be changed
+    std::vector<BodyColour> colours{};             ///< of the model's bodies
 };
 
 /// A setup of the job, as shown in lists.

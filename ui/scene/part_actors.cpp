@@ -11,6 +11,8 @@
 #include <vtkMapper.h>
 #include <vtkProperty.h>
 
+#include <utility>
+
 namespace burin {
 namespace {
 
@@ -114,6 +116,17 @@ void PartActors::setHidden(std::vector<bool> hidden) {
     refresh();
 }
 
+void PartActors::setBodyColours(std::vector<std::optional<QColor>> colours) {
+    if (colours == colours_) return;
+    colours_ = std::move(colours);
+    refresh();
+}
+
+QColor PartActors::colourOf(std::size_t body) const {
+    if (inWorkpiece_) return part_;
+    return (body < colours_.size() ? colours_[body] : bodies_[body].body.colour).value_or(part_);
+}
+
 void PartActors::setInWorkpiece(bool drawn) {
     if (drawn == inWorkpiece_) return;
     inWorkpiece_ = drawn;
@@ -201,7 +214,7 @@ std::optional<glm::dvec3> PartActors::pick(const Sight& sight) const {
 void PartActors::refresh() {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         const Drawn& body = bodies_[i];
-        const QColor colour = inWorkpiece_ ? part_ : body.body.colour.value_or(part_);
+        const QColor colour = colourOf(i);
         setColour(*body.surface.actor, colour);
         if (body.coarse) setColour(*body.coarse->actor, colour);
         setColour(*body.edges.actor, edges_);

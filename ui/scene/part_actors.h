@@ -56,6 +56,8 @@ public:
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
     void setHidden(std::vector<bool> hidden); ///< by body; bodies beyond its size are drawn
+    /// By body, instead of those in ShadedBody; empty: the part's blue. Bodies beyond its size keep their own.
+    void setBodyColours(std::vector<std::optional<QColor>> colours);
     /// Whether the part is drawn in its blue where the workpiece is bare, whether visible or not; this doesn't make it
     /// pickable.
     void setInWorkpiece(bool drawn);
@@ -104,13 +106,15 @@ private:
     void show(Piece& piece, bool shown) const;
     bool drawn() const noexcept { return visible_ || inWorkpiece_; }
     bool hides(std::size_t body) const noexcept { return body < hidden_.size() && hidden_[body]; }
+    QColor colourOf(std::size_t body) const;
     void add(ShadedBody body);
     void refresh();
     void showSolids();
 
     vtkRenderer &solids_, &marks_;
     std::vector<Drawn> bodies_;
-    std::vector<bool> hidden_; ///< by body
+    std::vector<bool> hidden_;                   ///< by body
+    std::vector<std::optional<QColor>> colours_; ///< by body, instead of their own
     vtkSmartPointer<vtkPlane> clip_;
     QColor part_, edges_;
     double lineWidth_ = 1.0;

@@ -60,6 +60,7 @@ public:
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
     void setCoarsePart(const CoarseBodies& coarse) { part_.setCoarse(coarse); }
     void setHiddenBodies(std::vector<bool> hidden) { part_.setHidden(std::move(hidden)); } ///< by body
+    void setBodyColours(std::vector<std::optional<QColor>> colours) { part_.setBodyColours(std::move(colours)); }
     /// Shown instead of everything else until it is cleared. @param content box that a fitted view shows, mm
     void setPreview(std::vector<ShadedBody> bodies, const Box& content);
     void clearPreview();

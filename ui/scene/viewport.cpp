@@ -246,6 +246,11 @@ void Viewport::setHiddenBodies(std::vector<bool> hidden) {
     impl_->refresh();
 }
 
+void Viewport::setBodyColours(std::vector<std::optional<QColor>> colours) {
+    impl_->scene.setBodyColours(std::move(colours));
+    impl_->refresh();
+}
+
 void Viewport::setMeasureMark(const std::optional<MeasureMark>& mark) {
     impl_->scene.measure().set(mark);
     impl_->refresh();

@@ -92,6 +92,8 @@ public:
     bool showsPreview() const; ///< whether a preview is drawn
     void setPartVisible(bool visible);
     void setHiddenBodies(std::vector<bool> hidden); ///< of the part, by body; the others are drawn
+    /// Of the part, by body; empty: the part's blue. The others have the colours of the model.
+    void setBodyColours(std::vector<std::optional<QColor>> colours);
     /// The outline of the future stock, mm, setup frame; std::nullopt: none.
     void setStockOutline(const std::optional<Box>& stock);
     /// Sets the current workpiece: changed bricks are meshed on the worker thread and drawn when they are ready.

@@ -3,6 +3,7 @@
 #include "ui/window/document_flow.h"
 
 #include "core/base/file.h"
+#include "core/cad/file_unit.h"
 #include "core/document/file_kind.h"
 #include "core/exchange/volume_input.h"
 #include "ui/dialogs/file_dialogs.h"
@@ -206,22 +207,30 @@ void DocumentFlow::importFixture() {
     if (file.isEmpty()) return;
     keepFolder(file);
     const auto model = workbench_.model.model();
-    workbench_.surroundings.importFile(pathOf(file), model ? fileUnitAsBefore(*model) : 1.0);
+    workbench_.surroundings.importFile(pathOf(file), model ? importOptionsAsBefore(*model).fileUnit : 1.0);
 }
 
-void DocumentFlow::importFile(const QString& file, double fileUnit) {
-    workbench_.model.read(pathOf(file), fileUnit, [this](const std::shared_ptr<const Model>& part) {
-        if (!workbench_.importNeedsNewProject()) {
-            workbench_.adoptPart(part, false);
-            return;
-        }
-        if (workbench_.document.isOpen()) workbench_.model.dropPreview(); // the question is about the open project
-        settle([this, part](bool abandon) { workbench_.adoptPart(part, abandon); });
+void DocumentFlow::importFile(const QString& file) {
+    workbench_.model.read(pathOf(file), {}, [this](const std::shared_ptr<const Model>& part) { adopt(part); });
+}
+
+void DocumentFlow::adopt(const std::shared_ptr<const Model>& part) {
+    if (!workbench_.importNeedsNewProject()) {
+        workbench_.adoptPart(part, false);
+        return;
+    }
+    if (workbench_.document.isOpen()) workbench_.model.dropPreview(); // the question is about the open project
+    settle([this, part](bool abandon) { workbench_.adoptPart(part, abandon); });
+}
+
+void DocumentFlow::importAgain(double unit) {
+    const auto before = workbench_.model.model();
+    if (!before) return;
+    ImportOptions options;
+    options.unitInstead = unit;
+    workbench_.model.read(before->sourceFile, options, [this, before](const std::shared_ptr<const Model>& part) {
+        if (!workbench_.changeUnit(before, part)) adopt(part);
     });
-}
-
-void DocumentFlow::importAgain(double fileUnit) {
-    if (const auto model = workbench_.model.model()) importFile(QString::fromStdString(model->sourceFile), fileUnit);
 }
 
 void DocumentFlow::importSample() {

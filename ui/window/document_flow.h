@@ -10,6 +10,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <memory>
+
 namespace burin {
 
 /// New, open, import, save, export, close: the questions to the user, and the operations.
@@ -23,11 +25,10 @@ public:
     void createNew();
     void open();
     void import();
-    void importFile(const QString& file,
-                    double fileUnit = 1.0); ///< @param fileUnit mm per unit of a file that states none
-    void importAgain(double fileUnit);      ///< the part, whose file used another unit
-    void updatePart();                      ///< from its file, or one that the user chooses if that no longer exists
-    void importFixture();                   ///< a fixture that the tool keeps clear of
+    void importFile(const QString& file);
+    void importAgain(double unit); ///< the part, in another unit than before. @param unit mm
+    void updatePart();             ///< from its file, or one that the user chooses if that no longer exists
+    void importFixture();          ///< a fixture that the tool keeps clear of
     void importSample();
     void showSample(); ///< imports the sample part and lets the virtual operator mill it
     /// Opens a project or a part, as its content indicates. The file is read completely before any question is asked or
@@ -69,6 +70,7 @@ signals:
     void restartExported(int line, const QString& file);
 
 private:
+    void adopt(const std::shared_ptr<const Model>& part);
     void awaitSheet(std::function<void()> then);
     void openProject(const QString& file);
     void openProgram(const QString& file);

@@ -44,6 +44,7 @@ void ScenePresenter::present() {
     const bool embedded = workbench_.workpiece.embedded();
     presentPart();
     viewport_.setHiddenBodies(hiddenOfPart());
+    viewport_.setBodyColours(coloursOfPart());
     viewport_.setPartVisible(!embedded || bare_ || actions_[ActionId::showPart]->isChecked());
     viewport_.setWorkpieceVisible(embedded && !bare_ && actions_[ActionId::showWorkpiece]->isChecked());
     const bool outline = workbench_.setup.usable() && !embedded;
@@ -119,12 +120,29 @@ void ScenePresenter::setHiddenBodies(const std::set<std::size_t>& bodies) {
 }
 
 /// With a workpiece, only the protected bodies of the model are drawn as the part.
+std::vector<std::size_t> ScenePresenter::bodiesOfPart() const {
+    std::vector<std::size_t> bodies;
+    for (std::size_t i = 0; model_ && i < model_->bodies.size(); ++i)
+        if (part_ == model_ || isProtected(roleOf(workbench_.setup.setup(), i))) bodies.push_back(i);
+    return bodies;
+}
+
 std::vector<bool> ScenePresenter::hiddenOfPart() const {
     std::vector<bool> hidden;
-    if (hidden_.empty() || !model_) return hidden;
-    for (std::size_t i = 0; i < model_->bodies.size(); ++i)
-        if (part_ == model_ || isProtected(roleOf(workbench_.setup.setup(), i))) hidden.push_back(hidden_.contains(i));
+    if (hidden_.empty()) return hidden;
+    for (const std::size_t body : bodiesOfPart()) hidden.push_back(hidden_.contains(body));
     return hidden;
+}
+
+std::vector<std::optional<QColor>> ScenePresenter::coloursOfPart() const {
+    const std::vector<BodyColour>& colours = workbench_.model.colours();
+    std::vector<std::optional<QColor>> drawn;
+    for (const std::size_t body : bodiesOfPart()) {
+        if (body >= colours.size()) break;
+        const BodyColour& colour = colours[body];
+        drawn.push_back(colour ? std::optional(QColor((*colour)[0], (*colour)[1], (*colour)[2])) : std::nullopt);
+    }
+    return drawn;
 }
 
 void ScenePresenter::showToolAt(const glm::dvec3& tip, const Tool* tool) {

@@ -34,7 +34,9 @@ signals:
 private:
     void present() override;
     void presentPart();
+    std::vector<std::size_t> bodiesOfPart() const; ///< of the model, in the order in which they are drawn
     std::vector<bool> hiddenOfPart() const;
+    std::vector<std::optional<QColor>> coloursOfPart() const;
     void showTicks();
     void showSample(const Sample& sample, bool cutting);
     void showTrace(const std::vector<TracePoint>& points);

@@ -32,6 +32,7 @@ void PartPresenter::present() {
     PartState state{workbench_.setup.part(), workbench_.model.importing(), workbench_.model.preview()};
     state.roles = workbench_.setup.setup().roles;
     state.locked = workbench_.setup.locked();
+    state.colours = workbench_.model.colours();
     panel_.setState(state);
 }
 

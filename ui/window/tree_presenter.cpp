@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/tree_presenter.h"
 
-#include "ui/panels/role_words.h"
+#include "ui/panels/model_words.h"
 #include "ui/panels/texts.h"
+#include "ui/window/body_rows.h"
 #include "ui/window/context_menu.h"
 #include "ui/window/path_presenters.h"
 #include "ui/window/take_menu.h"
@@ -72,19 +73,7 @@ ProjectRow TreePresenter::bodies() const {
     ProjectRow all = group(1, tr("Part"));
     const std::shared_ptr<const Model>& part = workbench_.setup.part();
     if (!part || workbench_.model.preview()) return all;
-    const Setup& setup = workbench_.setup.setup();
-    for (std::size_t i = 0; i < part->bodies.size(); ++i) {
-        const BodyRole role = roleOf(setup, i);
-        ProjectRow row{ProjectRowKind::body, static_cast<qint64>(i), QString::fromStdString(part->bodies[i].name),
-                       roleText(role), tr("Tick: shown in the view.")};
-        row.on = !hidden_.contains(i);
-        row.dimmed = role == BodyRole::ignored;
-        if (part->bodies[i].colour) {
-            const auto& colour = *part->bodies[i].colour;
-            row.swatch = QColor(colour[0], colour[1], colour[2]);
-        }
-        all.children.push_back(std::move(row));
-    }
+    all.children = rowsOfBodies({*part, workbench_.setup.setup(), workbench_.model.colours(), hidden_});
     return all;
 }
 
@@ -173,6 +162,7 @@ void TreePresenter::open(ProjectRowKind kind, qint64 id) {
     case ProjectRowKind::setup:
         workbench_.setups.use(SetupId{id});
         break;
+    case ProjectRowKind::assembly:
     case ProjectRowKind::body:
         emit stepWanted(JobStep::part);
         break;
@@ -202,17 +192,20 @@ void TreePresenter::open(ProjectRowKind kind, qint64 id) {
 }
 
 void TreePresenter::switchRow(ProjectRowKind kind, qint64 id, bool on) {
-    const auto place = static_cast<std::size_t>(id);
-    if (kind == ProjectRowKind::fixture) workbench_.surroundings.setOn(place, on);
-    if (kind != ProjectRowKind::body) return;
+    if (kind == ProjectRowKind::fixture) workbench_.surroundings.setOn(static_cast<std::size_t>(id), on);
+    const std::vector<std::size_t> bodies = chosenBodies(kind, id).bodies;
+    if (bodies.empty()) return;
     std::set<std::size_t> hidden = hidden_;
-    on ? void(hidden.erase(place)) : void(hidden.insert(place));
+    for (const std::size_t body : bodies) on ? void(hidden.erase(body)) : void(hidden.insert(body));
     hide(hidden);
 }
 
 void TreePresenter::showMenu(ProjectRowKind kind, qint64 id, const QPoint& globalPosition) {
     if (kind == ProjectRowKind::setup) showSetupMenu(id, globalPosition);
-    if (kind == ProjectRowKind::body) showBodyMenu(static_cast<std::size_t>(id), globalPosition);
+    if (const ChosenBodies chosen = chosenBodies(kind, id); !chosen.bodies.empty())
+        showBodyMenu(
+            workbench_, chosen, hidden_, [this](const std::set<std::size_t>& bodies) { hide(bodies); }, globalPosition,
+            &tree_);
     if (kind == ProjectRowKind::fixture) showFixtureMenu(static_cast<std::size_t>(id), globalPosition);
     if (kind == ProjectRowKind::take) showTakeMenu(workbench_, id, 0, globalPosition, &tree_);
     if (kind == ProjectRowKind::pass) showPassMenu(id, globalPosition);
@@ -236,23 +229,15 @@ void TreePresenter::showSetupMenu(qint64 id, const QPoint& globalPosition) {
     menu->popup(globalPosition);
 }
 
-void TreePresenter::showBodyMenu(std::size_t body, const QPoint& globalPosition) {
-    if (!model_ || body >= model_->bodies.size()) return;
-    QMenu* menu = makeContextMenu("bodyMenu", QString::fromStdString(model_->bodies[body].name), &tree_);
-    const bool hidden = hidden_.contains(body);
-    addEntry(*menu, hidden ? tr("&Show") : tr("&Hide"),
-             hidden ? tr("Draw this body again.") : tr("Do not draw this body; nothing else changes."),
-             "hideBodyAction",
-             [this, body, hidden] { switchRow(ProjectRowKind::body, static_cast<qint64>(body), hidden); });
-    addEntry(*menu, tr("Show this one &alone"), tr("Hide all other bodies."), "isolateBodyAction", [this, body] {
-        std::set<std::size_t> others;
-        for (std::size_t i = 0; i < model_->bodies.size(); ++i)
-            if (i != body) others.insert(i);
-        hide(others);
-    });
-    if (!hidden_.empty())
-        addEntry(*menu, tr("Show a&ll"), tr("Draw all bodies again."), "showBodiesAction", [this] { hide({}); });
-    menu->popup(globalPosition);
+ChosenBodies TreePresenter::chosenBodies(ProjectRowKind kind, qint64 id) const {
+    if (!model_) return {};
+    const auto body = static_cast<std::size_t>(id);
+    if (kind == ProjectRowKind::body && body < model_->bodies.size())
+        return {bodyName(std::string(lastElement(model_->bodies[body].name))), {body}};
+    if (kind != ProjectRowKind::assembly) return {};
+    const std::vector<BodyNode> tree = bodyTree(*model_);
+    const BodyNode* assembly = assemblyOfRow(tree, id);
+    return assembly != nullptr ? ChosenBodies{bodyName(assembly->name), bodiesOf(*assembly)} : ChosenBodies();
 }
 
 void TreePresenter::showFixtureMenu(std::size_t place, const QPoint& globalPosition) {

@@ -4,6 +4,7 @@
 
 #include "ui/panels/job_states.h"
 #include "ui/panels/project_tree.h"
+#include "ui/window/body_menu.h"
 #include "ui/window/presenter.h"
 #include "ui/window/scene_presenter.h"
 
@@ -26,7 +27,8 @@ private:
     void switchRow(ProjectRowKind kind, qint64 id, bool on);
     void showMenu(ProjectRowKind kind, qint64 id, const QPoint& globalPosition);
     void showSetupMenu(qint64 id, const QPoint& globalPosition);
-    void showBodyMenu(std::size_t body, const QPoint& globalPosition);
+    /// The body of a row, or the bodies of its assembly; none if the row is of another kind.
+    ChosenBodies chosenBodies(ProjectRowKind kind, qint64 id) const;
     void showFixtureMenu(std::size_t place, const QPoint& globalPosition);
     void showPassMenu(qint64 id, const QPoint& globalPosition);
     void hide(const std::set<std::size_t>& bodies);

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-void ModelController::read(const std::filesystem::path& file, double fileUnit, Then then) {
+void ModelController::read(const std::filesystem::path& file, const ImportOptions& options, Then then) {
     preview_.reset();
     const QString name = QString::fromStdString(file.filename().string());
     // Posted to the task runner, which outlives this controller; the controller may be gone when a preview comes.
@@ -26,9 +26,7 @@ void ModelController::read(const std::filesystem::path& file, double fileUnit, T
     };
     desk_.tasks.start(
         TaskKind::importing, tr("Importing %1").arg(name),
-        [file, fileUnit, show](Progress& progress) -> Result<std::shared_ptr<const Model>> {
-            ImportOptions options;
-            options.fileUnit = fileUnit;
+        [file, options, show](Progress& progress) -> Result<std::shared_ptr<const Model>> {
             Result<Model> model = importModel(file, options, progress, show);
             if (!model) return std::move(model).error();
             return std::make_shared<const Model>(std::move(*model));
@@ -62,21 +60,43 @@ void ModelController::adopt(const std::shared_ptr<const Model>& model) {
     emit imported();
 }
 
-void ModelController::mirror(int axis) {
-    if (!model_) return;
-    const auto other = placed(model_, mirroredAcross(axis, model_->box().centre()));
+void ModelController::exchange(const QString& title, const std::shared_ptr<const Model>& other) {
+    preview_.reset();
     using Shared = std::shared_ptr<const Model>;
     desk_.undo.pushForming(
-        new ValueCommand<Shared>(tr("mirrored part"), -1, model_, other, [this](const Shared& model) {
+        new ValueCommand<Shared>(title, -1, model_, other, [this](const Shared& model) {
             model_ = model;
-            store([model](Project& project) { return project.setModel(*model); });
-            emit mirrored();
+            store([model, colours = colours_](Project& project) {
+            const Result<void> stored = project.setModel(*model);
+            return stored ? project.setBodyColours(colours) : stored;
+        });
+            emit exchanged();
+            emit changed();
+        }));
+}
+
+void ModelController::mirror(int axis) {
+    if (model_) exchange(tr("mirrored part"), placed(model_, mirroredAcross(axis, model_->box().centre())));
+}
+
+void ModelController::chooseColour(const std::vector<std::size_t>& bodies, const BodyColour& colour) {
+    std::vector<BodyColour> colours = colours_;
+    for (const std::size_t body : bodies)
+        if (body < colours.size()) colours[body] = colour;
+    if (colours == colours_) return;
+    desk_.undo.push(new ValueCommand<std::vector<BodyColour>>(
+        tr("colour of bodies"), -1, colours_, colours, [this](const std::vector<BodyColour>& chosen) {
+            colours_ = chosen;
+            store([chosen](Project& project) { return project.setBodyColours(chosen); });
             emit changed();
         }));
 }
 
 void ModelController::load(std::shared_ptr<const Model> model) {
     model_ = std::move(model);
+    colours_.clear();
+    if (model_)
+        for (const Body& body : model_->bodies) colours_.push_back(body.colour);
     emit changed();
 }
 

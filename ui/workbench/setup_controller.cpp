@@ -198,12 +198,19 @@ void SetupController::chooseBodyMaterial(std::size_t body, const std::string& id
 }
 
 void SetupController::chooseRole(std::size_t body, BodyRole role) {
-    if (locked_ || !model_ || body >= model_->bodies.size() || roleOf(setup_, body) == role) return;
+    chooseRoles({body}, role);
+}
+
+void SetupController::chooseRoles(const std::vector<std::size_t>& bodies, BodyRole role) {
+    if (locked_ || !model_) return;
     Setup setup = setup_;
     setup.roles.resize(model_->bodies.size(), BodyRole::part);
-    setup.roles[body] = role;
+    for (const std::size_t body : bodies)
+        if (body < setup.roles.size()) setup.roles[body] = role;
+    if (sameRoles(setup, setup_)) return;
+    const QString title = bodies.size() == 1 ? tr("role of a body") : tr("role of bodies");
     desk_.undo.pushForming(
-        new ValueCommand<Setup>(tr("role of a body"), -1, setup_, setup, [this](const Setup& value) { apply(value); }));
+        new ValueCommand<Setup>(title, -1, setup_, setup, [this](const Setup& value) { apply(value); }));
 }
 
 void SetupController::readStock(const std::filesystem::path& file, const std::filesystem::path& table) {

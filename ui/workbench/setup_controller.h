@@ -55,6 +55,7 @@ public:
     void chooseStockMaterial(const std::string& id);
     void chooseBodyMaterial(std::size_t body, const std::string& id);
     void chooseRole(std::size_t body, BodyRole role);
+    void chooseRoles(const std::vector<std::size_t>& bodies, BodyRole role);
     /// Reads the stock from a file in the background (core/job/stock_file.h); a model is used with the present voxel
     /// size and material. @param table of a voxel array
     void readStock(const std::filesystem::path& file, const std::filesystem::path& table);

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/workbench.h"
 
+#include "core/cad/file_unit.h"
+
+#include <algorithm>
+
 namespace burin {
 
 namespace {
@@ -81,7 +85,7 @@ void Workbench::wire() {
     connect(&document, &DocumentController::closed, this, &Workbench::clear);
     connect(&setups, &SetupsController::added, this, &Workbench::ensureWorkpiece);
     setups.setRest([this](std::function<void()> then) { comeToRest(std::move(then)); });
-    connect(&model, &ModelController::mirrored, this, [this] {
+    connect(&model, &ModelController::exchanged, this, [this] {
         setup.exchangeModel(model.model());
         workpiece.clear(); // it is that of the other part
     });
@@ -170,8 +174,8 @@ void Workbench::updateWanted() {
     path.useTool(tool.current().id);
 }
 
-void Workbench::importPart(const std::filesystem::path& file, bool abandon, double fileUnit) {
-    model.read(file, fileUnit, [this, abandon](const std::shared_ptr<const Model>& part) { adoptPart(part, abandon); });
+void Workbench::importPart(const std::filesystem::path& file, bool abandon) {
+    model.read(file, {}, [this, abandon](const std::shared_ptr<const Model>& part) { adoptPart(part, abandon); });
 }
 
 void Workbench::adoptPart(const std::shared_ptr<const Model>& part, bool abandon) {
@@ -188,8 +192,23 @@ void Workbench::adoptPart(const std::shared_ptr<const Model>& part, bool abandon
 
 void Workbench::updatePart(const std::filesystem::path& file) {
     if (!model.model()) return;
-    model.read(file, fileUnitAsBefore(*model.model()),
+    model.read(file, importOptionsAsBefore(*model.model()),
                [this](const std::shared_ptr<const Model>& part) { comeToRest([this, part] { putUpdated(part); }); });
+}
+
+bool Workbench::changeUnit(const std::shared_ptr<const Model>& before, const std::shared_ptr<const Model>& part) {
+    const bool sameBodies = before && std::ranges::equal(before->bodies, part->bodies, {}, &Body::name, &Body::name);
+    if (before != model.model() || !sameBodies || setup.locked() || importNeedsNewProject()) return false;
+    const std::shared_ptr<const Model> other = placed(part, placementAsBefore(*part, *before));
+    const bool suits = setup.setup().voxel == suitableVoxel(before->box());
+    undo_.beginMacro(tr("unit of the part"));
+    model.exchange(tr("unit of the part"), other);
+    if (Setup edited = setup.setup(); suits) {
+        edited.voxel = suitableVoxel(other->box());
+        setup.edit(edited);
+    }
+    undo_.endMacro();
+    return true;
 }
 
 void Workbench::putUpdated(const std::shared_ptr<const Model>& part) {

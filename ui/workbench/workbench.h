@@ -87,8 +87,7 @@ public:
     History& undo() noexcept { return undo_; }
 
     /// Reads `file` and makes it the part as `adoptPart` does. On failure the open project is unchanged.
-    /// @param fileUnit mm per unit of a file that states none
-    void importPart(const std::filesystem::path& file, bool abandon, double fileUnit = 1.0);
+    void importPart(const std::filesystem::path& file, bool abandon);
     /// Makes a model the part: of the open project as long as it has no recordings and one setup, else of a new
     /// project.
     /// @param abandon whether to discard the unsaved changes of the open project
@@ -99,6 +98,10 @@ public:
     bool importNeedsNewProject() const {
         return !document.isOpen() || !mill.takes().empty() || setups.setups().size() > 1;
     }
+    /// Replaces the part by the same one, whose file was read in another unit; an entry of the undo stack. Setup, roles
+    /// and materials stay. Returns false, and does nothing, if the part is another one by now, or if the project needs
+    /// it as it is: for recordings, passes or several setups.
+    bool changeUnit(const std::shared_ptr<const Model>& before, const std::shared_ptr<const Model>& part);
     /// Embeds if there is no workpiece yet and the setup allows it.
     void ensureWorkpiece();
     /// Starts the demonstration as soon as part, workpiece and boundary are ready; embeds if needed.

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/cad_file.h"
 
-#include "core/base/numbers.h"
+#include "core/cad/file_unit.h"
 #include "core/cad/import_notes.h"
 #include "core/cad/reader/document_shapes.h"
 #include "core/cad/reader/external_files.h"
 #include "core/cad/reader/file_format.h"
+#include "core/cad/reader/left_out.h"
 
+#include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <BinTools.hxx>
@@ -27,9 +29,8 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <gp_Vec.hxx>
 
-#include <array>
-#include <cmath>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -86,10 +87,6 @@ std::set<double> stepUnits(const Handle(StepData_StepModel) & model) {
 void stateUnit(CadFile& file, double scale, const std::string& name) {
     file.unitScale = scale;
     file.lengthUnit = unitName(scale, name);
-    if (std::abs(scale - 1.0) > 1e-12)
-        file.notes.push_back(
-            {ImportNote::Kind::unit, import_notes::fill(import_notes::unitConverted,
-                                                        {file.lengthUnit, file.lengthUnit, formatShortest(scale)})});
 }
 
 void stateStepUnit(CadFile& file, STEPControl_Reader& reader) {
@@ -103,22 +100,23 @@ void stateStepUnit(CadFile& file, STEPControl_Reader& reader) {
             {ImportNote::Kind::unit, import_notes::fill(import_notes::unitsMixed, {std::to_string(units.size())})});
 }
 
+void takeShapes(CadFile& file, const Handle(TDocStd_Document) & document) {
+    DocumentShapes content = documentShapes(document);
+    file.shapes = std::move(content.shapes);
+    noteFaceColours(file, content.faceColours);
+}
+
 } // namespace
 
-std::string unitName(double millimetres, const std::string& otherwise) {
-    constexpr std::array<std::pair<double, const char*>, 10> known{{{1.0, "mm"},
-                                                                    {10.0, "cm"},
-                                                                    {100.0, "dm"},
-                                                                    {1000.0, "m"},
-                                                                    {1e6, "km"},
-                                                                    {1e-3, "µm"},
-                                                                    {25.4, "inch"},
-                                                                    {304.8, "foot"},
-                                                                    {914.4, "yard"},
-                                                                    {0.0254, "mil"}}};
-    for (const auto& [scale, name] : known)
-        if (std::abs(millimetres / scale - 1.0) < 1e-9) return name;
-    return otherwise;
+void replaceUnit(CadFile& file, double scale) {
+    if (isSameUnit(scale, file.unitScale)) return;
+    const double ratio = scale / file.unitScale;
+    gp_Trsf growth;
+    growth.SetScaleFactor(ratio);
+    for (NamedShape& entry : file.shapes) {
+        entry.shape = BRepBuilderAPI_Transform(entry.shape, growth, Standard_True).Shape();
+        entry.from.place.SetTranslationPart(gp_Vec(entry.from.place.TranslationPart() * ratio));
+    }
 }
 
 Result<CadFile> readStepFile(const std::string& file, std::string_view content, const ReportFraction& report) {
@@ -142,7 +140,8 @@ Result<CadFile> readStepFile(const std::string& file, std::string_view content, 
         ErrorCode::modelHasNoSolid, {}, tessellated ? "a tessellation alone" : "no shape", read.missingFiles};
     if (reader.NbRootsForTransfer() == 0) return noSolid;
     if (!reader.Transfer(document, progress->Start())) return tessellated ? noSolid : damaged("");
-    read.shapes = documentShapes(document);
+    takeShapes(read, document);
+    noteLeftOut(read, *reader.Reader().StepModel());
     return read;
 }
 
@@ -159,7 +158,8 @@ Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& repo
     Handle(TDocStd_Document) document = newDocument();
     const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.1, 0.4);
     if (!reader.Transfer(document, progress->Start())) return damaged("");
-    read.shapes = documentShapes(document);
+    takeShapes(read, document);
+    noteLeftOut(read, *reader.IGESModel());
     return read;
 }
 
@@ -173,8 +173,7 @@ Result<CadFile> readBrepFile(const std::string& content, bool binary) {
         BRepTools::Read(shape, stream, builder);
     }
     if (shape.IsNull() || stream.fail()) return damaged("");
-    CadFile read{"BREP", "mm", 1.0, {}, {}, {}};
-    read.notes.push_back({ImportNote::Kind::unit, import_notes::brepWithoutUnit.text});
+    CadFile read{"BREP", "mm", 1.0, false, {}, {}, {}};
     read.shapes = explodedShapes(shape, {}, std::nullopt);
     return read;
 }

@@ -7,17 +7,26 @@
 #include "core/cad/reader/reader_progress.h"
 
 #include <TopoDS_Shape.hxx>
+#include <gp_Trsf.hxx>
 
 #include <string>
 #include <vector>
 
 namespace burin {
 
+/// The part of a file that a shape is an instance of, and where that was placed.
+struct PlacedPart {
+    TopoDS_Shape part; ///< as it lies in the part's own frame; null: not known
+    gp_Trsf place;     ///< from that frame to the model's, mm
+};
+
 /// A shape of a file with its attributes in the file; placed in the model's frame, mm.
 struct NamedShape {
     TopoDS_Shape shape;                                ///< one solid, or everything of one part that is not a solid
-    std::string name;                                  ///< may be empty
+    std::string name;                                  ///< as in body_path.h; may be empty
     std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB
+    std::string assembly{};                            ///< path of the assemblies around it, as in body_path.h
+    PlacedPart from{};
 };
 
 /// A B-rep file as it was read, before any healing.
@@ -25,6 +34,7 @@ struct CadFile {
     std::string format;
     std::string lengthUnit;
     double unitScale = 1.0; ///< mm per unit
+    bool statesUnit = true; ///< whether `lengthUnit` is that of the file, not only what its format usually means
     std::vector<NamedShape> shapes;
     std::vector<ImportNote> notes;
     std::string missingFiles; ///< names of files that hold parts of this one but are not in its folder; empty: none
@@ -36,8 +46,7 @@ Result<CadFile> readStepFile(const std::string& file, std::string_view content, 
 Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& report);
 Result<CadFile> readBrepFile(const std::string& content, bool binary);
 
-/// Returns the short name of a unit of the given length in millimetres ("mm", "inch", …); `otherwise` for an unusual
-/// one.
-std::string unitName(double millimetres, const std::string& otherwise);
+/// Scales a file that was read in its own unit to another one. @param scale mm per unit
+void replaceUnit(CadFile& file, double scale);
 
 } // namespace burin

@@ -5,16 +5,20 @@
 #include "core/base/numbers.h"
 #include "core/cad/import_notes.h"
 #include "core/cad/reader/measure.h"
+#include "core/cad/reader/occt_vectors.h"
 #include "core/cad/reader/preview.h"
 #include "core/cad/reader/solid_mesh.h"
 #include "core/cad/reader/solids.h"
+#include "core/cad/reader/unit_note.h"
 
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <BinTools.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_TShape.hxx>
 
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <utility>
 
@@ -43,30 +47,79 @@ void noteMesh(Model& model, const Body& body, const SolidMesh& mesh) {
              fill(import_notes::meshVolumeDiffers, {title, formatFixed(meshed, 2), formatFixed(body.volume, 2)}));
 }
 
-Result<Body> makeBody(Model& model, const NamedSolid& solid, double chord, bool careful, const ReportFraction& report) {
-    Body body;
-    body.name = bodyName(solid, model.bodies.size() + 1);
-    body.colour = solid.colour;
-    body.box = exactBox(solid.solid); // before meshing, so that triangles have no influence
-    body.volume = exactVolume(solid.solid);
-    body.area = exactArea(solid.solid);
-    body.faceCount = countFaces(solid.solid);
-    SolidMesh mesh = meshSolid(solid.solid, chord, report, careful);
-    if (mesh.facesWithoutTriangles > 0)
-        return Error{ErrorCode::meshIncomplete,
-                     {},
-                     std::to_string(mesh.facesWithoutTriangles) + " of " + std::to_string(body.faceCount) +
-                         " faces of \"" + body.name + "\"",
-                     {}};
-    body.mesh = std::move(mesh.mesh);
-    body.openEdges = mesh.openEdges;
-    noteMesh(model, body, mesh);
-    // The gaps between the faces in the file itself: no mesh can be nearer to both sides.
-    if (const double gap = BRep_Tool::MaxTolerance(solid.solid, TopAbs_EDGE); gap > chord)
-        model.notes.push_back({ImportNote::Kind::warning,
-                               fill(import_notes::facesApart, {"\"" + body.name + "\"", formatFixed(gap, 4)})});
-    return body;
-}
+/// Makes the bodies of a model. Instances of one part share its measures and its mesh.
+class BodyMaker {
+public:
+    BodyMaker(Model& model, const ReadRequest& request) : model_(model), request_(request) {}
+
+    Result<void> add(std::string name, const NamedSolid& solid, const ReportFraction& report) {
+        Body body;
+        body.name = std::move(name);
+        body.colour = solid.colour;
+        body.box = exactBox(solid.solid); // before meshing, so that triangles have no influence
+        SolidMesh mesh;
+        if (const Made* same = sameAs(solid.from))
+            copy(*same, solid.from, body, mesh);
+        else if (Result<void> meshed = measure(solid, report, body, mesh); !meshed)
+            return meshed;
+        noteMesh(model_, body, mesh);
+        // The gaps between the faces in the file itself: no mesh can be nearer to both sides.
+        if (const double gap = BRep_Tool::MaxTolerance(solid.solid, TopAbs_EDGE); gap > request_.meshChord)
+            model_.notes.push_back({ImportNote::Kind::warning,
+                                    fill(import_notes::facesApart, {"\"" + body.name + "\"", formatFixed(gap, 4)})});
+        model_.bodies.push_back(std::move(body));
+        return {};
+    }
+
+private:
+    /// The first body of a part.
+    struct Made {
+        PlacedPart from;
+        std::size_t body;
+        std::size_t openEdges, facesFilled;
+    };
+
+    const Made* sameAs(const PlacedPart& from) const {
+        const auto made = from.part.IsNull() ? made_.end() : made_.find(from.part.TShape().get());
+        const bool same = made != made_.end() && made->second.from.part.IsEqual(from.part);
+        return same && !from.place.IsNegative() && !made->second.from.place.IsNegative() ? &made->second : nullptr;
+    }
+
+    void copy(const Made& made, const PlacedPart& from, Body& body, SolidMesh& mesh) const {
+        const Body& first = model_.bodies[made.body];
+        body.volume = first.volume;
+        body.area = first.area;
+        body.faceCount = first.faceCount;
+        body.openEdges = mesh.openEdges = made.openEdges;
+        mesh.facesFilled = made.facesFilled;
+        body.mesh = first.mesh;
+        const gp_Trsf move = from.place * made.from.place.Inverted();
+        for (glm::dvec3& vertex : body.mesh.vertices) vertex = toVector(toPoint(vertex).Transformed(move).XYZ());
+    }
+
+    Result<void> measure(const NamedSolid& solid, const ReportFraction& report, Body& body, SolidMesh& mesh) {
+        body.volume = exactVolume(solid.solid);
+        body.area = exactArea(solid.solid);
+        body.faceCount = countFaces(solid.solid);
+        mesh = meshSolid(solid.solid, request_.meshChord, report, request_.careful);
+        if (mesh.facesWithoutTriangles > 0)
+            return Error{ErrorCode::meshIncomplete,
+                         {},
+                         std::to_string(mesh.facesWithoutTriangles) + " of " + std::to_string(body.faceCount) +
+                             " faces of \"" + body.name + "\"",
+                         {}};
+        body.mesh = std::move(mesh.mesh);
+        body.openEdges = mesh.openEdges;
+        if (!solid.from.part.IsNull())
+            made_.try_emplace(solid.from.part.TShape().get(),
+                              Made{solid.from, model_.bodies.size(), mesh.openEdges, mesh.facesFilled});
+        return {};
+    }
+
+    Model& model_;
+    const ReadRequest& request_;
+    std::map<const TopoDS_TShape*, Made> made_;
+};
 
 Result<Model> makeModel(CadFile file, const ReadRequest& request, const ReaderReports& report) {
     const double chord = request.meshChord;
@@ -78,22 +131,24 @@ Result<Model> makeModel(CadFile file, const ReadRequest& request, const ReaderRe
     Model model;
     model.format = file.format;
     model.lengthUnit = file.lengthUnit;
-    model.unitScale = file.unitScale;
+    model.statedUnit = file.unitScale;
+    model.unitScale = request.unitInstead > 0.0 ? request.unitInstead : file.unitScale;
     model.meshChord = chord;
-    model.notes = std::move(file.notes);
+    if (const auto note = unitNote(model, file.statesUnit)) model.notes.push_back(*note);
+    model.notes.insert(model.notes.end(), file.notes.begin(), file.notes.end());
     TopoDS_Compound whole;
     BRep_Builder builder;
     builder.MakeCompound(whole);
     for (const NamedSolid& solid : *solids) builder.Add(whole, solid.solid);
     model.brep = encodeShape(whole);
+    const std::vector<std::string> names = bodyNames(*solids);
+    BodyMaker maker(model, request);
     const auto count = static_cast<double>(solids->size());
     for (std::size_t i = 0; i < solids->size(); ++i) {
         const auto part = [&](double fraction) {
             report.fraction(0.5 + 0.5 * (static_cast<double>(i) + fraction) / count);
         };
-        Result<Body> body = makeBody(model, (*solids)[i], chord, request.careful, part);
-        if (!body) return std::move(body).error();
-        model.bodies.push_back(std::move(*body));
+        if (Result<void> added = maker.add(names[i], (*solids)[i], part); !added) return std::move(added).error();
     }
     return model;
 }
@@ -102,6 +157,7 @@ Result<Model> makeModel(CadFile file, const ReadRequest& request, const ReaderRe
 
 Result<Model> modelOf(Result<CadFile> file, ModelSource& source) {
     if (!file) return std::move(file).error();
+    if (source.request.unitInstead > 0.0) replaceUnit(*file, source.request.unitInstead);
     source.content = std::string(); // frees its memory, which is needed
     return makeModel(std::move(*file), source.request, source.report);
 }

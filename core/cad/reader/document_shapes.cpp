@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/document_shapes.h"
 
+#include "core/cad/body_path.h"
+#include "core/cad/import_notes.h"
+
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRep_Builder.hxx>
 #include <Quantity_Color.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -26,8 +31,15 @@ using Colour = std::optional<std::array<std::uint8_t, 3>>;
 /// The data that a label passes on to the labels below it.
 struct Inherited {
     TopLoc_Location place;
-    std::string name;
+    std::string assembly; ///< path of the assemblies around it
+    std::string name;     ///< its own; may be empty
+    std::string instance; ///< its own with its number among instances of that name
     Colour colour;
+};
+
+struct FaceColour {
+    TopoDS_Shape face;
+    std::array<std::uint8_t, 3> colour;
 };
 
 std::uint8_t channel(double value) {
@@ -40,13 +52,14 @@ Colour toColour(const Quantity_Color& colour) {
     return std::array<std::uint8_t, 3>{channel(red), channel(green), channel(blue)};
 }
 
+/// The name of a label, as an element of a path.
 std::string nameOf(const TDF_Label& label) {
     Handle(TDataStd_Name) name;
     if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
     std::string text(static_cast<std::size_t>(name->Get().LengthOfCString()), '\0');
     Standard_PCharacter start = text.data();
     name->Get().ToUTF8CString(start);
-    return text;
+    return pathElement(text);
 }
 
 /// Applies the placement to the geometry, so that meshing and measuring use only one frame.
@@ -71,20 +84,32 @@ TopoDS_Shape outsideSolids(const TopoDS_Shape& shape) {
     return any ? TopoDS_Shape(compound) : TopoDS_Shape();
 }
 
+bool hasSolid(const TopoDS_Shape& shape) {
+    return TopExp_Explorer(shape, TopAbs_SOLID).More();
+}
+
 class DocumentReader {
 public:
     explicit DocumentReader(const Handle(TDocStd_Document) & document)
         : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main()))
         , colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())) {}
 
-    std::vector<NamedShape> read() {
-        TDF_LabelSequence roots;
-        shapes_->GetFreeShapes(roots);
-        for (const TDF_Label& root : roots) visit(root, {{}, nameOf(root), colourOf(root)});
+    DocumentShapes read() {
+        TDF_LabelSequence labels;
+        shapes_->GetFreeShapes(labels);
+        std::vector<Entry> roots;
+        for (const TDF_Label& label : labels) roots.push_back({label, {{}, {}, nameOf(label), {}, colourOf(label)}});
+        numberEntries(roots);
+        for (const Entry& root : roots) visit(root, true);
         return std::move(found_);
     }
 
 private:
+    struct Entry {
+        TDF_Label label;
+        Inherited data;
+    };
+
     Colour colourOf(const TDF_Label& label) const {
         Quantity_Color colour;
         if (colours_->GetColor(label, XCAFDoc_ColorSurf, colour) || colours_->GetColor(label, XCAFDoc_ColorGen, colour))
@@ -92,74 +117,121 @@ private:
         return std::nullopt;
     }
 
-    /// Returns the most frequent colour of a solid's faces.
-    Colour colourOfFaces(const TDF_Label& part, const TopoDS_Shape& solid) const {
-        std::map<std::array<std::uint8_t, 3>, int> counts;
-        for (TopExp_Explorer faces(solid, TopAbs_FACE); faces.More(); faces.Next()) {
-            TDF_Label label;
-            if (!shapes_->FindSubShape(part, faces.Current(), label)) continue;
-            if (const Colour colour = colourOf(label)) ++counts[*colour];
-        }
-        const auto most = std::max_element(counts.begin(), counts.end(),
-                                           [](const auto& a, const auto& b) { return a.second < b.second; });
-        return most == counts.end() ? Colour() : Colour(most->first);
+    /// Only what has a solid is numbered: loose faces of one name may become one solid of that name.
+    static void numberEntries(std::vector<Entry>& entries) {
+        std::vector<std::string> names;
+        for (const Entry& entry : entries)
+            names.push_back(hasSolid(XCAFDoc_ShapeTool::GetShape(entry.label)) ? entry.data.name : std::string());
+        numberInstances(names);
+        for (std::size_t i = 0; i < entries.size(); ++i)
+            entries[i].data.instance = names[i].empty() ? entries[i].data.name : names[i];
     }
 
-    void visit(const TDF_Label& label, const Inherited& from) {
-        if (!XCAFDoc_ShapeTool::IsAssembly(label)) return visitPart(label, from);
+    void visit(const Entry& entry, bool root) {
+        if (XCAFDoc_ShapeTool::IsAssembly(entry.label))
+            visitAssembly(entry, root);
+        else
+            visitPart(entry, root);
+    }
+
+    void visitAssembly(const Entry& entry, bool root) {
+        const Inherited& from = entry.data;
+        std::string path = from.assembly;
+        if (!from.instance.empty())
+            path = bodyPath(from.assembly, from.instance);
+        else if (!root) // nothing stands beside most roots, so a name that the file doesn't have would tell nothing
+            path = bodyPath(from.assembly,
+                            import_notes::fill(import_notes::unnamedAssembly, {std::to_string(++unnamed_)}));
         TDF_LabelSequence components;
-        XCAFDoc_ShapeTool::GetComponents(label, components);
+        XCAFDoc_ShapeTool::GetComponents(entry.label, components);
+        std::vector<Entry> below;
         for (const TDF_Label& component : components) {
             TDF_Label part;
             if (!XCAFDoc_ShapeTool::GetReferredShape(component, part)) continue;
-            Inherited below = from;
-            below.place = from.place * XCAFDoc_ShapeTool::GetLocation(component);
-            below.name = nameOf(part).empty() ? nameOf(component) : nameOf(part);
+            const std::string name = nameOf(part).empty() ? nameOf(component) : nameOf(part);
+            Inherited data{from.place * XCAFDoc_ShapeTool::GetLocation(component), path, name, {}, from.colour};
             // The colour of the outermost coloured placement overrides those below it, like STEP's overriding styles.
-            if (const Colour colour = colourOf(component); colour && !from.colour) below.colour = colour;
-            visit(part, below);
+            if (const Colour colour = colourOf(component); colour && !from.colour) data.colour = colour;
+            below.push_back({part, std::move(data)});
         }
+        numberEntries(below);
+        for (const Entry& next : below) visit(next, false);
     }
 
-    void visitPart(const TDF_Label& part, const Inherited& from) {
-        const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(part);
+    /// A part of several solids is to its bodies what an assembly is, unless it is all of the file.
+    void visitPart(const Entry& entry, bool root) {
+        const Inherited& from = entry.data;
+        const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(entry.label);
+        const std::vector<FaceColour> faces = coloursOfFaces(entry.label);
         std::size_t count = 0;
         for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next()) ++count;
+        const bool several = count > 1 && !root && !from.instance.empty();
         std::size_t number = 0;
         for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next()) {
-            NamedShape entry = describe(part, solids.Current(), from);
-            if (entry.name.empty() && !from.name.empty())
-                entry.name = count > 1 ? from.name + " " + std::to_string(++number) : from.name;
-            entry.shape = placed(solids.Current().Moved(from.place));
-            found_.push_back(std::move(entry));
+            const std::string own = nameOfSolid(entry.label, solids.Current());
+            const TopoDS_Shape moved = solids.Current().Moved(from.place);
+            NamedShape solid{placed(moved), own, {}, from.assembly};
+            solid.from = {moved.Located(TopLoc_Location()), moved.Location().Transformation()};
+            ++number;
+            if (several) solid.assembly = bodyPath(from.assembly, from.instance);
+            if (count == 1 && !from.instance.empty() && (own.empty() || !root)) solid.name = from.instance;
+            if (count > 1 && own.empty() && !from.name.empty()) solid.name = from.name + " " + std::to_string(number);
+            solid.colour = colourOfSolid(entry, solids.Current(), faces);
+            found_.shapes.push_back(std::move(solid));
         }
         const TopoDS_Shape loose = outsideSolids(shape);
         if (!loose.IsNull())
-            found_.push_back({placed(loose.Moved(from.place)), from.name, describe(part, loose, from).colour});
+            found_.shapes.push_back(
+                {placed(loose.Moved(from.place)), from.name, colourOfSolid(entry, loose, faces), from.assembly});
     }
 
-    /// Own name and colour of a solid of a part.
-    NamedShape describe(const TDF_Label& part, const TopoDS_Shape& solid, const Inherited& from) const {
-        NamedShape entry;
-        entry.colour = from.colour;
+    std::string nameOfSolid(const TDF_Label& part, const TopoDS_Shape& solid) const {
         TDF_Label label;
-        if (shapes_->FindSubShape(part, solid, label)) {
-            entry.name = nameOf(label);
-            if (!entry.colour) entry.colour = colourOf(label);
+        return shapes_->FindSubShape(part, solid, label) ? nameOf(label) : std::string();
+    }
+
+    std::vector<FaceColour> coloursOfFaces(const TDF_Label& part) const {
+        TDF_LabelSequence labels;
+        XCAFDoc_ShapeTool::GetSubShapes(part, labels);
+        std::vector<FaceColour> faces;
+        for (const TDF_Label& label : labels) {
+            const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+            if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE) continue;
+            if (const Colour colour = colourOf(label)) faces.push_back({shape, *colour});
         }
-        if (!entry.colour) entry.colour = colourOf(part);
-        if (!entry.colour) entry.colour = colourOfFaces(part, solid);
-        return entry;
+        return faces;
+    }
+
+    /// The colour that a solid inherits, its own, that of its part, or the most frequent one of its faces, in this
+    /// order. Counts the faces of another colour.
+    Colour colourOfSolid(const Entry& entry, const TopoDS_Shape& solid, const std::vector<FaceColour>& faces) {
+        Colour colour = entry.data.colour;
+        TDF_Label label;
+        if (!colour && shapes_->FindSubShape(entry.label, solid, label)) colour = colourOf(label);
+        if (!colour) colour = colourOf(entry.label);
+        if (faces.empty()) return colour;
+        TopTools_IndexedMapOfShape own;
+        TopExp::MapShapes(solid, TopAbs_FACE, own);
+        std::map<std::array<std::uint8_t, 3>, std::size_t> counts;
+        for (const FaceColour& face : faces)
+            if (own.Contains(face.face)) ++counts[face.colour];
+        const auto most = std::max_element(counts.begin(), counts.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        if (!colour && most != counts.end()) colour = most->first;
+        for (const auto& [other, count] : counts)
+            if (other != colour) found_.faceColours += count;
+        return colour;
     }
 
     Handle(XCAFDoc_ShapeTool) shapes_;
     Handle(XCAFDoc_ColorTool) colours_;
-    std::vector<NamedShape> found_;
+    DocumentShapes found_;
+    std::size_t unnamed_ = 0; ///< assemblies without a name so far
 };
 
 } // namespace
 
-std::vector<NamedShape> documentShapes(const Handle(TDocStd_Document) & document) {
+DocumentShapes documentShapes(const Handle(TDocStd_Document) & document) {
     return DocumentReader(document).read();
 }
 

@@ -8,6 +8,7 @@
 #include "core/cad/reader/ply_head.h"
 #include "core/cad/reader/scene_file.h"
 #include "core/cad/reader/text_lines.h"
+#include "core/cad/reader/unit_note.h"
 
 #include <pugixml.hpp>
 
@@ -48,16 +49,14 @@ constexpr std::array units{Unit{"micron", "micron", 1e-3}, Unit{"micrometer", "m
                            Unit{"inch", "inch", 25.4},     Unit{"foot", "foot", 304.8},
                            Unit{"feet", "foot", 304.8},    Unit{"meter", "m", 1000.0}};
 
-/// Sets the unit that the file states, or the default of the format if it states none.
-Result<void> takeUnit(Model& model, const std::string& name) {
+/// Sets the unit that the file states, or the default of the format if it states none, unless the request has another.
+Result<void> takeUnit(Model& model, const std::string& name, const ReadRequest& request) {
     for (const Unit& unit : units) {
         if (unit.name != (name.empty() ? "millimeter" : name)) continue;
         model.lengthUnit = unit.shown;
-        model.unitScale = unit.millimetres;
-        if (unit.millimetres != 1.0)
-            addNote(model, ImportNote::Kind::unit,
-                    import_notes::fill(import_notes::unitConverted,
-                                       {model.lengthUnit, model.lengthUnit, formatShortest(unit.millimetres)}));
+        model.statedUnit = unit.millimetres;
+        model.unitScale = request.unitInstead > 0.0 ? request.unitInstead : unit.millimetres;
+        if (const auto note = unitNote(model, true)) model.notes.push_back(*note);
         return {};
     }
     return Error{ErrorCode::fileDamaged, {}, "unit \"" + name + "\"", {}};
@@ -92,7 +91,8 @@ Result<Model> readFormat(ThreeMfFormat, ModelSource& source) {
     const pugi::xml_node root = document.child("model");
     Model model;
     model.format = "3MF";
-    if (Result<void> taken = takeUnit(model, root.attribute("unit").value()); !taken) return std::move(taken).error();
+    if (Result<void> taken = takeUnit(model, root.attribute("unit").value(), source.request); !taken)
+        return std::move(taken).error();
     Result<std::vector<MeshSolid>> solids = readScene(source.content, "3mf");
     if (!solids) return std::move(solids).error();
     nameObjects(root, *solids);
@@ -117,7 +117,7 @@ Result<Model> readFormat(AmfFormat, ModelSource& source) {
     if (Result<void> parsed = parse(content, document); !parsed) return std::move(parsed).error();
     Model model;
     model.format = "AMF";
-    if (Result<void> taken = takeUnit(model, document.child("amf").attribute("unit").value()); !taken)
+    if (Result<void> taken = takeUnit(model, document.child("amf").attribute("unit").value(), source.request); !taken)
         return std::move(taken).error();
     return withScene(std::move(model), content, "amf");
 }

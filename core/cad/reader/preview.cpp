@@ -86,10 +86,11 @@ std::optional<ModelPreview> previewOf(std::span<const NamedSolid> solids, double
         return std::nullopt;
     const Handle(TimeLimit) limit = new TimeLimit;
     ModelPreview preview;
+    const std::vector<std::string> names = bodyNames(solids);
     for (const NamedSolid& solid : solids) {
         PreviewMesh mesh = meshCoarsely(solid.solid, coarse, limit);
         if (limit->over()) return std::nullopt;
-        preview.bodies.push_back({bodyName(solid, preview.bodies.size() + 1), solid.colour, std::move(mesh)});
+        preview.bodies.push_back({names[preview.bodies.size()], solid.colour, std::move(mesh)});
     }
     return preview;
 } catch (const Standard_Failure&) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/cad/reader/solids.h"
 
+#include "core/cad/body_path.h"
 #include "core/cad/import_notes.h"
 
 #include <BRepBuilderAPI_MakeSolid.hxx>
@@ -40,8 +41,9 @@ std::string counted(int number, TextId one, TextId several) {
     return number == 1 ? one.text : fill(several, {std::to_string(number)});
 }
 
-std::string quoted(const std::string& name, std::size_t number) {
-    return name.empty() ? fill(import_notes::unnamedSolid, {std::to_string(number)}) : "\"" + name + "\"";
+std::string quoted(const NamedShape& entry, std::size_t number) {
+    return entry.name.empty() ? fill(import_notes::unnamedSolid, {std::to_string(number)})
+                              : "\"" + bodyPath(entry.assembly, entry.name) + "\"";
 }
 
 void note(CadFile& file, ImportNote::Kind kind, std::string text) {
@@ -66,7 +68,7 @@ std::vector<TopoDS_Solid> sewn(std::span<const NamedShape> loose, int& openEdges
 
 /// Repairs one solid if needed, and orients it so that its material is inside.
 void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& solids) {
-    const std::string title = quoted(from.name, solids.size() + 1);
+    const std::string title = quoted(from, solids.size() + 1);
     TopoDS_Shape shape = from.shape;
     if (!BRepCheck_Analyzer(shape).IsValid()) {
         shape = healed(shape);
@@ -75,6 +77,7 @@ void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& s
         else
             note(file, ImportNote::Kind::warning, fill(import_notes::notRepaired, {title}));
     }
+    const PlacedPart part = count(shape, TopAbs_SOLID) == 1 ? from.from : PlacedPart();
     for (TopExp_Explorer parts(shape, TopAbs_SOLID); parts.More(); parts.Next()) {
         TopoDS_Solid solid = TopoDS::Solid(parts.Current());
         if (count(solid, TopAbs_FACE) == 0) {
@@ -86,7 +89,7 @@ void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& s
             note(file, ImportNote::Kind::warning, fill(import_notes::solidOpen, {title}));
         else if (solid.Orientation() != before)
             note(file, ImportNote::Kind::healing, fill(import_notes::insideOut, {title}));
-        solids.push_back({solid, from.name, from.colour});
+        solids.push_back({solid, from.name, from.colour, from.assembly, part});
     }
 }
 
@@ -96,14 +99,15 @@ int countFaces(std::span<const NamedShape> entries) {
     return faces;
 }
 
-/// Adds the solids that several entries of loose faces form together; returns false if there are none. Names or colours
-/// of the entries are used for the solid only if all are the same.
+/// Adds the solids that several entries of loose faces form together; returns false if there are none. Names,
+/// assemblies or colours of the entries are used for the solid only if all are the same.
 bool addSewn(CadFile& file, std::span<const NamedShape> loose, std::vector<NamedSolid>& solids, int& openEdges) {
     const std::vector<TopoDS_Solid> closed = sewn(loose, openEdges);
     NamedShape entry = loose.front();
     for (const NamedShape& other : loose) {
         if (other.name != entry.name) entry.name.clear();
         if (other.colour != entry.colour) entry.colour.reset();
+        if (other.assembly != entry.assembly) entry.assembly.clear();
     }
     int left = countFaces(loose);
     for (const TopoDS_Solid& solid : closed) {
@@ -131,8 +135,14 @@ std::string contents(const CadFile& file, int openEdges) {
 
 } // namespace
 
-std::string bodyName(const NamedSolid& solid, std::size_t number) {
-    return solid.name.empty() ? fill(import_notes::unnamedBody, {std::to_string(number)}) : solid.name;
+std::vector<std::string> bodyNames(std::span<const NamedSolid> solids) {
+    std::vector<std::string> names;
+    for (const NamedSolid& solid : solids)
+        names.push_back(bodyPath(
+            solid.assembly,
+            solid.name.empty() ? fill(import_notes::unnamedBody, {std::to_string(names.size() + 1)}) : solid.name));
+    numberInstances(names);
+    return names;
 }
 
 TopoDS_Shape healed(const TopoDS_Shape& shape) {

@@ -6,6 +6,8 @@
 
 #include <TopoDS_Solid.hxx>
 
+#include <span>
+
 namespace burin {
 
 /// A closed solid, material inside.
@@ -13,10 +15,13 @@ struct NamedSolid {
     TopoDS_Solid solid;
     std::string name;
     std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB
+    std::string assembly{};                            ///< as NamedShape::assembly
+    PlacedPart from{};
 };
 
-/// Returns the name of the solid's body: that in the file, or one with its number (from 1) if the file has none.
-std::string bodyName(const NamedSolid& solid, std::size_t number);
+/// Returns the names of the solids' bodies, each of them unique: the path of the assembly, and the name in the file, or
+/// one with its number (from 1) if the file has none.
+std::vector<std::string> bodyNames(std::span<const NamedSolid> solids);
 
 /// Returns the solids of a file: unchanged if they are valid, healed if not, sewn from loose faces if there is no
 /// solid. Changes are added to `file.notes`. Error, with an empty subject: modelHasNoSolid (detail:

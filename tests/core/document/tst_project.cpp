@@ -220,6 +220,32 @@ private slots:
         QVERIFY(again && again->model()->brepPlacement == mirrored->brepPlacement);
     }
 
+    /// The unit that the file states is stored together with the one that is used, and colours without the model.
+    void unitsAndColoursComeBack() {
+        const QTemporaryDir folder;
+        Result<Project> project = Project::create(fileIn(folder));
+        Model model = fixture::model();
+        model.lengthUnit = "inch";
+        model.statedUnit = 25.4;
+        for (const double used : {25.4, 1.0, 1.0 / 3.0}) {
+            model.unitScale = used;
+            QVERIFY(project->setModel(model));
+            const Result<Model> stored = project->model();
+            QVERIFY(stored && stored->lengthUnit == "inch");
+            QCOMPARE(stored->statedUnit, 25.4);
+            QCOMPARE(stored->unitScale, used);
+        }
+        model.lengthUnit = "none";
+        model.statedUnit = 0.0;
+        QVERIFY(project->setModel(model) && project->model()->lengthUnit == "none");
+        QCOMPARE(project->model()->statedUnit, 0.0);
+        std::vector<BodyColour> colours(model.bodies.size(), BodyColour({1, 2, 255}));
+        colours.back().reset();
+        QVERIFY(project->setBodyColours(colours) && project->save());
+        const Result<Project> again = Project::openForReading(fileIn(folder));
+        for (std::size_t i = 0; i < colours.size(); ++i) QVERIFY(again->model()->bodies[i].colour == colours[i]);
+    }
+
     /// A loop that misses ticks has fewer samples than periods, in one chunk or in several.
     void howLongATakeIsComesFromItsTimes() {
         const QTemporaryDir folder;

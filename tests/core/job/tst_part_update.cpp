@@ -95,6 +95,65 @@ private slots:
         QVERIFY(fixture::identical(stored.setup(), before));
     }
 
+    /// By the path; below a root that was renamed; by the name alone, as in projects from before there were paths.
+    void bodiesOfAssembliesGoByTheirPaths() {
+        const auto bolt = [](const char* path, double x) { return bodyOf(path, {x, 0, 0}, {x + 5, 5, 5}); };
+        const auto rolesAfter = [&](const std::vector<Body>& before, const std::vector<BodyRole>& roles,
+                                    const std::vector<Body>& now, PartUpdate& update) {
+            Stored stored;
+            Setup setup = stored.setup();
+            setup.roles = roles;
+            setup.bodyMaterials.clear();
+            if (!stored.project.setModel(modelOf(before)) || !stored.project.setSetup(setup))
+                return std::vector<BodyRole>();
+            Result<PartUpdate> done = updatePart(stored.project, modelOf(now));
+            if (!done) return std::vector<BodyRole>();
+            update = std::move(*done);
+            return stored.setup().roles;
+        };
+        const std::vector<BodyRole> roles{BodyRole::part, BodyRole::fixture, BodyRole::ignored};
+        const std::vector<BodyRole> turned{BodyRole::ignored, BodyRole::part, BodyRole::fixture};
+        PartUpdate update;
+        QCOMPARE(rolesAfter({bolt("V/A/Bolt", 0), bolt("V/B/Bolt:1", 9), bolt("V/B/Bolt:2", 18)}, roles,
+                            {bolt("V/B/Bolt:2", 18), bolt("V/A/Bolt", 0), bolt("V/B/Bolt:1", 9)}, update),
+                 turned);
+        QVERIFY(update.nothing());
+        QCOMPARE(rolesAfter({bolt("V v1/A/Bolt", 0), bolt("V v1/B/Bolt:1", 9), bolt("V v1/B/Bolt:2", 18)}, roles,
+                            {bolt("V v2/B/Bolt:2", 18), bolt("V v2/A/Bolt", 0), bolt("V v2/B/Bolt:1", 9)}, update),
+                 turned);
+        QVERIFY(update.nothing());
+        QCOMPARE(rolesAfter({bolt("Bolt", 0), bolt("Bolt", 9), bolt("Nut", 18)}, roles,
+                            {bolt("V/Nut", 18), bolt("V/Bolt:1", 0), bolt("V/Bolt:2", 9)}, update),
+                 turned);
+        QVERIFY(update.nothing());
+    }
+
+    /// The part is mirrored about x = 20 mm. Read in cm, it is ten times as large, and mirrored about x = 200 mm.
+    void anotherUnitScalesWhatWasMirrored() {
+        Stored stored;
+        Model before = plateAndClamp(),
+              now =
+                  modelOf({bodyOf("plate", {0, 0, 0}, {400, 300, 100}), bodyOf("clamp", {500, 0, 0}, {600, 300, 100})});
+        before.statedUnit = now.statedUnit = 1.0;
+        now.unitScale = 10.0;
+        const Placement mirror = mirroredAcross(0, glm::dvec3(20.0, 0.0, 0.0));
+        QVERIFY(stored.project.setModel(*placed(std::make_shared<const Model>(before), mirror)).hasValue());
+        QVERIFY(updatePart(stored.project, now).hasValue());
+        const Box plate = stored.project.model().value().bodies[0].box; // x becomes 400 - x
+        QVERIFY(glm::distance(plate.low, glm::dvec3(0.0)) < 1e-9);
+        QVERIFY(glm::distance(plate.high, glm::dvec3(400.0, 300.0, 100.0)) < 1e-9);
+    }
+
+    void aColourIsKeptUntilTheFileHasOne() {
+        Stored stored;
+        QVERIFY(stored.project.setBodyColours({BodyColour({9, 8, 7}), BodyColour({1, 2, 3})}).hasValue());
+        Model now = plateAndClamp();
+        now.bodies[0].colour = {{250, 0, 0}};
+        QVERIFY(updatePart(stored.project, now).hasValue());
+        const Model model = stored.project.model().value();
+        QVERIFY(model.bodies[0].colour == BodyColour({250, 0, 0}) && model.bodies[1].colour == BodyColour({1, 2, 3}));
+    }
+
     void oneBodyInThePlaceOfOneMayHaveAnotherName() {
         Stored stored;
         QVERIFY(updatePart(stored.project, modelOf({bodyOf("plate", {0, 0, 0}, {40, 30, 10})})).hasValue());
