@@ -12,6 +12,7 @@ nlohmann::json jsonOf(const std::vector<UprightHole>& holes) {
     nlohmann::json list = nlohmann::json::array();
     for (const UprightHole& hole : holes)
         list.push_back({{"centre_mm", {hole.centre.x, hole.centre.y}},
+                        {"number", list.size() + 1},
                         {"diameter_mm", 2.0 * hole.radius},
                         {"top_mm", hole.top},
                         {"bottom_mm", hole.bottom}});

@@ -107,16 +107,6 @@ Result<void> addPainted(const PassArguments& arguments, const Project& project, 
     return {};
 }
 
-Result<void> addHoles(const PassArguments& arguments, PassRequest& request) {
-    for (const std::string& text : arguments.holes) {
-        const std::optional<glm::dvec3> place = vectorOf(text + ",0");
-        if (!place)
-            return Error{ErrorCode::argumentInvalid, "--hole", text, worded(BURIN_TEXT("Command", "X,Y in mm"))};
-        request.places.emplace_back(*place);
-    }
-    return {};
-}
-
 Result<void> addLines(const PassArguments& arguments, const Project& project, CommandContext& context,
                       PassRequest& request) {
     const auto add = [&request](std::vector<PassLine>& lines) {
@@ -143,7 +133,7 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
             .option("--pass", arguments.kind,
                     BURIN_TEXT("Help", "Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, "
                                        "spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil "
-                                       "(concave edges), rest (what is left), engrave, drill"))
+                                       "(concave edges), rest (what is left), engrave, drill, thread"))
             .choices(passIds());
     const auto withPass = [&](const Argument& argument) { return argument.needs(pass); };
     withPass(command.option("--tool", arguments.tool,
@@ -175,15 +165,11 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
     withPass(command.option(
         "--bottom", request.bottom,
         BURIN_TEXT("Help", "Lowest height of the tip, mm (default: the lowest point of the part; for face its top)")));
-    withPass(command.option("--depth", request.depth,
-                            BURIN_TEXT("Help",
-                                       "engrave: depth below the top, mm; drill: the same (default: to the bottom of "
-                                       "the part's hole)")));
-    withPass(command
-                 .option("--hole", arguments.holes,
-                         BURIN_TEXT("Help", "drill: a place X,Y, mm; can be given several times (default: every "
-                                            "upright hole of the part that fits the drill)"))
-                 .oneAtATime());
+    withPass(command.option(
+        "--depth", request.depth,
+        BURIN_TEXT("Help", "engrave, drill: depth below the top of the stock, mm; thread: below the top of its "
+                           "hole (default of drill and thread: to the bottom of the part's hole)")));
+    addHoleOptions(command, pass, arguments.holes, request);
     withPass(command.option("--tabs", request.tabs,
                             BURIN_TEXT("Help", "profile: number of holding tabs left on each outline")));
     withPass(command.option("--tab-width", request.tabWidth, BURIN_TEXT("Help", "Width of a holding tab, mm")));
@@ -245,7 +231,7 @@ Result<PassRequest> requestOf(const PassArguments& arguments, const Project& pro
     if (Result<void> added = addArea(arguments, context, request); !added) return std::move(added).error();
     if (Result<void> added = addPainted(arguments, project, part, context, request); !added)
         return std::move(added).error();
-    if (Result<void> added = addHoles(arguments, request); !added) return std::move(added).error();
+    if (Result<void> added = addHoles(arguments.holes, part, request); !added) return std::move(added).error();
     if (Result<void> added = addLines(arguments, project, context, request); !added) return std::move(added).error();
     if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
     return request;

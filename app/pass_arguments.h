@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/command.h"
+#include "app/hole_arguments.h"
 #include "core/cad/model.h"
 #include "core/document/project.h"
 #include "core/passes/pass_request.h"
@@ -17,8 +18,8 @@ namespace burin {
 struct PassArguments {
     std::string kind, tool, area, lines, move, unit;
     std::vector<std::int64_t> leads, paint;
-    std::vector<std::string> faces;      ///< points on the part
-    std::vector<std::string> holes;      ///< points in plan
+    std::vector<std::string> faces; ///< points on the part
+    HoleArguments holes;
     double brush = 10.0;                 ///< mm, diameter
     std::optional<std::int64_t> instead; ///< id of the pass that it replaces
     bool preview = false;                ///< nothing is saved
@@ -32,7 +33,7 @@ struct PassArguments {
 Argument addPass(CommandParser command, PassArguments& arguments);
 
 /// The request described by the arguments. @param part in the setup frame
-/// Errors: those of readDrawing, linesOfTake, faceArea and validate; argumentInvalid.
+/// Errors: those of readDrawing, linesOfTake, faceArea, addHoles and validate; argumentInvalid.
 Result<PassRequest> requestOf(const PassArguments& arguments, const Project& project, const Model& part,
                               CommandContext& context);
 

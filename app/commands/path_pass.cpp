@@ -15,9 +15,25 @@ namespace burin {
 
 namespace {
 
+std::string textOfUnreached(std::size_t holes, bool threads) {
+    if (threads)
+        return worded(holes,
+                      BURIN_TEXT("Command", "%1 hole is left without a thread: it is not drilled deep enough, or the "
+                                            "part is in the way. Drill it first."),
+                      BURIN_TEXT("Command", "%1 holes are left without a thread: they are not drilled deep enough, or "
+                                            "the part is in the way. Drill them first."),
+                      {});
+    return worded(holes,
+                  BURIN_TEXT("Command", "%1 hole is not drilled to full depth: the part is in the way, or "
+                                        "the drill is too short."),
+                  BURIN_TEXT("Command", "%1 holes are not drilled to full depth: the part is in the way, "
+                                        "or the drill is too short."),
+                  {});
+}
+
 /// What was left out and why; lines to append to others, empty if nothing was. @param pass computed or a preview
 template <class Pass>
-std::string textOfOmissions(const Pass& pass) {
+std::string textOfOmissions(const Pass& pass, bool threads) {
     std::string text;
     const auto add = [&text](double length, TextId why) {
         if (length > 0.0) text += "\n" + worded(why, {formatFixed(length, 1)});
@@ -25,13 +41,7 @@ std::string textOfOmissions(const Pass& pass) {
     add(pass.leftOut, BURIN_TEXT("Command", "%1 mm were skipped: too much stock is in the way of the tool. Rough it "
                                             "first, or use a longer tool."));
     add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were skipped: fixtures or keep-out volumes are in the way."));
-    if (pass.unreachedHoles > 0)
-        text += "\n" + worded(pass.unreachedHoles,
-                              BURIN_TEXT("Command", "%1 hole is not drilled to full depth: the part is in the way, or "
-                                                    "the drill is too short."),
-                              BURIN_TEXT("Command", "%1 holes are not drilled to full depth: the part is in the way, "
-                                                    "or the drill is too short."),
-                              {});
+    if (pass.unreachedHoles > 0) text += "\n" + textOfUnreached(pass.unreachedHoles, threads);
     return text;
 }
 
@@ -77,7 +87,7 @@ struct KeptPass {
         return "\n" +
                worded(BURIN_TEXT("Command", "%1 mm in %2 strokes"),
                       {formatFixed(pass.length, 1), std::to_string(pass.moves.strokes.size())}) +
-               textOfOmissions(pass);
+               textOfOmissions(pass, millsThreads(pass.moves.info));
     }
 };
 
@@ -94,7 +104,7 @@ Result<KeptPass> keepPass(Project& project, const MillingContext& milling, Store
     if (!source) return source.error();
     if (const Result<void> kept = project.setTool(milling.tool); !kept) return kept.error();
     const bool isNew = path.sources.empty();
-    path = withPass(std::move(path), pass->moves.info.name, *source, instead);
+    path = withPass(std::move(path), pass->moves.info, *source, instead);
     const Result<std::int64_t> id = isNew ? project.addPath(path) : Result<std::int64_t>(path.id);
     if (!id) return id.error();
     path.id = *id;
@@ -120,7 +130,7 @@ int tellPreview(const Project& project, const MillingContext& milling, const Sto
                     {"planned_share", 1.0 / preview->every}},
                    worded(BURIN_TEXT("Command", "about %1 mm in %2 s at the feed of tool and material, without links"),
                           {formatFixed(preview->length, 0), formatFixed(preview->duration, 0)}) +
-                       textOfOmissions(*preview));
+                       textOfOmissions(*preview, request.kind == PassKind::thread));
     return 0;
 }
 

@@ -165,4 +165,12 @@ std::vector<UprightHole> uprightHoles(std::span<const Triangle> triangles) {
     return holes;
 }
 
+const UprightHole* holeAround(std::span<const UprightHole> holes, const glm::dvec2& place) noexcept {
+    const UprightHole* around = nullptr;
+    for (const UprightHole& hole : holes)
+        if (glm::distance(hole.centre, place) < hole.radius && (!around || hole.radius < around->radius))
+            around = &hole;
+    return around;
+}
+
 } // namespace burin

@@ -23,4 +23,7 @@ struct UprightHole {
 /// 40°, so that a hexagon does not count. Sorted by x, then y. Any thread. Cost: grows with all triangles.
 std::vector<UprightHole> uprightHoles(std::span<const Triangle> triangles);
 
+/// The narrowest hole around a point in plan: of a counterbore, the hole in it. Null: there is none.
+const UprightHole* holeAround(std::span<const UprightHole> holes, const glm::dvec2& place) noexcept;
+
 } // namespace burin

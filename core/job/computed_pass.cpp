@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/computed_pass.h"
 
+#include "core/base/numbers.h"
 #include "core/job/cut_depth.h"
 #include "core/job/job_paths.h"
 #include "core/passes/plan_pass.h"
@@ -19,15 +20,32 @@ namespace {
 constexpr std::int64_t yetToCome = std::numeric_limits<std::int64_t>::min();
 
 /// Returns why a pass has nothing to do, worded as an error's detail.
-const char* whyEmpty(const PlannedPass& planned, const PassRequest& request) {
+std::string whyEmpty(const PlannedPass& planned, const PassRequest& request) {
     if (planned.inTheWay > 0.0) return "fixtures or keep-out volumes are in the way: move them";
     if (planned.leftOut > 0.0) return "too much stock is in the way of the tool: rough it first, or use a longer tool";
     if (request.kind == PassKind::pencil && !request.restOnly)
         return "the part has no concave edge for this tool there";
+    if (planned.unreachedHoles > 0 && request.kind == PassKind::thread)
+        return "the holes are not drilled as deep as the thread: drill them first, with the full diameter down to Z " +
+               formatFixed(planned.neededDrilling, 3) + " mm";
+    if (request.kind == PassKind::thread) return "the part has no upright hole of the thread's major diameter there";
     if (planned.unreachedHoles > 0) return "the part is in the way of the drill, or the drill is too short";
     if (request.kind == PassKind::drill && request.places.empty())
         return "the part has no upright hole there that fits this drill and is not drilled yet";
     return "no stock is left there";
+}
+
+/// Moves whose planner shares out the cutting feed get feeds and speed of tool and material.
+void stateFeeds(const PlannedPass& planned, const CuttingConditions& conditions, GeneratedMoves& moves) {
+    if (planned.feedShares.empty()) return;
+    for (std::size_t s = 0; s < moves.strokes.size(); ++s)
+        for (std::size_t i = 0; i < moves.strokes[s].size(); ++i) {
+            GeneratedPoint& point = moves.strokes[s][i];
+            const double share = planned.feedShares[s][i];
+            const bool down = i > 0 && point.pose.tip.z < moves.strokes[s][i - 1].pose.tip.z;
+            point.feed = share > 0.0 ? share * conditions.feed : down ? conditions.plungeFeed : conditions.feed;
+            point.spindleSpeed = conditions.spindleSpeed;
+        }
 }
 
 } // namespace
@@ -95,20 +113,33 @@ Result<ComputedPass> computePass(const MillingContext& milling, std::vector<Path
     info.toolId = milling.tool.id;
     info.allowance = request.allowance;
     info.request = toJson(request);
-    return ComputedPass{movesOf(*planned, std::move(info)), lengthOf(*planned), planned->leftOut, planned->inTheWay,
+    GeneratedMoves moves = movesOf(*planned, std::move(info));
+    stateFeeds(*planned, milling.conditions, moves);
+    return ComputedPass{std::move(moves), lengthOf(*planned), planned->leftOut, planned->inTheWay,
                         planned->unreachedHoles};
 }
 
-StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source,
+bool millsThreads(const GeneratedInfo& pass) {
+    const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
+    return request && request->kind == PassKind::thread;
+}
+
+StoredPath withPass(StoredPath path, const GeneratedInfo& pass, std::int64_t source,
                     std::optional<std::int64_t> instead) {
+    constexpr double arcTolerance = 0.002; // mm: arcs of threads stay as near to their helix
+    const bool isNew = path.sources.empty() && !instead;
+    if (isNew) path.edits = computedEdits();
+    if (millsThreads(pass))
+        for (Edit& edit : path.edits) {
+            if (auto* feeds = std::get_if<SetFeed>(&edit.parameters)) feeds->feeds = SetFeed::Feeds::program;
+            if (auto* arcs = std::get_if<FitArcs>(&edit.parameters); arcs != nullptr && isNew)
+                arcs->tolerance = arcTolerance;
+        }
     if (instead) {
         std::ranges::replace(path.sources, PathSource{*instead}, PathSource{source});
         return path;
     }
-    if (path.sources.empty()) {
-        if (path.name.empty()) path.name = passName;
-        path.edits = computedEdits();
-    }
+    if (isNew && path.name.empty()) path.name = pass.name;
     path.sources.push_back({source});
     return path;
 }

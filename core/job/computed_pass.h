@@ -52,10 +52,15 @@ Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling
 Result<ComputedPass> computePass(const MillingContext& milling, std::vector<PathMatter> before,
                                  const PassRequest& request, Progress& progress);
 
+/// Whether a stored pass mills threads: it states the feeds of its moves, and the circle that it follows lies outside
+/// of the facets of its holes.
+bool millsThreads(const GeneratedInfo& pass);
+
 /// Returns the path with a pass added as its last source; a path without sources also gets the edits of computed paths.
-/// @param path with or without sources @param source id of the pass in the project
+/// For a pass that states the feeds of its moves (threads), the path's edits use these.
+/// @param path with or without sources @param pass its name and request @param source id of the pass in the project
 /// @param instead the pass of the path that it replaces
-StoredPath withPass(StoredPath path, const std::string& passName, std::int64_t source,
+StoredPath withPass(StoredPath path, const GeneratedInfo& pass, std::int64_t source,
                     std::optional<std::int64_t> instead = std::nullopt);
 
 /// Returns the path's sources, takes and passes, with one of them moved to another position. Sources are milled in this

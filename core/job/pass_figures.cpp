@@ -66,7 +66,7 @@ Result<std::map<std::int64_t, PassRequest>> requestsOf(const Project& project) {
 }
 
 bool comesToThePart(PassKind kind) noexcept {
-    return kind != PassKind::drill && kind != PassKind::engrave;
+    return !isInHoles(kind) && kind != PassKind::engrave;
 }
 
 /// Adds the stock left after each pass and all preceding ones have been milled.

@@ -27,6 +27,7 @@ double coarsenessOf(const PassRequest& request, const MillingContext& milling) {
     case PassKind::pencil:
         return ofPencil;
     case PassKind::drill:
+    case PassKind::thread:
     case PassKind::engrave:
         return 1.0;
     default:
@@ -45,6 +46,18 @@ bool isOfRows(PassKind kind) noexcept {
     return (kind >= PassKind::parallel && kind <= PassKind::scallop) || kind == PassKind::rest;
 }
 
+/// The length of a path that takes as long at the full cutting feed, mm.
+double lengthAtFullFeed(const PlannedPass& planned) {
+    if (planned.feedShares.empty()) return lengthOf(planned);
+    double length = 0.0;
+    for (std::size_t s = 0; s < planned.strokes.size(); ++s)
+        for (std::size_t i = 1; i < planned.strokes[s].size(); ++i) {
+            const double share = planned.feedShares[s][i];
+            length += glm::distance(planned.strokes[s][i - 1], planned.strokes[s][i]) / (share > 0.0 ? share : 1.0);
+        }
+    return length;
+}
+
 } // namespace
 
 Result<PassPreview> previewPass(const PassBasis& basis, const MillingContext& milling, const PassRequest& request,
@@ -57,7 +70,7 @@ Result<PassPreview> previewPass(const PassBasis& basis, const MillingContext& mi
     preview.length = preview.every * lengthOf(*planned);
     const CuttingConditions& conditions = milling.conditions;
     const double feed = request.kind == PassKind::drill ? conditions.plungeFeed : conditions.feed; // mm/min
-    preview.duration = feed > 0.0 ? 60.0 * preview.length / feed : 0.0;
+    preview.duration = feed > 0.0 ? 60.0 * preview.every * lengthAtFullFeed(*planned) / feed : 0.0;
     preview.leftOut = preview.every * planned->leftOut;
     preview.inTheWay = preview.every * planned->inTheWay;
     preview.unreachedHoles = planned->unreachedHoles;

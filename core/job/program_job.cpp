@@ -5,6 +5,7 @@
 #include "core/base/available_memory.h"
 #include "core/base/numbers.h"
 #include "core/cutting/coolant_advice.h"
+#include "core/job/computed_pass.h"
 #include "core/job/lower_feeds.h"
 #include "core/nc/dialect_library.h"
 #include "core/nc/work_offset.h"
@@ -231,7 +232,10 @@ Result<SourceStrokes> takeStrokesOf(const Project& project, const TakeOutline& t
 Result<SourceStrokes> generatedStrokesOf(const Project& project, PathSource source) {
     const Result<GeneratedMoves> moves = project.generatedMoves(source.id);
     if (!moves) return moves.error();
-    return strokesOf(*moves);
+    Result<SourceStrokes> made = strokesOf(*moves);
+    if (made && millsThreads(moves->info))
+        for (PathStroke& stroke : made->strokes) stroke.allowance = stroke.required = -drillFit;
+    return made;
 }
 
 /// Returns the takes that a path is made of, in the path's order.

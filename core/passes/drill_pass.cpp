@@ -3,6 +3,7 @@
 #include "core/passes/drill_pass.h"
 
 #include "core/base/numbers.h"
+#include "core/passes/hole_order.h"
 #include "core/passes/keep_clear.h"
 #include "core/passes/tip_drop.h"
 
@@ -20,7 +21,6 @@ constexpr double above = 1.0;     // mm above the standing stock where a stroke 
 constexpr double leastDepth = 0.05;
 constexpr double rimShare = 0.05, mostRim = 0.5; // of the radius: stock that only the rim would touch is ignored
 constexpr double wholeDiameters = 3.0;           // a hole no deeper than this many diameters is drilled in one peck
-constexpr int mostTurns = 20;                    // rounds of improving the order
 
 /// A hole to drill, mm.
 struct Wanted {
@@ -53,9 +53,10 @@ public:
         }
         // whole holes, as a peck must not have a piece below an obstacle
         keepClear(holes, tool_, ground_.obstacles, progress_);
-        sort(holes.strokes);
         planned_.inTheWay = holes.inTheWay;
-        for (const TipLine& hole : holes.strokes) addPecks(hole.front(), hole.back());
+        std::vector<glm::dvec2> places;
+        for (const TipLine& hole : holes.strokes) places.emplace_back(hole.front());
+        for (const std::size_t i : shortestOrder(places)) addPecks(holes.strokes[i].front(), holes.strokes[i].back());
         return std::move(planned_);
     }
 
@@ -83,10 +84,7 @@ private:
                 wanted.push_back(inHole(hole));
         for (const glm::dvec2& place : request_.places) {
             const std::string asked = formatShortest(place.x) + ", " + formatShortest(place.y);
-            const UprightHole* around = nullptr; // the narrowest: for a counterbore, the hole in it
-            for (const UprightHole& hole : holes)
-                if (glm::distance(hole.centre, place) < hole.radius && (!around || hole.radius < around->radius))
-                    around = &hole;
+            const UprightHole* around = holeAround(holes, place);
             if (around != nullptr && radius() > around->clearRadius + drillFit)
                 return Error{ErrorCode::argumentInvalid, "places_mm", asked,
                              "a drill of at most " + formatFixed(2.0 * around->radius, 2) + " mm for that hole"};
@@ -118,33 +116,6 @@ private:
         lowest = std::max(lowest, flutesReach);
         if (lowest >= hole.top || standing < lowest + std::max(leastDepth, raster)) return {};
         return TipLine{{hole.place, standing + above}, {hole.place, lowest}};
-    }
-
-    /// Orders the holes by nearest neighbour, then reverses parts of the sequence as long as that makes it shorter.
-    static void sort(std::vector<TipLine>& holes) {
-        const auto way = [&](std::size_t a, std::size_t b) {
-            return glm::distance(glm::dvec2(holes[a].front()), glm::dvec2(holes[b].front()));
-        };
-        for (std::size_t i = 1; i < holes.size(); ++i) {
-            std::size_t next = i;
-            for (std::size_t k = i + 1; k < holes.size(); ++k)
-                if (way(i - 1, k) < way(i - 1, next)) next = k;
-            std::swap(holes[i], holes[next]);
-        }
-        bool shorter = true;
-        for (int round = 0; shorter && round < mostTurns; ++round) {
-            shorter = false;
-            for (std::size_t i = 1; i + 1 < holes.size(); ++i)
-                for (std::size_t k = i + 1; k < holes.size(); ++k) {
-                    const bool last = k + 1 == holes.size();
-                    const double now = way(i - 1, i) + (last ? 0.0 : way(k, k + 1));
-                    const double then = way(i - 1, k) + (last ? 0.0 : way(i, k + 1));
-                    if (!(then < now - 1e-9)) continue;
-                    std::reverse(holes.begin() + static_cast<std::ptrdiff_t>(i),
-                                 holes.begin() + static_cast<std::ptrdiff_t>(k) + 1);
-                    shorter = true;
-                }
-        }
     }
 
     void addPecks(const glm::dvec3& top, const glm::dvec3& bottom) {

@@ -48,8 +48,14 @@ struct PlannedPass {
     /// that the cut would be deeper than the tool can bear. Rough first, or use a longer tool.
     double leftOut = 0.0;
     double inTheWay = 0.0; ///< length of path left out because of fixtures and keep-out volumes, mm
-    /// of `drill`: holes whose bottom cannot be reached because of the part or the length of the drill
+    /// of `drill`: holes whose bottom cannot be reached because of the part or the length of the drill; of `thread`:
+    /// holes left without a thread, as they, or their drillings, are not as deep as it
     std::size_t unreachedHoles = 0;
+    /// of `thread`: height down to which those have to be drilled with their full diameter, mm; 0 if there are none
+    double neededDrilling = 0.0;
+    /// Feed of the tool's centre to each point of each stroke, as a share of the cutting feed; 0: the tool moves along
+    /// its axis through air. Empty: all cutting feed.
+    std::vector<std::vector<double>> feedShares{};
 };
 
 } // namespace burin

@@ -10,7 +10,7 @@
 
 namespace burin {
 
-const std::array<PassKindRow, 14> passKinds{{
+const std::array<PassKindRow, 15> passKinds{{
     {PassKind::levels, "levels", BURIN_TEXT("Pass", "Levels"),
      BURIN_TEXT("Pass", "Roughing: clears the stock level by level, in loops along the part")},
     {PassKind::pocket, "pocket", BURIN_TEXT("Pass", "Pocket"),
@@ -39,6 +39,8 @@ const std::array<PassKindRow, 14> passKinds{{
      BURIN_TEXT("Pass", "Cuts along lines at a given depth below the top of the stock")},
     {PassKind::drill, "drill", BURIN_TEXT("Pass", "Drilling"),
      BURIN_TEXT("Pass", "Drills the upright holes of the part that fit the drill, or at given places")},
+    {PassKind::thread, "thread", BURIN_TEXT("Pass", "Thread milling"),
+     BURIN_TEXT("Pass", "Mills internal threads in drilled holes that the part has at the thread's major diameter")},
 }};
 
 namespace {
@@ -85,8 +87,8 @@ Result<void> checkLines(const PassRequest& request) {
 }
 
 Result<void> checkPlaces(const PassRequest& request) {
-    if (!request.places.empty() && request.kind != PassKind::drill)
-        return Error{ErrorCode::argumentInvalid, "places_mm", std::string(rowOf(request.kind).id), "drill"};
+    if (!request.places.empty() && !isInHoles(request.kind))
+        return Error{ErrorCode::argumentInvalid, "places_mm", std::string(rowOf(request.kind).id), "drill, thread"};
     for (const glm::dvec2& place : request.places)
         if (!isInPlan(place))
             return Error{ErrorCode::argumentInvalid, "places_mm",
@@ -110,7 +112,33 @@ Result<void> checkOutline(const PassRequest& request) {
     return {};
 }
 
+/// Threads: rejects the values for passes that would ignore them.
+Result<void> checkThread(const PassRequest& request) {
+    const auto wrong = [](const char* key, double value, std::string allowed) {
+        return Error{ErrorCode::argumentInvalid, key, formatShortest(value), std::move(allowed)};
+    };
+    if (request.kind != PassKind::thread) {
+        if (request.pitch == 0.0 && request.majorDiameter == 0.0 && request.radialPasses == 1 && !request.leftHand &&
+            !request.conventional && !request.springPass)
+            return {};
+        return Error{ErrorCode::argumentInvalid, "pitch_mm", std::string(rowOf(request.kind).id), "thread"};
+    }
+    if (request.pitch == 0.0) return wrong("pitch_mm", 0.0, "above 0");
+    if (request.allowance != 0.0) return wrong("allowance_mm", request.allowance, "0 for a thread");
+    if (request.radialPasses < 1 || request.radialPasses > mostRadialPasses)
+        return wrong("radial_passes", request.radialPasses, "1 to " + std::to_string(mostRadialPasses));
+    if (request.majorDiameter == 0.0 && request.places.empty())
+        return wrong("major_diameter_mm", 0.0, "above 0, or the holes of the thread");
+    if (request.majorDiameter > 0.0 && request.pitch >= 0.5 * request.majorDiameter)
+        return wrong("pitch_mm", request.pitch, "below half of the diameter");
+    return {};
+}
+
 } // namespace
+
+bool isInHoles(PassKind kind) noexcept {
+    return kind == PassKind::drill || kind == PassKind::thread;
+}
 
 const PassKindRow& rowOf(PassKind kind) noexcept {
     return passKinds[static_cast<std::size_t>(kind)];
@@ -137,16 +165,25 @@ Result<void> validate(const PassRequest& request) {
     };
     for (const Result<void>& checked :
          {within("allowance_mm", request.allowance, 0.0, largestAllowance),
-          length("step_over_mm", request.stepOver, thinnest), length("scallop_mm", request.scallop, 1e-4),
-          length("level_depth_mm", request.levelDepth, thinnest), length("stairs_mm", request.stairs, thinnest),
+          length("step_over_mm", request.stepOver, thinnest),
+          length("scallop_mm", request.scallop, 1e-4),
+          length("level_depth_mm", request.levelDepth, thinnest),
+          length("stairs_mm", request.stairs, thinnest),
           within("direction_rad", request.direction, -10.0, 10.0),
           within("flattest_rad", request.flattest, 0.0, anySlope),
           within("steepest_rad", request.steepest, request.flattest, anySlope),
           within("top_mm", request.top.value_or(0.0), -farthestInPlan, farthestInPlan),
           within("bottom_mm", request.bottom.value_or(0.0), -farthestInPlan, farthestInPlan),
-          length("depth_mm", request.depth, thinnest), length("tab_width_mm", request.tabWidth, thinnest),
-          length("tab_height_mm", request.tabHeight, thinnest), checkArea(request), checkLines(request),
-          checkPlaces(request), checkOutline(request)})
+          length("depth_mm", request.depth, thinnest),
+          length("tab_width_mm", request.tabWidth, thinnest),
+          length("tab_height_mm", request.tabHeight, thinnest),
+          length("pitch_mm", request.pitch, 0.1),
+          length("major_diameter_mm", request.majorDiameter, 0.5),
+          checkArea(request),
+          checkLines(request),
+          checkPlaces(request),
+          checkOutline(request),
+          checkThread(request)})
         if (!checked) return checked;
     if (request.top && request.bottom && *request.bottom >= *request.top)
         return Error{ErrorCode::argumentInvalid, "bottom_mm", formatShortest(*request.bottom),

@@ -31,6 +31,7 @@ enum class PassKind : std::uint8_t {
     rest,      ///< rows and contours where stock is left
     engrave,   ///< along lines, at a depth
     drill,     ///< straight down in round holes of the part, or at given points
+    thread,    ///< internal threads, milled in round holes of the part
 };
 
 /// Defaults of a request that does not state these values, relative to the diameter of the tool.
@@ -43,8 +44,10 @@ struct PassKindRow {
     TextId title, toolTip;
 };
 /// All kinds, in the order of the enumeration.
-extern const std::array<PassKindRow, 14> passKinds;
+extern const std::array<PassKindRow, 15> passKinds;
 const PassKindRow& rowOf(PassKind kind) noexcept;
+/// Whether a kind works in round holes: its request may name them.
+bool isInHoles(PassKind kind) noexcept;
 /// Errors: nameUnknown (detail: the known ids).
 Result<PassKind> passKindWithId(std::string_view id);
 
@@ -56,6 +59,8 @@ inline constexpr double drilledThrough = 0.2;
 
 /// Upper limit of PassRequest::tabs.
 inline constexpr int mostTabs = 100;
+/// Upper limit of PassRequest::radialPasses.
+inline constexpr int mostRadialPasses = 20;
 
 /// Value of PassRequest::steepest that means no limit; more than a right angle.
 inline constexpr double anySlope = 1.6; // rad
@@ -81,13 +86,23 @@ struct PassRequest {
     bool areaOnPart = false; ///< of rows and waterlines: the area limits the contact points of the tool, not its tip
     PlanRegion area;         ///< where the tip may be; of pocket and profile: the shape to cut. Empty: everywhere
     std::vector<PassLine> lines;
-    double depth = 0.0; ///< of `engrave` and `drill`, below the top; `drill`: 0: from the hole of the part
-    std::vector<glm::dvec2> places{}; ///< of `drill`; empty: every hole of the part that fits the drill
-    int tabs = 0;                     ///< of `profile`: number of tabs left along each outline
-    double tabWidth = 0.0;            ///< of each tab, along the outline
-    double tabHeight = 0.0;           ///< of each tab, above the lowest level
+    /// of `engrave` and `drill`, below the top; of `thread`, below the top of its hole; `drill`, `thread`: 0: from the
+    /// hole of the part
+    double depth = 0.0;
+    /// of `drill` and `thread`, each in a hole; empty: every hole that fits the drill, or has the thread's diameter
+    std::vector<glm::dvec2> places{};
+    int tabs = 0;           ///< of `profile`: number of tabs left along each outline
+    double tabWidth = 0.0;  ///< of each tab, along the outline
+    double tabHeight = 0.0; ///< of each tab, above the lowest level
     /// of `pocket` and `profile`: reach into inner corners of the area with the edge of the cutter
     bool dogbones = false;
+    // Of `thread`:
+    double pitch = 0.0;         ///< mm between neighbouring crests
+    double majorDiameter = 0.0; ///< of the thread and its holes; 0: that of each hole at `places`
+    int radialPasses = 1;       ///< how often the tool follows the thread, deeper each time
+    bool leftHand = false;      ///< instead of right-handed
+    bool conventional = false;  ///< against the feed instead of climb milling
+    bool springPass = false;    ///< follows the thread once more at full depth
 
     bool limitsSlope() const noexcept { return flattest > 0.0 || steepest < anySlope; }
     /// Whether the slope of the part is within the requested range. @param away unit vector that points out of the part

@@ -17,12 +17,19 @@ struct NumberKey {
     double PassRequest::*member;
 };
 constexpr NumberKey numberKeys[] = {
-    {"allowance_mm", &PassRequest::allowance},  {"step_over_mm", &PassRequest::stepOver},
-    {"scallop_mm", &PassRequest::scallop},      {"level_depth_mm", &PassRequest::levelDepth},
-    {"stairs_mm", &PassRequest::stairs},        {"direction_rad", &PassRequest::direction},
-    {"flattest_rad", &PassRequest::flattest},   {"steepest_rad", &PassRequest::steepest},
-    {"depth_mm", &PassRequest::depth},          {"tab_width_mm", &PassRequest::tabWidth},
+    {"allowance_mm", &PassRequest::allowance},
+    {"step_over_mm", &PassRequest::stepOver},
+    {"scallop_mm", &PassRequest::scallop},
+    {"level_depth_mm", &PassRequest::levelDepth},
+    {"stairs_mm", &PassRequest::stairs},
+    {"direction_rad", &PassRequest::direction},
+    {"flattest_rad", &PassRequest::flattest},
+    {"steepest_rad", &PassRequest::steepest},
+    {"depth_mm", &PassRequest::depth},
+    {"tab_width_mm", &PassRequest::tabWidth},
     {"tab_height_mm", &PassRequest::tabHeight},
+    {"pitch_mm", &PassRequest::pitch},
+    {"major_diameter_mm", &PassRequest::majorDiameter},
 };
 struct SwitchKey {
     const char* key;
@@ -32,7 +39,10 @@ constexpr SwitchKey switchKeys[] = {{"one_way", &PassRequest::oneWay},
                                     {"inside", &PassRequest::inside},
                                     {"rest_only", &PassRequest::restOnly},
                                     {"area_on_part", &PassRequest::areaOnPart},
-                                    {"dogbones", &PassRequest::dogbones}};
+                                    {"dogbones", &PassRequest::dogbones},
+                                    {"left_hand", &PassRequest::leftHand},
+                                    {"conventional", &PassRequest::conventional},
+                                    {"spring_pass", &PassRequest::springPass}};
 struct HeightKey {
     const char* key;
     std::optional<double> PassRequest::*member;
@@ -67,6 +77,7 @@ std::string toJson(const PassRequest& request) {
         text["places_mm"].push_back(place.y);
     }
     if (request.tabs != 0) text["tabs"] = request.tabs;
+    if (request.radialPasses != 1) text["radial_passes"] = request.radialPasses;
     return text.dump();
 }
 
@@ -96,6 +107,7 @@ Result<PassRequest> passRequestFromJson(std::string_view text, const std::string
         for (std::size_t i = 0; i + 1 < flat.size(); i += 2) request.places.emplace_back(flat[i], flat[i + 1]);
     }
     if (file->has("tabs")) request.tabs = file->integer("tabs", 0, mostTabs);
+    if (file->has("radial_passes")) request.radialPasses = file->integer("radial_passes", 1, mostRadialPasses);
     if (Result<void> read = file->finish(); !read) return std::move(read).error();
     if (!kind) return kind.error();
     request.kind = *kind;

@@ -8,6 +8,7 @@
 #include "core/passes/level_pass.h"
 #include "core/passes/milling_plan.h"
 #include "core/passes/surface_pass.h"
+#include "core/passes/thread_pass.h"
 
 #include <algorithm>
 
@@ -20,15 +21,21 @@ Result<void> checkTool(PassKind kind, const Tool& tool) {
     if (Result<void> turns = checkTurns(tool.cutter, "a computed pass with a tool that doesn't turn"); !turns)
         return turns;
     const bool drills = tool.cutter.type == CutterType::drill;
-    if (kind != PassKind::drill && !drills) return checkPlannable(tool);
-    if (kind == PassKind::drill && drills) return {};
-    return Error{ErrorCode::notSupported,
-                 "this pass with this kind of tool",
-                 drills ? "a tool that cuts sideways and is nowhere wider below than above" : "a drill",
-                 {}};
+    const auto needs = [](const char* other) {
+        return Error{ErrorCode::notSupported, "this pass with this kind of tool", other, {}};
+    };
+    if (kind == PassKind::drill) return drills ? Result<void>() : needs("a drill");
+    if (kind == PassKind::thread) return drills ? needs("a thread mill") : Result<void>();
+    return drills ? needs("a tool that cuts sideways and is nowhere wider below than above") : checkPlannable(tool);
 }
 
 } // namespace
+
+bool mayPlan(PassKind kind, const Tool& tool) {
+    // What is wider below than above mills threads, if anything.
+    return kind == PassKind::thread ? tool.cutter.type != CutterType::drill && !checkPlannable(tool)
+                                    : checkTool(kind, tool).hasValue();
+}
 
 Result<PlannedPass> planPass(const PassRequest& request, const PassGround& ground, Progress& progress) {
     if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
@@ -50,6 +57,8 @@ Result<PlannedPass> planPass(const PassRequest& request, const PassGround& groun
             return planEngraving(request, ground, progress);
         case PassKind::drill:
             return planDrilling(request, ground, progress);
+        case PassKind::thread:
+            return planThreads(request, ground, progress);
         case PassKind::parallel:
         case PassKind::radial:
         case PassKind::spiral:

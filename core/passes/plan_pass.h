@@ -9,10 +9,13 @@
 
 namespace burin {
 
+/// Whether a kind of pass is offered for a tool: each tool drills, mills threads, or does all the rest.
+bool mayPlan(PassKind kind, const Tool& tool);
+
 /// Plans a pass of any kind. Thread-safe. The work is shared among all cores; the result does not depend on their
 /// number.
-/// Errors: those of validate, checkPlannable and the planner of the kind (level_pass.h, surface_pass.h, drill_pass.h);
-/// notSupported (a drill for another pass than drilling, or drilling with another tool); cancelled.
+/// Errors: those of validate, checkPlannable and the planner of the kind (level_pass.h, surface_pass.h, drill_pass.h,
+/// thread_pass.h); notSupported (a drill for another pass than drilling, or drilling with another tool); cancelled.
 Result<PlannedPass> planPass(const PassRequest& request, const PassGround& ground, Progress& progress);
 
 /// The length of its strokes, mm.

@@ -115,8 +115,8 @@ RevolvedPiece flutes(const Cutter& cutter);
 /// geometry code that does not depend on tools.
 std::vector<RevolvedPiece> pieces(const Cutter& cutter);
 
-/// How far a drill may enter the part at the wall of its own hole, mm: facets lie inside the hole by the mesh's chord
-/// error.
+/// How far a drill or a thread mill may enter the part at the wall of its own hole, mm: facets lie inside the hole by
+/// the mesh's chord error.
 inline constexpr double drillFit = 0.012;
 
 enum class ToolSection : std::uint8_t { flutes, shank, holder };

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 /// A straight move as made by LinuxCNC's interpreter, mm, in the frame of the work offset. An arc is divided into
@@ -52,11 +53,13 @@ inline void addArc(std::vector<CanonicalMove>& moves, const glm::dvec3& from, co
 }
 
 /// The moves that `rs274 -g` makes of a program; nullopt if it refuses the program. `home` is a writable folder.
-inline std::optional<std::vector<CanonicalMove>> canonicalMoves(const QString& program, const QString& home, int tool,
-                                                                double diameter) {
+/// @param tools numbers and diameters, mm, of those that it calls
+inline std::optional<std::vector<CanonicalMove>> canonicalMoves(const QString& program, const QString& home,
+                                                                const std::vector<std::pair<int, double>>& tools) {
     QFile table(home + "/tools.tbl");
     if (!table.open(QIODevice::WriteOnly)) return std::nullopt;
-    table.write(QStringLiteral("T%1 P%1 D%2 Z0\n").arg(tool).arg(diameter / 25.4, 0, 'f', 6).toLatin1());
+    for (const auto& [tool, diameter] : tools)
+        table.write(QStringLiteral("T%1 P%1 D%2 Z0\n").arg(tool).arg(diameter / 25.4, 0, 'f', 6).toLatin1());
     table.close();
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -90,4 +93,9 @@ inline std::optional<std::vector<CanonicalMove>> canonicalMoves(const QString& p
              {words[0].trimmed().toDouble(), words[1].trimmed().toDouble(), words[2].trimmed().toDouble()}});
     }
     return moves;
+}
+/// The same for a program with one tool.
+inline std::optional<std::vector<CanonicalMove>> canonicalMoves(const QString& program, const QString& home, int tool,
+                                                                double diameter) {
+    return canonicalMoves(program, home, {{tool, diameter}});
 }

@@ -3,6 +3,7 @@
 // Computed passes, by mouse and keys.
 #include "core/base/units.h"
 #include "core/setup/setup.h"
+#include "tests/plate_with_hole.h"
 #include "tests/stl_text.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
@@ -13,6 +14,7 @@
 #include <QDialog>
 #include <QFile>
 #include <QLabel>
+#include <QListWidget>
 #include <QSpinBox>
 #include <QtTest>
 
@@ -53,38 +55,22 @@ bool press(QWidget& in, const char* name) {
     return true;
 }
 
-/// A plate of 40 x 30 x 8 mm with a round hole of 6 mm through its middle.
-QString writePlateWithHole(const WindowDriver& driver) {
-    constexpr int count = 96;
-    TriangleMesh plate;
-    const auto add = [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-        const auto first = static_cast<std::uint32_t>(plate.vertices.size());
-        plate.vertices.insert(plate.vertices.end(), {a, b, c});
-        plate.triangles.push_back({first, first + 1, first + 2});
-    };
-    const auto on = [](int i, double z) {
-        const double angle = 2.0 * pi * (i % count) / count;
-        return glm::dvec3(3.0 * std::cos(angle), 3.0 * std::sin(angle), z);
-    };
-    const auto border = [&](int i, double z) { // where a ray from the middle leaves the plate
-        const glm::dvec3 out = on(i, 0.0);
-        const double far = std::min(20.0 / std::max(std::abs(out.x), 1e-9), 15.0 / std::max(std::abs(out.y), 1e-9));
-        return glm::dvec3(far * out.x, far * out.y, z);
-    };
-    for (int i = 0; i < count; ++i) {
-        add(on(i, 8.0), border(i, 8.0), border(i + 1, 8.0));
-        add(on(i, 8.0), border(i + 1, 8.0), on(i + 1, 8.0));
-        add(on(i, 0.0), border(i + 1, 0.0), border(i, 0.0));
-        add(on(i, 0.0), on(i + 1, 0.0), border(i + 1, 0.0));
-        add(border(i, 0.0), border(i + 1, 0.0), border(i + 1, 8.0));
-        add(border(i, 0.0), border(i + 1, 8.0), border(i, 8.0));
-        add(on(i, 0.0), on(i, 8.0), on(i + 1, 8.0));
-        add(on(i, 0.0), on(i + 1, 8.0), on(i + 1, 0.0));
-    }
+/// A plate of 40 x 30 x 8 mm with a round hole through its middle. @param diameter mm
+QString writePlateWithHole(const WindowDriver& driver, double diameter) {
     const QString file = driver.folder().filePath("plate.stl");
     QFile text(file);
-    if (text.open(QIODevice::WriteOnly)) text.write(stlText(plate));
+    if (text.open(QIODevice::WriteOnly)) text.write(stlText(test::plateWithHole({20.0, 15.0}, 8.0, 0.5 * diameter)));
     return file;
+}
+
+/// Embeds such a plate, ready to be milled.
+bool hasPlateWithHole(WindowDriver& driver, double diameter) {
+    drop(driver.window(), writePlateWithHole(driver, diameter));
+    Workbench& workbench = workbenchOf(driver);
+    return driver.waitFor([&] { return workbench.model.model() != nullptr; }) && driver.step(JobStep::stock) &&
+           driver.settle() && driver.enter("voxelField", "0.5") &&
+           driver.waitFor([&] { return workbench.setup.setup().voxel == 0.5; }) && driver.clickOn("embedButton") &&
+           driver.waitFor([&] { return workbench.workpiece.ready(); });
 }
 
 bool hasTool(WindowDriver& driver, const std::string& id) {
@@ -238,13 +224,8 @@ private slots:
     /// described before it is computed.
     void aHoleIsDrilled() {
         WindowDriver driver;
-        drop(driver.window(), writePlateWithHole(driver));
+        QVERIFY(hasPlateWithHole(driver, 6.0));
         Workbench& workbench = workbenchOf(driver);
-        QTRY_VERIFY_WITH_TIMEOUT(workbench.model.model() != nullptr, 30000);
-        QVERIFY(driver.step(JobStep::stock) && driver.settle() && driver.enter("voxelField", "0.5"));
-        QTRY_COMPARE(workbench.setup.setup().voxel, 0.5);
-        QVERIFY(driver.clickOn("embedButton"));
-        QTRY_VERIFY_WITH_TIMEOUT(workbench.workpiece.ready(), 30000);
         QVERIFY(hasTool(driver, "drill-6"));
         QVERIFY(driver.step(JobStep::path));
         driver.whenDialogStands([&](QWidget& dialog) {
@@ -266,6 +247,94 @@ private slots:
         QVERIFY(postProgram(driver));
         QVERIFY(workbench.program.program()->report.findings.empty());
         QVERIFY(workbench.program.program()->report.gougeMax < 0.01);
+    }
+
+    /// A hole of 8 mm is picked by a click and drilled at 6.8 mm; then the thread mill offers its thread, which is
+    /// milled. A second click removes the hole, and so does the key Del in the list.
+    void aPickedHoleGetsAThread() {
+        WindowDriver driver;
+        QVERIFY(hasPlateWithHole(driver, 8.0));
+        Workbench& workbench = workbenchOf(driver);
+        QVERIFY(hasTool(driver, "drill-6.8"));
+        QVERIFY(driver.step(JobStep::path));
+        driver.window().viewport().setStandardView(StandardView::isometric);
+        QTest::qWait(600);
+        const Box part = workbench.setup.part()->box();
+        const glm::dvec3 mouth(glm::dvec2(part.centre()), part.high.z);
+        const auto clickHole = [&](const glm::dvec2& aside) {
+            Viewport& viewport = driver.window().viewport();
+            QTest::mouseClick(&viewport, Qt::LeftButton, {},
+                              viewport.project(mouth + glm::dvec3(aside, 0.0)).toPoint());
+        };
+        const auto pickInView = [&] {
+            driver.whenDialogStands([&](QWidget& dialog) {
+                QVERIFY(!dialog.findChild<QListWidget*>("passPickedHoles")->isVisible());
+                QVERIFY(press(dialog, "pickHolesButton"));
+            });
+            QVERIFY(driver.clickOn("newPassButton"));
+            QTRY_VERIFY(driver.message().contains("Click the holes"));
+            clickHole({1.0, -1.0});
+            QTRY_VERIFY2(driver.message().contains("1 hole is picked"), qPrintable(driver.message()));
+        };
+        pickInView();
+        clickHole({0.0, 0.0});
+        QTRY_VERIFY2(driver.message().contains("Removed") && driver.message().contains("0 holes"),
+                     qPrintable(driver.message()));
+        clickHole({12.0, 0.0}); // beside it
+        QTRY_VERIFY2(driver.message().contains("no round upright hole"), qPrintable(driver.message()));
+        clickHole({0.0, 0.0});
+        QTRY_VERIFY(driver.message().contains("8.000"));
+        QTest::qWait(300);
+        driver.shoot("passes-11-picked-hole");
+        bool answered = false;
+        driver.whenDialogStands([&](QWidget& dialog) {
+            auto* list = dialog.findChild<QListWidget*>("passPickedHoles");
+            QVERIFY(list->isVisible());
+            QCOMPARE(list->count(), 1);
+            QVERIFY2(list->item(0)->text().contains("8.000"), qPrintable(list->item(0)->text()));
+            QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QLabel*>("passPreview")->text().contains("about"), 30000);
+            QTest::qWait(300);
+            driver.shoot("passes-12-picked-holes");
+            list->setFocus();
+            list->setCurrentRow(0);
+            QTest::keyClick(list, Qt::Key_Delete);
+            QTRY_VERIFY(!list->isVisible());
+            answered = press(dialog, "cancelPassButton");
+        });
+        driver.window().viewport().setFocus();
+        driver.key(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(answered, 40000);
+        QVERIFY(workbench.path.stored() == nullptr);
+
+        pickInView();
+        driver.whenDialogStands([&](QWidget& dialog) {
+            QVERIFY(enter(dialog, "passHoleDepth", "20")); // also through the stock below
+            QVERIFY(press(dialog, "computePassButton"));
+        });
+        driver.window().viewport().setFocus();
+        driver.key(Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 30000);
+
+        QVERIFY(hasTool(driver, "thread-mill-m8"));
+        driver.whenDialogStands([&](QWidget& dialog) {
+            QCOMPARE(dialog.findChild<QComboBox*>("passKind")->count(), 1);
+            QCOMPARE(dialog.findChild<QComboBox*>("passThreadSize")->currentText(), QString("M8"));
+            QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QLabel*>("passPreview")->text().contains("about"), 30000);
+            QCOMPARE(workbench.passPreview.preview()->strokes.size(), std::size_t(1));
+            QTest::qWait(500);
+            driver.shoot("passes-13-thread");
+            QVERIFY(press(dialog, "computePassButton"));
+        });
+        QVERIFY(driver.clickOn("newPassButton"));
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr && evaluatedIn(driver)->path.toolId == "thread-mill-m8",
+                                 30000);
+        QTest::qWait(500);
+        driver.shoot("passes-14-threaded");
+        QVERIFY(postProgram(driver));
+        QVERIFY(workbench.program.program()->report.findings.empty());
+        QVERIFY(workbench.program.program()->report.gougeMax < 0.02);
+        const std::string text = workbench.program.program()->text;
+        QVERIFY(text.find("G3") != std::string::npos); // helical arcs, anticlockwise
     }
 
     /// Another kind and another value are previewed at once; for tabs, their size can be entered.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/actions/action_states.h"
 
+#include "core/passes/plan_pass.h"
 #include "core/path/drawn_edit.h"
 
 #include <algorithm>
@@ -69,6 +70,9 @@ void ActionStates::update() {
     const bool paintable = workbench.workpiece.milling() && !workbench.workpiece.milling()->part.bounds().empty();
     for (const ActionId id : {ActionId::brushArea, ActionId::lassoArea, ActionId::faceArea}) enable(id, paintable);
     enable(ActionId::clearArea, !workbench.area.area().empty());
+    const Tool& tool = workbench.tool.current();
+    enable(ActionId::pickHoles,
+           workbench.passes.possible() && (mayPlan(PassKind::drill, tool) || mayPlan(PassKind::thread, tool)));
     enable(ActionId::evaluatePath, workbench.path.stored() != nullptr && workbench.workpiece.embedded());
     enable(ActionId::comparePaths, workbench.pathComparer.possible());
     enable(ActionId::drawStretch, workbench.path.selection().has_value());

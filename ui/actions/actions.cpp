@@ -197,7 +197,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Make a path from the takes, with the standard edits."), "Ctrl+P"},
     Row{ActionId::newPass, "newPassAction", QT_TRANSLATE_NOOP("Actions", "&Compute a pass…"),
         QT_TRANSLATE_NOOP(
-            "Actions", "Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool."),
+            "Actions",
+            "Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool."),
         "Ctrl+Shift+P"},
     Row{ActionId::programPath, "programPathAction", QT_TRANSLATE_NOOP("Actions", "Path from a pro&gram…"),
         QT_TRANSLATE_NOOP("Actions", "Edit a program of another system (G-code or APT/CL) as a path: its moves, feeds "
@@ -215,6 +216,9 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Click faces of the part for the next pass; Shift removes them."), "Ctrl+Alt+F"},
     Row{ActionId::clearArea, "clearAreaAction", QT_TRANSLATE_NOOP("Actions", "Clea&r the area"),
         QT_TRANSLATE_NOOP("Actions", "The next pass goes over the whole part again."), "Ctrl+Alt+C"},
+    Row{ActionId::pickHoles, "pickHolesAction", QT_TRANSLATE_NOOP("Actions", "Pick &holes for a pass"),
+        QT_TRANSLATE_NOOP("Actions", "Click holes of the part for drilling or thread milling with the loaded tool."),
+        "Ctrl+Alt+H"},
     Row{ActionId::evaluatePath, "evaluatePathAction", QT_TRANSLATE_NOOP("Actions", "&Update path"),
         QT_TRANSLATE_NOOP("Actions", "Apply the edits to the takes again."), "F5"},
     Row{ActionId::comparePaths, "comparePathsAction", QT_TRANSLATE_NOOP("Actions", "C&ompare paths…"),

@@ -93,6 +93,7 @@ enum class ActionId : std::size_t {
     lassoArea,
     faceArea,
     clearArea,
+    pickHoles,
     evaluatePath,
     comparePaths,
     drawStretch,

@@ -47,6 +47,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "setup"),
     BURIN_TEXT("Subject", "stylus"),
     BURIN_TEXT("Subject", "take"),
+    BURIN_TEXT("Subject", "thread"),
     BURIN_TEXT("Subject", "tool"),
     // work that takes time or memory
     BURIN_TEXT("Subject", "boundary field of a tool"),

@@ -188,7 +188,8 @@ void PathPanel::Fields::refreshButtons() {
         pass_,
         state.passPossible ? QString()
                            : PathPanel::tr("Wait until the workpiece is ready and no pass is being computed."),
-        PathPanel::tr("Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool"));
+        PathPanel::tr(
+            "Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool"));
     measure_->setVisible(!state.passes.empty());
     enableUnless(measure_,
                  state.measurePossible ? QString() : PathPanel::tr("Wait until the path is up to date and measured."),
@@ -274,6 +275,15 @@ void PathPanel::Fields::tell() {
         notice_->tell(Notice::Kind::warning,
                       PathPanel::tr("%1 of the pass were skipped: fixtures or keep-out volumes are in the way.")
                           .arg(lengthText(state.passInTheWay, unit)));
+    else if (state.unreachedHoles > 0 && state.threads)
+        notice_->tell(
+            Notice::Kind::warning,
+            state.unreachedHoles == 1
+                ? PathPanel::tr("One hole is left without a thread: it is not drilled deep enough, or the part "
+                                "is in the way.")
+                : PathPanel::tr("%1 holes are left without a thread: they are not drilled deep enough, or the "
+                                "part is in the way.")
+                      .arg(countText(state.unreachedHoles)));
     else if (state.unreachedHoles > 0)
         notice_->tell(
             Notice::Kind::warning,

@@ -39,6 +39,7 @@ struct PathState {
     std::vector<PassRow> passes;                  ///< the path's passes, in order
     double passLeftOut = 0.0, passInTheWay = 0.0; ///< mm of the newest pass, see PlannedPass
     std::size_t unreachedHoles = 0;               ///< of the newest pass
+    bool threads = false;                         ///< whether the newest pass mills threads
     bool measurePossible = false;                 ///< whether the passes can be measured now
     bool passPossible = false;                    ///< whether a pass can be computed now
     bool hasTakes = false;                        ///< whether the current tool has takes

@@ -111,6 +111,13 @@ namespace {
     QT_TRANSLATE_NOOP("Resource", "Lollipop mill 4 mm"),
     QT_TRANSLATE_NOOP("Resource", "Lollipop mill 8 mm"),
     QT_TRANSLATE_NOOP("Resource", "Lollipop mill 10 mm"),
+    QT_TRANSLATE_NOOP("Resource", "Thread mill M3 × 0.5"),
+    QT_TRANSLATE_NOOP("Resource", "Thread mill M4 × 0.7"),
+    QT_TRANSLATE_NOOP("Resource", "Thread mill M5 × 0.8"),
+    QT_TRANSLATE_NOOP("Resource", "Thread mill M6 × 1"),
+    QT_TRANSLATE_NOOP("Resource", "Thread mill M8 × 1.25"),
+    QT_TRANSLATE_NOOP("Resource", "Thread mill M10 × 1.5"),
+    QT_TRANSLATE_NOOP("Resource", "Thread mill M12 × 1.75"),
 };
 
 } // namespace

@@ -107,6 +107,11 @@ void MainWindow::connectActions() {
     connect(&presenters_->tree, &TreePresenter::stepWanted, this, &MainWindow::showStep);
     connect(&presenters_->measure, &MeasurePresenter::told, this,
             [this](const QString& sentences) { message_->tell(Notice::Kind::information, sentences); });
+    connect(&presenters_->holes, &HolePresenter::told, this,
+            [this](const QString& sentences) { message_->tell(Notice::Kind::information, sentences); });
+    connect(&presenters_->holes, &HolePresenter::pickBegins, this, [this] {
+        if (presenters_->job.shown() != JobStep::path) showStep(JobStep::path);
+    });
     connect(&presenters_->area, &AreaPresenter::paintingBegins, this, [this] {
         if (presenters_->job.shown() != JobStep::path) showStep(JobStep::path);
     });

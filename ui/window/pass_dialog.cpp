@@ -8,11 +8,14 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/notice.h"
+#include "ui/window/hole_words.h"
 
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QFileInfo>
 #include <QLabel>
+#include <QListWidget>
+#include <QShortcut>
 
 #include <algorithm>
 
@@ -21,6 +24,7 @@ namespace burin {
 namespace {
 
 constexpr int passDialogWidth = 460;           // pixels
+constexpr int mostHoleRows = 5;                // shown at once
 constexpr int previewDelay = 120;              // ms: while a value is typed
 constexpr int areaDrawing = 1;                 // its index in the list "passArea"
 constexpr int paintedArea = 1, areaBefore = 2; // data of the list's further choices
@@ -31,7 +35,14 @@ constexpr double fileUnits[] = {0.0, 1.0, 10.0, 25.4};
 } // namespace
 
 PassDialog::PassDialog(const Offer& offer, QWidget* parent)
-    : QDialog(parent), folder_(offer.folder), painted_(offer.painted), takes_(offer.takes), wanted_(offer.last) {
+    : QDialog(parent)
+    , folder_(offer.folder)
+    , painted_(offer.painted)
+    , takes_(offer.takes)
+    , holes_(offer.holes)
+    , picked_(offer.last.request.places)
+    , unit_(offer.unit)
+    , wanted_(offer.last) {
     setObjectName(QStringLiteral("passDialog"));
     setWindowTitle(offer.last.instead ? tr("Change a pass") : tr("Compute a pass"));
     layOut(offer);
@@ -53,16 +64,9 @@ void PassDialog::layOut(const Offer& offer) {
     auto* about = new QLabel((offer.last.instead ? replaces : adds).arg(offer.toolName), this);
     about->setWordWrap(true);
     column->addWidget(about);
-    if (offer.drills) {
-        auto* holes = new QLabel(offer.holes.isEmpty() ? tr("The part has no round upright holes.")
-                                                       : tr("Upright holes of the part: %1").arg(offer.holes),
-                                 this);
-        holes->setObjectName(QStringLiteral("passHoles"));
-        holes->setWordWrap(true);
-        column->addWidget(holes);
-    }
-    form_ = new PassForm(offer.last.request, offer.defaults, offer.unit, offer.drills, this);
+    form_ = new PassForm(offer.last.request, offer.defaults, offer.unit, offer.kinds, this);
     column->addWidget(form_);
+    addHoles();
     addDrawings(offer);
     preview_ = new QLabel(this);
     preview_->setObjectName(QStringLiteral("passPreview"));
@@ -95,6 +99,73 @@ void PassDialog::layOut(const Offer& offer) {
     connect(fileUnit_, &QComboBox::activated, this, &PassDialog::previewSoon);
     connect(compute, &QPushButton::clicked, this, &PassDialog::confirm);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+}
+
+/// The part's holes, those that were picked, and the buttons to pick them and to use all of them.
+void PassDialog::addHoles() {
+    holesBox_ = new QWidget(this);
+    auto* column = new QVBoxLayout(holesBox_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    const QString sizes = holeSizesText(holes_, unit_);
+    auto* about = new QLabel(sizes.isEmpty() ? tr("The part has no round upright holes.")
+                                             : tr("Upright holes of the part: %1").arg(sizes),
+                             holesBox_);
+    about->setObjectName(QStringLiteral("passHoles"));
+    about->setWordWrap(true);
+    column->addWidget(about);
+    holeList_ = new QListWidget(holesBox_);
+    holeList_->setObjectName(QStringLiteral("passPickedHoles"));
+    holeList_->setAccessibleName(tr("Picked holes"));
+    holeList_->setToolTip(tr("The holes of this pass, in the coordinates of the setup; Del removes one"));
+    column->addWidget(holeList_);
+    auto* removal = new QShortcut(QKeySequence(Qt::Key_Delete), holeList_, nullptr, nullptr, Qt::WidgetShortcut);
+    connect(removal, &QShortcut::activated, this, &PassDialog::removeChosenHole);
+    auto* pick = makeButton(tr("Pick holes…"), {}, QStringLiteral("pickHolesButton"), holesBox_);
+    enableUnless(pick, holes_.empty() ? tr("The part has no round upright holes.") : QString(),
+                 tr("Click holes of the part in the view; a second click removes a hole"));
+    allHoles_ = makeButton(tr("All that fit"), {}, QStringLiteral("allHolesButton"), holesBox_);
+    allHoles_->setToolTip(tr("Forget the picked holes: the pass uses every hole of the part that fits"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(pick);
+    row->addWidget(allHoles_);
+    row->addStretch(1);
+    column->addLayout(row);
+    layout()->addWidget(holesBox_);
+    connect(pick, &QPushButton::clicked, this, &PassDialog::goPicking);
+    connect(allHoles_, &QPushButton::clicked, this, [this] {
+        picked_.clear();
+        showHoles();
+        update();
+    });
+    showHoles();
+}
+
+void PassDialog::showHoles() {
+    holeList_->clear();
+    for (const glm::dvec2& place : picked_) holeList_->addItem(pickedText(place, holes_, unit_));
+    holeList_->setVisible(!picked_.empty());
+    allHoles_->setVisible(!picked_.empty());
+    const int rows = std::min(mostHoleRows, holeList_->count());
+    if (rows > 0) holeList_->setFixedHeight(rows * holeList_->sizeHintForRow(0) + 2 * holeList_->frameWidth());
+}
+
+void PassDialog::removeChosenHole() {
+    const int row = holeList_->currentRow();
+    if (row < 0) return;
+    picked_.erase(picked_.begin() + row);
+    showHoles();
+    holeList_->setCurrentRow(std::min(row, holeList_->count() - 1));
+    update();
+}
+
+/// Closes the dialog; it is shown again with its values when the holes are picked.
+void PassDialog::goPicking() {
+    form_->commitTyping();
+    Result<WantedPass> wanted = wantedNow();
+    if (!wanted) return notice_->tell(Notice::Kind::error, Messages::sentence(wanted.error()));
+    wanted_ = std::move(*wanted);
+    done(pickHoles);
 }
 
 void PassDialog::addDrawings(const Offer& offer) {
@@ -161,7 +232,8 @@ void PassDialog::chooseDrawing(ChoiceBox* box, QString& file) {
 
 void PassDialog::update() {
     const PassKind chosen = form_->kind();
-    areaRow_->setVisible(chosen != PassKind::engrave);
+    areaRow_->setVisible(chosen != PassKind::engrave && !(isInHoles(chosen) && !picked_.empty()));
+    holesBox_->setVisible(isInHoles(chosen));
     areaOnPart_->setVisible(laidOnPart(chosen) && area_->currentIndex() != 0);
     linesRow_->setVisible(chosen == PassKind::engrave || chosen == PassKind::flow || chosen == PassKind::pencil);
     fileUnitRow_->setVisible(area_->currentIndex() == areaDrawing ||
@@ -203,6 +275,9 @@ QString PassDialog::missing(const WantedPass& wanted) const {
     if (lines_->currentIndex() == 0 && request.kind == PassKind::flow)
         return tr("Choose the strokes or the drawing that the rows follow.");
     if (request.kind == PassKind::engrave && request.depth == 0.0) return tr("Enter the depth of the lines.");
+    if (request.kind == PassKind::thread && request.pitch == 0.0) return tr("Choose a thread, or enter its pitch.");
+    if (request.kind == PassKind::thread && request.majorDiameter == 0.0 && request.places.empty())
+        return tr("Enter the diameter of the thread, or pick its holes.");
     return {};
 }
 
@@ -211,7 +286,7 @@ Result<WantedPass> PassDialog::wantedNow() {
     wanted.instead = wanted_.instead;
     PassRequest& request = wanted.request;
     form_->writeTo(request);
-    if (request.kind == PassKind::drill && wanted_.instead) request.places = wanted_.request.places;
+    if (isInHoles(request.kind)) request.places = picked_;
     request.areaOnPart = areaOnPart_->isVisibleTo(this) && areaOnPart_->isChecked();
     if (areaRow_->isVisibleTo(this) && area_->currentData() == paintedArea) request.area = painted_;
     if (areaRow_->isVisibleTo(this) && area_->currentData() == areaBefore) request.area = wanted_.request.area;

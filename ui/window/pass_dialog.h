@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/exchange/plan_drawing.h"
+#include "core/geometry/upright_holes.h"
 #include "core/recording/sample.h"
 #include "ui/window/pass_form.h"
 #include "ui/workbench/pass_controller.h"
@@ -15,6 +16,8 @@
 
 class QCheckBox;
 class QLabel;
+class QListWidget;
+class QPushButton;
 
 namespace burin {
 
@@ -22,8 +25,9 @@ class ChoiceBox;
 class FieldRow;
 class Notice;
 
-/// Asks for the parameters of a pass: its kind and values (PassForm), the drawing of its area and its guiding lines.
-/// Dialog "passDialog" with "passArea", "passLines", "passUnit", "computePassButton", "cancelPassButton".
+/// Asks for the parameters of a pass: its kind and values (PassForm), the drawing of its area and its guiding lines, or
+/// its holes. Dialog "passDialog" with "passArea", "passLines", "passUnit", "passPickedHoles", "pickHolesButton",
+/// "allHolesButton", "computePassButton", "cancelPassButton".
 class PassDialog final : public QDialog {
     Q_OBJECT
 public:
@@ -33,15 +37,17 @@ public:
         std::vector<TakeInfo> takes; ///< whose strokes may be used as lines
         WantedPass last;             ///< the previous request
         PassDefaults defaults;
-        PlanRegion painted;  ///< empty: no area is painted
-        QString folder;      ///< of drawings
-        bool drills = false; ///< the tool is a drill
-        QString holes{};     ///< of the part, by diameter; empty: none
+        PlanRegion painted;               ///< empty: no area is painted
+        QString folder;                   ///< of drawings
+        std::vector<PassKind> kinds;      ///< that the tool can do
+        std::vector<UprightHole> holes{}; ///< of the part
         LengthUnit unit = LengthUnit::millimetre;
     };
     PassDialog(const Offer& offer, QWidget* parent);
 
-    const WantedPass& wanted() const noexcept { return wanted_; } ///< after it was accepted
+    /// Result of `exec`: the user is going to pick the holes of `wanted` in the view.
+    static constexpr int pickHoles = 2;
+    const WantedPass& wanted() const noexcept { return wanted_; } ///< after it was accepted, or with `pickHoles`
 
     /// Shows the estimate of the pass: "passPreview". @param text empty: none
     void showPreview(const QString& text);
@@ -53,6 +59,10 @@ signals:
 
 private:
     void layOut(const Offer& offer);
+    void addHoles();
+    void showHoles();
+    void removeChosenHole();
+    void goPicking();
     void addDrawings(const Offer& offer);
     void chooseDrawing(ChoiceBox* box, QString& file);
     QString missing(const WantedPass& wanted) const;
@@ -67,6 +77,9 @@ private:
     QString folder_, areaFile_, linesFile_;
     PlanRegion painted_;
     std::vector<TakeInfo> takes_;
+    std::vector<UprightHole> holes_;
+    std::vector<glm::dvec2> picked_; ///< the points of the holes that were picked; empty: all that fit
+    LengthUnit unit_;
     WantedPass wanted_;
     PassForm* form_ = nullptr;
     ChoiceBox *area_ = nullptr, *lines_ = nullptr, *fileUnit_ = nullptr;
@@ -74,6 +87,9 @@ private:
     FieldRow *areaRow_ = nullptr, *linesRow_ = nullptr, *fileUnitRow_ = nullptr;
     Notice* notice_ = nullptr;
     QLabel* preview_ = nullptr;
+    QWidget* holesBox_ = nullptr;
+    QListWidget* holeList_ = nullptr;
+    QPushButton* allHoles_ = nullptr;
     QTimer previewTimer_;
     struct {
         QString file;

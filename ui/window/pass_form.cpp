@@ -13,6 +13,7 @@
 #include <QSpinBox>
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin {
 
@@ -58,12 +59,14 @@ bool laidOnPart(PassKind kind) noexcept {
     return contains(surfaceKinds, kind);
 }
 
-PassForm::PassForm(const PassRequest& last, const PassDefaults& defaults, LengthUnit unit, bool drills, QWidget* parent)
+PassForm::PassForm(const PassRequest& last, const PassDefaults& defaults, LengthUnit unit,
+                   const std::vector<PassKind>& kinds, QWidget* parent)
     : QWidget(parent), unit_(unit), defaults_(defaults) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(6);
-    addKinds(drills, last.kind);
+    addKinds(kinds, last.kind);
+    addThread(last.radialPasses);
     addFigures();
     addTabs(last.tabs);
     addSwitches(last);
@@ -77,11 +80,11 @@ PassForm::PassForm(const PassRequest& last, const PassDefaults& defaults, Length
     setFocusProxy(kind_);
 }
 
-void PassForm::addKinds(bool drills, PassKind chosen) {
+void PassForm::addKinds(const std::vector<PassKind>& kinds, PassKind chosen) {
     kind_ = new ChoiceBox(this);
     kind_->setObjectName(QStringLiteral("passKind"));
     for (const PassKindRow& row : passKinds) {
-        if ((row.kind == PassKind::drill) != drills) continue;
+        if (!contains(kinds, row.kind)) continue;
         kind_->addItem(passWords(row.title), static_cast<int>(row.kind));
         kind_->setItemData(kind_->count() - 1, passWords(row.toolTip), Qt::ToolTipRole);
     }
@@ -118,6 +121,15 @@ void PassForm::addFigures() {
     addFigure(figure(&PassRequest::depth, {PassKind::drill}), "passHoleDepth", tr("Depth"),
               tr("Depth of the tip below the top of the stock. 0: to the bottom of each hole of the part"),
               Quantity::length, 0.0, widestStep);
+    addFigure(figure(&PassRequest::pitch, {PassKind::thread}), "passPitch", tr("Pitch"),
+              tr("Distance between neighbouring crests of the thread; 25.4 mm divided by the threads per inch"),
+              Quantity::length, 0.0, widestStep);
+    addFigure(figure(&PassRequest::majorDiameter, {PassKind::thread}), "passMajorDiameter", tr("Major diameter"),
+              tr("Of the thread; the part's holes have to be drawn at this diameter. 0: that of each picked hole"),
+              Quantity::length, 0.0, widestStep);
+    addFigure(figure(&PassRequest::depth, {PassKind::thread}), "passThreadDepth", tr("Depth"),
+              tr("Length of the thread below the top of its hole. 0: as far as each hole is open and drilled"),
+              Quantity::length, 0.0, widestStep);
     addFigure(figure(&PassRequest::direction, {PassKind::parallel, PassKind::rest}), "passDirection", tr("Direction"),
               tr("Angle between the rows and X"), Quantity::angle, -pi, pi);
     addFigure(figure(&PassRequest::flattest, surfaceKinds), "passFlattest", tr("Steeper than"),
@@ -152,6 +164,56 @@ void PassForm::addTabs(int count) {
               tr("Above the lowest level of the pass"), Quantity::length, 0.01, widestStep);
 }
 
+/// Standard sizes, which fill the fields of pitch and diameter, and the number of passes.
+void PassForm::addThread(int radialPasses) {
+    threadSize_ = new ChoiceBox(this);
+    threadSize_->setObjectName(QStringLiteral("passThreadSize"));
+    for (const ThreadSize& size : coarseThreads)
+        threadSize_->addItem(QString::fromUtf8(size.name.data(), static_cast<qsizetype>(size.name.size())));
+    threadSize_->addItem(tr("other thread"));
+    threadSizeRow_ = new FieldRow(tr("Thread"), threadSize_, tr("Metric thread of coarse pitch, ISO 261"), this,
+                                  FieldRow::choiceWidth);
+    layout()->addWidget(threadSizeRow_);
+    connect(threadSize_, &QComboBox::activated, this, &PassForm::takeThreadSize);
+    radialPasses_ = new QSpinBox(this);
+    radialPasses_->setObjectName(QStringLiteral("passRadialPasses"));
+    radialPasses_->setRange(1, mostRadialPasses);
+    radialPasses_->setValue(radialPasses);
+    radialPassesRow_ =
+        new FieldRow(tr("Passes"), radialPasses_, tr("How often the tool follows the thread, deeper each time"), this);
+    layout()->addWidget(radialPassesRow_);
+    connect(radialPasses_, &QSpinBox::valueChanged, this, &PassForm::changed);
+}
+
+void PassForm::takeThreadSize(int index) {
+    const auto size = static_cast<std::size_t>(index);
+    if (size >= coarseThreads.size()) return; // the fields are free
+    setFigure(&PassRequest::pitch, coarseThreads[size].pitch);
+    setFigure(&PassRequest::majorDiameter, coarseThreads[size].diameter);
+    emit changed();
+}
+
+void PassForm::setFigure(double PassRequest::*member, double value) {
+    for (Figure& figure : figures_)
+        if (figure.member == member) {
+            figure.field->showValue(value);
+            figure.edited = true;
+        }
+}
+
+/// Selects the standard size that the fields state.
+void PassForm::showThreadSize() {
+    constexpr double same = 1e-6; // mm
+    PassRequest stated;
+    for (const Figure& figure : figures_)
+        if (figure.member == &PassRequest::pitch || figure.member == &PassRequest::majorDiameter)
+            stated.*figure.member = figure.field->value();
+    const auto size = std::ranges::find_if(coarseThreads, [&](const ThreadSize& each) {
+        return std::abs(each.pitch - stated.pitch) < same && std::abs(each.diameter - stated.majorDiameter) < same;
+    });
+    threadSize_->setCurrentIndex(static_cast<int>(size - coarseThreads.begin()));
+}
+
 void PassForm::addSwitches(const PassRequest& last) {
     const auto add = [&](bool PassRequest::*member, const Kinds& kinds, const char* name, const QString& label,
                          const QString& toolTip) {
@@ -165,6 +227,12 @@ void PassForm::addSwitches(const PassRequest& last) {
         tr("The cutter follows the outline of the area on its inside"));
     add(&PassRequest::dogbones, {PassKind::pocket, PassKind::profile}, "passDogbones", tr("Dogbones"),
         tr("Cuts into the inner corners of the area, so that a part with square corners fits"));
+    add(&PassRequest::springPass, {PassKind::thread}, "passSpring", tr("Spring pass"),
+        tr("Follows the thread once more at full depth"));
+    add(&PassRequest::leftHand, {PassKind::thread}, "passLeftHand", tr("Left-handed"),
+        tr("Left-handed instead of right-handed thread"));
+    add(&PassRequest::conventional, {PassKind::thread}, "passConventional", tr("Conventional milling"),
+        tr("Conventional instead of climb milling: right-hand threads are cut from the top down"));
 }
 
 void PassForm::addFigure(Figure figure, const char* name, const QString& label, const QString& toolTip,
@@ -177,6 +245,7 @@ void PassForm::addFigure(Figure figure, const char* name, const QString& label, 
     layout()->addWidget(figure.row);
     connect(figure.field, &QuantityField::valueEdited, this, [this, place = figures_.size()] {
         figures_[place].edited = true;
+        showThreadSize();
         emit changed();
     });
     figures_.push_back(std::move(figure));
@@ -217,6 +286,8 @@ double PassForm::defaultOf(const Figure& figure) const {
     if (figure.member == &PassRequest::levelDepth) return chosen == PassKind::drill ? 0.0 : defaults_.levelDepth;
     if (figure.member == &PassRequest::stairs) return defaults_.stairs;
     if (figure.member == &PassRequest::steepest) return rightAngle;
+    if (figure.member == &PassRequest::pitch) return defaults_.thread.pitch;
+    if (figure.member == &PassRequest::majorDiameter) return defaults_.thread.diameter;
     if (figure.member == &PassRequest::tabWidth) return tabWidth;
     if (figure.member == &PassRequest::tabHeight) return tabHeight;
     return 0.0;
@@ -227,12 +298,14 @@ void PassForm::update() {
     for (const PassKindRow& row : passKinds)
         if (row.kind == chosen) kind_->setToolTip(passWords(row.toolTip));
     tabsRow_->setVisible(chosen == PassKind::profile);
+    for (FieldRow* row : {threadSizeRow_, radialPassesRow_}) row->setVisible(chosen == PassKind::thread);
     for (const Figure& figure : figures_) {
         if (!figure.edited) figure.field->showValue(defaultOf(figure));
         const bool ofTab = figure.member == &PassRequest::tabWidth || figure.member == &PassRequest::tabHeight;
         figure.row->setVisible(contains(figure.kinds, chosen) && (!ofTab || tabs_->value() > 0));
     }
     for (const Switch& one : switches_) one.box->setVisible(contains(one.kinds, chosen));
+    showThreadSize();
 }
 
 void PassForm::commitTyping() {
@@ -242,6 +315,7 @@ void PassForm::commitTyping() {
         figure.edited = figure.edited || figure.field->value() != before;
     }
     tabs_->interpretText();
+    radialPasses_->interpretText();
 }
 
 void PassForm::writeTo(PassRequest& request) const {
@@ -256,6 +330,7 @@ void PassForm::writeTo(PassRequest& request) const {
     if (request.steepest >= rightAngle) request.steepest = anySlope;
     if (request.scallop > 0.0) request.stepOver = 0.0; // an explicit step-over would take precedence
     request.tabs = request.kind == PassKind::profile ? tabs_->value() : 0;
+    request.radialPasses = request.kind == PassKind::thread ? radialPasses_->value() : 1;
     if (request.tabs == 0) request.tabWidth = request.tabHeight = 0.0;
     for (const Switch& one : switches_)
         if (contains(one.kinds, request.kind)) request.*one.member = one.box->isChecked();

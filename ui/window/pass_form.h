@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/passes/pass_request.h"
+#include "core/passes/thread_size.h"
 #include "ui/panels/quantity_field.h"
 
 #include <QWidget>
@@ -26,6 +27,7 @@ struct PassDefaults {
     double top = 0.0;     ///< of the stock
     double bottom = 0.0;  ///< the part's lowest point
     double partTop = 0.0; ///< the part's highest point, the bottom of facing
+    ThreadSize thread;    ///< that the tool is made for; none: another one
 };
 
 /// Asks for the kind of a pass and the values that apply to it: "passKind", one field for each value ("passStepOver",
@@ -33,9 +35,9 @@ struct PassDefaults {
 class PassForm final : public QWidget {
     Q_OBJECT
 public:
-    /// @param last initial values @param drills the tool is a drill, which allows drilling only; other tools can't
-    /// drill
-    PassForm(const PassRequest& last, const PassDefaults& defaults, LengthUnit unit, bool drills, QWidget* parent);
+    /// @param last initial values @param kinds that the tool can do, at least one
+    PassForm(const PassRequest& last, const PassDefaults& defaults, LengthUnit unit, const std::vector<PassKind>& kinds,
+             QWidget* parent);
 
     PassKind kind() const;
     /// Accepts text that is being typed.
@@ -62,10 +64,14 @@ private:
         bool PassRequest::*member = nullptr;
         std::vector<PassKind> kinds;
     };
-    void addKinds(bool drills, PassKind chosen);
+    void addKinds(const std::vector<PassKind>& kinds, PassKind chosen);
     void addFigures();
     void addSwitches(const PassRequest& last);
     void addTabs(int count);
+    void addThread(int radialPasses);
+    void takeThreadSize(int index);
+    void showThreadSize();
+    void setFigure(double PassRequest::*member, double value);
     void addFigure(Figure figure, const char* name, const QString& label, const QString& toolTip, Quantity quantity,
                    double low, double high);
     void addSwitch(Switch one, const char* name, const QString& label, const QString& toolTip, bool on);
@@ -78,6 +84,9 @@ private:
     ChoiceBox* kind_ = nullptr;
     QSpinBox* tabs_ = nullptr;
     FieldRow* tabsRow_ = nullptr;
+    ChoiceBox* threadSize_ = nullptr;
+    QSpinBox* radialPasses_ = nullptr;
+    FieldRow *threadSizeRow_ = nullptr, *radialPassesRow_ = nullptr;
     std::vector<Figure> figures_;
     std::vector<Switch> switches_;
 };

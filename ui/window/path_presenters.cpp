@@ -5,11 +5,14 @@
 #include "core/cad/part_holes.h"
 #include "core/job/cut_depth.h"
 #include "core/machine/machine_library.h"
+#include "core/passes/plan_pass.h"
+#include "core/passes/thread_tooth.h"
 #include "core/path/hand_stretch.h"
 #include "core/path/milling_side.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
+#include "ui/window/hole_words.h"
 #include "ui/window/pass_dialog.h"
 
 #include <QFileInfo>
@@ -51,7 +54,10 @@ PassRow rowOf(const GeneratedInfo& pass, LengthUnit unit) {
     const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
     row.computed = request.hasValue();
     if (!request) return row; // read from a program
-    if (request->stepOver > 0.0)
+    if (request->kind == PassKind::thread)
+        row.figures =
+            QStringLiteral("%1 × %2").arg(lengthText(request->majorDiameter, unit), lengthText(request->pitch, unit));
+    else if (request->stepOver > 0.0)
         row.figures = lengthText(request->stepOver, unit);
     else if (request->scallop > 0.0)
         row.figures = lengthText(request->scallop, unit);
@@ -60,12 +66,20 @@ PassRow rowOf(const GeneratedInfo& pass, LengthUnit unit) {
     return row;
 }
 
-/// The number of holes of each diameter.
-QString holesText(const std::vector<UprightHole>& holes, LengthUnit unit) {
-    QStringList sizes;
-    for (const HoleSize& size : sizesOf(holes))
-        sizes << QStringLiteral("%1 × %2").arg(size.count).arg(lengthText(size.diameter, unit));
-    return sizes.join(QStringLiteral(", "));
+std::vector<PassKind> kindsFor(const Tool& tool) {
+    std::vector<PassKind> kinds;
+    for (const PassKindRow& row : passKinds)
+        if (mayPlan(row.kind, tool)) kinds.push_back(row.kind);
+    return kinds;
+}
+
+/// The smallest coarse thread that a tool cuts; without a name if there is none.
+ThreadSize threadOf(const Cutter& cutter) {
+    const auto fits = [&](const ThreadSize& size) {
+        return cutter.diameter < minorDiameter(size) && threadTooth(cutter, size.pitch);
+    };
+    const auto size = std::ranges::find_if(coarseThreads, fits);
+    return size != coarseThreads.end() ? *size : ThreadSize{};
 }
 
 /// The estimate of a pass; empty if there is none.
@@ -160,6 +174,7 @@ void PathPresenter::connectActions(const Actions& actions) {
     PathController& path = workbench_.path;
     connect(actions[ActionId::newPath], &QAction::triggered, &path, [&path] { path.makeNew(); });
     connect(actions[ActionId::newPass], &QAction::triggered, this, &PathPresenter::askPass);
+    connect(actions[ActionId::pickHoles], &QAction::triggered, this, [this] { emit holesWanted(lastPass_); });
     connect(actions[ActionId::measurePasses], &QAction::triggered, &workbench_.passMeasurer, &PassMeasurer::measure);
     connect(actions[ActionId::evaluatePath], &QAction::triggered, &path, [&path] { path.evaluate(); });
     connect(actions[ActionId::drawStretch], &QAction::triggered, this,
@@ -168,13 +183,30 @@ void PathPresenter::connectActions(const Actions& actions) {
 }
 
 void PathPresenter::askPass() {
-    if (!workbench_.passes.possible()) return;
-    const std::optional<WantedPass> wanted = asked(lastPass_, workbench_.area.area());
+    if (workbench_.passes.possible()) askFrom(lastPass_);
+}
+
+/// Computes the pass for which the user asks.
+void PathPresenter::askFrom(const WantedPass& last) {
+    const std::optional<WantedPass> wanted = asked(last, workbench_.area.area());
     if (!wanted) return;
-    lastPass_ = *wanted;
-    lastPass_.request.area = {};
-    lastPass_.request.lines.clear();
+    if (!wanted->instead) {
+        lastPass_ = *wanted;
+        lastPass_.request.area = {};
+        lastPass_.request.lines.clear();
+        lastPass_.request.places.clear();
+    }
     workbench_.passes.compute(*wanted);
+}
+
+bool PathPresenter::hasPass(std::int64_t id) const {
+    return std::ranges::any_of(workbench_.path.passes(), [id](const GeneratedInfo& pass) { return pass.id == id; });
+}
+
+void PathPresenter::askAgain(WantedPass wanted) {
+    if (!workbench_.passes.possible()) return;
+    if (wanted.instead && !hasPass(*wanted.instead)) wanted.instead.reset(); // it was removed meanwhile
+    askFrom(wanted);
 }
 
 /// Shows the pass's request; the new pass takes its position.
@@ -185,7 +217,7 @@ void PathPresenter::askChange(std::int64_t id) {
     if (pass == passes.end()) return;
     WantedPass before{{}, {}, id};
     if (const Result<PassRequest> request = passRequestFromJson(pass->request, pass->name)) before.request = *request;
-    if (const auto wanted = asked(before, workbench_.area.area())) workbench_.passes.compute(*wanted);
+    askFrom(before);
 }
 
 /// The user's request; empty: none.
@@ -194,7 +226,8 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
     const MillingContext& milling = *workbench_.workpiece.milling();
     const double diameter = milling.tool.cutter.diameter;
     const Box part = milling.partModel->box();
-    const bool free = milling.partModel->bodies.empty(), drills = milling.tool.cutter.type == CutterType::drill;
+    const bool free = milling.partModel->bodies.empty();
+    const std::vector<PassKind> kinds = kindsFor(milling.tool);
     const ClearingSteps steps = clearingSteps(milling);
     const PassDefaults defaults{steps.stepOver,
                                 usualFineStep * diameter,
@@ -202,11 +235,13 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
                                 usualStairs * diameter,
                                 milling.setup.stock.high.z,
                                 free ? milling.setup.stock.low.z : part.low.z,
-                                free ? milling.setup.stock.low.z : part.high.z};
-    PassDialog dialog({toolName(workbench_.tool.current()), workbench_.mill.takes(), last, defaults, painted,
-                       QString::fromStdString(project.parent_path().string()), drills,
-                       drills ? holesText(uprightHoles(*milling.partModel), unit()) : QString(), unit()},
-                      panel_.window());
+                                free ? milling.setup.stock.low.z : part.high.z,
+                                threadOf(milling.tool.cutter)};
+    PassDialog dialog(
+        {toolName(workbench_.tool.current()), workbench_.mill.takes(), last, defaults, painted,
+         QString::fromStdString(project.parent_path().string()), kinds,
+         std::ranges::any_of(kinds, isInHoles) ? uprightHoles(*milling.partModel) : std::vector<UprightHole>(), unit()},
+        panel_.window());
     PassPreviewer& previewer = workbench_.passPreview;
     connect(&dialog, &PassDialog::previewWanted, &previewer, &PassPreviewer::show);
     connect(&dialog, &PassDialog::previewUnwanted, &previewer, &PassPreviewer::clear);
@@ -215,9 +250,10 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
     dialog.adjustSize();
     const QRect window = panel_.window()->geometry();
     dialog.move(window.right() - dialog.width() - panelMargin, window.top() + panelMargin);
-    const bool accepted = dialog.exec() == QDialog::Accepted;
+    const int answer = dialog.exec();
     previewer.end();
-    return accepted ? std::optional(dialog.wanted()) : std::nullopt;
+    if (answer == PassDialog::pickHoles) emit holesWanted(dialog.wanted());
+    return answer == QDialog::Accepted ? std::optional(dialog.wanted()) : std::nullopt;
 }
 
 void PathPresenter::setUnit(LengthUnit unit) {
@@ -233,6 +269,7 @@ void PathPresenter::present() {
         state.passLeftOut = newest->leftOut;
         state.passInTheWay = newest->inTheWay;
         state.unreachedHoles = newest->unreachedHoles;
+        state.threads = millsThreads(newest->moves.info);
     }
     state.passPossible = workbench_.passes.possible();
     for (const std::string& tool : path.toolsThatMilled())

@@ -19,11 +19,19 @@ public:
     void setUnit(LengthUnit unit) override;
     /// New path, evaluation, drawing a part of it, showing it.
     void connectActions(const Actions& actions);
+    /// Shows the dialog again after its holes were picked.
+    void askAgain(WantedPass wanted);
+
+signals:
+    /// The user picks the holes of a pass in the view; `askAgain` is called then.
+    void holesWanted(const burin::WantedPass& wanted);
 
 private:
     void present() override;
     void askPass();
     void askChange(std::int64_t pass);
+    void askFrom(const WantedPass& last);
+    bool hasPass(std::int64_t id) const;
     std::optional<WantedPass> asked(const WantedPass& last, const PlanRegion& painted);
 
     PathPanel& panel_;

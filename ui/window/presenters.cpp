@@ -38,7 +38,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , excess(workbench, stage.viewport, this)
     , faces(workbench, stage.viewport, stage.panels.program->deviation(), this)
     , comparison(workbench, stage.viewport, this)
-    , fixtures(workbench, stage.viewport, this) {
+    , fixtures(workbench, stage.viewport, this)
+    , holes(workbench, stage.viewport, this) {
     connect(&scene, &ScenePresenter::hiddenBodiesChanged, this, [this](const std::set<std::size_t>& bodies) {
         part.setHiddenBodies(bodies);
         setups.setHiddenBodies(bodies);
@@ -56,6 +57,9 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
             [&time = workbench.time, panel = stage.panels.program] { panel->setBreakpoints(time.breakpoints()); });
     connect(&time, &TimePresenter::lineReached, &programScene, &ProgramScenePresenter::followLine);
     connect(&faces, &FacePresenter::marked, &measure, &MeasurePresenter::setOtherMark);
+    connect(&path, &PathPresenter::holesWanted, &holes, &HolePresenter::pick);
+    connect(&holes, &HolePresenter::picked, &path, &PathPresenter::askAgain);
+    connect(&holes, &HolePresenter::marked, &measure, &MeasurePresenter::setOtherMark);
     connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);
 }
 
@@ -83,7 +87,7 @@ void Presenters::setUnit(LengthUnit unit) {
              &part,    &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
              &mill,    &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
              &status,  &job,          &scene,  &guideScene, &programScene, &deviation, &area,    &time,
-             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures})
+             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures,   &holes})
         presenter->setUnit(unit);
 }
 

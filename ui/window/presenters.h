@@ -11,6 +11,7 @@
 #include "ui/window/guide_presenter.h"
 #include "ui/window/guide_scene_presenter.h"
 #include "ui/window/hand_presenter.h"
+#include "ui/window/hole_presenter.h"
 #include "ui/window/job_presenter.h"
 #include "ui/window/measure_presenter.h"
 #include "ui/window/mill_presenter.h"
@@ -79,6 +80,7 @@ public:
     FacePresenter faces;
     ComparisonPresenter comparison;
     FixturePresenter fixtures;
+    HolePresenter holes;
 };
 
 } // namespace burin

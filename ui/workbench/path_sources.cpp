@@ -26,10 +26,9 @@ struct PathController::AddedSources {
 };
 
 void PathController::addPass(const GeneratedMoves& moves, const Tool& tool, std::optional<std::int64_t> instead) {
-    addSources(tr("computed pass"),
-               {{moves, tool, [name = moves.info.name, instead](StoredPath path, std::int64_t source) {
-                     return withPass(std::move(path), name, source, instead);
-                 }}});
+    addSources(tr("computed pass"), {{moves, tool, [info = moves.info, instead](StoredPath path, std::int64_t source) {
+                                          return withPass(std::move(path), info, source, instead);
+                                      }}});
 }
 
 void PathController::addProgram(const std::vector<ProgramPass>& passes) {

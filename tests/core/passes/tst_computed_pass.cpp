@@ -4,7 +4,7 @@
 #include "core/passes/drill_pass.h"
 #include "core/passes/plan_pass.h"
 #include "core/passes/tip_drop.h"
-#include "tests/core/passes/plan_stage.h"
+#include "tests/core/passes/pass_stage.h"
 #include "tests/test_program.h"
 
 #include <QCoreApplication>
@@ -45,16 +45,6 @@ TriangleMesh blockUnder(const std::function<double(double, double)>& top, double
         quad(index(cells, i, false), index(cells, i + 1, false), index(cells, i + 1, true), index(cells, i, true));
     }
     return mesh;
-}
-
-Tool endMill(double diameter, double cornerRadius) {
-    Tool tool = shankedBallTool(diameter, 40.0);
-    tool.cutter.type = cornerRadius == 0.0              ? CutterType::flat
-                       : cornerRadius == 0.5 * diameter ? CutterType::ball
-                                                        : CutterType::bullNose;
-    tool.cutter.cornerRadius = cornerRadius;
-    tool.cutter.stickOut = 60.0;
-    return tool;
 }
 
 /// Lowers a cutter onto every triangle by the closed formulas for vertex and facet; on an edge the height is concave,
@@ -125,45 +115,6 @@ private:
     const TriangleMesh& mesh_;
     double radius_, corner_;
 };
-
-/// A part with everything that planning needs.
-struct Ground {
-    MeshDistance part;
-    Tool tool;
-    Box stock;
-    std::unique_ptr<const ClearanceField> field;
-    PassGround ground;
-
-    Ground(const TriangleMesh& mesh, const Tool& withTool, const Box& of, double allowance)
-        : part(mesh), tool(withTool), stock(of), field(fieldOf(allowance)), ground{part, *field, tool, stock,
-                                                                                   {},   {},     4.0,  40.0} {}
-
-    Result<PlannedPass> plan(const PassRequest& request) const {
-        Progress progress;
-        return planPass(request, ground, progress);
-    }
-
-private:
-    std::unique_ptr<const ClearanceField> fieldOf(double allowance) const {
-        ToolFieldRequest request;
-        request.tool = pieces(tool.cutter);
-        request.tips = stock.grown(tool.cutter.diameter);
-        request.tips.high.z += 20.0;
-        request.voxel = 0.5;
-        request.maximumAllowance = std::max(allowance, 0.5);
-        Progress progress;
-        return std::make_unique<ToolField>(std::move(*ToolField::build(part, request, progress)));
-    }
-};
-
-/// Visits points of a pass, at most 0.1 mm apart.
-void follow(const PlannedPass& pass, const std::function<void(const glm::dvec3&)>& visit) {
-    for (const TipLine& line : pass.strokes)
-        for (std::size_t i = 1; i < line.size(); ++i) {
-            const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(line[i - 1], line[i]) / 0.1)));
-            for (int k = 0; k <= steps; ++k) visit(glm::mix(line[i - 1], line[i], static_cast<double>(k) / steps));
-        }
-}
 
 /// A hemisphere 2 mm above the floor, and a ball of 6 mm.
 constexpr double domeRadius = 14.0;
@@ -607,9 +558,9 @@ private slots:
         const auto bumps = [](double x, double y) { return 8.0 + 3.0 * std::sin(0.4 * x) * std::cos(0.3 * y); };
         const Ground ground(blockUnder(bumps, 20.0, 80), endMill(6.0, 3.0), {{-20.0, -20.0, 0.0}, {20.0, 20.0, 12.0}},
                             1.0);
-        for (int round = 0; round < 26; ++round) { // all kinds except the last, which is for a drill
+        for (int round = 0; round < 26; ++round) { // all kinds except the last two, which work in holes
             PassRequest request;
-            request.kind = passKinds[static_cast<std::size_t>(round) % (passKinds.size() - 1)].kind;
+            request.kind = passKinds[static_cast<std::size_t>(round) % (passKinds.size() - 2)].kind;
             request.allowance = share(random) < 0.5 ? 0.0 : share(random);
             request.stepOver = 0.5 + 2.0 * share(random);
             request.direction = 6.0 * share(random);
@@ -847,6 +798,12 @@ private slots:
         holes.kind = PassKind::drill;
         holes.places = {{1.0 / 3.0, -2.0}, {0.1, 5.0}};
         QVERIFY(comesBack(holes));
+        holes.kind = PassKind::thread;
+        holes.pitch = 25.4 / 20.0;
+        holes.majorDiameter = 6.35;
+        holes.radialPasses = 3;
+        holes.leftHand = holes.conventional = holes.springPass = true;
+        QVERIFY(comesBack(holes));
     }
 
     void wrongRequestsAreRefused() {
@@ -866,6 +823,13 @@ private slots:
         QVERIFY(refused(R"({"pass": "levels", "places_mm": [1, 1]})"));
         QVERIFY(refused(R"({"pass": "drill", "places_mm": [1]})"));
         QVERIFY(refused(R"({"pass": "drill", "places_mm": [1, 1e300]})"));
+        QVERIFY(refused(R"({"pass": "thread", "major_diameter_mm": 8})"));
+        QVERIFY(refused(R"({"pass": "thread", "pitch_mm": 1.25})"));
+        QVERIFY(refused(R"({"pass": "thread", "pitch_mm": 4, "major_diameter_mm": 8})"));
+        QVERIFY(refused(R"({"pass": "thread", "pitch_mm": 1.25, "major_diameter_mm": 8, "radial_passes": 0})"));
+        QVERIFY(refused(R"({"pass": "thread", "pitch_mm": 1.25, "major_diameter_mm": 8, "allowance_mm": 0.1})"));
+        QVERIFY(refused(R"({"pass": "drill", "pitch_mm": 1.25})"));
+        QVERIFY(!refused(R"({"pass": "thread", "pitch_mm": 1.25, "major_diameter_mm": 8})"));
         QVERIFY(!refused(R"({"pass": "levels"})"));
     }
 

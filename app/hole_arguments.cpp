@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/hole_arguments.h"
+
+#include "app/number_list.h"
+#include "app/wording.h"
+#include "core/base/numbers.h"
+#include "core/base/units.h"
+#include "core/cad/part_holes.h"
+#include "core/passes/thread_size.h"
+
+#include <optional>
+
+namespace burin {
+
+namespace {
+
+/// The hole with a number, counted from 1 in the order of "info --json".
+std::optional<glm::dvec2> holeNumbered(double number, const std::vector<UprightHole>& holes) {
+    for (std::size_t i = 0; i < holes.size(); ++i)
+        if (number == static_cast<double>(i + 1)) return holes[i].centre;
+    return {};
+}
+
+Result<void> addPlaces(const std::vector<std::string>& texts, const Model& part, PassRequest& request) {
+    std::optional<std::vector<UprightHole>> holes;
+    for (const std::string& text : texts) {
+        if (const std::optional<glm::dvec3> place = vectorOf(text + ",0")) {
+            request.places.emplace_back(*place);
+            continue;
+        }
+        if (!holes) holes = uprightHoles(part);
+        const std::optional<double> number = parseNumber(text);
+        const std::optional<glm::dvec2> numbered = number ? holeNumbered(*number, *holes) : std::nullopt;
+        if (!numbered)
+            return Error{ErrorCode::argumentInvalid, "--hole", text,
+                         worded(BURIN_TEXT("Command", "X,Y in mm, or the number of a hole of the part, 1 to %1"),
+                                {std::to_string(holes->size())})};
+        request.places.push_back(*numbered);
+    }
+    return {};
+}
+
+} // namespace
+
+void addHoleOptions(CommandParser command, const Argument& pass, HoleArguments& arguments, PassRequest& request) {
+    const auto withPass = [&](const Argument& argument) {
+        argument.needs(pass);
+        return argument;
+    };
+    withPass(
+        command
+            .option("--hole", arguments.holes,
+                    BURIN_TEXT("Help", "drill, thread: a hole at X,Y, mm, or by its number in \"info --json\"; can "
+                                       "be given several times (default: every upright hole of the part that fits "
+                                       "the drill, or has the diameter of the thread)"))
+            .oneAtATime());
+    const Argument thread = withPass(command.option(
+        "--thread", arguments.thread,
+        BURIN_TEXT("Help", "thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part's holes have to be "
+                           "drawn at this diameter")));
+    const Argument pitch =
+        withPass(command.option("--pitch", request.pitch, BURIN_TEXT("Help", "thread: pitch, mm"))).excludes(thread);
+    withPass(command
+                 .option("--tpi", arguments.threadsPerInch,
+                         BURIN_TEXT("Help", "thread: instead of --pitch: threads per inch"))
+                 .range(1.0, 100.0))
+        .excludes(thread)
+        .excludes(pitch);
+    withPass(command.option("--major-diameter", request.majorDiameter,
+                            BURIN_TEXT("Help", "thread: major diameter, mm (default: that of each --hole)")))
+        .excludes(thread);
+    withPass(command
+                 .option("--radial-passes", request.radialPasses,
+                         BURIN_TEXT("Help", "thread: how often the tool follows the thread, deeper each time"))
+                 .range(1, mostRadialPasses));
+    withPass(command.flag("--spring-pass", request.springPass, BURIN_TEXT("Help", "thread: once more at full depth")));
+    withPass(command.flag("--left-hand", request.leftHand, BURIN_TEXT("Help", "thread: left-handed")));
+    withPass(command.flag("--conventional", request.conventional,
+                          BURIN_TEXT("Help", "thread: conventional instead of climb milling")));
+}
+
+Result<void> addHoles(const HoleArguments& arguments, const Model& part, PassRequest& request) {
+    if (arguments.threadsPerInch > 0.0) request.pitch = millimetresPerInch / arguments.threadsPerInch;
+    if (!arguments.thread.empty()) {
+        const Result<ThreadSize> size = threadSizeNamed(arguments.thread);
+        if (!size) return size.error();
+        request.pitch = size->pitch;
+        request.majorDiameter = size->diameter;
+    }
+    return addPlaces(arguments.holes, part, request);
+}
+
+} // namespace burin

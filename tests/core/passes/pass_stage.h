@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/passes/plan_pass.h"
+#include "tests/core/passes/plan_stage.h"
+
+#include <memory>
+#include <utility>
+
+namespace burin::test {
+
+inline Tool endMill(double diameter, double cornerRadius) {
+    Tool tool = shankedBallTool(diameter, 40.0);
+    tool.cutter.type = cornerRadius == 0.0              ? CutterType::flat
+                       : cornerRadius == 0.5 * diameter ? CutterType::ball
+                                                        : CutterType::bullNose;
+    tool.cutter.cornerRadius = cornerRadius;
+    tool.cutter.stickOut = 60.0;
+    return tool;
+}
+
+/// A part with everything that planning needs.
+struct Ground {
+    MeshDistance part;
+    Tool tool;
+    Box stock;
+    std::unique_ptr<const ClearanceField> field;
+    PassGround ground;
+
+    /// @param standing what is left of the stock; empty: all of it
+    Ground(const TriangleMesh& mesh, const Tool& withTool, const Box& of, double allowance, StandingStock standing = {})
+        : part(mesh)
+        , tool(withTool)
+        , stock(of)
+        , field(fieldOf(allowance))
+        , ground{part, *field, tool, stock, {}, std::move(standing), 4.0, 40.0} {}
+    Ground(const Ground&) = delete; // it refers to its own members
+    Ground& operator=(const Ground&) = delete;
+
+    Result<PlannedPass> plan(const PassRequest& request) const {
+        Progress progress;
+        return planPass(request, ground, progress);
+    }
+
+private:
+    std::unique_ptr<const ClearanceField> fieldOf(double allowance) const {
+        ToolFieldRequest request;
+        request.tool = pieces(tool.cutter);
+        request.tips = stock.grown(tool.cutter.diameter);
+        request.tips.high.z += 20.0;
+        request.voxel = 0.5;
+        request.maximumAllowance = std::max(allowance, 0.5);
+        Progress progress;
+        return std::make_unique<ToolField>(std::move(*ToolField::build(part, request, progress)));
+    }
+};
+
+/// Visits points of a pass, at most 0.1 mm apart.
+inline void follow(const PlannedPass& pass, const std::function<void(const glm::dvec3&)>& visit) {
+    for (const TipLine& line : pass.strokes)
+        for (std::size_t i = 1; i < line.size(); ++i) {
+            const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(line[i - 1], line[i]) / 0.1)));
+            for (int k = 0; k <= steps; ++k) visit(glm::mix(line[i - 1], line[i], static_cast<double>(k) / steps));
+        }
+}
+
+} // namespace burin::test

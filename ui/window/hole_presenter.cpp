@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/hole_presenter.h"
+
+#include "core/base/units.h"
+#include "core/cad/part_holes.h"
+#include "ui/window/hole_words.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+/// A circle on the mouth of a hole, mm.
+std::vector<glm::dvec3> mouthOf(const UprightHole& hole, double height) {
+    constexpr int corners = 48;
+    std::vector<glm::dvec3> circle;
+    for (int i = 0; i <= corners; ++i) {
+        const double angle = 2.0 * pi * i / corners;
+        circle.emplace_back(hole.centre + hole.radius * glm::dvec2(std::cos(angle), std::sin(angle)), height);
+    }
+    return circle;
+}
+
+} // namespace
+
+HolePresenter::HolePresenter(Workbench& workbench, Viewport& viewport, QObject* parent)
+    : Presenter(workbench, {&workbench.workpiece, &workbench.tool}, parent), viewport_(viewport) {
+    connect(&picker_, &HolePicker::chosen, this, &HolePresenter::toggle);
+    connect(&picker_, &HolePicker::missed, this,
+            [this] { emit told(tr("There is no round upright hole. Click the wall of a hole, or into it.")); });
+    connect(&picker_, &HolePicker::finished, this, [this] {
+        const WantedPass wanted = *wanted_;
+        leave();
+        // The dialog must not open within the key's event.
+        QTimer::singleShot(0, this, [this, wanted] { emit picked(wanted); });
+    });
+    connect(&viewport, &Viewport::interactiveToolChanged, this, [this] {
+        if (wanted_ && viewport_.interactiveTool() != &picker_) leave(); // another tool took the pointer
+    });
+}
+
+void HolePresenter::pick(const WantedPass& wanted) {
+    if (wanted_ || !workbench_.passes.possible()) return;
+    emit pickBegins();
+    milling_ = workbench_.workpiece.milling();
+    picker_.setPart(milling_->partModel, uprightHoles(*milling_->partModel));
+    before_ = viewport_.interactiveTool();
+    wanted_ = wanted;
+    viewport_.setInteractiveTool(&picker_);
+    viewport_.setPartSeen(true);
+    viewport_.setFocus(); // so that the picker receives Esc
+    mark({});
+    emit told(tr("Click the holes of the pass; a second click removes a hole. Enter or Esc goes back to the pass."));
+}
+
+void HolePresenter::toggle(std::size_t index) {
+    const std::vector<UprightHole>& holes = picker_.holes();
+    std::vector<glm::dvec2>& places = wanted_->request.places;
+    const auto isIt = [&](const glm::dvec2& place) { return holeAround(holes, place) == &holes[index]; };
+    const bool wasPicked = std::erase_if(places, isIt) > 0;
+    if (!wasPicked) places.push_back(holes[index].centre);
+    mark(index);
+    const auto count = static_cast<int>(places.size());
+    const QString what =
+        (wasPicked ? tr("Removed: %1.") : tr("Picked: %1.")).arg(pickedText(holes[index].centre, holes, unit()));
+    emit told(what + QLatin1Char(' ') +
+              (count == 1 ? tr("1 hole is picked.") : tr("%n holes are picked.", nullptr, count)));
+}
+
+void HolePresenter::leave() {
+    wanted_.reset();
+    milling_.reset();
+    picker_.setPart(nullptr, {});
+    if (viewport_.interactiveTool() == &picker_) viewport_.setInteractiveTool(std::exchange(before_, nullptr));
+    viewport_.setPartSeen(false);
+    emit marked({});
+}
+
+void HolePresenter::present() {
+    if (wanted_ && workbench_.workpiece.milling() != milling_) leave();
+}
+
+/// Marks the picked holes; the text is that of the newest.
+void HolePresenter::mark(const std::optional<std::size_t>& newest) {
+    const std::vector<UprightHole>& holes = picker_.holes();
+    MeasureMark mark;
+    for (const glm::dvec2& place : wanted_->request.places) {
+        const UprightHole* hole = holeAround(holes, place);
+        if (hole == nullptr) continue;
+        mark.lines.push_back(mouthOf(*hole, hole->top));
+        mark.lines.push_back(mouthOf(*hole, hole->bottom));
+        mark.place = {hole->centre, hole->top};
+        if (newest && hole == &holes[*newest]) mark.text = holeText(*hole, unit());
+    }
+    emit marked(mark.lines.empty() ? std::nullopt : std::optional(std::move(mark)));
+}
+
+} // namespace burin

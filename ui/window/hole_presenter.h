@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "ui/input/hole_picker.h"
+#include "ui/scene/viewport.h"
+#include "ui/window/presenter.h"
+
+#include <optional>
+
+namespace burin {
+
+/// Picks the holes of a pass in the view, between two appearances of the pass dialog. Ends without a pass if another
+/// tool takes the pointer, or the part changes.
+class HolePresenter final : public Presenter {
+    Q_OBJECT
+public:
+    HolePresenter(Workbench& workbench, Viewport& viewport, QObject* parent);
+    /// Begins with the holes of a request. Does nothing without a part.
+    void pick(const WantedPass& wanted);
+
+signals:
+    void pickBegins();                              ///< the path step must be shown
+    void picked(const burin::WantedPass& wanted);   ///< the user is done
+    void told(const QString& sentences);            ///< what to do, or what was picked
+    void marked(const std::optional<MeasureMark>&); ///< of the picked holes
+
+private:
+    void present() override;
+    void toggle(std::size_t hole);
+    void leave();
+    void mark(const std::optional<std::size_t>& newest);
+
+    Viewport& viewport_;
+    HolePicker picker_;
+    InteractiveTool* before_ = nullptr; ///< the view's previous tool
+    std::shared_ptr<const MillingContext> milling_;
+    std::optional<WantedPass> wanted_; ///< empty: not picking
+};
+
+} // namespace burin
