@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
+#include "app/commands/device_axes.h"
 #include "app/wording.h"
 #include "core/device/device_registry.h"
 #include "core/device/device_trial.h"
@@ -126,6 +127,7 @@ int runDevices(CommandContext& context) {
             entry.update(jsonOf(made.description()));
             entry["self_paced"] = StylusHandle(*stylus).selfPaced() != nullptr;
             entry["health"] = jsonOf(made.health());
+            for (const DeviceAxis& axis : made.axes()) entry["axes"].push_back(axis.name);
             line(textOf(device, made.description()));
         } else { // present but unusable: reports why
             entry["fault"] = Messages::sentence(stylus.error()).toStdString();
@@ -163,8 +165,13 @@ void registerDevices(CommandParser program, CommandContext& context, int& status
                                    "its maximum force"))
         .range(0.0, 100.0)
         .needs(test);
-    command.run([&context, &status, arguments] {
-        status = arguments->device.empty() ? runDevices(context) : runTrial(context, *arguments);
+    const auto axes = std::make_shared<AxesArguments>();
+    addAxesOptions(command, *axes, test);
+    command.run([&context, &status, arguments, axes] {
+        status = !axes->mapped.empty()       ? mapAxes(*axes, context)
+                 : !axes->calibrated.empty() ? calibrateAxes(*axes, context)
+                 : arguments->device.empty() ? runDevices(context)
+                                             : runTrial(context, *arguments);
     });
 }
 

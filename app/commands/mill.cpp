@@ -10,6 +10,7 @@
 #include "core/base/numbers.h"
 #include "core/base/staged_file.h"
 #include "core/base/units.h"
+#include "core/device/axis_map_json.h"
 #include "core/device/device_registry.h"
 #include "core/document/companions.h"
 #include "core/haptics/trace/trace_stylus.h"
@@ -17,6 +18,7 @@
 #include "core/job/recorded_cuts.h"
 #include "core/job/switched_off.h"
 #include "core/volume/operations/fingerprint.h"
+#include "ui/dialogs/preferences.h"
 #include "ui/messages/messages.h"
 
 #include <algorithm>
@@ -240,6 +242,8 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
     const Result<AnyStylus> stylus = registry.make(device->id, work.arguments.mode);
     if (!stylus) return stylus.error();
     const StylusHandle handle(*stylus);
+    if (Result<void> assigned = assignKept(handle.device(), UserSettings().axisMap(device->id)); !assigned)
+        return std::move(assigned).error();
     const int buttons = handle.device().description().buttons;
     if (work.arguments.deadMan > buttons)
         return Error{ErrorCode::argumentInvalid, "--dead-man", std::to_string(work.arguments.deadMan),

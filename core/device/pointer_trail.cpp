@@ -52,22 +52,27 @@ double cornerSpeed(const glm::dvec3& in, const glm::dvec3& out, double tolerance
 
 } // namespace
 
-void PointerTrail::begin(const glm::dvec3& start) noexcept {
+void PointerTrail::begin(const glm::dvec3& start, const glm::dvec3& axis) noexcept {
     newest_ = 0;
     next_ = 1;
     beyond_ = 0.0;
     judged_.fill(1);
     goal(0) = Goal{};
     goal(0).place = goal(0).point.place = start;
+    goal(0).axis = axis;
 }
 
-bool PointerTrail::append(const glm::dvec3& place, double grain) noexcept {
-    const Goal& last = goal(newest_);
+bool PointerTrail::append(const glm::dvec3& place, double grain, const glm::dvec3& axis) noexcept {
+    Goal& last = goal(newest_);
     const double length = glm::distance(last.place, place);
-    if (length < shortest) return true;
+    if (length < shortest) {
+        last.axis = axis;
+        return true;
+    }
     if (ahead() == capacity) return false;
     Goal& added = goal(newest_ + 1);
     added.place = place;
+    added.axis = axis;
     added.grain = grain;
     added.arc = last.arc + length;
     added.moment = last.moment + 0.5 * length * (last.place + place);
@@ -92,6 +97,15 @@ void PointerTrail::pass() noexcept {
 void PointerTrail::passAll() noexcept {
     next_ = newest_ + 1;
     beyond_ = 0.0;
+}
+
+glm::dvec3 PointerTrail::axisAt(const glm::dvec3& place) const noexcept {
+    if (ahead() == 0) return goal(newest_).axis;
+    const Goal &from = goal(next_ - 1), &to = goal(next_);
+    if (from.axis == to.axis || !(to.point.length > 0.0)) return to.axis;
+    const double share = 1.0 - std::min(1.0, glm::distance(place, to.point.place) / to.point.length);
+    const glm::dvec3 axis = glm::mix(from.axis, to.axis, share);
+    return glm::length(axis) > 0.0 ? glm::normalize(axis) : to.axis; // opposite axes have no mean
 }
 
 /// The value at a distance along the goals from one of them, backwards if it is negative; the nearest known value

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/upright.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -28,16 +30,19 @@ public:
         double speed = 0.0;  ///< mm/s at which it may be passed; 0 at the line's end
     };
 
-    void begin(const glm::dvec3& start) noexcept; ///< mm
+    void begin(const glm::dvec3& start, const glm::dvec3& axis = uprightAxis) noexcept; ///< mm; unit
     /// @param goal mm; @param grain mm: goals closer together than this can't be distinguished; 0: the goal is exact
+    /// @param axis unit: the tool axis at the goal. A goal at the position of the previous one only changes its axis.
     /// @return false if there is no room; nothing is changed then
-    bool append(const glm::dvec3& goal, double grain) noexcept;
+    bool append(const glm::dvec3& goal, double grain, const glm::dvec3& axis = uprightAxis) noexcept;
 
     std::size_t ahead() const noexcept { return newest_ + 1 - next_; } ///< points that are not passed yet
     /// @param index 0: the next point to be passed
     const Point& point(std::size_t index) const noexcept { return goal(next_ + index).point; }
     double lengthBeyond() const noexcept { return beyond_; } ///< mm, from the next point to the line's end
     const glm::dvec3& end() const noexcept { return goal(newest_).place; }
+    /// The tool axis of a follower at a position between the point passed last and the next one: interpolated; unit.
+    glm::dvec3 axisAt(const glm::dvec3& place) const noexcept;
     void pass() noexcept; ///< Passes the next point; its position does not change any more
     void passAll() noexcept;
 
@@ -47,6 +52,7 @@ private:
 
     struct Goal {
         glm::dvec3 place{0.0};
+        glm::dvec3 axis = uprightAxis;
         double grain = 0.0;
         double arc = 0.0;       // mm along the goals, from the start
         glm::dvec3 moment{0.0}; // mm²: the line through the goals, integrated over the arc length

@@ -4,6 +4,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/geometry/angle.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ constexpr double longestStep = 0.001;   // s
 constexpr double longestGap = 0.010;    // s
 constexpr double restDistance = 0.0005; // mm
 constexpr double restSpeed = 0.1;       // mm/s
+constexpr double sameAxis = 1e-6;       // rad: the axis has arrived
 constexpr double near = 0.02;           // mm: counts as arrived, on the way to a stroke's start
 
 /// Highest speed at a distance from the goal from which braking still ends there: proportional to the distance near the
@@ -30,6 +32,12 @@ double approachSpeed(double distance) {
 
 double lateralDistance(const glm::dvec3& a, const glm::dvec3& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+/// The smallest rotation that takes +z to an axis.
+glm::dquat rotationTo(const glm::dvec3& axis) {
+    if (axis == uprightAxis) return {1.0, 0.0, 0.0, 0.0};
+    return glm::normalize(glm::dquat(1.0 + axis.z, -axis.y, axis.x, 0.0)); // half of the angle about z × axis
 }
 
 } // namespace
@@ -89,6 +97,7 @@ Result<void> SimulatedStylus::open() {
     velocity_ = glm::dvec3(0.0);
     waiting_.reset();
     after_.reset();
+    axis_ = uprightAxis;
     phase_ = Phase::hover;
     return {};
 }
@@ -126,11 +135,11 @@ bool SimulatedStylus::apply(const StylusTarget& target) noexcept {
     }
     if (after_) return false; // belongs to the next stroke
     if (phase_ != Phase::hover) {
-        if (!trail_.append(target.tip, target.grain)) return false;
+        if (!trail_.append(target.tip, target.grain, target.axis)) return false;
     } else {
         strokeStart_ = target.tip;
         hoverHeight_ = std::max(hoverHeight_, target.clearHeight);
-        trail_.begin(strokeStart_);
+        trail_.begin(strokeStart_, target.axis);
         phase_ = Phase::approach;
     }
     target_ = target;
@@ -174,7 +183,15 @@ void SimulatedStylus::changePhase() noexcept {
     if (phase_ == Phase::follow && after_ && trail_.finished()) hoverOver(*after_);
 }
 
+void SimulatedStylus::lean(double seconds) noexcept {
+    const glm::dvec3 wanted = phase_ == Phase::follow ? trail_.axis() : uprightAxis;
+    const double share = 1.0 - std::exp(-seconds / turnLag), angle = angleBetween(axis_, wanted);
+    if (angle > 0.0)
+        axis_ = angle < sameAxis ? wanted : turnedTowards(axis_, wanted, std::min(share * angle, turnSpeed * seconds));
+}
+
 void SimulatedStylus::step(double seconds) noexcept {
+    lean(seconds);
     if (phase_ == Phase::follow) {
         tip_ = trail_.step(seconds, target_.maximumSpeed);
         velocity_ = trail_.velocity();
@@ -204,7 +221,7 @@ StylusState SimulatedStylus::read(double time) noexcept {
     places_.post({tip_, phase_ != Phase::hover, phase_ == Phase::hover ? 0 : trail_.ahead() + waits, taken_, begun_});
     StylusState state;
     state.time = time;
-    state.pose.position = tip_;
+    state.pose = {tip_, rotationTo(axis_)};
     state.buttons = phase_ == Phase::plunge || phase_ == Phase::follow ? 1U : 0U;
     state.valid = true;
     return state;

@@ -26,6 +26,8 @@ struct StylusTarget {
     /// mm: the resolution of the pointer, i.e. the longest diagonal of a pixel at this position; 0: the target is
     /// exact. Steps in a stroke that this resolution explains are smoothed.
     double grain = 0.0;
+    /// Tool axis at this point of a stroke, unit, setup frame, within 90° of +z. A target that doesn't cut is upright.
+    glm::dvec3 axis = uprightAxis;
 };
 
 /// The simulated stylus: mouse or keyboard. Its device frame is the setup frame (mapping 1 : 1). It moves the tip
@@ -40,6 +42,9 @@ struct StylusTarget {
 /// (`finishStroke`), or at once. Then the button goes up and the tip rises before anything else. A stroke that is given
 /// up before its start was reached never presses the button. Later targets wait until a trail is finished.
 ///
+/// While a stroke is followed the axis leans as its targets request; otherwise it is upright, since the heights at
+/// which the tip hovers are clear of an upright tool. It rotates smoothly, at most at `turnSpeed`.
+///
 /// `wish`, `tip`, `strokeUnderWay`, `strokesBegun` and `targetsAhead` are called on the user interface's thread, all
 /// others on the haptic thread. No lock, no allocation.
 class SimulatedStylus final : public Stylus {
@@ -47,6 +52,8 @@ public:
     static constexpr double maximumSpeed = 400.0;  ///< mm/s, never exceeded
     static constexpr double acceleration = 6000.0; ///< mm/s², never exceeded except for the last 0.1 mm/s before rest
     static constexpr double lag = 0.025;           ///< s, the delay behind a moving target
+    static constexpr double turnSpeed = 3.0;       ///< rad/s of the axis, never exceeded
+    static constexpr double turnLag = 0.02;        ///< s, the delay of the axis behind that of the trail
     /// mm of margin that hover heights contain: the tip may already move sideways when it is this far below one.
     static constexpr double clearance = 1.5;
 
@@ -97,6 +104,7 @@ private:
     glm::dvec3 goal() const noexcept;
     glm::dvec3 above(const glm::dvec3& place) const noexcept;
     void step(double seconds) noexcept;
+    void lean(double seconds) noexcept;
     void changePhase() noexcept;
 
     static constexpr std::size_t mostWishes = 4096, roomToEnd = 64;
@@ -119,6 +127,7 @@ private:
     std::optional<StylusTarget> after_;   ///< follows when the stroke in progress is finished
     TrailFollower trail_;
     glm::dvec3 tip_{0.0}, velocity_{0.0}; ///< mm, mm/s
+    glm::dvec3 axis_ = uprightAxis;       ///< unit
     glm::dvec3 strokeStart_{0.0};         ///< mm
     double hoverHeight_ = 0.0;            ///< mm, z at which the motion to the goal is clear
     std::optional<double> lastTime_;

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/device/axis_map.h"
 #include "core/device/figure.h"
 #include "core/geometry/pose.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -99,6 +101,17 @@ public:
     /// are switched off at once, and come on again only with the answer to a reading made after this call. Does not
     /// wait for the other thread. Every stylus with motors has to override it; the default is for those without.
     virtual void cutMotors() noexcept {}
+
+    /// The axes whose assignment to motions can be changed, at most AxisMap::mostAxes; empty: a device with a pose of
+    /// its own. Does not change.
+    virtual std::vector<DeviceAxis> axes() const { return {}; }
+    /// The assignment without `assign`. Does not change.
+    virtual AxisMap axisMap() const { return {}; }
+    /// Another assignment, from the next reading on, whether or not the stylus is open. The thread that reads takes it
+    /// over without a lock. @param map checked by checkAxisMap
+    virtual void assign(const AxisMap& /*map*/) noexcept {}
+    /// Any thread: the newest readings while the stylus is open, before any assignment.
+    virtual AxisReading axisReading() const noexcept { return {}; }
 };
 
 /// A stylus that the loop calls at its own rate: one read and one write per tick.

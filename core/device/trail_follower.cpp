@@ -19,8 +19,8 @@ static_assert(PointerTrail::meanTime == 16 * period);
 
 } // namespace
 
-void TrailFollower::begin(const glm::dvec3& start) noexcept {
-    trail_.begin(start);
+void TrailFollower::begin(const glm::dvec3& start, const glm::dvec3& axis) noexcept {
+    trail_.begin(start, axis);
     oldest_ = 0;
     carrier_ = before_ = mean_ = start;
     recent_.fill(start);
@@ -29,9 +29,9 @@ void TrailFollower::begin(const glm::dvec3& start) noexcept {
     resting_ = window;
 }
 
-bool TrailFollower::append(const glm::dvec3& goal, double grain) noexcept {
+bool TrailFollower::append(const glm::dvec3& goal, double grain, const glm::dvec3& axis) noexcept {
     const std::size_t before = trail_.ahead();
-    if (!trail_.append(goal, grain)) return false;
+    if (!trail_.append(goal, grain, axis)) return false;
     if (trail_.ahead() > before) resting_ = 0;
     return true;
 }

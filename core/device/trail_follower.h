@@ -19,15 +19,18 @@ public:
     static constexpr double tolerance = PointerTrail::tolerance; ///< mm from the line, at its corners
     static constexpr double acceleration = 4000.0;               ///< mm/s² along the line
 
-    void begin(const glm::dvec3& start) noexcept;               ///< mm; at rest there
-    bool append(const glm::dvec3& goal, double grain) noexcept; ///< as PointerTrail::append
+    void begin(const glm::dvec3& start, const glm::dvec3& axis = uprightAxis) noexcept; ///< mm; at rest there
+    /// As PointerTrail::append.
+    bool append(const glm::dvec3& goal, double grain, const glm::dvec3& axis = uprightAxis) noexcept;
 
     /// Advances by a time. @param seconds at least 0 @param maximumSpeed mm/s along the line
     /// @return the position, mm
     glm::dvec3 step(double seconds, double maximumSpeed) noexcept;
     const glm::dvec3& velocity() const noexcept { return velocity_; } ///< mm/s
-    std::size_t ahead() const noexcept { return trail_.ahead(); }     ///< points that are not passed yet
-    bool finished() const noexcept;                                   ///< whether it rests at the line's end
+    /// The tool axis at the position, unit: interpolated between those of the goals.
+    glm::dvec3 axis() const noexcept { return trail_.axisAt(carrier_); }
+    std::size_t ahead() const noexcept { return trail_.ahead(); } ///< points that are not passed yet
+    bool finished() const noexcept;                               ///< whether it rests at the line's end
 
 private:
     static constexpr std::size_t window = 16; // ticks over which the position is averaged

@@ -13,4 +13,7 @@ inline double angleBetween(const glm::dvec3& a, const glm::dvec3& b) noexcept {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+/// Returns `from` rotated towards `to` by at most an angle, rad. All vectors of unit length.
+glm::dvec3 turnedTowards(const glm::dvec3& from, const glm::dvec3& to, double most) noexcept;
+
 } // namespace burin

@@ -6,9 +6,6 @@
 
 namespace burin {
 
-/// Returns `from` rotated towards `to` by at most an angle, rad. All vectors of unit length.
-glm::dvec3 turnedTowards(const glm::dvec3& from, const glm::dvec3& to, double most) noexcept;
-
 /// A tool axis that follows a requested axis exactly, but rotates no faster than a hand would where the requested axis
 /// jumps. Called in the haptic tick.
 class AxisFollower {

@@ -14,12 +14,13 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The headers that a plugin may include in addition to its own.
-constexpr std::array<std::string_view, 17> pluginInterface{"core/base/mailbox.h",
+constexpr std::array<std::string_view, 18> pluginInterface{"core/base/mailbox.h",
                                                            "core/base/error.h",
                                                            "core/base/progress.h",
                                                            "core/base/result.h",
                                                            "core/base/text.h",
                                                            "core/base/units.h",
+                                                           "core/device/axis_map.h",
                                                            "core/device/deflection.h",
                                                            "core/device/device_driver.h",
                                                            "core/device/device_fault.h",

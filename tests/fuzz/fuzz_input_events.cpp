@@ -50,7 +50,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const input_event event = burin::test::eventOf(type, code, numbers.next<std::int32_t>());
         (void)pad.take(event);
         for (const std::int16_t axis : pad.controls().axes)
-            if (axis > 350 || axis < -350) std::abort();
+            if (std::abs(axis) > burin::input_events::PadReader::fullScale) std::abort();
         (void)tablet.take(event);
         const burin::Pose pose = mapping.advance(tablet.pen(), 0.01);
         if (!std::isfinite(glm::length(pose.position)) || std::abs(glm::length(pose.rotation) - 1.0) > 1e-6)

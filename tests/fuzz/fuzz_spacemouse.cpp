@@ -14,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t cou
     fuzz::forEachReport({bytes, count}, [&](std::span<const std::uint8_t> report) {
         reader.take(report);
         for (cap::CapMapping* mapping : {&rate, &position}) {
-            const Pose& pose = mapping->advance(reader.controls().axes, 0.01);
+            const Pose& pose = mapping->advance(
+                motionsOf(cap::capMap(), cap::readingsOf(reader.controls().axes, cap::CapMapping::fullScale)), 0.01);
             if (!(glm::length(pose.position) <= cap::CapMapping::workspaceRadius + 1e-9)) std::abort();
         }
         if (reader.controls().batteryPercent > 100) std::abort();

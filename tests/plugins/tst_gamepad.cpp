@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "plugins/devices/cap/cap_mapping.h"
 #include "plugins/devices/input_events/input_devices.h"
 #include "plugins/devices/input_events/pad_reader.h"
 #include "tests/plugins/virtual_input.h"
@@ -12,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 namespace burin::tst_gamepad {
@@ -25,8 +27,6 @@ using burin::input_events::PadReader;
 
 namespace {
 
-constexpr int full = 350;
-
 /// Two sticks and triggers, as an Xbox pad has them.
 auto twoSticks() {
     return virtualInput({{ABS_X, -32768, 32767, 128},
@@ -36,6 +36,10 @@ auto twoSticks() {
                          {ABS_Z, 0, 255},
                          {ABS_RZ, 0, 255}},
                         {BTN_SOUTH, BTN_EAST, BTN_NORTH, BTN_WEST, BTN_START});
+}
+
+MotionShares sharesOf(const PadReader& reader) {
+    return motionsOf(reader.map(), cap::readingsOf(reader.controls().axes, PadReader::fullScale));
 }
 
 void write(const QString& file, const QByteArray& line) {
@@ -106,33 +110,35 @@ private slots:
         QVERIFY(inputDevices({folder.filePath("none").toStdString(), {}}).empty());
     }
 
-    void eachControlMovesItsAxis_data() {
+    /// With the usual assignment, device frame: y away from the user, z up, rotations right-handed.
+    void eachControlMovesTheToolItsWay_data() {
         QTest::addColumn<unsigned int>("code");
         QTest::addColumn<int>("value");
-        QTest::addColumn<int>("axis");
-        QTest::addColumn<int>("counts");
-        QTest::newRow("right") << unsigned{ABS_X} << 32767 << 0 << full;
-        QTest::newRow("left") << unsigned{ABS_X} << -32768 << 0 << -full;
-        QTest::newRow("towards the user") << unsigned{ABS_Y} << 32767 << 1 << full;
-        QTest::newRow("right stick down") << unsigned{ABS_RY} << 32767 << 2 << full;
-        QTest::newRow("right stick right") << unsigned{ABS_RX} << 32767 << 5 << full;
-        QTest::newRow("right trigger presses") << unsigned{ABS_RZ} << 255 << 2 << full;
-        QTest::newRow("left trigger lifts") << unsigned{ABS_Z} << 255 << 2 << -full;
-        QTest::newRow("beyond its range") << unsigned{ABS_X} << 100000 << 0 << full;
-        QTest::newRow("a stick that does not quite come back") << unsigned{ABS_X} << 3000 << 0 << 0;
-        QTest::newRow("half") << unsigned{ABS_X} << 16384 << 0 << static_cast<int>(std::lround(full * 0.4 / 0.9));
+        QTest::addColumn<int>("motion");
+        QTest::addColumn<double>("share");
+        QTest::newRow("right") << unsigned{ABS_X} << 32767 << 0 << 1.0;
+        QTest::newRow("left") << unsigned{ABS_X} << -32768 << 0 << -1.0;
+        QTest::newRow("towards the user") << unsigned{ABS_Y} << 32767 << 1 << -1.0;
+        QTest::newRow("right stick down") << unsigned{ABS_RY} << 32767 << 2 << -1.0;
+        QTest::newRow("right stick right") << unsigned{ABS_RX} << 32767 << 5 << -1.0;
+        QTest::newRow("right trigger presses") << unsigned{ABS_RZ} << 255 << 2 << -1.0;
+        QTest::newRow("left trigger lifts") << unsigned{ABS_Z} << 255 << 2 << 1.0;
+        QTest::newRow("beyond its range") << unsigned{ABS_X} << 100000 << 0 << 1.0;
+        QTest::newRow("a stick that does not quite come back") << unsigned{ABS_X} << 3000 << 0 << 0.0;
+        QTest::newRow("half") << unsigned{ABS_X} << 16384 << 0 << 0.4 / 0.9;
+        QTest::newRow("half a trigger") << unsigned{ABS_Z} << 128 << 2 << (128.0 / 255.0 - 0.1) / 0.9;
     }
-    void eachControlMovesItsAxis() {
+    void eachControlMovesTheToolItsWay() {
         QFETCH(unsigned int, code);
         QFETCH(int, value);
-        QFETCH(int, axis);
-        QFETCH(int, counts);
+        QFETCH(int, motion);
+        QFETCH(double, share);
         const auto device = twoSticks();
         PadReader reader(*device);
-        for (const std::int16_t count : reader.controls().axes) QCOMPARE(count, std::int16_t{0}); // nothing moved yet
+        for (const double none : sharesOf(reader)) QCOMPARE(none, 0.0); // nothing moved yet
         QCOMPARE(reader.take(eventOf(EV_ABS, code, value)), PadReader::Kind::motion);
-        for (int i = 0; i < 6; ++i)
-            QVERIFY(std::abs(reader.controls().axes[static_cast<std::size_t>(i)] - (i == axis ? counts : 0)) <= 1);
+        for (std::size_t i = 0; i < motionCount; ++i)
+            QVERIFY(std::abs(sharesOf(reader)[i] - (i == static_cast<std::size_t>(motion) ? share : 0.0)) < 1e-4);
     }
 
     void triggersAndStickAddUp() {
@@ -140,11 +146,11 @@ private slots:
         PadReader reader(*device);
         reader.take(eventOf(EV_ABS, ABS_RZ, 255));
         reader.take(eventOf(EV_ABS, ABS_Z, 255));
-        QCOMPARE(reader.controls().axes[2], std::int16_t{0});
+        QCOMPARE(sharesOf(reader)[2], 0.0);
         reader.take(eventOf(EV_ABS, ABS_RY, 32767));
-        QCOMPARE(reader.controls().axes[2], std::int16_t{full});
+        QCOMPARE(sharesOf(reader)[2], -1.0);
         reader.take(eventOf(EV_ABS, ABS_Z, 0)); // limited to full deflection
-        QCOMPARE(reader.controls().axes[2], std::int16_t{full});
+        QCOMPARE(sharesOf(reader)[2], -1.0);
     }
 
     void otherLayouts() {
@@ -152,19 +158,39 @@ private slots:
             virtualInput({{ABS_X, 0, 255}, {ABS_Y, 0, 255}, {ABS_Z, 0, 255}, {ABS_RZ, 0, 255}}, {BTN_TRIGGER});
         PadReader second(*older); // the second stick is Z and Rz
         second.take(eventOf(EV_ABS, ABS_RZ, 0));
-        QCOMPARE(second.controls().axes[2], std::int16_t{-full});
+        QCOMPARE(sharesOf(second)[2], 1.0);
         second.take(eventOf(EV_ABS, ABS_X, 128));
-        QCOMPARE(second.controls().axes[0], std::int16_t{0});
+        QCOMPARE(sharesOf(second)[0], 0.0);
         const auto joystick =
             virtualInput({{ABS_X, 0, 1023}, {ABS_Y, 0, 1023}, {ABS_RZ, 0, 255}, {ABS_HAT0Y, -1, 1}}, {BTN_TRIGGER});
         PadReader hat(*joystick);
         hat.take(eventOf(EV_ABS, ABS_HAT0Y, -1));
-        QCOMPARE(hat.controls().axes[2], std::int16_t{-full}); // up
+        QCOMPARE(sharesOf(hat)[2], 1.0); // up
         hat.take(eventOf(EV_ABS, ABS_RZ, 255));
-        QCOMPARE(hat.controls().axes[5], std::int16_t{full});
+        QCOMPARE(sharesOf(hat)[5], -1.0);
         const auto broken = virtualInput({{ABS_X, 5, 5}, {ABS_Y, 9, 1}}, {BTN_TRIGGER}); // empty ranges
         PadReader nothing(*broken);
         QCOMPARE(nothing.take(eventOf(EV_ABS, ABS_X, 5)), PadReader::Kind::none);
+        QVERIFY(nothing.axes().empty());
+    }
+
+    /// Axes without a use of their own are there to be assigned.
+    void everyAxisCanBeAssigned() {
+        const auto device =
+            virtualInput({{ABS_X, 0, 255}, {ABS_Y, 0, 255}, {ABS_THROTTLE, 0, 255}, {ABS_HAT0X, -1, 1}}, {BTN_TRIGGER});
+        PadReader reader(*device);
+        QCOMPARE(reader.axes().size(), std::size_t{4});
+        const auto throttle = std::ranges::find(reader.axes(), "throttle", &DeviceAxis::name);
+        QVERIFY(throttle != reader.axes().end() && !throttle->springs);
+        AxisMap map = reader.map();
+        AxisUse& use = map.axes[static_cast<std::size_t>(throttle - reader.axes().begin())];
+        QCOMPARE(use.motion, AxisMotion::none);
+        use.motion = AxisMotion::z;
+        use.deadZone = 0.0;
+        reader.take(eventOf(EV_ABS, ABS_THROTTLE, 255));
+        const auto readings = cap::readingsOf(reader.controls().axes, PadReader::fullScale);
+        QCOMPARE(motionsOf(map, readings)[2], 1.0);
+        QCOMPARE(motionsOf(reader.map(), readings)[2], 0.0);
     }
 
     void buttonsAreNumberedInTheirOrder() {
@@ -186,7 +212,8 @@ private slots:
             for (int i = 0; i < 50; ++i) {
                 reader.take(
                     eventOf(*rc::gen::inRange(0U, 32U), *rc::gen::inRange(0U, 0x300U), *rc::gen::arbitrary<int>()));
-                for (const std::int16_t count : reader.controls().axes) RC_ASSERT(std::abs(count) <= full);
+                for (const std::int16_t count : reader.controls().axes)
+                    RC_ASSERT(std::abs(count) <= PadReader::fullScale);
                 RC_ASSERT(reader.controls().buttons < 32U);
             }
         }));

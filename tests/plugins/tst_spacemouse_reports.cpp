@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/device/deflection.h"
 #include "plugins/devices/cap/cap_mapping.h"
 #include "plugins/devices/spacemouse/models.h"
 #include "plugins/devices/spacemouse/reports.h"
@@ -31,16 +32,23 @@ QString pressed(std::uint32_t buttons) {
     return numbers.join(QLatin1Char(' '));
 }
 
+using Counts = std::array<std::int16_t, AxisMap::mostAxes>;
+
+/// The motions of a cap with the usual assignment.
+MotionShares pushedBy(const Counts& counts) {
+    return motionsOf(capMap(), readingsOf(counts, CapMapping::fullScale));
+}
+
 QString axesOf(const Controls& controls) {
     QStringList numbers;
-    for (const std::int16_t axis : controls.axes) numbers.append(QString::number(axis));
+    for (std::size_t i = 0; i < 6; ++i) numbers.append(QString::number(controls.axes[i]));
     return numbers.join(QLatin1Char(' '));
 }
 
-Pose after(ControlMode mode, const std::array<std::int16_t, 6>& axes, int milliseconds) {
+Pose after(ControlMode mode, const Counts& axes, int milliseconds) {
     CapMapping mapping(mode);
     Pose pose;
-    for (int i = 0; i < milliseconds; ++i) pose = mapping.advance(axes, 0.001);
+    for (int i = 0; i < milliseconds; ++i) pose = mapping.advance(pushedBy(axes), 0.001);
     return pose;
 }
 
@@ -166,17 +174,20 @@ private slots:
     }
 
     void theResponseIsOddRisingAndEndsAtOne() {
-        QCOMPARE(CapMapping::response(0), 0.0);
-        QCOMPARE(CapMapping::response(17), 0.0); // 4.9 %
-        QCOMPARE(CapMapping::response(350), 1.0);
-        QCOMPARE(CapMapping::response(-350), -1.0);
-        QCOMPARE(CapMapping::response(500), 1.0); // some devices exceed the range
-        QCOMPARE(CapMapping::response(-32768), -1.0);
-        for (std::int16_t counts = 0; counts < 350; ++counts) {
-            const double here = CapMapping::response(counts),
-                         next = CapMapping::response(static_cast<std::int16_t>(counts + 1));
+        // Of the first axis: dead zone, then the curve.
+        const auto response = [](int counts) {
+            return deflectionCurve(shareOf(capMap().axes[0], counts / CapMapping::fullScale));
+        };
+        QCOMPARE(response(0), 0.0);
+        QCOMPARE(response(17), 0.0); // 4.9 %
+        QCOMPARE(response(350), 1.0);
+        QCOMPARE(response(-350), -1.0);
+        QCOMPARE(response(500), 1.0); // some devices exceed the range
+        QCOMPARE(response(-32768), -1.0);
+        for (int counts = 0; counts < 350; ++counts) {
+            const double here = response(counts), next = response(counts + 1);
             QVERIFY(next >= here && next - here < 0.01); // no jump: less than 1 % of the range per count
-            QCOMPARE(CapMapping::response(static_cast<std::int16_t>(-counts)), -here);
+            QCOMPARE(response(-counts), -here);
         }
     }
 
@@ -196,7 +207,7 @@ private slots:
         QFETCH(int, axis);
         QFETCH(int, moves);
         QFETCH(double, sign);
-        std::array<std::int16_t, 6> axes{};
+        Counts axes{};
         axes[static_cast<std::size_t>(axis)] = 350;
         const Pose rate = after(ControlMode::rate, axes, 200);
         const Pose position = after(ControlMode::position, axes, 2000);
@@ -216,21 +227,21 @@ private slots:
     }
 
     void letGoRateStandsAndPositionReturns() {
-        const std::array<std::int16_t, 6> pushed{350, 0, 0, 0, 350, 0}, rest{};
+        const Counts pushed{350, 0, 0, 0, 350, 0}, rest{};
         CapMapping rate(ControlMode::rate), position(ControlMode::position);
         for (int i = 0; i < 500; ++i) {
-            rate.advance(pushed, 0.001);
-            position.advance(pushed, 0.001);
+            rate.advance(pushedBy(pushed), 0.001);
+            position.advance(pushedBy(pushed), 0.001);
         }
-        const Pose stood = rate.advance(rest, 0.001);
+        const Pose stood = rate.advance(pushedBy(rest), 0.001);
         for (int i = 0; i < 2000; ++i) {
-            rate.advance(rest, 0.001);
-            position.advance(rest, 0.001);
+            rate.advance(pushedBy(rest), 0.001);
+            position.advance(pushedBy(rest), 0.001);
         }
-        QCOMPARE(rate.advance(rest, 0.001).position, stood.position);
+        QCOMPARE(rate.advance(pushedBy(rest), 0.001).position, stood.position);
         QVERIFY(stood.position.x > 40.0);
-        QVERIFY(glm::length(position.advance(rest, 0.001).position) < 1e-9);
-        QVERIFY(std::abs(position.advance(rest, 0.001).rotation.w - 1.0) < 1e-12);
+        QVERIFY(glm::length(position.advance(pushedBy(rest), 0.001).position) < 1e-9);
+        QVERIFY(std::abs(position.advance(pushedBy(rest), 0.001).rotation.w - 1.0) < 1e-12);
     }
 
     void noHandIsFasterThanStatedAndNoneLeavesTheWorkspace() {
@@ -239,10 +250,10 @@ private slots:
             CapMapping mapping(rates ? ControlMode::rate : ControlMode::position);
             Pose before;
             for (int i = 0; i < 400; ++i) {
-                std::array<std::int16_t, 6> axes{};
+                Counts axes{};
                 for (auto& axis : axes) axis = *rc::gen::arbitrary<std::int16_t>();
                 const double seconds = *rc::gen::inRange(0, 200) * 1e-4;
-                const Pose pose = mapping.advance(axes, seconds);
+                const Pose pose = mapping.advance(pushedBy(axes), seconds);
                 RC_ASSERT(glm::length(pose.position) <= CapMapping::workspaceRadius + 1e-9);
                 RC_ASSERT(glm::length(pose.position - before.position) <= CapMapping::followSpeed * seconds + 1e-9);
                 RC_ASSERT(std::abs(glm::length(pose.rotation) - 1.0) < 1e-9);
@@ -258,7 +269,7 @@ private slots:
         const std::size_t before = allocationCount.load();
         for (int i = 0; i < 1000; ++i) {
             reader.take(report);
-            mapping.advance(reader.controls().axes, 0.001);
+            mapping.advance(pushedBy(reader.controls().axes), 0.001);
         }
         QCOMPARE(allocationCount.load(), before);
     }

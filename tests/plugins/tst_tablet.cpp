@@ -127,6 +127,46 @@ private slots:
         }));
     }
 
+    /// With the usual assignment the map changes nothing; with another one, each axis does what it was given.
+    void theAxesOfAPenAreAssigned() {
+        const auto device = tablet();
+        const TabletReader reader(*device);
+        QVERIFY(rc::check([&] {
+            Pen pen;
+            pen.x = *rc::gen::inRange(-112, 113);
+            pen.y = *rc::gen::inRange(-74, 75);
+            pen.pressure = *rc::gen::inRange(0, 1001) / 1000.0;
+            pen.leanX = *rc::gen::inRange(-100, 101) / 100.0;
+            pen.leanY = *rc::gen::inRange(-100, 101) / 100.0;
+            pen.buttons = *rc::gen::inRange(0U, 16U);
+            const Pen same = mappedPen(pen, burin::input_events::penMap(), reader);
+            RC_ASSERT(std::abs(same.x - pen.x) < 1e-9 && std::abs(same.y - pen.y) < 1e-9);
+            RC_ASSERT(std::abs(same.pressure - pen.pressure) < 1e-9 && same.buttons == pen.buttons);
+            RC_ASSERT(std::abs(same.leanX - pen.leanX) < 1e-9 && std::abs(same.leanY - pen.leanY) < 1e-9);
+        }));
+        AxisMap map = burin::input_events::penMap();
+        map.axes[0].motion = AxisMotion::y; // the tablet is turned by a quarter
+        map.axes[1] = {AxisMotion::x, true};
+        map.axes[2].gain = 0.5;
+        map.axes[3].motion = AxisMotion::none;
+        map.buttons = {ButtonAction::none, ButtonAction::mill, ButtonAction::lift};
+        Pen pen;
+        pen.x = 56.0; // half of the half width
+        pen.y = 74.0; // the far edge
+        pen.pressure = 0.8;
+        pen.leanX = 0.4;
+        pen.buttons = 0b0011;
+        Pen turned = mappedPen(pen, map, reader);
+        QCOMPARE(turned.y, 37.0);
+        QCOMPARE(turned.x, -112.0);
+        QVERIFY(std::abs(turned.pressure - 0.4) < 1e-12);
+        QCOMPARE(turned.leanX, 0.0);
+        QCOMPARE(turned.buttons, 0b0011U); // the barrel's button mills; the tip has its bit
+        pen.buttons = 0b0111;
+        turned = mappedPen(pen, map, reader);
+        QCOMPARE(turned.buttons & 1U, 0U); // lifted
+    }
+
     void noEventMakesAPoseThatIsNone() {
         QVERIFY(rc::check([] {
             const auto device = tablet(*rc::gen::inRange(0, 3));

@@ -62,6 +62,18 @@ ViewportEvent left(const glm::dvec3& place, Qt::KeyboardModifiers modifiers = Qt
     return event;
 }
 
+/// A pen's tip going down or up at a point, or moving while it is down.
+ViewportEvent pen(const glm::dvec3& place, double pressure) {
+    ViewportEvent event = left(place);
+    event.pen = PenState{.pressure = pressure};
+    return event;
+}
+ViewportEvent penMoved(const glm::dvec3& place, double pressure) {
+    ViewportEvent event = over(place, Qt::LeftButton);
+    event.pen = PenState{.pressure = pressure};
+    return event;
+}
+
 Tool slimTool() { // flutes 2 mm in radius and 6 mm long, shank 3 mm, holder 8 mm from 20 mm up
     Tool tool = fixture::ballTool();
     tool.cutter = {CutterType::flat, 4.0, 0.0, 6.0, 6.0, 20.0, {{16.0, 16.0, 20.0}}};
@@ -501,6 +513,92 @@ private slots:
         QVERIFY(!cutting_);
     }
 
+    /// Depth of the stroke for each pressure, below the top or into the plateau.
+    void aPenPressesAsDeepAsItsPressure_data() {
+        QTest::addColumn<double>("pressure");
+        for (const double pressure : {0.1, 0.25, 0.5, 1.0}) QTest::addRow("%g", pressure) << pressure;
+    }
+    void aPenPressesAsDeepAsItsPressure() {
+        QFETCH(double, pressure);
+        tool_->setSettings({.depthOfCut = 1.6, .press = 2.0});
+        tool_->press(pen({0.0, 12.0, top}, pressure));
+        QCOMPARE(rest().z, top - 1.6 * pressure);
+        tool_->move(penMoved({2.0, 12.0, top}, 0.5 * pressure)); // less pressure on the way
+        QVERIFY(std::abs(rest().z - (top - 0.8 * pressure)) < 1e-6);
+        tool_->release(pen({2.0, 12.0, top}, 0.0));
+        QVERIFY(rest().z >= top + hoverClearance - 1e-9); // the release, without pressure, cut nothing
+        tool_->setSettings({.rule = DepthRule::part, .depthOfCut = 1.6, .press = 2.0});
+        tool_->press(pen({0.0, 0.0, top}, pressure));
+        QVERIFY(std::abs(rest().z - (plateauZ - 2.0 * pressure)) < 1e-6);
+        tool_->release(pen({0.0, 0.0, top}, 0.0));
+        // A mouse still mills at full depth.
+        rest();
+        tool_->setSettings({.depthOfCut = 1.6});
+        tool_->press(left({0.0, 12.0, top}));
+        QCOMPARE(rest().z, top - 1.6);
+    }
+
+    /// 20 mm/s at full pressure: half of it sinks 10 mm/s, down to the depth of cut, without any further event.
+    void aPenSinksTheTool() {
+        tool_->setSettings({.depthOfCut = 3.0, .pen = PenRule::sink, .sinkSpeed = 20.0});
+        QElapsedTimer clock;
+        clock.start();
+        tool_->press(pen({0.0, 12.0, top}, 0.5));
+        QVERIFY(std::abs(rest().z - top) < 1e-6); // no time has passed for the window
+        QTest::qWait(150);
+        const double passed = 1e-3 * static_cast<double>(clock.elapsed());
+        const double sunk = top - rest().z;
+        QVERIFY2(sunk > 0.3 && sunk <= 10.0 * passed + 1e-6, qPrintable(QString::number(sunk)));
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(rest(200).z - (top - 3.0)) < 1e-6, 5000);
+        QTest::qWait(50);
+        QCOMPARE(rest().z, top - 3.0); // and no deeper
+    }
+
+    void aPenLeansTheStrokeAndItsRepetition() {
+        tool_->setSettings({.depthOfCut = 1.0, .stepOver = 3.0});
+        const glm::dvec3 axis = glm::normalize(glm::dvec3(0.3, -0.2, 1.0));
+        ViewportEvent event = pen({0.0, 12.0, top}, 1.0);
+        event.pen->axis = axis;
+        tool_->press(event);
+        rest();
+        QVERIFY(glm::distance(axis_, axis) < 1e-6);
+        QVERIFY(tool_->penLeans());
+        event = penMoved({6.0, 12.0, top}, 1.0);
+        event.pen->axis = axis;
+        tool_->move(event);
+        rest();
+        tool_->release(pen({6.0, 12.0, top}, 0.0));
+        rest();
+        QCOMPARE(axis_, glm::dvec3(0.0, 0.0, 1.0)); // upright between strokes
+        QVERIFY(tool_->repeat(MillTool::Repetition::right).isEmpty());
+        glm::dvec3 farthest(0.0, 0.0, 1.0);
+        for (int tick = 0; tick < 4000; ++tick) {
+            read();
+            if (cutting_ && axis_.z < farthest.z) farthest = axis_;
+        }
+        QVERIFY(glm::distance(farthest, axis) < 1e-3);
+    }
+
+    void theEraserEndsTheStrokeAboveTheWorkpiece() {
+        QSignalSpy ends(tool_.get(), &MillTool::strokeEnds);
+        tool_->press(pen({0.0, 12.0, top}, 1.0));
+        rest();
+        QVERIFY(cutting_);
+        ViewportEvent event = penMoved({0.0, 12.0, top}, 0.0);
+        event.pen->eraser = true;
+        tool_->move(event);
+        QCOMPARE(ends.count(), 1);
+        QVERIFY(std::abs(rest().z - (block.high.z + hoverClearance)) <
+                1e-6); // above the grid, not just the stock below
+        QVERIFY(!cutting_);
+        event.button = Qt::LeftButton;
+        tool_->press(event);
+        rest();
+        QVERIFY(!cutting_);
+        tool_->move(over({0.0, 12.0, top}));
+        QCOMPARE(rest().z, top + hoverClearance);
+    }
+
     void arrowsFollowTheView() {
         QCOMPARE(keyStep(Qt::Key_Up, {0.0, 1.0, 0.0}), glm::dvec3(0.0, 1.0, 0.0));
         QCOMPARE(keyStep(Qt::Key_Right, {0.0, 1.0, 0.0}), glm::dvec3(1.0, 0.0, 0.0));
@@ -514,6 +612,7 @@ private:
     glm::dvec3 read() {
         const StylusState state = stylus_->read(time_ += 0.001);
         cutting_ = (state.buttons & 1U) != 0;
+        axis_ = state.pose.rotation * glm::dvec3(0.0, 0.0, 1.0);
         return state.pose.position;
     }
     glm::dvec3 rest(int ticks = 3000) {
@@ -526,6 +625,7 @@ private:
     std::unique_ptr<MillTool> tool_;
     double time_ = 0.0;
     bool cutting_ = false;
+    glm::dvec3 axis_{0.0, 0.0, 1.0};
 };
 
 BURIN_TEST(TestMillTool, QCoreApplication)

@@ -25,11 +25,14 @@ constexpr const char* shortcutsKey = "shortcuts";
 constexpr const char* deviceKey = "device";
 constexpr const char* viewDeviceKey = "viewDevice";
 constexpr const char* deviceModeKey = "device_mode";
+constexpr const char* penSinksKey = "pen_sinks";
+constexpr const char* penSinkSpeedKey = "pen_sink_speed_mm_per_s";
 constexpr const char* shareKey = "cutting_force_share";
 constexpr const char* frictionKey = "friction";
+constexpr const char* axisMapKey = "axis_map";
 
 /// A device's own section of the file; its id may contain characters with a meaning in keys.
-QString feltKey(const std::string& device, const char* key) {
+QString deviceKeyOf(const std::string& device, const char* key) {
     const QByteArray plain = QUrl::toPercentEncoding(QString::fromStdString(device));
     return QStringLiteral("devices/") + QString::fromLatin1(plain).replace(QLatin1Char('%'), QLatin1Char('+')) +
            QLatin1Char('/') + QLatin1String(key);
@@ -184,7 +187,7 @@ void UserSettings::setViewDevice(const std::string& id) {
 FeltCutting UserSettings::felt(const std::string& device) const {
     const auto number = [&](const char* key, double usual) {
         bool good = false;
-        const double value = settings_.value(feltKey(device, key)).toDouble(&good);
+        const double value = settings_.value(deviceKeyOf(device, key)).toDouble(&good);
         return good && value >= 0.0 && value <= 1.0 ? value : usual; // the file may have been edited
     };
     FeltCutting felt;
@@ -194,8 +197,39 @@ FeltCutting UserSettings::felt(const std::string& device) const {
 }
 
 void UserSettings::setFelt(const std::string& device, const FeltCutting& felt) {
-    settings_.setValue(feltKey(device, shareKey), felt.gain);
-    settings_.setValue(feltKey(device, frictionKey), felt.friction);
+    settings_.setValue(deviceKeyOf(device, shareKey), felt.gain);
+    settings_.setValue(deviceKeyOf(device, frictionKey), felt.friction);
+}
+
+bool UserSettings::penSinks() const {
+    return settings_.value(penSinksKey).toBool();
+}
+
+void UserSettings::setPenSinks(bool sinks) {
+    settings_.setValue(penSinksKey, sinks);
+}
+
+double UserSettings::penSinkSpeed() const {
+    constexpr double usual = 2.0, slowest = 0.1, fastest = 50.0; // mm/s
+    const double speed = settings_.value(penSinkSpeedKey, usual).toDouble();
+    return speed >= slowest && speed <= fastest ? speed : usual; // the file may have been edited
+}
+
+void UserSettings::setPenSinkSpeed(double speed) {
+    settings_.setValue(penSinkSpeedKey, speed);
+}
+
+std::string UserSettings::axisMap(const std::string& device) const {
+    return settings_.value(deviceKeyOf(device, axisMapKey)).toString().toStdString();
+}
+
+QString UserSettings::setAxisMap(const std::string& device, const std::string& map) {
+    if (map.empty())
+        settings_.remove(deviceKeyOf(device, axisMapKey));
+    else
+        settings_.setValue(deviceKeyOf(device, axisMapKey), QString::fromStdString(map));
+    settings_.sync();
+    return settings_.status() == QSettings::NoError ? QString() : settings_.fileName();
 }
 
 bool UserSettings::firstJobFinished() const {

@@ -66,6 +66,16 @@ public:
     void setViewDevice(const std::string& id);
     FeltCutting felt(const std::string& device) const; ///< rendering of the cutting forces by one device
     void setFelt(const std::string& device, const FeltCutting& felt);
+    /// Whether the pressure of a pen makes the tool sink instead of setting its depth.
+    bool penSinks() const;
+    void setPenSinks(bool sinks);
+    double penSinkSpeed() const; ///< mm/s at full pressure, 0.1 … 50
+    void setPenSinkSpeed(double speed);
+    /// Assignment and calibration of a device's axes as toJson (core/device/axis_map_json.h) wrote them; empty: the
+    /// usual.
+    std::string axisMap(const std::string& device) const;
+    /// @return why it could not be written; empty: it was
+    QString setAxisMap(const std::string& device, const std::string& map);
     bool firstJobFinished() const; ///< whether the user has completed the guided first job
     void setFirstJobFinished(bool finished);
     QString lastFolder() const; ///< folder of the file chosen last; empty: none yet

@@ -15,6 +15,7 @@ namespace {
 constexpr double wheelStep = 0.5, fineWheelStep = 0.05; // mm a notch
 constexpr double largestOffset = 500.0;                 // mm
 constexpr int settlingInterval = 120;                   // ms
+constexpr int sinkingInterval = 10;                     // ms
 constexpr double arrived = 0.1;                         // mm
 constexpr double settledWay = 1.0;                      // mm over which the direction of a stroke is determined
 constexpr double dragReach = 4.0;                       // pixels: a longer motion is a drag
@@ -32,6 +33,8 @@ MillTool::MillTool(SimulatedStylus& stylus, const Tool& tool, std::function<Volu
     settling_.setSingleShot(true);
     settling_.setInterval(settlingInterval);
     connect(&settling_, &QTimer::timeout, this, &MillTool::settle);
+    sinking_.setInterval(sinkingInterval);
+    connect(&sinking_, &QTimer::timeout, this, &MillTool::sink);
 }
 
 void MillTool::setSettings(const MillToolSettings& settings) {
@@ -120,7 +123,7 @@ std::optional<glm::dvec3> MillTool::strokePlace(const VolumeSnapshot& workpiece,
     if (!place) return std::nullopt;
     const glm::dvec3 held = locked(lock_, lockAnchor_, lockDirection_, *place);
     glm::dvec3 within = keptWithin(strokeReach(workpiece, tool_.cutter), held);
-    within.z = strokeHeight(workpiece, within);
+    within.z = strokeHeight(workpiece, within) + raised_;
     return within;
 }
 
@@ -130,10 +133,15 @@ double MillTool::grainAt(const glm::dvec3& place) const {
 }
 
 void MillTool::cutTo(const glm::dvec3& tip, double clearHeight, double grain) {
+    const glm::dvec3 axis = stroke_ == Stroke::pointer && pen_ ? pen_->axis : uprightAxis;
     target_ = tip;
-    memory_.add(tip, grain);
-    feed_.add(
-        {.tip = tip, .maximumSpeed = settings_.speed, .cutting = true, .clearHeight = clearHeight, .grain = grain});
+    memory_.add(tip, grain, axis);
+    feed_.add({.tip = tip,
+               .maximumSpeed = settings_.speed,
+               .cutting = true,
+               .clearHeight = clearHeight,
+               .grain = grain,
+               .axis = axis});
 }
 
 void MillTool::aim(const Sight& sight) {
@@ -155,10 +163,15 @@ void MillTool::beginFreeStroke(const ViewportEvent& event) {
     fine_.reset();
     lastSight_ = fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier));
     lookAt(workpiece, sight);
+    beginPressure();
     const auto place = aimPress(workpiece, lastSight_);
-    if (!place) return;
+    if (!place) {
+        raised_ = 0.0;
+        return;
+    }
     showAim({});
     stroke_ = Stroke::pointer;
+    if (pen_ && settings_.pen == PenRule::sink) sinking_.start();
     memory_.begin(begunStrokes());
     emit strokeBegins();
     cutTo(*place, clearHeightTo(workpiece, *place), grainAt(*place));
@@ -166,6 +179,11 @@ void MillTool::beginFreeStroke(const ViewportEvent& event) {
 
 bool MillTool::press(const ViewportEvent& event) {
     if (event.button != Qt::LeftButton) return false;
+    notePen(event);
+    if (erases()) {
+        retract(sightOf(event));
+        return true;
+    }
     if (stroke_ != Stroke::none || drawing_ != Drawing::none || view_().empty()) return true;
     if (feed_.heightsAreOpen()) return true; // a new stroke would change the level of one that follows the part
     lookingAlong_ = sightOf(event).direction;
@@ -204,18 +222,25 @@ bool MillTool::move(const ViewportEvent& event) {
     if (!event.buttons.testFlag(Qt::LeftButton)) missRelease();
     const Sight sight = sightOf(event);
     lookingAlong_ = sight.direction;
+    notePen(event);
+    if (erases()) {
+        retract(sight);
+        return true;
+    }
     if (stroke_ == Stroke::keyboard) return true;
     if (drawing_ == Drawing::line && std::hypot(event.position.x() - pressed_.position.x(),
                                                 event.position.y() - pressed_.position.y()) > dragReach) {
         drawing_ = Drawing::none; // it is a fine stroke
         beginFreeStroke(pressed_);
     }
-    if (drawing_ != Drawing::none)
+    if (drawing_ != Drawing::none) {
         draw(event);
-    else if (stroke_ == Stroke::pointer)
+    } else if (stroke_ == Stroke::pointer) {
+        followPressure();
         aim(fine_.follow(sight, event.modifiers.testFlag(Qt::ShiftModifier)));
-    else if (!feed_.waits())
+    } else if (!feed_.waits()) {
         hoverOver(sight);
+    }
     return true;
 }
 
@@ -247,6 +272,8 @@ void MillTool::endStroke(End how) {
     if (stroke_ == Stroke::none && !feed_.waits() && !stylus_.strokeUnderWay()) return;
     const bool drawing = std::exchange(stroke_, Stroke::none) != Stroke::none;
     fine_.reset();
+    sinking_.stop();
+    raised_ = 0.0;
     if (how == End::givenUp) {
         target_ = stylus_.tip();
         feed_.giveUp({.tip = target_}); // even if there is no workpiece any more

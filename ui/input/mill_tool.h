@@ -12,6 +12,7 @@
 #include "ui/scene/interactive_tool.h"
 #include "ui/scene/place_chains.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -35,6 +36,13 @@ enum class DragRule {
     raster  ///< rows over the rectangle from press to release
 };
 
+/// What the pressure of a pen does during a stroke. The full depth is the depth of cut below the surface under the pen
+/// (DepthRule::level), or `press` into the part (DepthRule::part).
+enum class PenRule {
+    depth, ///< the tool is at the pressure's share of the full depth: at the surface without pressure
+    sink   ///< the tool sinks from the surface at the pressure's share of `sinkSpeed`, to the full depth at most
+};
+
 struct MillToolSettings {
     DepthRule rule = DepthRule::level;
     DragRule drag = DragRule::stroke;
@@ -44,6 +52,8 @@ struct MillToolSettings {
     double speed = 200.0;
     /// Distance between the rows of a raster, and from a stroke to its repetition to the left or right, mm
     double stepOver = 2.0;
+    PenRule pen = PenRule::depth;
+    double sinkSpeed = 2.0; ///< mm/s at full pressure, PenRule::sink
 };
 
 /// The mouse over the workpiece as a stylus. While hovering, the tool stays above what is under the pointer and under
@@ -58,7 +68,12 @@ struct MillToolSettings {
 /// is being drawn, or ends a stroke at the tool's position, or else leaves mill mode. Milling is possible with the
 /// keyboard alone: arrow keys move by a voxel, as seen by the user (Ctrl: ten voxels, Shift: a tenth), Page up and down
 /// along the axis, Space switches the spindle on and off. While the spindle was switched on by the keyboard, the
-/// pointer has no effect; otherwise the next motion of the pointer controls the tool again. Thread: user interface.
+/// pointer has no effect; otherwise the next motion of the pointer controls the tool again.
+///
+/// A pen is a mouse whose tip is the left button. Its pressure sets the depth of a free stroke or the speed at which
+/// the tool sinks (PenRule); lines, rasters and repetitions are cut at full depth. During a stroke the tool axis leans
+/// as the pen does; a session with a fixed axis ignores that. While the eraser is near, the tool stays retracted above
+/// all of the workpiece; a stroke ends as with Esc. Thread: user interface.
 class MillTool final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
@@ -88,6 +103,8 @@ public:
     void strokeTakenBack(bool undo);
 
     StrokeLock lock() const noexcept { return lock_; }
+    /// Whether the pen that moved last is tilted so far that its user may expect the tool to lean.
+    bool penLeans() const noexcept;
     /// Describes the effect of Esc, one sentence.
     QString escapeMeaning() override;
     /// Preview of strokes to come, mm, setup frame: the trail that the tool has still to follow, and the line or rows
@@ -131,7 +148,14 @@ private:
     void draw(const ViewportEvent& event);
     std::vector<glm::dvec3> drawnCorners() const;
     void finishDrawing();
-    QString cutPlan(const std::vector<glm::dvec3>& corners, double speed, double grain);
+    QString cutPlan(const DrawnStroke& stroke, double speed);
+    void notePen(const ViewportEvent& event);
+    bool erases() const noexcept { return pen_ && pen_->eraser; }
+    double fullDepth() const noexcept;
+    void beginPressure();
+    void followPressure();
+    void sink();
+    void retract(const Sight& sight);
     void toggleLock(StrokeLock lock);
     bool lockKey(int key);
     void settle();
@@ -149,7 +173,10 @@ private:
     MillToolSettings settings_;
     FinePointer fine_;
     StrokeFeed feed_;
-    QTimer settling_;
+    QTimer settling_, sinking_;
+    QElapsedTimer sinkClock_;
+    std::optional<PenState> pen_; ///< of the newest event
+    double raised_ = 0.0;         ///< mm by which the pen keeps the tip above the full depth of its stroke
     Stroke stroke_ = Stroke::none;
     Drawing drawing_ = Drawing::none;
     ViewportEvent pressed_;                ///< the press that began the drawing

@@ -9,7 +9,7 @@
 namespace burin {
 namespace {
 
-constexpr double mostPlaces = 1e6; // of one stroke: each is held as a StylusTarget of some 60 bytes until it is cut
+constexpr double mostPlaces = 1e6; // of one stroke: each is held as a StylusTarget of some 90 bytes until it is cut
 
 } // namespace
 
@@ -50,12 +50,14 @@ void MillTool::finishDrawing() {
     const Drawing what = std::exchange(drawing_, Drawing::none);
     showAim({});
     const bool fast = what == Drawing::raster && settings_.rule == DepthRule::level;
-    const QString obstacle = cutPlan(corners, fast ? SimulatedStylus::maximumSpeed : settings_.speed, 0.0);
+    const QString obstacle = cutPlan({corners, std::vector<glm::dvec3>(corners.size(), uprightAxis), 0.0},
+                                     fast ? SimulatedStylus::maximumSpeed : settings_.speed);
     if (!obstacle.isEmpty()) emit refused(obstacle);
 }
 
-/// Cuts a complete stroke, at the heights of its corners or along the part. @param grain as in StylusTarget
-QString MillTool::cutPlan(const std::vector<glm::dvec3>& corners, double speed, double grain) {
+/// Cuts a complete stroke, at the heights of its corners or along the part.
+QString MillTool::cutPlan(const DrawnStroke& stroke, double speed) {
+    const std::vector<glm::dvec3>& corners = stroke.places;
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty() || corners.empty()) return {};
     const bool onPart = settings_.rule == DepthRule::part;
@@ -65,6 +67,7 @@ QString MillTool::cutPlan(const std::vector<glm::dvec3>& corners, double speed, 
             "The raster needs more than a million points along the part. Increase the step-over or draw a smaller "
             "rectangle.");
     const std::vector<glm::dvec3> places = onPart ? subdivided(corners, spacing) : corners;
+    const std::vector<glm::dvec3> axes = onPart ? subdividedAxes(corners, stroke.axes, spacing) : stroke.axes;
     levelHeight_ = corners.front().z - wheelOffset_;
     glm::dvec3 first = places.front();
     if (onPart) first.z = strokeHeight(workpiece, first);
@@ -73,15 +76,17 @@ QString MillTool::cutPlan(const std::vector<glm::dvec3>& corners, double speed, 
                         .maximumSpeed = speed,
                         .cutting = true,
                         .clearHeight = clearHeightTo(workpiece, first),
-                        .grain = grain};
+                        .grain = stroke.grain,
+                        .axis = axes.front()};
     feed_.add(target);
     for (std::size_t i = 1; i < places.size(); ++i) {
         target.tip = places[i];
+        target.axis = axes[i];
         feed_.add(target, onPart ? StrokeFeed::Height::later : StrokeFeed::Height::given);
     }
     target_ = places.back();
     memory_.begin(begunStrokes());
-    for (const glm::dvec3& corner : corners) memory_.add(corner, grain);
+    for (std::size_t i = 0; i < corners.size(); ++i) memory_.add(corners[i], stroke.grain, stroke.axes[i]);
     strokeEnd_ = target_;
     feed_.add({.tip = target_, .finishStroke = true});
     hoverAt(target_);
@@ -106,9 +111,9 @@ QString MillTool::repeat(Repetition how) {
     }
     const VolumeSnapshot workpiece = view_();
     if (workpiece.empty()) return {};
-    std::vector<glm::dvec3> corners = memory_.last().places;
-    for (glm::dvec3& corner : corners) corner = keptWithin(strokeReach(workpiece, tool_.cutter), corner + shift);
-    return cutPlan(corners, settings_.speed, memory_.last().grain);
+    DrawnStroke stroke = memory_.last();
+    for (glm::dvec3& corner : stroke.places) corner = keptWithin(strokeReach(workpiece, tool_.cutter), corner + shift);
+    return cutPlan(stroke, settings_.speed);
 }
 
 PlaceChains MillTool::plans() {

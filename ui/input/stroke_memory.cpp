@@ -25,11 +25,16 @@ void StrokeMemory::begin(std::uint64_t begun) {
     strokes_.push_back({{}, drawn_});
 }
 
-void StrokeMemory::add(const glm::dvec3& place, double grain) {
+void StrokeMemory::add(const glm::dvec3& place, double grain, const glm::dvec3& axis) {
     if (strokes_.empty()) return; // it was undone while it was drawn
     DrawnStroke& stroke = strokes_.back().stroke;
     stroke.grain = std::max(stroke.grain, grain);
-    if (stroke.places.empty() || stroke.places.back() != place) stroke.places.push_back(place);
+    if (!stroke.places.empty() && stroke.places.back() == place) {
+        stroke.axes.back() = axis;
+        return;
+    }
+    stroke.places.push_back(place);
+    stroke.axes.push_back(axis);
 }
 
 void StrokeMemory::giveUp(std::uint64_t begun) {

@@ -12,6 +12,7 @@ namespace burin {
 /// A stroke as it was drawn.
 struct DrawnStroke {
     std::vector<glm::dvec3> places; ///< mm, setup frame: all points, or the corners
+    std::vector<glm::dvec3> axes;   ///< unit, the tool axis at each of them
     double grain = 0.0;             ///< mm, the largest value of its points, as in StylusTarget; 0: they are exact
 };
 
@@ -22,8 +23,8 @@ struct DrawnStroke {
 class StrokeMemory {
 public:
     void begin(std::uint64_t begun); ///< a new stroke; undone strokes are discarded
-    /// Adds a point to the current stroke unless it equals the previous one.
-    void add(const glm::dvec3& place, double grain);
+    /// Adds a point to the current stroke; one that equals the previous one only changes its axis. @param axis unit
+    void add(const glm::dvec3& place, double grain, const glm::dvec3& axis);
     /// Discards the strokes that have not turned on the spindle. Strokes undone before them can be redone again.
     void giveUp(std::uint64_t begun);
     /// Removes the last stroke that turned on the spindle; false: restores the one undone last.

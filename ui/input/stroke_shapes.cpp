@@ -19,6 +19,20 @@ int piecesOf(double length, double spacing) {
     return std::max(1, static_cast<int>(std::ceil(length / spacing - 1e-9)));
 }
 
+/// Values at the points of a line, and at points between them that are at most `spacing` apart.
+std::vector<glm::dvec3> mixedAlong(const std::vector<glm::dvec3>& line, const std::vector<glm::dvec3>& values,
+                                   double spacing) {
+    std::vector<glm::dvec3> mixed;
+    if (!line.empty()) mixed.push_back(values.front());
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const int pieces = piecesOf(glm::distance(line[i - 1], line[i]), spacing);
+        for (int k = 1; k < pieces; ++k)
+            mixed.push_back(glm::mix(values[i - 1], values[i], static_cast<double>(k) / pieces));
+        mixed.push_back(values[i]);
+    }
+    return mixed;
+}
+
 } // namespace
 
 std::vector<glm::dvec3> rasterRows(const glm::dvec3& corner, const glm::dvec3& opposite, double stepOver) {
@@ -46,15 +60,14 @@ double subdividedCount(const std::vector<glm::dvec3>& line, double spacing) {
 }
 
 std::vector<glm::dvec3> subdivided(const std::vector<glm::dvec3>& line, double spacing) {
-    std::vector<glm::dvec3> places;
-    if (!line.empty()) places.push_back(line.front());
-    for (std::size_t i = 1; i < line.size(); ++i) {
-        const int pieces = piecesOf(glm::distance(line[i - 1], line[i]), spacing);
-        for (int k = 1; k < pieces; ++k)
-            places.push_back(glm::mix(line[i - 1], line[i], static_cast<double>(k) / pieces));
-        places.push_back(line[i]);
-    }
-    return places;
+    return mixedAlong(line, line, spacing);
+}
+
+std::vector<glm::dvec3> subdividedAxes(const std::vector<glm::dvec3>& line, const std::vector<glm::dvec3>& axes,
+                                       double spacing) {
+    std::vector<glm::dvec3> mixed = mixedAlong(line, axes, spacing);
+    for (glm::dvec3& axis : mixed) axis = glm::normalize(axis);
+    return mixed;
 }
 
 std::optional<glm::dvec3> acrossOf(const std::vector<glm::dvec3>& line) {

@@ -28,6 +28,11 @@ std::vector<glm::dvec3> rasterRows(const glm::dvec3& corner, const glm::dvec3& o
 /// kept.
 std::vector<glm::dvec3> subdivided(const std::vector<glm::dvec3>& line, double spacing);
 
+/// The tool axes at the points that `subdivided` returns, unit: interpolated between those at the line's own points.
+/// @param axes unit, one for each point of the line
+std::vector<glm::dvec3> subdividedAxes(const std::vector<glm::dvec3>& line, const std::vector<glm::dvec3>& axes,
+                                       double spacing);
+
 /// The number of points that `subdivided` would return.
 double subdividedCount(const std::vector<glm::dvec3>& line, double spacing);
 

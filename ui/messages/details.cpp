@@ -481,6 +481,10 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "its entry point threw"),
     BURIN_TEXT("Detail", "its entry point gave nothing"),
     BURIN_TEXT("Detail", "it made nothing"),
+    // axes of devices
+    BURIN_TEXT("Detail", "a device with axes to assign"),
+    BURIN_TEXT("Detail", "one button or more that mills"),
+    BURIN_TEXT("Detail", "low end, rest and high end in ascending order, from -4 to 4"),
     BURIN_TEXT("Detail", "it threw: %1"),
     BURIN_TEXT("Detail", "it threw"),
 };

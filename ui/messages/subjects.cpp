@@ -97,6 +97,10 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "part"),
     BURIN_TEXT("Subject", "faces"),
     BURIN_TEXT("Subject", "test force"),
+    BURIN_TEXT("Subject", "gain of axis"),
+    BURIN_TEXT("Subject", "dead zone of axis"),
+    BURIN_TEXT("Subject", "rest of axis"),
+    BURIN_TEXT("Subject", "buttons"),
     BURIN_TEXT("Subject", "stock"),
 };
 

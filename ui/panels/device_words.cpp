@@ -6,6 +6,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 
 namespace burin {
@@ -30,7 +31,52 @@ QString pressed(std::uint32_t buttons) {
     return numbers.isEmpty() ? words(QT_TRANSLATE_NOOP("DeviceWords", "none")) : numbers.join(QStringLiteral(", "));
 }
 
+constexpr std::array motionNames{BURIN_TEXT("DeviceWords", "nothing"),    BURIN_TEXT("DeviceWords", "X, right"),
+                                 BURIN_TEXT("DeviceWords", "Y, away"),    BURIN_TEXT("DeviceWords", "Z, up"),
+                                 BURIN_TEXT("DeviceWords", "A, about X"), BURIN_TEXT("DeviceWords", "B, about Y"),
+                                 BURIN_TEXT("DeviceWords", "C, about Z")}; // in the order of AxisMotion
+constexpr std::array actionNames{BURIN_TEXT("DeviceWords", "nothing"),     BURIN_TEXT("DeviceWords", "mill"),
+                                 BURIN_TEXT("DeviceWords", "lift"),        BURIN_TEXT("DeviceWords", "undo"),
+                                 BURIN_TEXT("DeviceWords", "redo"),        BURIN_TEXT("DeviceWords", "clutch"),
+                                 BURIN_TEXT("DeviceWords", "recentre"),    BURIN_TEXT("DeviceWords", "level above"),
+                                 BURIN_TEXT("DeviceWords", "level below"), BURIN_TEXT("DeviceWords", "nearest edge"),
+                                 BURIN_TEXT("DeviceWords", "fit the view")}; // in the order of ButtonAction
+
+QString percentText(double share, const QLocale& locale) {
+    return locale.toString(percent * share, 'f', 1);
+}
+
+QString lineOf(std::size_t number, const DeviceAxis& axis, const AxisUse& use, const QLocale& locale) {
+    const QString name = QStringLiteral("%1 %2").arg(number).arg(Messages::text({"Device", axis.name.c_str()}));
+    if (use.motion == AxisMotion::none) return QStringLiteral("%1: %2").arg(name, motionName(use.motion));
+    const QString line = use.reversed
+                             ? words(QT_TRANSLATE_NOOP("DeviceWords", "%1: %2, reversed; gain %3; dead zone %4 %; "
+                                                                      "range %5 … %6 … %7 %"))
+                             : words(QT_TRANSLATE_NOOP("DeviceWords", "%1: %2; gain %3; dead zone %4 %; range %5 … %6 "
+                                                                      "… %7 %"));
+    return line.arg(name, motionName(use.motion), locale.toString(use.gain, 'f', 2), percentText(use.deadZone, locale),
+                    percentText(use.low, locale), percentText(use.rest, locale), percentText(use.high, locale));
+}
+
 } // namespace
+
+QString motionName(AxisMotion motion) {
+    return Messages::text(motionNames[static_cast<std::size_t>(motion)]);
+}
+
+QString actionName(ButtonAction action) {
+    return Messages::text(actionNames[static_cast<std::size_t>(action)]);
+}
+
+QStringList axisLines(const MappableDevice& device, const AxisMap& map, const QLocale& locale) {
+    QStringList lines;
+    for (std::size_t i = 0; i < device.axes.size(); ++i) lines << lineOf(i + 1, device.axes[i], map.axes[i], locale);
+    for (std::size_t i = 0; i < device.buttons; ++i)
+        if (map.buttons[i] != ButtonAction::none)
+            lines
+                << words(QT_TRANSLATE_NOOP("DeviceWords", "button %1: %2")).arg(i + 1).arg(actionName(map.buttons[i]));
+    return lines;
+}
 
 std::vector<DeviceLimit> limitsOf(const StylusDescription& stylus) {
     std::vector<DeviceLimit> limits{

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/text.h"
+#include "core/device/axis_map_json.h"
 #include "core/device/device_trial.h"
 
 #include <QLocale>
@@ -28,5 +29,12 @@ std::vector<DeviceLimit> limitsOf(const StylusDescription& stylus);
 QStringList limitLines(const StylusDescription& stylus, const QLocale& locale);
 /// The measurements of a trial, one per line. @param locale of the numbers
 QStringList trialLines(const TrialFigures& figures, const QLocale& locale);
+
+/// What an axis moves, what a button does: the text of a choice.
+QString motionName(AxisMotion motion);
+QString actionName(ButtonAction action);
+/// The axes of a device with their assignment and calibration, one per line, numbered from 1, then the buttons that do
+/// something. @param locale of the numbers
+QStringList axisLines(const MappableDevice& device, const AxisMap& map, const QLocale& locale);
 
 } // namespace burin

@@ -30,26 +30,29 @@ private:
     void addButtons();
     void addStylus();
     void addDepth();
+    void addPen();
     void addDrag();
     void addRepetitions();
     QuantityField* addField(QuantityField* field, const QString& label, const QString& toolTip, const char* name,
                             double low, double high, void (MillPanel::*edited)(double));
     void chooseRule(DepthChoice rule);
+    void choosePenRule(PenChoice rule);
     void chooseRaster(bool on);
     void refreshButtons();
     QString reasonAgainstUndo() const;
     QString undoText() const;
     void refreshStylus();
     void refreshDepth();
+    void refreshPen();
 
     MillPanel* panel_;
     QVBoxLayout* column_;
-    QPushButton *mill_, *undo_, *redo_, *level_, *part_, *stroke_, *raster_, *show_;
+    QPushButton *mill_, *undo_, *redo_, *level_, *part_, *stroke_, *raster_, *show_, *penDepth_, *penSink_;
     std::array<QPushButton*, 3> repeat_;
-    QWidget* repeatRow_;
+    QWidget *repeatRow_, *penRow_;
     ChoiceBox* stylus_;
     QWidget *pointerTitle_, *keysTitle_, *keys_; ///< for controls that only the pointer needs
-    QuantityField *depthOfCut_, *press_, *speed_, *stepOver_;
+    QuantityField *depthOfCut_, *press_, *speed_, *stepOver_, *sinkSpeed_;
     Notice *missing_, *alarm_, *hint_, *lock_, *how_;
     TakeList* takes_;
 };
@@ -68,6 +71,7 @@ MillPanel::Fields::Fields(MillPanel* panel) : QObject(panel), panel_(panel), col
     pointerTitle_ = makeSectionTitle(MillPanel::tr("How the tool follows the hand"), panel);
     column_->addWidget(pointerTitle_);
     addDepth();
+    addPen();
     addDrag();
     addRepetitions();
     column_->addWidget(makeSectionTitle(MillPanel::tr("Takes"), panel));
@@ -143,6 +147,29 @@ void MillPanel::Fields::addDepth() {
                       1.0, 400.0, &MillPanel::speedEdited);
 }
 
+void MillPanel::Fields::addPen() {
+    penRow_ = new QWidget(panel_);
+    penDepth_ = makeChoiceButton(
+        MillPanel::tr("Pen sets depth"),
+        MillPanel::tr("The tool is as deep as the pressure's share of the depth of cut, or of the press into the part"),
+        QStringLiteral("penDepthButton"), penRow_);
+    penSink_ = makeChoiceButton(
+        MillPanel::tr("Pen sinks tool"),
+        MillPanel::tr("The tool sinks from the surface to the depth of cut, the faster the harder the pen presses"),
+        QStringLiteral("penSinkButton"), penRow_);
+    auto* choice = new QHBoxLayout(penRow_);
+    choice->setContentsMargins(0, 0, 0, 0);
+    choice->setSpacing(4);
+    choice->addWidget(penDepth_, 1);
+    choice->addWidget(penSink_, 1);
+    column_->addWidget(penRow_);
+    connect(penDepth_, &QPushButton::clicked, this, [this] { choosePenRule(PenChoice::depth); });
+    connect(penSink_, &QPushButton::clicked, this, [this] { choosePenRule(PenChoice::sink); });
+    sinkSpeed_ = addField(new QuantityField(Quantity::speed, panel_), MillPanel::tr("Sinking speed"),
+                          MillPanel::tr("Speed at which the tool sinks at full pressure of the pen"), "sinkSpeedField",
+                          0.1, 50.0, &MillPanel::sinkSpeedEdited);
+}
+
 void MillPanel::Fields::addDrag() {
     stroke_ = makeChoiceButton(MillPanel::tr("Stroke"), MillPanel::tr("Dragging cuts along the pointer's trail"),
                                QStringLiteral("strokeButton"), panel_);
@@ -207,6 +234,13 @@ void MillPanel::Fields::chooseRule(DepthChoice rule) {
     state.depthRule = rule;
     refreshDepth();
     if (other) emit panel_->depthRuleChosen(rule);
+}
+
+void MillPanel::Fields::choosePenRule(PenChoice rule) {
+    const bool other = rule != state.penRule;
+    state.penRule = rule;
+    refreshPen();
+    if (other) emit panel_->penRuleChosen(rule);
 }
 
 void MillPanel::Fields::chooseRaster(bool on) {
@@ -296,16 +330,26 @@ void MillPanel::Fields::refreshDepth() {
     speed_->showValue(state.speed);
 }
 
+void MillPanel::Fields::refreshPen() {
+    const bool pen = state.pen && state.stylus == 0, sinks = state.penRule == PenChoice::sink;
+    penRow_->setVisible(pen);
+    penDepth_->setChecked(!sinks);
+    penSink_->setChecked(sinks);
+    sinkSpeed_->parentWidget()->setVisible(pen && sinks);
+    sinkSpeed_->showValue(state.sinkSpeed);
+}
+
 void MillPanel::Fields::refresh() {
     refreshButtons();
     refreshStylus();
     refreshDepth();
+    refreshPen();
     takes_->setTakes(state.takes);
     takes_->setRemovable(!state.recording && !state.showing);
 }
 
 void MillPanel::Fields::setUnit(LengthUnit unit) {
-    for (QuantityField* field : {depthOfCut_, press_, speed_, stepOver_}) field->setLengthUnit(unit);
+    for (QuantityField* field : {depthOfCut_, press_, speed_, stepOver_, sinkSpeed_}) field->setLengthUnit(unit);
 }
 
 MillPanel::MillPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {

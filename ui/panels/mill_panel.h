@@ -26,6 +26,8 @@ signals:
     void depthRuleChosen(burin::DepthChoice rule);
     void depthOfCutEdited(double millimetres);
     void pressEdited(double millimetres);
+    void penRuleChosen(burin::PenChoice rule);
+    void sinkSpeedEdited(double millimetresPerSecond);
     void speedEdited(double millimetresPerSecond);
     void rasterChosen(bool on);
     void stepOverEdited(double millimetres);

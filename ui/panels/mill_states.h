@@ -21,6 +21,8 @@ namespace burin {
 
 enum class DepthChoice { level, part };
 
+enum class PenChoice { depth, sink }; ///< what the pressure of a pen does
+
 enum class RepeatChoice { lower, left, right };
 
 struct TakeRow {
@@ -43,10 +45,13 @@ struct MillState {
     DepthChoice depthRule = DepthChoice::level;
     bool raster = false;                                                ///< whether a drag spans a rectangle
     double depthOfCut = 1.0, press = 2.0, speed = 60.0, stepOver = 2.0; ///< mm, mm, mm/s, mm
-    bool canRepeat = false;                                             ///< whether there is a stroke to repeat
-    QString lock;                                                       ///< the constraint on strokes; empty: none
-    QString alarm; ///< what prevents the tool from cutting; empty: nothing
-    QString hint;  ///< explanation of what the user may notice at the device; empty: none
+    bool pen = false;                                                   ///< whether there is a pen tablet
+    PenChoice penRule = PenChoice::depth;
+    double sinkSpeed = 2.0; ///< mm/s at full pressure
+    bool canRepeat = false; ///< whether there is a stroke to repeat
+    QString lock;           ///< the constraint on strokes; empty: none
+    QString alarm;          ///< what prevents the tool from cutting; empty: nothing
+    QString hint;           ///< explanation of what the user may notice at the device; empty: none
     std::vector<TakeRow> takes;
     bool showing = false; ///< whether the virtual operator is milling
     QStringList styluses; ///< the available input devices

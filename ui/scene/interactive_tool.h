@@ -10,7 +10,17 @@
 #include <QString>
 #include <Qt>
 
+#include <optional>
+
 namespace burin {
+
+/// What a pen reports in addition to a mouse.
+struct PenState {
+    double pressure = 0.0;          ///< 0 … 1; 0: it does not touch
+    glm::dvec3 axis{0.0, 0.0, 1.0}; ///< unit, setup frame, from the tip up: a pen upright on the tablet has +z, one
+                                    ///< that leans to the right of the tablet leans to the right in the picture
+    bool eraser = false; ///< its other end is near the tablet
+};
 
 /// A pointer event over the viewport, in the setup frame.
 struct ViewportEvent {
@@ -22,7 +32,8 @@ struct ViewportEvent {
     Qt::MouseButton button = Qt::NoButton; ///< the button that changed
     Qt::MouseButtons buttons;
     Qt::KeyboardModifiers modifiers;
-    double wheelSteps = 0.0; ///< notches, > 0 away from the user
+    double wheelSteps = 0.0;     ///< notches, > 0 away from the user
+    std::optional<PenState> pen; ///< empty: the pointer is a mouse
 };
 
 /// The sight line through the pointer.

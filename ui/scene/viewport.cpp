@@ -34,6 +34,8 @@ Viewport::Viewport(QWidget* parent) : QWidget(parent), impl_(std::make_unique<Im
     setObjectName(QStringLiteral("viewport"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
+    setTabletTracking(true);
+    QCoreApplication::instance()->installEventFilter(this);
     setMinimumSize(160, 120);
     connect(&impl_->rest, &QTimer::timeout, this, [this] { impl_->refresh(); });
     connect(&impl_->turn, &QTimer::timeout, this, [this] { impl_->canvas->refresh(); });

@@ -33,6 +33,7 @@
 #include <span>
 
 class QOpenGLContext;
+class QSinglePointEvent;
 
 namespace burin {
 
@@ -64,8 +65,9 @@ struct FrameStatistics {
 
 /// The viewport: owns a canvas and the VTK render window that draws on it (the only Qt widget that depends on VTK).
 /// Draws only the data passed to it; never waits for the meshing worker. Mouse: middle or right drag orbits, Shift +
-/// middle drag (or middle + right) pans, wheel zooms to the cursor, unless the active tool handles the event. GUI
-/// thread.
+/// middle drag (or middle + right) pans, wheel zooms to the cursor, unless the active tool handles the event. A pen of
+/// a tablet does the same: its tip is the left button, the buttons of its barrel are the others; the mouse rests while
+/// the pen touches. GUI thread.
 class Viewport : public QWidget {
     Q_OBJECT
 public:
@@ -190,19 +192,26 @@ signals:
     void sectionDragged(double position);
     /// Emitted if OpenGL is too old; the sentence is for the user, as from `drawingObstacle`.
     void drawingFailed(const QString& sentence);
+    void penNoticed(); ///< when a pen comes near the view, at its first event there
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
     static QString obstacleOf(const QOpenGLContext* context);
+    void pressPointer(const QSinglePointEvent& event);
+    void movePointer(const QSinglePointEvent& event);
+    void releasePointer(const QSinglePointEvent& event);
+    void losePen();
 
     class Impl;
     std::unique_ptr<Impl> impl_;

@@ -13,6 +13,7 @@
 #include <vtkNew.h>
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QMouseEvent>
 #include <QPointer>
 #include <QThreadPool>
@@ -53,11 +54,12 @@ public:
         const Sight sight = sightThrough(motion.view(), motion.size(), position);
         return scene.pick(sight).value_or(besideFocus(motion.view(), sight));
     }
-    ViewportEvent eventAt(const QSinglePointEvent& event, Qt::KeyboardModifiers modifiers) const {
+    ViewportEvent eventAt(const QSinglePointEvent& event) const {
         ViewportEvent sighted = widget.sight(event.position());
         sighted.button = event.button();
         sighted.buttons = event.buttons();
-        sighted.modifiers = modifiers;
+        sighted.modifiers = event.modifiers();
+        sighted.pen = pen;
         return sighted;
     }
     /// The tool that receives pointer and key events; null: only the camera.
@@ -119,6 +121,11 @@ public:
     InteractiveTool* tool = nullptr;
     ToolMarks marks;
     std::optional<PressMark> press;
+    std::optional<PenState> pen;        ///< the pen that the current event comes from; empty: the mouse
+    QPointF penAt;                      ///< position of its last event
+    QElapsedTimer penClock;             ///< since then
+    bool penNear = false;               ///< whether it was heard since it came near
+    bool penTouches = false;            ///< whether its tip or one of its buttons is pressed
     std::optional<QPointF> sectionGrip; ///< where the pointer was last while it drags the section plane
     GuideMarks guides;
     std::vector<ObstacleMark> obstacles;

@@ -9,6 +9,7 @@
 #include "ui/panels/notice.h"
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/row_list.h"
+#include "ui/window/axis_dialog.h"
 
 #include <QBoxLayout>
 #include <QLabel>
@@ -32,11 +33,12 @@ QLabel* makeText(const QString& name, QWidget* parent) {
 
 } // namespace
 
-DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, ViewDevice& view, UserSettings& settings,
-                           QWidget* parent)
+DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, AxisTuner& tuner, ViewDevice& view,
+                           UserSettings& settings, QWidget* parent)
     : QDialog(parent)
     , styluses_(styluses)
     , tester_(tester)
+    , tuner_(tuner)
     , view_(view)
     , settings_(settings)
     , row_(static_cast<int>(styluses.chosen())) {
@@ -95,11 +97,13 @@ void DeviceDialog::layOut() {
     notice_->setObjectName(QStringLiteral("deviceNotice"));
     column->addWidget(notice_);
     test_ = makeButton(tr("Test"), {}, QStringLiteral("testDeviceButton"), this);
+    axes_ = makeButton(tr("Axes and buttons…"), {}, QStringLiteral("deviceAxesButton"), this);
     use_ = makePrimaryButton(tr("Mill with this device"), QStringLiteral("useDeviceButton"), this);
     moveView_ = makeButton({}, {}, QStringLiteral("moveViewButton"), this);
     auto* close = makeButton(tr("Close"), {}, QStringLiteral("closeDevicesButton"), this);
     auto* row = new QHBoxLayout;
     row->addWidget(test_);
+    row->addWidget(axes_);
     row->addStretch(1);
     row->addWidget(moveView_);
     row->addWidget(use_);
@@ -109,6 +113,7 @@ void DeviceDialog::layOut() {
     connect(force_, &QuantityField::valueEdited, this, [this](double newtons) { pushed_ = newtons; });
     connect(test_, &QPushButton::clicked, this, &DeviceDialog::testOrStop);
     connect(use_, &QPushButton::clicked, this, [this] { styluses_.choose(static_cast<std::size_t>(row_)); });
+    connect(axes_, &QPushButton::clicked, this, &DeviceDialog::assignAxes);
     connect(moveView_, &QPushButton::clicked, this, &DeviceDialog::moveViewOrNot);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
 }
@@ -170,6 +175,18 @@ void DeviceDialog::moveViewOrNot() {
     if (device != nullptr) view_.choose(device->id == view_.chosen() ? std::string() : device->id);
 }
 
+void DeviceDialog::assignAxes() {
+    const StylusController::Choice* current = this->current();
+    if (current == nullptr) return;
+    const StylusController::Choice device = *current; // the list may change meanwhile
+    AxisDialog dialog(tuner_, device, styluses_.axisMap(device.id), this);
+    if (dialog.exec() != QDialog::Accepted) return;
+    if (const QString unwritten = settings_.setAxisMap(device.id, dialog.kept()); !unwritten.isEmpty())
+        notice_->tell(Notice::Kind::error,
+                      Messages::sentence({ErrorCode::fileNotWritable, unwritten.toStdString(), {}, {}}));
+    view_.assignAxes(device.id);
+}
+
 void DeviceDialog::showState() {
     showRows();
     showUses();
@@ -221,6 +238,8 @@ void DeviceDialog::showTest() {
     const QString none = testable ? QString() : tr("Select a device that is plugged in.");
     const QString reason = tester_.testing() || tester_.possible() ? none : tr("Stop milling first.");
     test_->setText(tester_.testing() ? tr("Stop the test") : tr("Test"));
+    enableUnless(axes_, tester_.testing() ? tr("Stop the test first.") : reason,
+                 tr("What the axes and buttons of a gamepad, joystick, tablet or 3D mouse do, and their calibration"));
     enableUnless(test_, tester_.testing() ? QString() : reason,
                  tr("Read the device while you move it: rate, position, buttons"));
     force_->setEnabled(!tester_.testing());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/dialogs/preferences.h"
+#include "ui/workbench/axis_tuner.h"
 #include "ui/workbench/device_tester.h"
 #include "ui/workbench/view_device.h"
 
@@ -24,9 +25,9 @@ class RowList;
 class DeviceDialog final : public QDialog {
     Q_OBJECT
 public:
-    /// @param styluses, tester, view, settings outlive the dialog
-    DeviceDialog(StylusController& styluses, DeviceTester& tester, ViewDevice& view, UserSettings& settings,
-                 QWidget* parent);
+    /// @param styluses, tester, tuner, view, settings outlive the dialog
+    DeviceDialog(StylusController& styluses, DeviceTester& tester, AxisTuner& tuner, ViewDevice& view,
+                 UserSettings& settings, QWidget* parent);
     ~DeviceDialog() override; ///< ends a test
 
 signals:
@@ -45,16 +46,18 @@ private:
     void choose(int row);
     void testOrStop();
     void moveViewOrNot();
+    void assignAxes();
     void showUses();
 
     StylusController& styluses_;
     DeviceTester& tester_;
+    AxisTuner& tuner_;
     ViewDevice& view_;
     UserSettings& settings_;
     RowList* list_ = nullptr;
     QLabel *limits_ = nullptr, *figures_ = nullptr;
     QuantityField *force_ = nullptr, *share_ = nullptr, *friction_ = nullptr;
-    QPushButton *test_ = nullptr, *use_ = nullptr, *moveView_ = nullptr;
+    QPushButton *test_ = nullptr, *use_ = nullptr, *moveView_ = nullptr, *axes_ = nullptr;
     Notice* notice_ = nullptr;
     int row_ = 0;
     double pushed_ = 0.0; ///< N

@@ -387,7 +387,8 @@ void MainWindow::showMaterials() {
 }
 
 void MainWindow::showDevices() {
-    DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, workbench_.viewDevice, settings_, this);
+    DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, workbench_.axisTuner, workbench_.viewDevice,
+                        settings_, this);
     connect(&dialog, &DeviceDialog::feltEdited, this, &MainWindow::followFelt);
     dialog.exec();
 }

@@ -52,6 +52,7 @@ private:
     void connectActions();
     void connectWorkbench();
     void connectViewDevice();
+    void connectPen();
     static QString updateText(const PartUpdate& update);
     QString programPathText(const ProgramPasses& passes) const;
     void connectWelcome();

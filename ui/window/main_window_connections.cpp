@@ -6,6 +6,7 @@
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
+#include "ui/window/button_actions.h"
 #include "ui/window/main_window.h"
 
 #include <QApplication>
@@ -176,6 +177,19 @@ void MainWindow::connectViewDevice() {
     connect(&device, &ViewDevice::fitWanted, this, [this] { viewport_->fit(); });
 }
 
+/// The effect of a pen's pressure is a setting of the user, not of the project.
+void MainWindow::connectPen() {
+    MillMode& mode = presenters_->millMode;
+    MillToolSettings kept = mode.settings();
+    kept.pen = settings_.penSinks() ? PenRule::sink : PenRule::depth;
+    kept.sinkSpeed = settings_.penSinkSpeed();
+    mode.setSettings(kept);
+    connect(&mode, &MillMode::settingsChanged, this, [this, &mode] {
+        settings_.setPenSinks(mode.settings().pen == PenRule::sink);
+        settings_.setPenSinkSpeed(mode.settings().sinkSpeed);
+    });
+}
+
 void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::failed, this, [this](const Error& error) {
         const bool stopped = error.code == ErrorCode::cancelled;
@@ -208,8 +222,11 @@ void MainWindow::connectWorkbench() {
         settings_.setChosenDevice(choice.id, choice.mode);
     });
     connect(&workbench_.styluses, &StylusController::changed, this, &MainWindow::followFelt);
+    workbench_.styluses.setAxisMaps([this](const std::string& id) { return settings_.axisMap(id); });
+    new ButtonActions(workbench_, actions_, this);
     workbench_.styluses.start();
     connectViewDevice();
+    connectPen();
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
     connect(&workbench_.document, &DocumentController::opened, this, [this](const ProjectContents& contents) {
         tellAboutOpened();

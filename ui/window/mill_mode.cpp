@@ -5,6 +5,8 @@
 #include "ui/input/mill_geometry.h"
 #include "ui/input/press_preview.h"
 
+#include <QInputDevice>
+
 #include <algorithm>
 #include <utility>
 
@@ -36,6 +38,12 @@ MillMode::MillMode(Workbench& workbench, Viewport& viewport, QObject* parent)
         if (tool_) tool_->strokeTakenBack(undo);
     });
     connect(&workbench.session, &SessionRunner::ticked, this, &MillMode::showPlans);
+    hasPen_ = std::ranges::any_of(QInputDevice::devices(), [](const QInputDevice* device) {
+        return device->type() == QInputDevice::DeviceType::Stylus;
+    });
+    connect(&viewport, &Viewport::penNoticed, this, [this] {
+        if (!std::exchange(hasPen_, true)) emit settingsChanged();
+    });
 }
 
 MillMode::~MillMode() {

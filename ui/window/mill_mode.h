@@ -24,11 +24,14 @@ public:
     void setSettings(const MillToolSettings& settings);
     void repeat(MillTool::Repetition how);
     bool canRepeat() const noexcept { return tool_ && tool_->canRepeat(); }
+    bool hasPen() const noexcept { return hasPen_; } ///< a tablet was found, or a pen came near the view
+    /// Whether a tilted pen draws in mill mode.
+    bool penLeans() const noexcept { return tool_ && tool_->penLeans(); }
     StrokeLock lock() const noexcept { return tool_ ? tool_->lock() : StrokeLock::none; }
 
 signals:
     void settingsChanged();
-    void toolChanged(); ///< lock, possible repetitions, meaning of Esc
+    void toolChanged(); ///< lock, possible repetitions, meaning of Esc, tilt of a pen
     void refused(const QString& sentence);
 
 private:
@@ -41,6 +44,7 @@ private:
     Workbench& workbench_;
     Viewport& viewport_;
     MillToolSettings settings_;
+    bool hasPen_ = false;
     std::unique_ptr<MillTool> tool_;
     PlaceChains plans_; ///< as drawn
 };

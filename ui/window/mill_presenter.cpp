@@ -79,6 +79,14 @@ MillPresenter::MillPresenter(Workbench& workbench, MillMode& mode, MillPanel& pa
     connect(&panel, &MillPanel::speedEdited, this, [this](double value) {
         edit([](MillToolSettings& settings, double wanted) { settings.speed = wanted; }, value);
     });
+    connect(&panel, &MillPanel::penRuleChosen, this, [this](PenChoice choice) {
+        MillToolSettings settings = mode_.settings();
+        settings.pen = choice == PenChoice::sink ? PenRule::sink : PenRule::depth;
+        mode_.setSettings(settings);
+    });
+    connect(&panel, &MillPanel::sinkSpeedEdited, this, [this](double value) {
+        edit([](MillToolSettings& settings, double wanted) { settings.sinkSpeed = wanted; }, value);
+    });
     connect(&panel, &MillPanel::showMeRequested, this, [this] {
         if (workbench_.showMe.showing())
             workbench_.showMe.stop();
@@ -151,8 +159,10 @@ QString MillPresenter::hint() {
     const auto& bounds = workbench_.workpiece.bounds();
     if (!mill.active() || !bounds) return hint_ = {};
     const StylusDescription* stylus = mill.device() ? &*mill.device() : nullptr;
-    const QString now =
-        hintSentence(workbench_.session.state(), *bounds, stylus, workbench_.hand.settings().forceButton);
+    QString now = hintSentence(workbench_.session.state(), *bounds, stylus, workbench_.hand.settings().forceButton);
+    if (now.isEmpty() && mode_.penLeans() && !bounds->axis().free)
+        now = tr("The tool axis is fixed, so the pen's tilt has no effect. Choose the axis “free, with the hand” in "
+                 "the step Stock to lean the tool.");
     if (now.isEmpty() && !hint_.isEmpty() && hintSince_.elapsed() < hintStays) return hint_;
     if (!now.isEmpty()) hintSince_.start();
     return hint_ = now;
@@ -177,6 +187,9 @@ void MillPresenter::present() {
     state.depthOfCut = settings.depthOfCut;
     state.press = settings.press;
     state.speed = settings.speed;
+    state.pen = mode_.hasPen();
+    state.penRule = settings.pen == PenRule::sink ? PenChoice::sink : PenChoice::depth;
+    state.sinkSpeed = settings.sinkSpeed;
     state.raster = settings.drag == DragRule::raster;
     state.stepOver = settings.stepOver;
     state.canRepeat = mode_.canRepeat();

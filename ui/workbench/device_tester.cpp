@@ -35,9 +35,9 @@ void DeviceTester::test(const StylusController::Choice& device, double force) {
     };
     desk_.tasks.start(
         TaskKind::deviceTest, tr("Testing %1").arg(device.name),
-        [registry = styluses_.registry(), device, force, report](Progress& progress) -> Result<TrialFigures> {
-            if (!registry) return Error{ErrorCode::deviceNotFound, device.id, {}, {}};
-            const Result<AnyStylus> stylus = registry->make(device.id, device.mode);
+        [registry = styluses_.registry(), map = styluses_.axisMap(device.id), device, force,
+         report](Progress& progress) -> Result<TrialFigures> {
+            const Result<AnyStylus> stylus = StylusController::make(registry, device.id, device.mode, map);
             if (!stylus) return stylus.error();
             const StylusDescription description = StylusHandle(*stylus).device().description();
             report(description);

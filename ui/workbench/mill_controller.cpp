@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/mill_controller.h"
 
+#include "core/device/axis_map_json.h"
 #include "core/job/job_paths.h"
 #include "core/job/milling.h"
 #include "ui/workbench/done_command.h"
@@ -86,6 +87,9 @@ void MillController::enterWithDevice() {
         request.forceButtons = forceButtons_;
         request.felt = felt_;
         device_ = description;
+        const MappableDevice mappable = mappableOf(StylusHandle(*stylus).device());
+        const Result<AxisMap> kept = axisMapFromJson(styluses_.axisMap(styluses_.choice().id), mappable);
+        axisMap_ = kept ? *kept : mappable.usual; // a wrong one did not let the device connect
         mapping_ = request.mapping;
         begin(std::move(*stylus), nullptr, request);
     });

@@ -28,6 +28,8 @@ public:
     /// Description of the device in use, and its mapping to the workpiece; empty outside mill mode and with the mouse.
     const std::optional<StylusDescription>& device() const noexcept { return device_; }
     const WorkspaceMapping& mapping() const noexcept { return mapping_; }
+    /// What the buttons of the device in use do.
+    const AxisMap& axisMap() const noexcept { return axisMap_; }
     bool recording() const noexcept { return session_.running() && session_.state().recording; }
     /// Whether a recording is running in which nothing was milled yet.
     bool recordsNothingYet() const noexcept { return recording() && recorded_ != 0; }
@@ -130,6 +132,7 @@ private:
     bool recordingSince_ = false; ///< a recording was begun; the session's state may not show it yet
     std::optional<StylusDescription> device_;
     WorkspaceMapping mapping_;
+    AxisMap axisMap_;
     FeltCutting felt_;
     std::uint32_t forceButtons_ = 0;
     double allowance_ = 0.0;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/stylus_controller.h"
 
+#include "core/device/axis_map_json.h"
+#include "core/device/stylus_handle.h"
 #include "ui/messages/messages.h"
 
 #include <QMetaObject>
@@ -93,14 +95,23 @@ void StylusController::select(const Choice& wanted) {
     chosen_ = same == choices_.end() ? 0 : static_cast<std::size_t>(same - choices_.begin());
 }
 
+Result<AnyStylus> StylusController::make(const std::shared_ptr<DeviceRegistry>& registry, const std::string& id,
+                                         const std::string& mode, const std::string& axisMap) {
+    if (!registry) return Error{ErrorCode::deviceNotFound, id, {}, {}};
+    Result<AnyStylus> stylus = registry->make(id, mode);
+    if (!stylus) return stylus;
+    if (Result<void> assigned = assignKept(StylusHandle(*stylus).device(), axisMap); !assigned)
+        return std::move(assigned).error();
+    return stylus;
+}
+
 void StylusController::connectDevice(std::function<void(std::unique_ptr<AnyStylus>)> then) {
     const Choice wanted = choices_[chosen_];
     using Made = Result<std::shared_ptr<AnyStylus>>; // the result of a task must be copyable
     desk_.tasks.start(
         TaskKind::device, tr("Connecting %1").arg(wanted.name),
-        [registry = registry_, wanted](Progress&) -> Made {
-            if (!registry) return Error{ErrorCode::deviceNotFound, wanted.id, {}, {}};
-            Result<AnyStylus> stylus = registry->make(wanted.id, wanted.mode);
+        [registry = registry_, wanted, map = axisMap(wanted.id)](Progress&) -> Made {
+            Result<AnyStylus> stylus = make(registry, wanted.id, wanted.mode, map);
             if (!stylus) return std::move(stylus).error();
             return std::make_shared<AnyStylus>(std::move(*stylus));
         },

@@ -40,6 +40,17 @@ public:
     /// Chooses a device as soon as it is connected, unless the user chose one meanwhile.
     void prefer(std::string id, std::string mode);
 
+    /// How to look up the assignment of a device's axes that the user keeps, as UserSettings::axisMap has it. It is
+    /// used for every device that is made here or by `make`.
+    using AxisMaps = std::function<std::string(const std::string& id)>;
+    void setAxisMaps(AxisMaps maps) { axisMaps_ = std::move(maps); }
+    /// The text for a device; empty: the usual assignment.
+    std::string axisMap(const std::string& id) const { return axisMaps_ ? axisMaps_(id) : std::string(); }
+    /// Makes a stylus for a device with a kept assignment of its axes; any thread. Errors: deviceNotFound (no
+    /// registry), those of DeviceRegistry::make and assignKept.
+    static Result<AnyStylus> make(const std::shared_ptr<DeviceRegistry>& registry, const std::string& id,
+                                  const std::string& mode, const std::string& axisMap);
+
     /// Connects the chosen device in the background. @param then gets null if that failed, which is reported by
     /// `failed`; not called if another connection is requested meanwhile. A stylus must not outlive this object.
     void connectDevice(std::function<void(std::unique_ptr<AnyStylus>)> then);
@@ -55,6 +66,7 @@ private:
     std::vector<Choice> choices_;
     std::size_t chosen_ = 0;
     std::string preferredId_, preferredMode_; ///< empty: none, or the user has chosen
+    AxisMaps axisMaps_;
     std::shared_ptr<DeviceRegistry> registry_;
     std::unique_ptr<DeviceWatch> watch_; // last: it uses the registry, and calls this
 };

@@ -38,6 +38,7 @@ enum class TaskKind {
     device,
     drivers,
     deviceTest,
+    axes,
     viewDevice,
     exporting,
     stock,

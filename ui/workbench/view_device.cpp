@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/view_device.h"
 
+#include "core/device/axis_map_json.h"
+
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
@@ -43,6 +45,12 @@ void ViewDevice::choose(const std::string& id) {
     emit changed();
 }
 
+void ViewDevice::assignAxes(const std::string& id) {
+    if (stylus_ == nullptr || id != id_) return;
+    if (const Result<void> assigned = assignKept(*stylus_, styluses_.axisMap(id)); !assigned)
+        emit failed(assigned.error());
+}
+
 bool ViewDevice::suits(const std::string& id) const {
     return std::ranges::any_of(styluses_.choices(), [&](const StylusController::Choice& choice) {
         return choice.id == id && choice.mode == springing;
@@ -68,9 +76,8 @@ void ViewDevice::connectDevice() {
     using Made = Result<std::shared_ptr<AnyStylus>>; // the result of a task must be copyable
     desk_.tasks.start(
         TaskKind::viewDevice, tr("Connecting the device that moves the view"),
-        [registry = styluses_.registry(), id = id_](Progress&) -> Made {
-            if (!registry) return Error{ErrorCode::deviceNotFound, id, {}, {}};
-            Result<AnyStylus> stylus = registry->make(id, springing);
+        [registry = styluses_.registry(), id = id_, map = styluses_.axisMap(id_)](Progress&) -> Made {
+            Result<AnyStylus> stylus = StylusController::make(registry, id, springing, map);
             if (!stylus) return std::move(stylus).error();
             return std::make_shared<AnyStylus>(std::move(*stylus));
         },

@@ -25,6 +25,8 @@ public:
 
     /// @param id of a device, as StylusController::Choice has it; empty: none
     void choose(const std::string& id);
+    /// The user keeps another assignment of a device's axes: if this is the device, it is used from now on.
+    void assignAxes(const std::string& id);
     const std::string& chosen() const noexcept { return id_; }
     /// Whether a device can move the view: it has a spring-centred mode.
     bool suits(const std::string& id) const;

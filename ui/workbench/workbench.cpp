@@ -34,6 +34,7 @@ Workbench::Workbench(QObject* parent)
     , styluses(desk_, this)
     , session(desk_, this)
     , deviceTester(desk_, styluses, session, this)
+    , axisTuner(desk_, styluses, this)
     , viewDevice(desk_, styluses, session, this)
     , mill(desk_, workpiece, session, styluses, this)
     , surroundings(desk_, workpiece, mill, session, this)
@@ -70,7 +71,7 @@ std::vector<Controller*> Workbench::controllers() {
     return {&document, &model,        &setup,      &material,     &tool,         &target,  &workpiece, &styluses,
             &session,  &deviceTester, &viewDevice, &mill,         &surroundings, &guides,  &hand,      &showMe,
             &path,     &area,         &passes,     &passMeasurer, &pathValuer,   &measure, &program,   &setups,
-            &sheet,    &time,         &keeper,     &faces,        &pathComparer, &score,   &fixtures};
+            &sheet,    &time,         &keeper,     &faces,        &pathComparer, &score,   &fixtures,   &axisTuner};
 }
 
 void Workbench::wire() {

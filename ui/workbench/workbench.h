@@ -4,6 +4,7 @@
 
 #include "core/job/part_update.h"
 #include "ui/workbench/area_controller.h"
+#include "ui/workbench/axis_tuner.h"
 #include "ui/workbench/device_tester.h"
 #include "ui/workbench/document_controller.h"
 #include "ui/workbench/face_controller.h"
@@ -59,6 +60,7 @@ public:
     StylusController styluses; ///< outlives the session, whose stylus may be of one of its drivers
     SessionRunner session;
     DeviceTester deviceTester;
+    AxisTuner axisTuner;
     ViewDevice viewDevice;
     MillController mill;
     SurroundingsController surroundings;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/device/axis_map.h"
 #include "core/geometry/pose.h"
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 namespace burin::cap {
 
@@ -14,11 +16,21 @@ enum class ControlMode : std::uint8_t {
     position ///< the deflection of the cap sets the position of the tool; released, it returns to its start
 };
 
-/// Computes a pose from the deflection of the cap. Device frame: x right, y away from the user, z up; the cap's own
-/// frame is rotated by 180° about x. One thread; no allocation, no exception.
+/// The axes of a cap and how they move the tool unless the user assigns them differently. The cap's own frame (x right,
+/// y towards the user, z down) is rotated by 180° about x.
+std::vector<DeviceAxis> capAxes();
+AxisMap capMap();
+
+/// Counts as shares of the full scale. @param fullScale counts
+std::array<double, AxisMap::mostAxes> readingsOf(const std::array<std::int16_t, AxisMap::mostAxes>& counts,
+                                                 double fullScale) noexcept;
+
+/// Computes a pose from the deflection of the cap. Device frame: x right, y away from the user, z up. One thread; no
+/// allocation, no exception.
 class CapMapping {
 public:
-    static constexpr double fullScale = 350.0; ///< counts; larger values are limited to it
+    static constexpr double fullScale = 350.0; ///< counts of a cap; larger values are limited to it
+    static constexpr double deadZone = 0.05;   ///< of each axis of a cap, share
     static constexpr double topSpeed = 100.0;  ///< mm/s, rate
     static constexpr double topTurn = 1.5;     ///< rad/s, rate
     static constexpr double reach = 40.0;      ///< mm, position
@@ -31,11 +43,9 @@ public:
 
     explicit CapMapping(ControlMode mode) noexcept : mode_(mode) {}
     void reset() noexcept { pose_ = {}; }
+    /// @param motions beyond the dead zones of the axes; the response to them is deflectionCurve
     /// @param seconds since the previous call, >= 0
-    const Pose& advance(const std::array<std::int16_t, 6>& axes, double seconds) noexcept;
-
-    /// The deflectionResponse of an axis, -1 … 1, for its counts.
-    static double response(std::int16_t counts) noexcept;
+    const Pose& advance(const MotionShares& motions, double seconds) noexcept;
 
 private:
     void follow(const Pose& target, double step) noexcept;

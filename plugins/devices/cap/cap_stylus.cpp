@@ -3,45 +3,43 @@
 #include "plugins/devices/cap/cap_stylus.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace burin::cap {
 namespace {
 
 constexpr double percent = 0.01;
-
-std::uint64_t packed(const std::array<std::int16_t, 6>& axes, std::size_t first) noexcept {
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        word |= static_cast<std::uint64_t>(static_cast<std::uint16_t>(axes[first + i])) << (16 * i);
-    return word;
-}
-
-void unpack(std::uint64_t word, std::array<std::int16_t, 6>& axes, std::size_t first) noexcept {
-    for (std::size_t i = 0; i < 3; ++i)
-        axes[first + i] = static_cast<std::int16_t>(static_cast<std::uint16_t>(word >> (16 * i) & 0xffffU));
-}
+constexpr std::size_t upwards = 2; // in MotionShares
 
 } // namespace
 
 void SharedControls::publish(const Controls& controls) noexcept {
-    translation_.store(packed(controls.axes, 0), std::memory_order_relaxed);
-    rotation_.store(packed(controls.axes, 3), std::memory_order_relaxed);
+    for (std::size_t word = 0; word < axes_.size(); ++word) {
+        std::uint64_t bits = 0;
+        for (std::size_t i = 0; i < perWord; ++i)
+            bits |= static_cast<std::uint64_t>(static_cast<std::uint16_t>(controls.axes[perWord * word + i]))
+                    << (16 * i);
+        axes_[word].store(bits, std::memory_order_relaxed);
+    }
     buttons_.store(controls.buttons, std::memory_order_relaxed);
     battery_.store(controls.batteryPercent, std::memory_order_relaxed);
     charging_.store(controls.charging, std::memory_order_relaxed);
 }
 
-std::array<std::int16_t, 6> SharedControls::axes() const noexcept {
-    std::array<std::int16_t, 6> axes{};
-    unpack(translation_.load(std::memory_order_relaxed), axes, 0);
-    unpack(rotation_.load(std::memory_order_relaxed), axes, 3);
+std::array<std::int16_t, AxisMap::mostAxes> SharedControls::axes() const noexcept {
+    std::array<std::int16_t, AxisMap::mostAxes> axes{};
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const std::uint64_t bits = axes_[i / perWord].load(std::memory_order_relaxed);
+        axes[i] = static_cast<std::int16_t>(static_cast<std::uint16_t>(bits >> (16 * (i % perWord)) & 0xffffU));
+    }
     return axes;
 }
 
 CapStylus::CapStylus(std::unique_ptr<ControlSource> source, CapStylusSettings settings)
     : settings_(std::move(settings))
-    , device_(std::move(source))
+    , device_(std::move(source), settings_)
     , thread_(device_, settings_.name)
+    , map_(settings_.map)
     , mapping_(settings_.mode) {}
 
 StylusDescription CapStylus::description() const {
@@ -82,13 +80,27 @@ StylusState CapStylus::read(double time) noexcept {
     readAt_ = time;
     StylusState state;
     state.time = time;
-    state.pose = mapping_.advance(stale ? std::array<std::int16_t, 6>{} : device_.shared().axes(), elapsed);
-    state.buttons = device_.shared().buttons();
+    maps_.take(map_);
+    MotionShares motions{};
+    if (!stale) motions = motionsOf(map_, readingsOf(device_.shared().axes(), settings_.fullScale));
+    const std::uint32_t pressed = device_.shared().buttons();
+    if (liftPressed(map_, pressed)) motions[upwards] = 1.0;
+    state.pose = mapping_.advance(motions, elapsed);
+    state.buttons = sessionButtons(map_, pressed);
     state.valid = thread_.connected();
     return state;
 }
 
+AxisReading CapStylus::axisReading() const noexcept {
+    return {readingsOf(device_.shared().axes(), settings_.fullScale), device_.shared().buttons()};
+}
+
 void CapStylus::write(const Wrench& /*wrench*/) noexcept {}
+
+CapStylus::Published::Published(std::unique_ptr<ControlSource> source, const CapStylusSettings& settings)
+    : source_(std::move(source)), settings_(settings) {
+    rest();
+}
 
 polled::PolledDevice::Heard CapStylus::Published::receive(int milliseconds) noexcept {
     const ControlSource::Heard heard = source_->receive(controls_, milliseconds);
@@ -101,7 +113,8 @@ polled::PolledDevice::Heard CapStylus::Published::receive(int milliseconds) noex
 
 void CapStylus::Published::rest() noexcept {
     // The battery state is kept.
-    controls_.axes = {};
+    for (std::size_t i = 0; i < controls_.axes.size(); ++i)
+        controls_.axes[i] = static_cast<std::int16_t>(std::lround(settings_.map.axes[i].rest * settings_.fullScale));
     controls_.buttons = 0;
     controls_.keys = {};
     shared_.publish(controls_);

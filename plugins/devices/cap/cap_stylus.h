@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/mailbox.h"
 #include "core/device/stylus.h"
 #include "plugins/devices/cap/cap_mapping.h"
 #include "plugins/devices/cap/controls.h"
@@ -11,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace burin::cap {
 
@@ -33,14 +35,15 @@ class SharedControls {
 public:
     void publish(const Controls& controls) noexcept; ///< called on the device's thread
     void heardMotion() noexcept { motions_.fetch_add(1, std::memory_order_release); }
-    std::array<std::int16_t, 6> axes() const noexcept;
+    std::array<std::int16_t, AxisMap::mostAxes> axes() const noexcept;
     std::uint32_t buttons() const noexcept { return buttons_.load(std::memory_order_relaxed); }
     std::uint64_t motions() const noexcept { return motions_.load(std::memory_order_acquire); }
     int batteryPercent() const noexcept { return battery_.load(std::memory_order_relaxed); }
     bool charging() const noexcept { return charging_.load(std::memory_order_relaxed); }
 
 private:
-    std::atomic<std::uint64_t> translation_{0}, rotation_{0}; ///< three axes of 16 bits each
+    static constexpr std::size_t perWord = 4; ///< axes of 16 bits
+    std::array<std::atomic<std::uint64_t>, AxisMap::mostAxes / perWord> axes_{};
     std::atomic<std::uint64_t> motions_{0};
     std::atomic<std::uint32_t> buttons_{0};
     std::atomic<int> battery_{-1};
@@ -55,6 +58,9 @@ struct CapStylusSettings {
     /// s without motion after which the cap counts as at rest; 0: the device always reports rest
     double staleAfter = 0.0;
     ControlMode mode = ControlMode::rate;
+    std::vector<DeviceAxis> axes = capAxes(); ///< in the order of Controls::axes
+    AxisMap map = capMap();
+    double fullScale = CapMapping::fullScale; ///< counts at full deflection
 };
 
 /// A cap as a stylus without motors, called by the loop. A thread of its own reads the device, and finds it again after
@@ -75,12 +81,17 @@ public:
     DeviceHealth health() const noexcept override;
     StylusState read(double time) noexcept override;
     void write(const Wrench& wrench) noexcept override;
+    std::vector<DeviceAxis> axes() const override { return settings_.axes; }
+    AxisMap axisMap() const override { return settings_.map; }
+    void assign(const AxisMap& map) noexcept override { maps_.post(map); }
+    AxisReading axisReading() const noexcept override;
 
 private:
     /// The part that the polling thread uses.
     class Published final : public polled::PolledDevice {
     public:
-        explicit Published(std::unique_ptr<ControlSource> source) : source_(std::move(source)) {}
+        /// @param settings outlive it
+        Published(std::unique_ptr<ControlSource> source, const CapStylusSettings& settings);
         bool connect() noexcept override { return source_->connect(); }
         Heard receive(int milliseconds) noexcept override;
         void disconnect() noexcept override { source_->disconnect(); }
@@ -89,6 +100,7 @@ private:
 
     private:
         std::unique_ptr<ControlSource> source_;
+        const CapStylusSettings& settings_;
         Controls controls_;
         SharedControls shared_;
     };
@@ -97,7 +109,10 @@ private:
     Published device_;
     polled::PollingThread thread_; ///< declared after the device that it reads
 
-    CapMapping mapping_; ///< this member and the following belong to the haptic thread
+    Mailbox<AxisMap> maps_; ///< from the owner's thread to the haptic one
+
+    AxisMap map_; ///< in use; this member and the following belong to the haptic thread
+    CapMapping mapping_;
     std::optional<double> readAt_;
     double movedAt_ = 0.0;
     std::uint64_t motions_ = 0;

@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/device/axis_map.h"
+
 #include <array>
 #include <cstdint>
 
 namespace burin::cap {
 
-/// Deflection of a cap, and the pressed buttons.
+/// Deflection of the axes of a cap or gamepad, and the pressed buttons.
 struct Controls {
-    /// Displacement of the cap in counts, full scale 350 (some units exceed it a little): x right, y towards the user,
-    /// z down; then the rotations about them.
-    std::array<std::int16_t, 6> axes{};
+    /// In counts; the full scale is that of CapStylusSettings. Of a cap the first six are its displacement, full scale
+    /// 350 (some units exceed it a little): x right, y towards the user, z down; then the rotations about them.
+    std::array<std::int16_t, AxisMap::mostAxes> axes{};
     std::uint32_t buttons = 0;          ///< bit 0: the first button
     std::array<std::uint8_t, 6> keys{}; ///< numbers of pressed buttons beyond 32, 0: none
     std::int8_t batteryPercent = -1;    ///< -1: not reported

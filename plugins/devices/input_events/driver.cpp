@@ -16,7 +16,10 @@ AnyStylus padStylus(ReopenedPort port, const InputDevice& device, const std::str
     auto source = std::make_unique<PadSource>(std::move(port));
     cap::CapStylusSettings settings;
     settings.name = device.name;
-    settings.buttons = source->buttonCount();
+    settings.buttons = source->reader().buttonCount();
+    settings.axes = source->reader().axes();
+    settings.map = source->reader().map();
+    settings.fullScale = PadReader::fullScale;
     settings.mode = cap::modeOf(mode);
     return std::unique_ptr<Stylus>(std::make_unique<cap::CapStylus>(std::move(source), std::move(settings)));
 }

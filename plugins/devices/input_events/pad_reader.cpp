@@ -2,17 +2,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/input_events/pad_reader.h"
 
-#include "plugins/devices/cap/cap_mapping.h"
+#include "core/base/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace burin::input_events {
 namespace {
 
-// Indices in Controls::axes: x right, y towards the user, z down, and the rotation about z.
-constexpr std::size_t right = 0, towards = 1, down = 2, turn = 5;
 constexpr std::size_t mostButtons = 32;
+
+struct AxisName {
+    unsigned int code;
+    TextId name;
+};
+/// Every axis that a pad or joystick may have.
+constexpr std::array padAxisNames{
+    AxisName{ABS_X, BURIN_TEXT("Device", "X")},
+    AxisName{ABS_Y, BURIN_TEXT("Device", "Y")},
+    AxisName{ABS_Z, BURIN_TEXT("Device", "Z")},
+    AxisName{ABS_RX, BURIN_TEXT("Device", "RX")},
+    AxisName{ABS_RY, BURIN_TEXT("Device", "RY")},
+    AxisName{ABS_RZ, BURIN_TEXT("Device", "RZ")},
+    AxisName{ABS_HAT0X, BURIN_TEXT("Device", "hat X")},
+    AxisName{ABS_HAT0Y, BURIN_TEXT("Device", "hat Y")},
+    AxisName{ABS_THROTTLE, BURIN_TEXT("Device", "throttle")},
+    AxisName{ABS_RUDDER, BURIN_TEXT("Device", "rudder")},
+    AxisName{ABS_WHEEL, BURIN_TEXT("Device", "wheel")},
+    AxisName{ABS_GAS, BURIN_TEXT("Device", "gas")},
+};
+static_assert(padAxisNames.size() <= AxisMap::mostAxes);
 
 bool has(const libevdev& device, unsigned int axis) {
     return libevdev_has_event_code(&device, EV_ABS, axis) != 0;
@@ -21,36 +41,44 @@ bool has(const libevdev& device, unsigned int axis) {
 } // namespace
 
 PadReader::PadReader(const libevdev& device) {
-    addAxis(device, ABS_X, right, 1.0);
-    addAxis(device, ABS_Y, towards, 1.0);
-    if (has(device, ABS_RX) && has(device, ABS_RY)) {
-        addAxis(device, ABS_RY, down, 1.0);
-        addAxis(device, ABS_RX, turn, 1.0);
-        addAxis(device, ABS_RZ, down, 1.0, true);
-        addAxis(device, ABS_Z, down, -1.0, true);
-    } else if (has(device, ABS_Z) && has(device, ABS_RZ)) {
-        addAxis(device, ABS_RZ, down, 1.0);
-        addAxis(device, ABS_Z, turn, 1.0);
-    } else {
-        addAxis(device, ABS_HAT0Y, down, 1.0);
-        addAxis(device, ABS_RZ, turn, 1.0);
-    }
+    addAxes(device);
     for (unsigned int code = BTN_MISC; code < KEY_MAX && buttons_.size() < mostButtons; ++code)
         if (libevdev_has_event_code(&device, EV_KEY, code) != 0) buttons_.push_back(code);
 }
 
-void PadReader::addAxis(const libevdev& device, unsigned int code, std::size_t target, double sign, bool oneSided) {
+void PadReader::addAxes(const libevdev& device) {
+    constexpr bool reversed = true, oneSided = true;
+    addAxis(device, ABS_X, AxisMotion::x);
+    addAxis(device, ABS_Y, AxisMotion::y, reversed); // towards the user
+    if (has(device, ABS_RX) && has(device, ABS_RY)) {
+        addAxis(device, ABS_RY, AxisMotion::z, reversed);
+        addAxis(device, ABS_RX, AxisMotion::c, reversed);
+        addAxis(device, ABS_RZ, AxisMotion::z, reversed, oneSided);
+        addAxis(device, ABS_Z, AxisMotion::z, false, oneSided);
+    } else if (has(device, ABS_Z) && has(device, ABS_RZ)) {
+        addAxis(device, ABS_RZ, AxisMotion::z, reversed);
+        addAxis(device, ABS_Z, AxisMotion::c, reversed);
+    } else {
+        addAxis(device, ABS_HAT0Y, AxisMotion::z, reversed);
+        addAxis(device, ABS_RZ, AxisMotion::c, reversed);
+    }
+    for (const AxisName& other : padAxisNames)
+        if (std::ranges::find(axes_, other.code, &Axis::code) == axes_.end()) addAxis(device, other.code);
+}
+
+void PadReader::addAxis(const libevdev& device, unsigned int code, AxisMotion motion, bool reversed, bool oneSided) {
     const input_absinfo* const info = libevdev_get_abs_info(&device, code);
     if (info == nullptr || info->maximum <= info->minimum) return;
-    Axis axis;
-    axis.code = code;
-    axis.low = info->minimum;
-    axis.high = info->maximum;
-    axis.dead = std::clamp(2.0 * info->flat / (axis.high - axis.low), deadZone, 0.5);
-    axis.oneSided = oneSided;
-    axis.target = target;
-    axis.sign = sign;
-    axes_.push_back(axis);
+    const double low = info->minimum, high = info->maximum;
+    AxisUse& use = map_.axes[axes_.size()];
+    use.motion = motion;
+    use.reversed = reversed;
+    use.deadZone = std::clamp(2.0 * info->flat / (high - low), deadZone, 0.5);
+    if (oneSided) use.rest = use.low;
+    controls_.axes[axes_.size()] = static_cast<std::int16_t>(std::lround(fullScale * use.rest));
+    const bool springs = code != ABS_THROTTLE && code != ABS_WHEEL;
+    named_.push_back({std::ranges::find(padAxisNames, code, &AxisName::code)->name.text, springs, oneSided});
+    axes_.push_back({code, low, high});
 }
 
 PadReader::Kind PadReader::take(const input_event& event) noexcept {
@@ -64,14 +92,8 @@ PadReader::Kind PadReader::take(const input_event& event) noexcept {
     const auto axis = std::ranges::find(axes_, event.code, &Axis::code);
     if (event.type != EV_ABS || axis == axes_.end()) return Kind::none;
     const double share = std::clamp((event.value - axis->low) / (axis->high - axis->low), 0.0, 1.0);
-    const double pushed = axis->oneSided ? share : 2.0 * share - 1.0;
-    const double beyond = std::max(0.0, std::abs(pushed) - axis->dead) / (1.0 - axis->dead);
-    axis->value = axis->sign * std::copysign(beyond, pushed);
-    double sum = 0.0;
-    for (const Axis& other : axes_)
-        if (other.target == axis->target) sum += other.value;
-    controls_.axes[axis->target] =
-        static_cast<std::int16_t>(std::lround(cap::CapMapping::fullScale * std::clamp(sum, -1.0, 1.0)));
+    controls_.axes[static_cast<std::size_t>(axis - axes_.begin())] =
+        static_cast<std::int16_t>(std::lround(fullScale * (2.0 * share - 1.0)));
     return Kind::motion;
 }
 

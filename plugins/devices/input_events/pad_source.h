@@ -17,7 +17,7 @@ public:
     bool connect() noexcept override;
     Heard receive(cap::Controls& controls, int milliseconds) noexcept override;
     void disconnect() noexcept override { port_.disconnect(); }
-    int buttonCount() const noexcept { return reader_.buttonCount(); }
+    const PadReader& reader() const noexcept { return reader_; } ///< its constant properties, before the thread runs
 
 private:
     ReopenedPort port_;

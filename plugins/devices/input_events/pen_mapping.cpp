@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/input_events/pen_mapping.h"
 
-#include "core/device/deflection.h"
+#include "core/base/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +19,45 @@ glm::dquat leaning(double x, double y) noexcept {
 }
 
 } // namespace
+
+std::vector<DeviceAxis> penAxes() {
+    return {{BURIN_TEXT("Device", "position to the right").text, false},
+            {BURIN_TEXT("Device", "position away from the user").text, false},
+            {BURIN_TEXT("Device", "pressure").text, false, true},
+            {BURIN_TEXT("Device", "tilt to the right").text, false},
+            {BURIN_TEXT("Device", "tilt away from the user").text, false}};
+}
+
+AxisMap penMap() {
+    AxisMap map;
+    map.axes[0].motion = AxisMotion::x;
+    map.axes[1].motion = AxisMotion::y;
+    map.axes[2] = {AxisMotion::z, true, 1.0, 0.0, -1.0, -1.0, 1.0};
+    map.axes[3].motion = AxisMotion::b; // about y: from z towards x
+    map.axes[4] = {AxisMotion::a, true};
+    return map;
+}
+
+AxisReading readingOf(const Pen& pen, const TabletReader& reader) noexcept {
+    AxisReading reading;
+    reading.values = {2.0 * pen.x / reader.width(), 2.0 * pen.y / reader.height(), 2.0 * pen.pressure - 1.0,
+                      pen.leanX / PenMapping::mostLean, pen.leanY / PenMapping::mostLean};
+    reading.buttons = pen.buttons;
+    return reading;
+}
+
+Pen mappedPen(const Pen& pen, const AxisMap& map, const TabletReader& reader) noexcept {
+    const MotionShares motions = motionsOf(map, readingOf(pen, reader).values);
+    const auto share = [&motions](AxisMotion motion) { return motions[static_cast<std::size_t>(motion) - 1]; };
+    Pen mapped = pen;
+    mapped.x = 0.5 * reader.width() * share(AxisMotion::x);
+    mapped.y = 0.5 * reader.height() * share(AxisMotion::y);
+    mapped.pressure = -share(AxisMotion::z);
+    mapped.leanX = PenMapping::mostLean * share(AxisMotion::b);
+    mapped.leanY = -PenMapping::mostLean * share(AxisMotion::a);
+    mapped.buttons = sessionButtons(map, pen.buttons);
+    return mapped;
+}
 
 const Pose& PenMapping::advance(const Pen& pen, double seconds) noexcept {
     const double step = std::clamp(seconds, 0.0, longestStep), share = 1.0 - std::exp(-step / lag);

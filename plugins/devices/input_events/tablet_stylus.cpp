@@ -38,12 +38,14 @@ Result<void> TabletStylus::open() {
 
 StylusState TabletStylus::read(double time) noexcept {
     (void)device_.take(pen_);
+    maps_.take(map_);
     const double elapsed = readAt_ ? std::max(0.0, time - *readAt_) : 0.0;
     readAt_ = time;
     StylusState state;
     state.time = time;
-    state.pose = mapping_.advance(pen_, elapsed);
-    state.buttons = pen_.buttons;
+    const Pen used = mappedPen(pen_, map_, device_.reader());
+    state.pose = mapping_.advance(used, elapsed);
+    state.buttons = used.buttons;
     state.valid = thread_.connected();
     return state;
 }
@@ -55,13 +57,27 @@ polled::PolledDevice::Heard TabletStylus::Published::receive(int milliseconds) n
     const EventPort::Heard heard = port_.next(event, milliseconds);
     if (heard != EventPort::Heard::event) return heard == EventPort::Heard::gone ? Heard::gone : Heard::nothing;
     if (!reader_.take(event)) return Heard::nothing;
-    pens_.post(reader_.pen());
+    publish();
     return Heard::news;
 }
 
 void TabletStylus::Published::rest() noexcept {
     reader_.rest();
+    publish();
+}
+
+void TabletStylus::Published::publish() noexcept {
     pens_.post(reader_.pen());
+    const AxisReading reading = readingOf(reader_.pen(), reader_);
+    for (std::size_t i = 0; i < values_.size(); ++i) values_[i].store(reading.values[i], std::memory_order_relaxed);
+    buttons_.store(reading.buttons, std::memory_order_relaxed);
+}
+
+AxisReading TabletStylus::Published::newest() const noexcept {
+    AxisReading reading;
+    for (std::size_t i = 0; i < values_.size(); ++i) reading.values[i] = values_[i].load(std::memory_order_relaxed);
+    reading.buttons = buttons_.load(std::memory_order_relaxed);
+    return reading;
 }
 
 } // namespace burin::input_events

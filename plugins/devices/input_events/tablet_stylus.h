@@ -9,9 +9,12 @@
 #include "plugins/devices/input_events/reopened_port.h"
 #include "plugins/devices/polled/polling_thread.h"
 
+#include <array>
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace burin::input_events {
 
@@ -33,6 +36,10 @@ public:
     DeviceHealth health() const noexcept override { return thread_.health(); }
     StylusState read(double time) noexcept override;
     void write(const Wrench& wrench) noexcept override;
+    std::vector<DeviceAxis> axes() const override { return penAxes(); }
+    AxisMap axisMap() const override { return penMap(); }
+    void assign(const AxisMap& map) noexcept override { maps_.post(map); }
+    AxisReading axisReading() const noexcept override { return device_.newest(); }
 
 private:
     /// The part that the polling thread uses.
@@ -46,18 +53,27 @@ private:
         const TabletReader& reader() const noexcept { return reader_; } ///< its constant properties; any thread
         /// Called on the haptic thread. Returns false if there was no report since the last call.
         bool take(Pen& pen) noexcept { return pens_.take(pen); }
+        AxisReading newest() const noexcept; ///< any thread
 
     private:
         ReopenedPort port_;
         TabletReader reader_;
+        void publish() noexcept;
+
         Mailbox<Pen> pens_;
+        /// For any thread, value by value: one may be of the next report.
+        std::array<std::atomic<double>, AxisMap::mostAxes> values_{};
+        std::atomic<std::uint32_t> buttons_{0};
     };
 
     std::string name_;
     Published device_;
     polled::PollingThread thread_; ///< declared after the device that it reads
 
-    PenMapping mapping_; ///< this member and the following belong to the haptic thread
+    Mailbox<AxisMap> maps_; ///< from the owner's thread to the haptic one
+
+    AxisMap map_ = penMap(); ///< in use; this member and the following belong to the haptic thread
+    PenMapping mapping_;
     Pen pen_;
     std::optional<double> readAt_;
 };

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/units.h"
 #include "core/device/simulated_stylus.h"
+#include "core/geometry/angle.h"
 #include "core/haptics/reading_guard.h"
 #include "tests/test_program.h"
 
@@ -328,6 +330,61 @@ private slots:
         const glm::dvec3 before = hand.now().tip;
         hand.time += 5.0;
         QVERIFY(glm::distance(before, hand.now().tip) < ReadingGuard::largestJump);
+    }
+
+    /// A tablet's pen leans from 0° to 40° along a line of 40 mm: a degree per millimetre, at every point of it,
+    /// however far the tool is behind the pen. Before and after the stroke the tool is upright.
+    void theAxisLeansWhereItWasDrawnLeaning() {
+        SimulatedStylus stylus({0.0, 0.0, 20.0});
+        QVERIFY(stylus.open().hasValue());
+        const auto leaning = [](double degrees) {
+            return glm::dvec3(std::sin(glm::radians(degrees)), 0.0, std::cos(glm::radians(degrees)));
+        };
+        for (int i = 0; i <= 20; ++i)
+            stylus.wish({.tip = {2.0 * i, 0.0, 4.0}, .maximumSpeed = 40.0, .cutting = true, .axis = leaning(2.0 * i)});
+        stylus.wish({.tip = {40.0, 0.0, 20.0}, .finishStroke = true});
+        glm::dvec3 before(0.0, 0.0, 1.0);
+        double mostTurn = 0.0, worst = 0.0, largest = 0.0;
+        for (int tick = 1; tick <= 4000; ++tick) {
+            const StylusState state = stylus.read(period * tick);
+            const glm::dvec3 axis = state.pose.rotation * glm::dvec3(0.0, 0.0, 1.0);
+            mostTurn = std::max(mostTurn, angleBetween(before, axis));
+            before = axis;
+            const double degrees = glm::degrees(angleBetween(axis, {0.0, 0.0, 1.0}));
+            const double x = state.pose.position.x;
+            if ((state.buttons & 1U) == 0) {
+                if (x == 0.0) QCOMPARE(degrees, 0.0);
+                continue;
+            }
+            largest = std::max(largest, degrees);
+            // Within the way of the smoothed position and axis: 28 ms at 40 mm/s.
+            worst = std::max(worst, std::abs(degrees - x));
+        }
+        QVERIFY2(worst < 1.2, qPrintable(QString::number(worst)));
+        QVERIFY(largest > 38.5 && largest <= 40.0 + 1e-9);
+        QVERIFY(mostTurn <= SimulatedStylus::turnSpeed * period + 1e-9);
+        QVERIFY(angleBetween(before, {0.0, 0.0, 1.0}) < 1e-9); // upright again
+    }
+
+    /// A pen that is tilted in place, the tool at rest under it.
+    void theAxisTurnsInPlaceAtLimitedSpeed() {
+        SimulatedStylus stylus({0.0, 0.0, 20.0});
+        QVERIFY(stylus.open().hasValue());
+        stylus.wish({.tip = {0.0, 0.0, 4.0}, .cutting = true});
+        double time = 0.0;
+        for (int i = 0; i < 2000; ++i) static_cast<void>(stylus.read(time += period));
+        const glm::dvec3 wanted = glm::normalize(glm::dvec3(0.0, 1.0, 1.0)); // 45°
+        stylus.wish({.tip = {0.0, 0.0, 4.0}, .cutting = true, .axis = wanted});
+        glm::dvec3 before(0.0, 0.0, 1.0);
+        int ticks = 0;
+        for (; ticks < 2000 && angleBetween(before, wanted) > 1e-3; ++ticks) {
+            const StylusState state = stylus.read(time += period);
+            QCOMPARE(state.pose.position, glm::dvec3(0.0, 0.0, 4.0));
+            const glm::dvec3 axis = state.pose.rotation * glm::dvec3(0.0, 0.0, 1.0);
+            QVERIFY(angleBetween(before, axis) <= SimulatedStylus::turnSpeed * period + 1e-9);
+            before = axis;
+        }
+        QVERIFY(ticks > 1000.0 * 0.25 * pi / SimulatedStylus::turnSpeed - 1.0 && ticks < 600);
     }
 
     void tellsTheUserInterfaceWhereItIs() {

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands/device_axes.h"
+
+#include "app/number_list.h"
+#include "app/wording.h"
+#include "core/base/numbers.h"
+#include "core/device/axis_calibration.h"
+#include "core/device/axis_map_json.h"
+#include "core/device/device_registry.h"
+#include "ui/dialogs/preferences.h"
+#include "ui/panels/device_words.h"
+
+#include <QLocale>
+
+#include <charconv>
+
+namespace burin {
+
+namespace {
+
+using nlohmann::json;
+
+/// A device with axes, connected, and what the user keeps for it.
+struct AxesOnTable {
+    FoundDevice found;
+    AnyStylus stylus;
+    MappableDevice mappable;
+    AxisMap map;
+
+    StylusHandle handle() const { return {stylus}; }
+};
+
+/// @param ignoreKept for a kept map that the device refuses, which is to be replaced
+Result<AxesOnTable> connectAxes(DeviceRegistry& registry, const std::string& name, bool ignoreKept) {
+    Result<FoundDevice> found = registry.find(name);
+    if (!found) return std::move(found).error();
+    Result<AnyStylus> stylus = registry.make(found->id);
+    if (!stylus) return std::move(stylus).error();
+    AxesOnTable table{std::move(*found), std::move(*stylus), {}, {}};
+    table.mappable = mappableOf(table.handle().device());
+    table.map = table.mappable.usual;
+    if (table.mappable.axes.empty())
+        return Error{ErrorCode::argumentInvalid, "device", table.found.id, "a device with axes to assign"};
+    const std::string kept = UserSettings().axisMap(table.found.id);
+    if (kept.empty() || ignoreKept) return table;
+    Result<AxisMap> map = axisMapFromJson(kept, table.mappable);
+    if (!map) return std::move(map).error();
+    table.map = *map;
+    return table;
+}
+
+/// The index of an axis or button, from its number and `=`. @param[out] rest behind it
+std::optional<std::size_t> indexOf(const std::string& text, std::size_t count, std::string& rest) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos) return std::nullopt;
+    std::size_t number = 0;
+    const char* const end = text.data() + equals;
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec != std::errc() || read.ptr != end || number < 1 || number > count) return std::nullopt;
+    rest = text.substr(equals + 1);
+    return number - 1;
+}
+
+bool readPart(const std::string& part, AxisUse& use) {
+    if (part == "reversed") {
+        use.reversed = true;
+        return true;
+    }
+    const std::size_t equals = part.find('=');
+    if (equals == std::string::npos) return false;
+    const auto value = numbersOf(part.substr(equals + 1), 1);
+    const std::string key = part.substr(0, equals);
+    if (!value || (key != "gain" && key != "dead")) return false;
+    (key == "gain" ? use.gain : use.deadZone) = value->front();
+    return true;
+}
+
+Error wrongAxis(const std::string& text, std::size_t count) {
+    return Error{
+        ErrorCode::argumentInvalid, "--axis", text,
+        worded(BURIN_TEXT("Command", "N=MOTION[,reversed][,gain=G][,dead=SHARE] with N from 1 to %1 and one of "
+                                     "the motions %2"),
+               {std::to_string(count), axisMotionIds()})};
+}
+
+/// "2=z,reversed,gain=0.5,dead=0.1": what is left out keeps its value, except for the direction.
+Result<void> applyAxis(const std::string& text, AxesOnTable& table) {
+    const std::size_t count = table.mappable.axes.size();
+    std::string rest;
+    const auto axis = indexOf(text, count, rest);
+    if (!axis) return wrongAxis(text, count);
+    AxisUse& use = table.map.axes[*axis];
+    const std::vector<std::string> parts = partsOf(rest, ',');
+    const auto motion = axisMotionOf(parts.front());
+    if (!motion) return wrongAxis(text, count);
+    use.motion = *motion;
+    use.reversed = false;
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        if (!readPart(parts[i], use)) return wrongAxis(text, count);
+    return {};
+}
+
+Result<void> applyButton(const std::string& text, AxesOnTable& table) {
+    std::string rest;
+    const auto button = indexOf(text, table.mappable.buttons, rest);
+    const auto action = buttonActionOf(rest);
+    if (!button || !action)
+        return Error{ErrorCode::argumentInvalid, "--button", text,
+                     worded(BURIN_TEXT("Command", "N=ACTION with N from 1 to %1 and one of the actions %2"),
+                            {std::to_string(table.mappable.buttons), buttonActionIds()})};
+    table.map.buttons[*button] = *action;
+    return {};
+}
+
+/// Stores a map for the window and other commands; the usual one leaves nothing behind.
+Result<void> keepAxes(const AxesOnTable& table) {
+    const bool usual = table.map == table.mappable.usual;
+    const QString unwritten =
+        UserSettings().setAxisMap(table.found.id, usual ? std::string() : toJson(table.map, table.mappable));
+    if (unwritten.isEmpty()) return {};
+    return Error{ErrorCode::fileNotWritable, unwritten.toStdString(), {}, {}};
+}
+
+json answerOf(const AxesOnTable& table) {
+    return {{"device", table.found.id},
+            {"usual", table.map == table.mappable.usual},
+            {"map", json::parse(toJson(table.map, table.mappable))}};
+}
+
+std::string textOfAxes(const AxesOnTable& table) {
+    return axisLines(table.mappable, table.map, QLocale::c()).join(QLatin1Char('\n')).toStdString();
+}
+
+} // namespace
+
+int mapAxes(const AxesArguments& arguments, CommandContext& context) {
+    DeviceRegistry registry;
+    Result<AxesOnTable> table = connectAxes(registry, arguments.mapped, arguments.usual);
+    if (!table) return context.fail(table.error());
+    for (const std::string& axis : arguments.axes)
+        if (const Result<void> applied = applyAxis(axis, *table); !applied) return context.fail(applied.error());
+    for (const std::string& button : arguments.buttons)
+        if (const Result<void> applied = applyButton(button, *table); !applied) return context.fail(applied.error());
+    if (const Result<void> good = checkAxisMap(table->map, table->mappable); !good) return context.fail(good.error());
+    if (arguments.usual || !arguments.axes.empty() || !arguments.buttons.empty())
+        if (const Result<void> kept = keepAxes(*table); !kept) return context.fail(kept.error());
+    context.answer(answerOf(*table), textOfAxes(*table));
+    return 0;
+}
+
+int calibrateAxes(const AxesArguments& arguments, CommandContext& context) {
+    DeviceRegistry registry;
+    Result<AxesOnTable> table = connectAxes(registry, arguments.calibrated, false);
+    if (!table) return context.fail(table.error());
+    AxisCalibration calibration(table->mappable.axes, table->map);
+    const double end = AxisCalibration::restSeconds + arguments.motionSeconds;
+    context.message(worded(BURIN_TEXT("Command", "Leave the device at rest.")));
+    bool moves = false;
+    const auto hear = [&](const AxisReading& reading, double seconds) {
+        if (seconds < AxisCalibration::restSeconds) {
+            calibration.rest(reading);
+        } else {
+            if (!std::exchange(moves, true))
+                context.message(worded(BURIN_TEXT("Command", "Move every axis to both of its ends.")));
+            calibration.move(reading);
+        }
+        context.progress().report(seconds / end);
+        return seconds < end;
+    };
+    if (const Result<void> watched = watchAxes(table->handle(), hear, context.progress()); !watched)
+        return context.fail(watched.error());
+    table->map = calibration.proposed();
+    if (const Result<void> good = checkAxisMap(table->map, table->mappable); !good) return context.fail(good.error());
+    if (const Result<void> kept = keepAxes(*table); !kept) return context.fail(kept.error());
+    json answer = answerOf(*table);
+    for (std::size_t i = 0; i < table->mappable.axes.size(); ++i) {
+        const AxisCalibration::Figures seen = calibration.figures(i);
+        answer["measured"].push_back({{"axis", table->mappable.axes[i].name},
+                                      {"rest", seen.rest},
+                                      {"noise", seen.noise},
+                                      {"low", seen.low},
+                                      {"high", seen.high}});
+    }
+    context.answer(answer, textOfAxes(*table));
+    return 0;
+}
+
+void addAxesOptions(CommandParser command, AxesArguments& arguments, Argument test) {
+    const Argument map =
+        command
+            .option("--map", arguments.mapped,
+                    BURIN_TEXT("Help", "Show what the axes and buttons of this device do; changes are kept for the "
+                                       "window and the command mill"))
+            .excludes(test);
+    command
+        .option("--axis", arguments.axes,
+                BURIN_TEXT("Help", "Assign an axis: N=MOTION[,reversed][,gain=G][,dead=SHARE], for example "
+                                   "2=z,reversed,gain=0.5,dead=0.1"))
+        .oneAtATime()
+        .needs(map);
+    command
+        .option("--button", arguments.buttons,
+                BURIN_TEXT("Help", "Assign a button: N=ACTION, for example 2=lift; mill, undo, clutch and others"))
+        .oneAtATime()
+        .needs(map);
+    command
+        .flag("--usual", arguments.usual, BURIN_TEXT("Help", "Begin with the usual assignment and without calibration"))
+        .needs(map);
+    const Argument calibrate =
+        command
+            .option("--calibrate", arguments.calibrated,
+                    BURIN_TEXT("Help",
+                               "Measure the axes of this device: two seconds at rest, then in motion; rest, ends "
+                               "and dead zone are kept"))
+            .excludes(test)
+            .excludes(map);
+    command
+        .option("--motion-seconds", arguments.motionSeconds,
+                BURIN_TEXT("Help", "Time for moving every axis to its ends, s"))
+        .range(0.5, 600.0)
+        .showDefault()
+        .needs(calibrate);
+}
+
+} // namespace burin
