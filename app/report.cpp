@@ -118,6 +118,7 @@ json jsonOf(const std::vector<EditReport>& reports) {
             for (const Omission& part : report.omissions) entry["left_out"].push_back(jsonOf(part));
         }
         if (!report.entries.empty()) entry["entries"] = jsonOf(report.entries);
+        for (const glm::dvec3& place : report.inserted) entry["inserted_mm"].push_back(jsonOf(place));
         list.push_back(std::move(entry));
     }
     return list;

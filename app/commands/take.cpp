@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/commands/take_deviation.h"
 #include "app/commands/take_score.h"
 #include "app/take_moment_argument.h"
 #include "app/wording.h"
@@ -151,7 +152,8 @@ TakeAction changing(Change change) {
 
 void registerTake(CommandParser program, CommandContext& context, int& status) {
     const CommandParser command = program.command(
-        "take", BURIN_TEXT("Help", "Switch takes, or parts of them, off and on; rename, move, copy and score them"));
+        "take",
+        BURIN_TEXT("Help", "Switch takes, or parts of them, off and on; rename, move, copy, score and measure them"));
     command.requireCommand();
     addSetupChoice(command, context);
     addJsonFlag(command, context);
@@ -172,6 +174,7 @@ void registerTake(CommandParser program, CommandContext& context, int& status) {
         .positional(BURIN_TEXT("Argument", "NAME"), arguments->name, BURIN_TEXT("Help", "Its new name"))
         .required();
     addTakeScore(command, context, status);
+    addTakeDeviation(command, context, status);
     const CommandParser move = addAction(
         command, "move",
         BURIN_TEXT("Help", "Replay it earlier or later among the takes of its setup; the workpiece at the end "

@@ -134,6 +134,7 @@ void addCurves(ProgramTime& made, const CheckedProgram& program) {
     for (std::size_t take = 0; take < made.time.tracks.size(); ++take) {
         const std::uint64_t count = made.time.tracks[take].info.sampleCount;
         for (auto& values : made.time.tracks[take].curves) values.assign((count + bin - 1) / bin, 0.0F);
+        valuesOf(take, TrackCurve::deviation).clear();
         std::vector<float>& feed = valuesOf(take, TrackCurve::feed);
         std::vector<float>& height = valuesOf(take, TrackCurve::height);
         for (std::uint64_t i = 0; i < count; ++i) {

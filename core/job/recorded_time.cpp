@@ -3,6 +3,7 @@
 #include "core/job/recorded_time.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace burin {
@@ -30,6 +31,8 @@ private:
         removed_ += sample.reportedRemoval;
         const bool held = (sample.flags & (sampleOnBoundary | sampleOnObstacle | sampleOnGuide)) != 0;
         if (held) pushBack_ = std::max(pushBack_, glm::distance(sample.stylusTip, sample.proxy.tip));
+        if (sample.tick != tick_) track_.gaps.push_back({index_, sample.tick});
+        tick_ = sample.tick + 1;
         height_ = inBin_ == 0 ? sample.proxy.tip.z : std::max(height_, sample.proxy.tip.z);
         followStroke((sample.flags & sampleSpindleOff) == 0);
         ++index_;
@@ -64,7 +67,7 @@ private:
     TakeTrack& track_;
     std::optional<glm::dvec3> before_;
     SampleRange stroke_;
-    std::uint64_t index_ = 0, inBin_ = 0;
+    std::uint64_t index_ = 0, inBin_ = 0, tick_ = 0; ///< `tick_`: expected next
     double force_ = 0.0, removed_ = 0.0, way_ = 0.0, pushBack_ = 0.0, height_ = 0.0;
 };
 
@@ -95,6 +98,17 @@ Result<void> readTake(const Project& project, const TakeInfo& info, RecordedTime
 }
 
 } // namespace
+
+std::uint64_t TakeTrack::tickOf(std::uint64_t sample) const noexcept {
+    const auto next = std::ranges::upper_bound(gaps, sample, {}, &AfterGap::sample);
+    return next == gaps.begin() ? sample : std::prev(next)->tick + (sample - std::prev(next)->sample);
+}
+
+std::uint64_t TakeTrack::sampleOf(std::uint64_t tick) const noexcept {
+    const auto next = std::ranges::upper_bound(gaps, tick, {}, &AfterGap::tick);
+    const std::uint64_t sample = next == gaps.begin() ? tick : std::prev(next)->sample + (tick - std::prev(next)->tick);
+    return next == gaps.end() ? sample : std::min(sample, next->sample);
+}
 
 double RecordedTime::seconds() const noexcept {
     double all = 0.0;

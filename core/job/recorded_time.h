@@ -17,8 +17,9 @@ enum class TrackCurve : std::uint8_t {
     engagement, ///< mm²: volume removed per distance moved, the cross-section of the cut; 0 while the tool rests
     pushBack,   ///< mm: largest distance from the commanded to the allowed position of the tip
     height,     ///< mm, setup frame: largest Z of the tip
+    deviation,  ///< mm: least distance of the tool from the part, < 0: it cuts into the part (take_deviation.h)
 };
-inline constexpr std::size_t trackCurves = 6;
+inline constexpr std::size_t trackCurves = 7;
 
 /// A recording as drawn in a timeline.
 struct TakeTrack {
@@ -29,11 +30,20 @@ struct TakeTrack {
     std::vector<SampleRange> undone;  ///< ignored, as undone or switched off
     std::vector<SampleRange> switchedOff;
     std::vector<std::uint64_t> steps; ///< samples at which stepping stops; empty: where strokes begin
-    /// Per curve, one value for every ten samples; the last value can cover fewer.
+    /// Per curve, one value for every ten samples; the last value can cover fewer. The deviation is empty until it is
+    /// computed, and for programs; NaN where there is no part.
     std::array<std::vector<float>, trackCurves> curves;
+    /// A sample before which ticks were missed, and its tick; in order.
+    struct AfterGap {
+        std::uint64_t sample = 0, tick = 0;
+    };
+    std::vector<AfterGap> gaps;
 
     /// Returns the duration, s; missed ticks take no time.
     double seconds() const noexcept { return static_cast<double>(info.sampleCount) * info.tickPeriod; }
+    std::uint64_t tickOf(std::uint64_t sample) const noexcept;
+    /// Returns the sample of a tick; for a missed tick, the next sample. May be sampleCount or more.
+    std::uint64_t sampleOf(std::uint64_t tick) const noexcept;
 };
 
 /// The recordings of a setup, read once for everything that is shown over time.

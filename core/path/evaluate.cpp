@@ -28,6 +28,7 @@ Result<EditReport> applyOne(const Edit& edit, PathUnderEdit& state, const PathCo
     report.worstPlace = deviation->place;
     report.omissions = std::exchange(state.omissions, {});
     report.entries = std::exchange(state.entries, {});
+    report.inserted = std::exchange(state.inserted, {});
     report.lengthBefore = std::exchange(state.lengthBefore, 0.0);
     return report;
 }

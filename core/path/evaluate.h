@@ -60,6 +60,7 @@ struct EditReport {
     std::vector<Omission> omissions;  ///< parts that it left out because they cannot be machined
     double lengthBefore = 0.0;        ///< mm of strokes before it, if the edit may leave out any; else 0
     std::vector<StrokeEntry> entries; ///< of strokes that begin in material, if links plan their entries
+    std::vector<glm::dvec3> inserted; ///< mm, setup frame: points that InsertPoint inserted, displaced by it
 };
 
 struct EvaluatedPath {

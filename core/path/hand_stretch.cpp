@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace burin {
@@ -64,6 +65,20 @@ Moment momentAt(const PathPoint& from, const PathPoint& to, double share) noexce
             std::llround(glm::mix(static_cast<double>(from.sample), static_cast<double>(to.sample), share))};
 }
 
+InsertPoint insertionAt(const std::vector<PathPoint>& points, std::size_t piece, double share) {
+    const PathPoint &from = points[piece], &to = points[piece + 1];
+    InsertPoint edit;
+    edit.at = momentAt(from, to, share);
+    const bool planned = hasMoment(from) && hasMoment(to) && from.source == to.source && from.source < 0;
+    if (!planned || to.kind == MoveKind::rapid) return edit;
+    edit.at = momentOf(from);
+    edit.beyond = share * lengthOf(from.pose.tip, to);
+    // Points that an edit inserted have the moment of the one before.
+    for (std::size_t i = piece; i > 0 && momentOf(points[i - 1]) == edit.at; --i)
+        edit.beyond += lengthOf(points[i - 1].pose.tip, points[i]);
+    return edit;
+}
+
 bool leadsThrough(const Moment& from, const Moment& to, const SourceStretch& stretch) noexcept {
     if (to.source == 0) return false;
     if (stretch.contains(to)) return true;
@@ -88,6 +103,35 @@ std::vector<std::vector<PathPoint>> pointsOf(const Path& path, const SourceStret
         goesOn = within;
     });
     return chains;
+}
+
+std::optional<PathPoint> pointAt(const Path& path, const Moment& moment) {
+    if (moment.source == 0) return std::nullopt;
+    const std::vector<std::vector<PathPoint>> chains = pointsOf(path, {moment.source, moment.tick, moment.tick});
+    return chains.empty() ? std::nullopt : std::optional(chains.front().front());
+}
+
+Moment momentNear(const Path& path, const glm::dvec3& place) {
+    constexpr double chord = 0.02; // mm
+    Moment nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        const PathPoint &from = path.points[i - 1], &to = path.points[i];
+        if (to.kind == MoveKind::rapid) continue;
+        std::vector<glm::dvec3> line{to.pose.tip};
+        if (to.arc) flatten({from.pose.tip, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise}, chord, line);
+        line.insert(line.begin(), from.pose.tip);
+        for (std::size_t k = 1; k < line.size(); ++k) {
+            const glm::dvec3 way = line[k] - line[k - 1];
+            const double square = glm::dot(way, way);
+            const double share = square > 0.0 ? std::clamp(glm::dot(place - line[k - 1], way) / square, 0.0, 1.0) : 0.0;
+            const double far = glm::distance(place, line[k - 1] + share * way);
+            if (far >= least) continue;
+            least = far;
+            nearest = momentAt(from, to, (static_cast<double>(k - 1) + share) / static_cast<double>(line.size() - 1));
+        }
+    }
+    return nearest;
 }
 
 } // namespace burin

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/path/edit_values.h"
 #include "core/path/path.h"
+#include "core/path/recording_edits.h"
 
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -19,6 +20,11 @@ Moment momentOf(const PathPoint& point) noexcept;
 /// lead the whole move, the moment of the nearer of the two points. @param share 0 … 1
 Moment momentAt(const PathPoint& from, const PathPoint& to, double share) noexcept;
 
+/// The edit that inserts a point at a fraction of the move from a point to the next, on the line. In a take, it names
+/// the moment there; a planner's moments are points, so it names the one before and the distance from it.
+/// @param piece index of the move's first point, one of the two has a moment; @param share 0 … 1
+InsertPoint insertionAt(const std::vector<PathPoint>& points, std::size_t piece, double share);
+
 /// Whether the move from one point to the next contains a moment of an interval. The start of the move does not count,
 /// as it belongs to the move before. @param from, to moments of the points; source 0: none
 bool leadsThrough(const Moment& from, const Moment& to, const SourceStretch& stretch) noexcept;
@@ -32,5 +38,12 @@ std::vector<PathPoint> dividedAt(const std::vector<PathPoint>& points, const Sou
 /// the points on either side: within the deviation of that edit from the position of the hand at another time. Copies
 /// made by an edit have chains of their own; an interval that is no longer in the path has none. Cost: linear.
 std::vector<std::vector<PathPoint>> pointsOf(const Path& path, const SourceStretch& stretch);
+
+/// The first point that was made at a moment; empty if the path has none. As for `pointsOf`.
+std::optional<PathPoint> pointAt(const Path& path, const Moment& moment);
+
+/// The moment of the position on moves other than rapids that is nearest to a point; source 0 if an edit made it, or if
+/// there is none. Arcs count as their chords in steps of 0.02 mm of deviation. Cost: linear. @param place mm
+Moment momentNear(const Path& path, const glm::dvec3& place);
 
 } // namespace burin

@@ -197,6 +197,34 @@ struct EditRow<MovePoints> {
              BURIN_TEXT("EditParameterTexts", "Freely, or along the part's surface with the same distance from it")})};
 };
 template <>
+struct EditRow<InsertPoint> {
+    static constexpr EditTraits traits{.id = "insert-point",
+                                       .title = BURIN_TEXT("Edit", "Insert a point"),
+                                       .group = EditGroup::places,
+                                       .mayEnter = true};
+    static constexpr std::array<EditChoice, 2> forms{{{"smooth", BURIN_TEXT("EditParameterTexts", "smooth")},
+                                                      {"corner", BURIN_TEXT("EditParameterTexts", "corner")}}};
+    static constexpr std::tuple fields{
+        moment("at", &InsertPoint::at,
+               {BURIN_TEXT("EditParameterTexts", "Position"),
+                BURIN_TEXT("EditParameterTexts", "The point is inserted here. Select a point of the path first")}),
+        number("beyond_mm", &InsertPoint::beyond, 0.0, farthestPlace,
+               {BURIN_TEXT("EditParameterTexts", "Farther along"),
+                BURIN_TEXT("EditParameterTexts", "Distance along the stroke from that position to the point")}),
+        place("by_mm", &InsertPoint::by,
+              {BURIN_TEXT("EditParameterTexts", "By"),
+               BURIN_TEXT("EditParameterTexts", "Displacement of the point from the stroke")}),
+        number(
+            "length_mm", &InsertPoint::length, 0.0, 1000.0,
+            {BURIN_TEXT("EditParameterTexts", "Blend"),
+             BURIN_TEXT("EditParameterTexts",
+                        "The stroke follows the point within this length on either side; 0: the point alone moves")}),
+        choice("form", &InsertPoint::form, forms,
+               {BURIN_TEXT("EditParameterTexts", "Form"),
+                BURIN_TEXT("EditParameterTexts",
+                           "How the stroke leads to the point: in a smooth curve, or in straight lines to a corner")})};
+};
+template <>
 struct EditRow<ReplaceStretch> {
     static constexpr EditTraits traits{.id = "replace-stretch",
                                        .title = BURIN_TEXT("Edit", "Replace part of the path"),

@@ -151,6 +151,25 @@ struct MovePoints {
 };
 EditResult apply(const MovePoints& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
+/// Inserts a point into the stroke that has a moment, and into its copies, at that moment or `beyond` it along the
+/// stroke (no farther than its end), displaced by `by`. The stroke within `length` of it on either side follows:
+/// smoothly (cosine), or along straight lines that meet in the point; moves there are divided, so that the smooth curve
+/// is followed to within 0.001 mm where the stroke is straight. Without a length only the point is displaced, and the
+/// moves to it from the points on either side are straight.
+struct InsertPoint {
+    enum class Form { smooth, corner };
+    Moment at;                ///< of no source: nothing is inserted
+    double beyond = 0.0;      ///< mm, in the direction of the stroke
+    glm::dvec3 by{0.0};       ///< mm; 0: the point lies on the stroke, which stays unchanged
+    double length = 5.0;      ///< mm
+    Form form = Form::smooth; ///< of the blend
+
+    /// The fraction of `by` that a point gets at this distance along the stroke from the inserted point, mm.
+    double shareAt(double way) const noexcept;
+};
+/// Errors: argumentInvalid, if the path no longer has the moment.
+EditResult apply(const InsertPoint& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+
 /// Replaces an interval by points, with its timing and straight moves between them.
 struct ReplaceStretch {
     SourceStretch stretch;
@@ -180,8 +199,8 @@ struct KeepTabs {
 EditResult apply(const KeepTabs& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// In the order in which they may follow each other.
-using RecordingEdits =
-    EditKinds<DropAirCuts, DropDwells, CutOut, Trim, Extend, Split, Join, Reorder, Reverse, Mirror, Rotate, Array,
-              MovePoints, ReplaceStretch, RemoveArea, LiftArea, KeepTabs, SmoothShape, Smooth, SmoothSpline>;
+using RecordingEdits = EditKinds<DropAirCuts, DropDwells, CutOut, Trim, Extend, Split, Join, Reorder, Reverse, Mirror,
+                                 Rotate, Array, MovePoints, InsertPoint, ReplaceStretch, RemoveArea, LiftArea, KeepTabs,
+                                 SmoothShape, Smooth, SmoothSpline>;
 
 } // namespace burin

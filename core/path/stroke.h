@@ -70,6 +70,7 @@ struct PathUnderEdit {
     bool rampsIn = false;                      ///< its links descend by ramps, which have their own feed
     std::vector<StrokeEntry> entries;          ///< into material, by the edit that is applied now
     std::vector<Omission> omissions;           ///< by the edit that is applied now
+    std::vector<glm::dvec3> inserted;          ///< mm, setup frame: points that the edit applied now has inserted
     double lengthBefore = 0.0; ///< mm of its strokes including those parts, if the edit may leave out any
 
     std::size_t count() const noexcept;

@@ -196,6 +196,7 @@ void CommandLanguageTest::answersAreInTheUsersLanguage_data() {
     row("path show", {"path", "@/cube.burin", "show", "1"});
     row("take", {"path", "@/cube.burin", "take", "1", "-o", "@/take.csv"});
     row("take score", {"take", "score", "@/cube.burin", "1"});
+    row("take deviation", {"take", "deviation", "@/cube.burin", "1"});
     row("post", {"post", "@/cube.burin", "-o", "@/x.ngc", "--machine", "grbl-router"});
     row("verify", {"verify", "@/wrong.ngc", "--project", "@/cube.burin"}, 1);
     row("verify one tool", {"verify", "@/gouge.ngc", "--project", "@/cube.burin", "--tool", "ball-6"}, 1);

@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -109,6 +110,55 @@ private slots:
         QCOMPARE(bytes(), before);
     }
 
+    /// A value for every ten samples; the tool was held out of the part. The project does not change.
+    void theDeviationIsMeasuredOverTime() {
+        const QByteArray before = bytes();
+        const ProgramRun measured = run({"take", "deviation", in("p.burin"), "1", "-o", in("deviation.csv")});
+        QVERIFY2(measured.status == 0, measured.messages.constData());
+        const QJsonObject answer = measured.json();
+        const int samples = run({"info", in("p.burin")}).json()["takes"].toArray()[0].toObject()["samples"].toInt();
+        QCOMPARE(answer["values"].toInt(), (samples + 9) / 10);
+        const double least = answer["least_mm"].toDouble(), greatest = answer["greatest_mm"].toDouble();
+        QVERIFY2(least > -0.05 && least < 0.5 && greatest > least, measured.output.constData());
+        QFile file(in("deviation.csv"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), answer["values"].toInt() + 1);
+        QCOMPARE(lines.front(), QByteArray("time_s,deviation_mm"));
+        double found = 1e9;
+        for (qsizetype i = 1; i < lines.size(); ++i) {
+            QVERIFY(std::abs(lines[i].split(',')[0].toDouble() - 0.01 * static_cast<double>(i - 1)) < 1e-6);
+            found = std::min(found, lines[i].split(',')[1].toDouble());
+        }
+        QVERIFY(std::abs(found - least) < 1e-4);
+        const ProgramRun text = runBurin({"take", "deviation", in("p.burin"), "1"});
+        QVERIFY(text.status == 0 && text.output.contains("mm from the part"));
+        QCOMPARE(bytes(), before);
+    }
+
+    /// A point is inserted into the path at a moment of the take; a moment that the path lacks is refused by its name.
+    void aPointIsInsertedIntoThePath() {
+        QCOMPARE(run({"path", in("p.burin"), "new", "--takes", "1"}).status, 0);
+        const auto edit = [](int tick) {
+            return QStringLiteral(R"({"edit": "insert-point", "at": {"take": 1, "tick": %1}, "by_mm": [0, 0, 2]})")
+                .arg(tick);
+        };
+        const auto apply = [&](int tick) {
+            return run({"path", in("p.burin"), "apply", "1", "--edit", edit(tick), "--place", "2"});
+        };
+        QCOMPARE(apply(3000).status, 0);
+        const ProgramRun shown = run({"path", in("p.burin"), "show", "1"});
+        QVERIFY2(shown.status == 0, shown.messages.constData());
+        const QJsonObject report = shown.json()["reports"].toArray()[2].toObject();
+        QCOMPARE(report["edit"].toString(), QString("insert-point"));
+        QCOMPARE(report["inserted_mm"].toArray().size(), 1);
+        QCOMPARE(run({"path", in("p.burin"), "undo", "1", "--place", "2"}).status, 0);
+        QCOMPARE(apply(900000).status, 0);
+        const ProgramRun refused = run({"path", in("p.burin"), "show", "1"});
+        QCOMPARE(refused.status, 3);
+        QVERIFY2(refused.messages.contains("take 1, tick 900000"), refused.messages.constData());
+    }
+
     /// The workpiece at a time of a program: before its first cut the stock, at its end the result of "post".
     void aProgramsWorkpieceIsWrittenAtAnyTime() {
         QCOMPARE(run({"path", in("p.burin"), "new"}).status, 0);
@@ -179,6 +229,7 @@ private slots:
                                          {"take", "off", in("p.burin"), "1", "--from", "3", "--to", "2"},
                                          {"take", "rename", in("p.burin"), "1", " "},
                                          {"take", "score", in("p.burin"), "7"},
+                                         {"take", "deviation", in("p.burin"), "7"},
                                          {"take", "score", in("p.burin"), "1", "--reference", "1"},
                                          {"take", "score", in("p.burin"), "1", "--reference", "0"},
                                          {"take", "move", in("p.burin"), "1"},

@@ -141,6 +141,55 @@ private slots:
         QVERIFY(!chosenBy(hand, fromAbove(onCircle(0.2))));
     }
 
+    /// A handle is dragged instead of the path at the same position; a click there still selects the path.
+    void handlesAreDraggedBeforeThePath() {
+        PathHand hand(fromAbove);
+        hand.setPoints({{{0, 0, 0}, true, {}}, {{40, 0, 0}, true, {}}});
+        hand.setHandles({{10, 0, 0}, {20, 0, 0}});
+        std::optional<std::size_t> dropped;
+        glm::dvec3 by(0.0);
+        connect(&hand, &PathHand::handleDropped, &hand, [&](std::size_t handle, const glm::dvec3& way) {
+            dropped = handle;
+            by = way;
+        });
+        QSignalSpy others(&hand, &PathHand::dropped);
+        const auto drag = [&](const glm::dvec3& from, const glm::dvec3& to) {
+            hand.press(at(fromAbove(from)));
+            hand.move(at(fromAbove(to)));
+            hand.release(at(fromAbove(to)));
+        };
+        drag({20.3, 0.2, 0}, {22.3, 3.2, 0});
+        QCOMPARE(dropped, std::optional<std::size_t>(1));
+        QVERIFY(glm::distance(by, {2.0, 3.0, 0.0}) < 1e-9);
+        QCOMPARE(others.count(), 0);
+        drag({15, 0, 0}, {15, 3, 0}); // between them: the path
+        QCOMPARE(others.count(), 1);
+        const auto place = chosenBy(hand, fromAbove({20.0, 0.2, 0}));
+        QVERIFY(place && std::abs(place->share - 0.5) < 1e-5);
+    }
+
+    /// A right click asks for the menu of the point; a right drag is left to the camera.
+    void aRightClickAsksForTheMenu() {
+        PathHand hand(fromAbove);
+        hand.setPoints({{{0, 0, 0}, true, {}}, {{40, 0, 0}, true, {}}});
+        std::vector<double> asked;
+        connect(&hand, &PathHand::menuWanted, &hand,
+                [&](const PathPlace& place, const QPointF&) { asked.push_back(place.share); });
+        const auto rightly = [&](const glm::dvec3& from, const glm::dvec3& to) {
+            ViewportEvent press = at(fromAbove(from)), release = at(fromAbove(to));
+            press.button = release.button = Qt::RightButton;
+            press.buttons = Qt::RightButton;
+            release.buttons = Qt::NoButton;
+            return hand.press(press) || hand.release(release);
+        };
+        QVERIFY(!rightly({10, 0.3, 0}, {10, 0.3, 0}));
+        QCOMPARE(asked.size(), std::size_t{1});
+        QVERIFY(std::abs(asked.front() - 0.25) < 1e-5);
+        QVERIFY(!rightly({10, 0.3, 0}, {13, 0.3, 0}));
+        QVERIFY(!rightly({10, 9, 0}, {10, 9, 0})); // beside the path
+        QCOMPARE(asked.size(), std::size_t{1});
+    }
+
     /// In each state Esc does what the status line says; where it does nothing, the key is left to others.
     void escapeDoesWhatItSays() {
         PathHand hand(fromAbove);

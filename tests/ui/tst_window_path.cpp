@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/arc.h"
+#include "core/path/hand_stretch.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/scene/camera_view.h"
@@ -8,6 +9,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QtTest>
@@ -120,6 +122,7 @@ private slots:
     void anAreaIsDrawnAndEmptied();
     void theMirrorsPlaneIsDrawn();
     void theWorstPlaceOfAnEditIsShown();
+    void aPointIsInsertedAndDragged();
 };
 
 void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
@@ -379,6 +382,7 @@ void TestWindowPath::theWorstPlaceOfAnEditIsShown() {
     auto* viewport = driver.visible<Viewport>("viewport");
     const std::vector<EditReport>& reports = workbench.path.evaluated()->reports; // one for each edit: all are on
     std::size_t shown = 0;
+    double found = 0.0; // mm from the worst points, at most
     for (std::size_t i = 0; i < reports.size(); ++i) {
         auto* eye = driver.window().findChild<QAbstractButton*>(QStringLiteral("edit%1Worst").arg(i));
         QVERIFY(eye != nullptr);
@@ -386,9 +390,75 @@ void TestWindowPath::theWorstPlaceOfAnEditIsShown() {
         if (!(reports[i].largestDeviation > 0.0)) continue;
         eye->click();
         QVERIFY(glm::distance(viewport->cameraView().focus, reports[i].worstPlace) < 1e-9);
+        // The timeline marks when it was milled, and the selection stays.
+        QVERIFY(workbench.path.pointsElsewhere() && !workbench.path.selection());
+        const std::optional<SourceStretch>& pointed = workbench.path.pointed();
+        const auto point = pointAt(workbench.path.evaluated()->path, {pointed->source, pointed->first});
+        if (point) found = std::max(found, glm::distance(point->pose.tip, reports[i].worstPlace));
         ++shown;
     }
     QVERIFY(shown > 0);
+    QVERIFY2(found > 0.0 && found < 0.5, qPrintable(QString::number(found)));
+}
+
+/// By the menu of a right click, then dragged at its mark, also a second time; each step is undone. By the key at the
+/// selection.
+void TestWindowPath::aPointIsInsertedAndDragged() {
+    WindowDriver driver(QSize(1280, 920));
+    Workbench& workbench = driver.window().workbench();
+    QVERIFY(makePath(driver));
+    QVERIFY(evaluatedAgain(driver));
+    QVERIFY(driver.settle());
+    auto* viewport = driver.visible<Viewport>("viewport");
+    const std::vector<std::string> before = editsOf(workbench);
+    const glm::dvec3 middle = pointNear(workbench, {0.0, 0.0}).pose.tip;
+    const auto edit = [&] {
+        const std::size_t place = placeOf(workbench, "insert-point");
+        const std::vector<Edit>& edits = workbench.path.stored()->edits;
+        return place < edits.size() ? std::get_if<InsertPoint>(&edits[place].parameters) : nullptr;
+    };
+    QTest::mouseClick(viewport, Qt::RightButton, {}, viewport->project(middle).toPoint());
+    QMenu* menu = nullptr;
+    QVERIFY(driver.waitFor([&] { return (menu = driver.window().findChild<QMenu*>("pathPointMenu")) != nullptr; }));
+    driver.shoot("27-point-menu");
+    QTest::mouseClick(menu, Qt::LeftButton, {},
+                      menu->actionGeometry(menu->findChild<QAction*>("insertPointHere")).center());
+    QVERIFY(driver.waitFor([&] { return edit() != nullptr; }, 3000));
+    QVERIFY(placeOf(workbench, "insert-point") < placeOf(workbench, "hold-out"));
+    QVERIFY(workbench.path.selection() && workbench.path.selection()->first == edit()->at.tick);
+    QVERIFY(evaluatedAgain(driver));
+    const auto inserted = [&] {
+        return workbench.path.evaluated()->reports[placeOf(workbench, "insert-point")].inserted.front();
+    };
+    QVERIFY(glm::distance(inserted(), middle) < 0.3); // a pixel, and the smoothing
+    QVERIFY(driver.settle());
+
+    glm::dvec3 wanted = inserted();
+    for (const glm::dvec3& by : {glm::dvec3(0, 4, 0), glm::dvec3(2, 1, 0)}) {
+        wanted += by;
+        drag(*viewport, viewport->project(inserted()).toPoint(), viewport->project(inserted() + by).toPoint());
+        QVERIFY(evaluatedAgain(driver));
+        QVERIFY(driver.settle());
+        QCOMPARE(editsOf(workbench).size(), before.size() + 1); // the same edit
+        QVERIFY2(glm::distance(inserted(), wanted) < 0.4, qPrintable(QString::number(edit()->by.y)));
+        QVERIFY(distanceToPath(workbench, inserted()) < 0.1);
+    }
+    driver.shoot("27-point-dragged");
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(edit() != nullptr && edit()->by == glm::dvec3(0.0));
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(editsOf(workbench) == before);
+    QVERIFY(evaluatedAgain(driver));
+    QVERIFY(driver.settle());
+
+    QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(middle).toPoint());
+    QVERIFY(driver.waitFor([&] { return menuAction(driver, "insertPointAction")->isEnabled(); }, 3000));
+    viewport->setFocus();
+    driver.key(Qt::Key_Insert);
+    QVERIFY(driver.waitFor([&] { return edit() != nullptr; }, 3000));
+    QVERIFY(evaluatedAgain(driver));
+    QVERIFY(glm::distance(inserted(), middle) < 0.3);
 }
 
 BURIN_TEST(TestWindowPath, QApplication)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/project.h"
+#include "core/path/hand_stretch.h"
 #include "core/volume/operations/fingerprint.h"
 #include "tests/long_run.h"
 #include "tests/test_program.h"
@@ -9,9 +10,15 @@
 #include "ui/panels/program_view.h"
 #include "ui/panels/timeline_panel.h"
 
+#include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QtTest>
+
+#include <algorithm>
+#include <cmath>
 
 namespace burin::tst_window_timeline {
 
@@ -278,7 +285,120 @@ private slots:
         QVERIFY(workbench().program.storedText().isEmpty() && !workbench().program.program());
     }
 
+    /// A point that is clicked on the path is marked at the time at which the tool was there, and the past follows it;
+    /// a time of the timeline is marked on the path.
+    void pathAndTimelineShowTheSamePoint() {
+        QVERIFY(newPath(*driver_));
+        QVERIFY(driver_->step(JobStep::path));
+        QVERIFY(driver_->waitFor([&] { return workbench().path.evaluated() && !workbench().path.busy(); }));
+        QVERIFY(driver_->settle());
+        const std::vector<PathPoint>& points = workbench().path.evaluated()->path.points;
+        const auto cut = std::ranges::find_if(points, [&](const PathPoint& point) {
+            return point.kind == MoveKind::cut && point.source == listed()[1] && point.sample > 0;
+        });
+        QVERIFY(cut != points.end());
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, viewport().project(cut->pose.tip).toPoint());
+        const std::optional<SourceStretch>& chosen = workbench().path.selection();
+        QVERIFY(chosen && chosen->source == listed()[1]);
+        const std::optional<double> seconds = time().secondsAt(Moment{chosen->source, chosen->first});
+        QVERIFY(seconds);
+        QVERIFY(driver_->waitFor([&] { return isYellow(view().placeOf(*seconds) + 1.0); }));
+        QVERIFY(!time().away()); // the workpiece stays as it is
+        driver_->shoot("timeline-chosen-point");
+        const auto isThere = [&](const glm::dvec3& place) {
+            return time().shown() && !time().arriving() && time().shown()->sample &&
+                   glm::distance(time().shown()->sample->proxy.tip, place) < 0.3;
+        };
+        QVERIFY(seek(0.2)); // now the past is shown, and follows the next click
+        const PathPoint& other = *std::ranges::find_if(points, [&](const PathPoint& point) {
+            return point.kind == MoveKind::cut && point.source == listed()[0] && point.sample > 0;
+        });
+        QTest::mouseClick(&viewport(), Qt::LeftButton, {}, viewport().project(other.pose.tip).toPoint());
+        QVERIFY(driver_->waitFor([&] { return isThere(other.pose.tip); }));
+
+        // Back: the point of the path is where the tool was.
+        const std::uint64_t sample = time().recorded()->tracks[1].strokes.front().first;
+        const std::uint64_t length = time().recorded()->tracks[1].strokes.front().count;
+        QVERIFY(seek(secondsOfTake(1) +
+                     time().recorded()->tracks[1].info.tickPeriod * static_cast<double>(sample + length / 2)));
+        const auto at = pointAt(workbench().path.evaluated()->path, *time().handMoment());
+        QVERIFY(at && driver_->waitFor([&] { return isThere(at->pose.tip); }));
+        auto* text = driver_->window().findChild<QLabel*>("pathAtTime");
+        QVERIFY(driver_->waitFor([&] { return !text->isHidden() && text->text().startsWith("Timeline: X "); }));
+        const QPoint dot = viewport().mapTo(&driver_->window(), viewport().project(at->pose.tip).toPoint());
+        QVERIFY(driver_->waitFor([&] { return driver_->window().grab().toImage().pixelColor(dot).green() > 215; }));
+        driver_->shoot("timeline-point-on-path");
+        driver_->key(Qt::Key_Escape);
+        driver_->key(Qt::Key_Escape);
+        QVERIFY(driver_->waitFor([&] { return !time().away() && text->isHidden(); }));
+        workbench().path.pointAt({-1, 5}); // of a computed pass
+        QVERIFY(driver_->waitFor([&] { return isYellow(view().placeOf(0.0) + 3.0); }));
+        driver_->shoot("timeline-computed-point");
+    }
+
+    /// The distance from the block's top while the tool goes level over it is the height of the tip above it.
+    void theDeviationIsDrawn() {
+        const auto values = [&](std::size_t take) -> const std::vector<float>& {
+            return time().recorded()->tracks[take].curves[static_cast<std::size_t>(TrackCurve::deviation)];
+        };
+        QVERIFY(values(0).empty()); // nobody wants it yet
+        driver_->window().findChild<QAction*>("curve_deviation")->trigger();
+        QVERIFY(driver_->waitFor([&] { return !values(0).empty() && !values(1).empty() && !busy(); }));
+        const double top = workbench().workpiece.milling()->partModel->box().high.z;
+        for (std::size_t take = 0; take < 2; ++take) {
+            const TakeTrack& track = time().recorded()->tracks[take];
+            const std::vector<float>& heights = track.curves[static_cast<std::size_t>(TrackCurve::height)];
+            QCOMPARE(values(take).size(), heights.size());
+            const SampleRange stroke = track.strokes.front();
+            const std::size_t bin = (stroke.first + stroke.count / 2) / TakeTrack::samplesPerBin;
+            const double above = static_cast<double>(heights[bin]) - top;
+            QVERIFY2(std::abs(static_cast<double>(values(take)[bin]) - above) < 0.01,
+                     qPrintable(QStringLiteral("%1, not %2").arg(static_cast<double>(values(take)[bin])).arg(above)));
+        }
+        driver_->shoot("timeline-deviation");
+        // A further take is measured when milling has ended, the others stay.
+        QVERIFY(enterMilling());
+        millLine(*driver_, {-10, 2}, {10, 2});
+        QVERIFY(leaveMilling());
+        QVERIFY(driver_->waitFor(
+            [&] { return time().recorded()->tracks.size() == 3 && !values(2).empty() && !values(0).empty(); }));
+    }
+
+    /// The clip of a recording grows while it is milled, in no more than ten steps a second; its stroke is visible.
+    void aRecordingGrowsOnTheTimeline() {
+        const double before = view().all();
+        QVERIFY(enterMilling());
+        QElapsedTimer passed;
+        passed.start();
+        QSignalSpy steps(&workbench().growing, &Controller::changed);
+        millLine(*driver_, {-10, 2}, {10, 2});
+        QVERIFY(driver_->waitFor([&] { return strokesAre(4) && view().all() > before + 0.1; }));
+        QVERIFY(steps.count() >= 2 && steps.count() <= passed.elapsed() / 100 + 2);
+        QCOMPARE(workbench().growing.takes().size(), std::size_t{1});
+        const GrowingTake take = workbench().growing.takes().front();
+        QVERIFY(workbench().growing.underWay(take.take));
+        QCOMPARE(take.strokes.size(), std::size_t{1});
+        QVERIFY(take.strokes.front().second > take.strokes.front().first &&
+                take.strokes.front().second <= take.seconds);
+        driver_->shoot("timeline-growing");
+        QVERIFY(leaveMilling());
+        QVERIFY(driver_->waitFor(
+            [&] { return time().recorded()->tracks.size() == 3 && workbench().growing.takes().empty(); }));
+        QVERIFY(std::abs(time().recorded()->tracks[2].seconds() - take.seconds) <
+                1e-3 * static_cast<double>(passed.elapsed()));
+        const SampleRange stroke = time().recorded()->tracks[2].strokes.front();
+        const double period = time().recorded()->tracks[2].info.tickPeriod;
+        QVERIFY(std::abs(static_cast<double>(stroke.first) * period - take.strokes.front().first) < 0.2);
+    }
+
 private:
+    TimelineView& view() { return *driver_->visible<TimelineView>("timelineView"); }
+    /// Whether the row of the takes has the colour of the chosen part of a path there.
+    bool isYellow(double x) {
+        const QColor colour =
+            view().grab().toImage().pixelColor(static_cast<int>(std::lround(x)), view().height() - 16);
+        return colour.red() > 215 && colour.green() > 200 && colour.blue() < 120;
+    }
     Workbench& workbench() { return driver_->window().workbench(); }
     Viewport& viewport() { return driver_->window().viewport(); }
     TimeController& time() { return workbench().time; }

@@ -9,9 +9,13 @@
 
 #include <QApplication>
 #include <QColorDialog>
+#include <QDragMoveEvent>
 #include <QInputDialog>
 #include <QMenu>
+#include <QMimeData>
 #include <QtTest>
+
+#include <memory>
 
 namespace burin::tst_window_tree {
 
@@ -255,6 +259,58 @@ private slots:
         workbenchOf(driver).setup.chooseRole(0, BodyRole::ignored);
         QTRY_COMPARE(rowOf(*tree, "Root")->text(1), QString("several roles"));
         QVERIFY(!rowOf(*tree, "Root")->isExpanded());
+    }
+
+    /// A take is dragged before another one and to the end, and nowhere else; undo restores the order.
+    void takesAreDragged() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        for (const double y : {-6.0, 0.0, 6.0}) QVERIFY(recordLine(driver, {-10.0, y}, {10.0, y}) && driver.settle());
+        ProjectTree* tree = openTree(driver);
+        QVERIFY(tree);
+        const auto names = [&] {
+            QStringList texts;
+            if (QTreeWidgetItem* takes = rowOf(*tree, "Takes"))
+                for (int i = 0; i < takes->childCount(); ++i) texts << takes->child(i)->text(0);
+            return texts;
+        };
+        const QStringList recorded{"take 1", "take 2", "take 3"};
+        QTRY_COMPARE(names(), recorded);
+        QTRY_VERIFY(rowOf(*tree, "take 1")->flags().testFlag(Qt::ItemIsDragEnabled));
+        QVERIFY(!rowOf(*tree, "Takes")->flags().testFlag(Qt::ItemIsDragEnabled));
+        // Drops a row at a height of another one: 0 at its upper edge, 1 at its lower one.
+        const auto dropAt = [&](const QString& name, const QString& other, double height) {
+            const std::unique_ptr<QMimeData> row(tree->model()->mimeData({tree->indexFromItem(rowOf(*tree, name))}));
+            const QRect area = tree->visualItemRect(rowOf(*tree, other));
+            const QPointF place(area.center().x(), area.top() + height * (area.height() - 1));
+            QDragEnterEvent enter(place.toPoint(), Qt::MoveAction, row.get(), Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(tree->viewport(), &enter);
+            QDragMoveEvent move(place.toPoint(), Qt::MoveAction, row.get(), Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(tree->viewport(), &move);
+            driver.shoot("tree-5-dragged");
+            QDropEvent drop(place, Qt::MoveAction, row.get(), Qt::LeftButton, Qt::NoModifier);
+            QApplication::sendEvent(tree->viewport(), &drop);
+            return driver.settle();
+        };
+        QVERIFY(dropAt("take 3", "take 1", 0.0));
+        QTRY_COMPARE(names(), (QStringList{"take 3", "take 1", "take 2"}));
+        QVERIFY(dropAt("take 3", "take 2", 1.0));
+        QTRY_COMPARE(names(), recorded);
+        QVERIFY(dropAt("take 1", "take 2", 1.0));
+        QTRY_COMPARE(names(), (QStringList{"take 2", "take 1", "take 3"}));
+        QVERIFY(dropAt("take 1", "Takes", 0.5));
+        QVERIFY(dropAt("take 1", "Part", 0.5));
+        QVERIFY(dropAt("take 1", "take 1", 0.0));
+        QCOMPARE(names(), (QStringList{"take 2", "take 1", "take 3"}));
+        for (int i = 0; i < 3; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(names(), recorded);
+        // As the rules of "Move up" have it, not during a recording.
+        QVERIFY(driver.step(JobStep::mill));
+        QVERIFY(workbenchOf(driver).mill.startRecording());
+        QTRY_VERIFY(workbenchOf(driver).mill.recording());
+        QTRY_VERIFY(!rowOf(*tree, "take 1")->flags().testFlag(Qt::ItemIsDragEnabled));
+        workbenchOf(driver).mill.leave();
+        QTRY_VERIFY(!workbenchOf(driver).session.running());
     }
 
     /// A body whose box is not ticked is not drawn, without any other effect.

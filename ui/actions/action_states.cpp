@@ -76,6 +76,7 @@ void ActionStates::update() {
     enable(ActionId::evaluatePath, workbench.path.stored() != nullptr && workbench.workpiece.embedded());
     enable(ActionId::comparePaths, workbench.pathComparer.possible());
     enable(ActionId::drawStretch, workbench.path.selection().has_value());
+    enable(ActionId::insertPoint, workbench.path.selection() && workbench.path.evaluated());
     enable(ActionId::drawEdit, workbench.path.evaluated() && workbench.path.stored() != nullptr &&
                                    lastDrawn(workbench.path.stored()->edits));
     enable(ActionId::post, workbench.program.postable());

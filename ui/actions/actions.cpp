@@ -228,6 +228,10 @@ constexpr std::array rows{
     Row{ActionId::drawStretch, "drawStretchAction", QT_TRANSLATE_NOOP("Actions", "&Draw instead"),
         QT_TRANSLATE_NOOP("Actions", "Draw a stroke in the view that replaces the selected part of the path."),
         "Ctrl+D"},
+    Row{ActionId::insertPoint, "insertPointAction", QT_TRANSLATE_NOOP("Actions", "Insert a &point"),
+        QT_TRANSLATE_NOOP("Actions", "Insert a point where the path is selected. Drag it in the view to move it; the "
+                                     "stroke follows it smoothly."),
+        "Ins"},
     Row{ActionId::drawEdit, "drawEditAction", QT_TRANSLATE_NOOP("Actions", "Draw for an ed&it"),
         QT_TRANSLATE_NOOP("Actions", "Draw the area, the guide or the mirror plane of the last edit that has one."),
         "Ctrl+Alt+D"},

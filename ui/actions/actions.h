@@ -97,6 +97,7 @@ enum class ActionId : std::size_t {
     evaluatePath,
     comparePaths,
     drawStretch,
+    insertPoint,
     drawEdit,
     post,
     findInProgram,

@@ -46,6 +46,13 @@ PathHand::PathHand(Appearance appearance, QObject* parent) : QObject(parent), ap
 void PathHand::setPoints(std::vector<HandPoint> points) {
     if (doing_ != Doing::drawing) giveUp(); // it concerned the previous path
     points_ = std::move(points);
+    menuAt_.reset();
+}
+
+void PathHand::setHandles(std::vector<glm::dvec3> handles) {
+    if (handles == handles_) return;
+    if (doing_ != Doing::drawing) giveUp(); // it may concern another handle
+    handles_ = std::move(handles);
 }
 
 void PathHand::setDrawing(std::optional<double> height) {
@@ -86,7 +93,25 @@ std::optional<PathPlace> PathHand::placeAt(const QPointF& pointer) const {
     return PathPlace{place->piece, place->share};
 }
 
+/// The handle that appears nearest to the pointer, within its reach.
+std::optional<std::size_t> PathHand::handleAt(const QPointF& pointer) const {
+    std::optional<std::size_t> nearest;
+    double reach = pointerReach;
+    for (std::size_t i = 0; i < handles_.size(); ++i) {
+        const QPointF way = appearance_(handles_[i]) - pointer;
+        if (const double far = std::hypot(way.x(), way.y()); far <= reach) {
+            reach = far;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
 bool PathHand::press(const ViewportEvent& event) {
+    if (event.button == Qt::RightButton && doing_ == Doing::nothing && !height_) {
+        pressedAt_ = event.position;
+        menuAt_ = placeAt(event.position);
+    }
     if (event.button != Qt::LeftButton) return false;
     pressedAt_ = event.position;
     pressedSight_ = sightOf(event);
@@ -96,12 +121,17 @@ bool PathHand::press(const ViewportEvent& event) {
         draw(event);
         return true;
     }
-    const auto place = placeAt(event.position);
-    if (!place) return false;
-    place_ = *place;
+    handle_ = handleAt(event.position);
+    place_ = placeAt(event.position);
+    if (!handle_ && !place_) return false;
     by_ = glm::dvec3(0.0);
     become(Doing::pressed);
     return true;
+}
+
+/// The position at which the drag began, mm.
+glm::dvec3 PathHand::draggedFrom() const {
+    return handle_ ? handles_[*handle_] : pieceAt(place_->piece).at(place_->share);
 }
 
 bool PathHand::move(const ViewportEvent& event) {
@@ -114,24 +144,38 @@ bool PathHand::move(const ViewportEvent& event) {
     const QPointF way = event.position - pressedAt_;
     if (doing_ == Doing::pressed && std::hypot(way.x(), way.y()) < clickReach) return true;
     become(Doing::dragging);
-    if (const auto by = dragged(pieceAt(place_.piece).at(place_.share), pressedSight_, sightOf(event), along_))
-        by_ = *by;
-    emit dragging(place_, by_);
+    if (const auto by = dragged(draggedFrom(), pressedSight_, sightOf(event), along_)) by_ = *by;
+    if (handle_)
+        emit handleDragging(*handle_, place_, by_);
+    else
+        emit dragging(*place_, by_);
     return true;
 }
 
 bool PathHand::release(const ViewportEvent& event) {
+    if (event.button == Qt::RightButton) {
+        const QPointF way = event.position - pressedAt_;
+        const std::optional<PathPlace> place = std::exchange(menuAt_, std::nullopt);
+        if (place && std::hypot(way.x(), way.y()) < clickReach) emit menuWanted(*place, event.position);
+        return false; // the camera follows the right button
+    }
     if (event.button != Qt::LeftButton) return false;
     const Doing done = become(Doing::nothing);
-    if (done == Doing::pressed)
-        emit chosen(place_, (event.modifiers & Qt::ShiftModifier) != 0);
+    report(done, (event.modifiers & Qt::ShiftModifier) != 0);
+    return done != Doing::nothing;
+}
+
+void PathHand::report(Doing done, bool extend) {
+    if (done == Doing::pressed && place_)
+        emit chosen(*place_, extend);
+    else if (done == Doing::dragging && handle_)
+        emit handleDropped(*handle_, by_);
     else if (done == Doing::dragging)
-        emit dropped(place_, by_);
+        emit dropped(*place_, by_);
     else if (done == Doing::drawing && drawn_.size() > 1)
         emit drawn(std::exchange(drawn_, {}));
     else if (done == Doing::drawing)
         emit givenUp();
-    return done != Doing::nothing;
 }
 
 void PathHand::draw(const ViewportEvent& event) {

@@ -9,6 +9,7 @@
 #include <QObject>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace burin {
@@ -42,15 +43,18 @@ struct PathPlace {
 };
 
 /// The pointer on a path. A click selects a point, with Shift everything from the point selected before; a drag moves
-/// the point; while drawing, a drag draws a stroke at the height of `setDrawing`. Esc cancels the current operation,
-/// then clears the selection. All other events are left to the camera. Thread: user interface.
+/// the point, or the handle under the pointer; while drawing, a drag draws a stroke at the height of `setDrawing`. A
+/// right click requests the menu of a point; a right drag turns the camera. Esc cancels the current operation, then
+/// clears the selection. All other events are left to the camera. Thread: user interface.
 class PathHand final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
     explicit PathHand(Appearance appearance, QObject* parent = nullptr);
 
     void setPoints(std::vector<HandPoint> points); ///< of the path, in order
-    void setChosen(bool chosen);                   ///< whether there is a selection, which Esc clears
+    /// Points that are dragged by themselves, before the path at the same position; mm, setup frame.
+    void setHandles(std::vector<glm::dvec3> handles);
+    void setChosen(bool chosen); ///< whether there is a selection, which Esc clears
     void setAlong(DragAlong along) { along_ = along; }
     /// Draws at a height, mm; empty: selects and drags.
     void setDrawing(std::optional<double> height);
@@ -66,6 +70,10 @@ signals:
     void chosen(const burin::PathPlace& place, bool extend);
     void dragging(const burin::PathPlace& place, const glm::dvec3& by); ///< mm; during the drag
     void dropped(const burin::PathPlace& place, const glm::dvec3& by);  ///< mm; at the end of the drag
+    /// The same for a handle, by its index. @param place on the path under the pointer; empty: none
+    void handleDragging(std::size_t handle, const std::optional<burin::PathPlace>& place, const glm::dvec3& by);
+    void handleDropped(std::size_t handle, const glm::dvec3& by);
+    void menuWanted(const burin::PathPlace& place, const QPointF& position); ///< position in the viewport
     void drawing(const std::vector<glm::dvec3>& places);                ///< mm; so far
     void drawn(const std::vector<glm::dvec3>& places);                  ///< mm; at least two
     void givenUp();                                                     ///< the current operation is discarded
@@ -76,6 +84,9 @@ private:
     enum class Doing : std::uint8_t { nothing, pressed, dragging, drawing };
 
     std::optional<PathPlace> placeAt(const QPointF& pointer) const;
+    std::optional<std::size_t> handleAt(const QPointF& pointer) const;
+    glm::dvec3 draggedFrom() const;
+    void report(Doing done, bool extend);
     PathPiece pieceAt(std::size_t piece) const;
     void draw(const ViewportEvent& event);
     void giveUp();
@@ -87,7 +98,10 @@ private:
     DragAlong along_ = DragAlong::level;
     std::optional<double> height_;
     Doing doing_ = Doing::nothing;
-    PathPlace place_;
+    std::optional<PathPlace> place_;    ///< that is pressed or dragged; empty: a handle away from the path
+    std::optional<std::size_t> handle_; ///< that is pressed or dragged; empty: a point of the path
+    std::vector<glm::dvec3> handles_;   ///< mm
+    std::optional<PathPlace> menuAt_;   ///< under the pointer when the right button was pressed
     QPointF pressedAt_;
     Sight pressedSight_;
     glm::dvec3 by_{0.0};

@@ -75,6 +75,7 @@ std::vector<KeyLine> HandKeys::onThePath() {
         {tr("Click"), tr("Selects a point of the path, or a move of the program.")},
         {tr("Shift and click"), tr("Selects everything from the last selected point to this one.")},
         {tr("Left drag"), tr("Moves the point; while something is drawn, draws it.")},
+        {tr("Right click"), tr("Opens the menu of a point of the path.")},
         {tr("Esc"), tr("Cancels the current action, else clears the selection.")},
     };
 }

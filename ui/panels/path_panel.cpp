@@ -33,6 +33,7 @@ class PathPanel::Fields : public QObject {
 public:
     explicit Fields(PathPanel* panel);
     void refresh();
+    void refreshSelection() { selection_->setState(state, unit); }
 
     PathState state;
     LengthUnit unit = LengthUnit::millimetre;
@@ -426,13 +427,18 @@ void PathPanel::Fields::refresh() {
     content_->setVisible(state.exists);
     refreshPasses();
     refreshFigures();
-    selection_->setState(state);
+    refreshSelection();
     refreshEdits();
 }
 
 PathPanel::PathPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
     setObjectName(QStringLiteral("pathPanel"));
     fields_->refresh();
+}
+
+void PathPanel::setAtTime(const TimelinesPlace& place) {
+    fields_->state.atTime = place;
+    fields_->refreshSelection();
 }
 
 void PathPanel::setUnit(LengthUnit unit) {

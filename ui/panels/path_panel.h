@@ -18,8 +18,9 @@ class PathPanel : public QWidget {
 public:
     explicit PathPanel(QWidget* parent = nullptr);
     void setUnit(LengthUnit unit);
-    void setState(const PathState& state); ///< never emits
-    AreaCard& area() const;                ///< the section of the panel for the area of the next pass
+    void setState(const PathState& state);       ///< never emits
+    void setAtTime(const TimelinesPlace& place); ///< the part of the state that changes while the timeline is moved
+    AreaCard& area() const;                      ///< the section of the panel for the area of the next pass
 
 signals:
     void toolChosen(const std::string& id); ///< one of the tools that have takes

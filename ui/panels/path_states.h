@@ -29,6 +29,12 @@ struct PassRow {
     friend bool operator==(const PassRow&, const PassRow&) = default;
 };
 
+/// The point of a path at the time on the timeline.
+struct TimelinesPlace {
+    std::optional<Moment> moment;    ///< empty: the present
+    std::optional<glm::dvec3> place; ///< mm, setup frame; empty: the path doesn't have that moment
+};
+
 struct PathState {
     struct Tool {
         std::string id;
@@ -58,6 +64,7 @@ struct PathState {
     bool busy = false;
     bool waiting = false; ///< whether it waits for the workpiece; it is then evaluated automatically
     std::optional<SourceStretch> selection;
+    TimelinesPlace atTime;
     DragChoice drag = DragChoice::level;
     bool drawing = false;                   ///< whether a replacement stroke for the selection is being drawn
     std::optional<DrawnField> drawnField{}; ///< the field of an edit that is being drawn

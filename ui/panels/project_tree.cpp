@@ -5,9 +5,13 @@
 #include "ui/theme/theme.h"
 
 #include <QContextMenuEvent>
+#include <QCoreApplication>
+#include <QDropEvent>
 #include <QHeaderView>
+#include <QMimeData>
 #include <QPixmap>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -26,6 +30,15 @@ qint64 idOf(const QTreeWidgetItem& item) {
     return item.data(0, idRole).toLongLong();
 }
 
+/// What is dragged, for this process alone.
+QString rowFormat() {
+    return QStringLiteral("application/x-burin-row-%1").arg(QCoreApplication::applicationPid());
+}
+
+bool hasMovableRows(const ProjectRow& node) {
+    return std::ranges::any_of(node.children, &ProjectRow::movable);
+}
+
 } // namespace
 
 ProjectTree::ProjectTree(QWidget* parent) : QTreeWidget(parent) {
@@ -36,6 +49,9 @@ ProjectTree::ProjectTree(QWidget* parent) : QTreeWidget(parent) {
     setUniformRowHeights(true);
     setExpandsOnDoubleClick(false);
     setTextElideMode(Qt::ElideMiddle);
+    setDragDropMode(QAbstractItemView::DragDrop);
+    setDefaultDropAction(Qt::MoveAction);
+    invisibleRootItem()->setFlags(invisibleRootItem()->flags() & ~Qt::ItemIsDropEnabled);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(0, QHeaderView::Stretch);
     header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -98,6 +114,9 @@ void ProjectTree::fill(QTreeWidgetItem& item, const ProjectRow& node) const {
     item.setData(0, kindRole, static_cast<int>(node.kind));
     item.setData(0, idRole, node.id);
     item.setData(0, foldedRole, node.folded);
+    item.setFlags((item.flags() & ~(Qt::ItemIsDragEnabled | Qt::ItemIsDropEnabled)) |
+                  (node.movable ? Qt::ItemIsDragEnabled : Qt::NoItemFlags) |
+                  (hasMovableRows(node) ? Qt::ItemIsDropEnabled : Qt::NoItemFlags));
     QFont own = font();
     own.setBold(node.current);
     item.setFont(0, own);
@@ -115,6 +134,35 @@ QTreeWidgetItem* ProjectTree::itemWith(ProjectRowKind kind, qint64 id) {
     for (QTreeWidgetItemIterator at(this); *at != nullptr; ++at)
         if (kindOf(**at) == kind && idOf(**at) == id) return *at;
     return nullptr;
+}
+
+QStringList ProjectTree::mimeTypes() const {
+    return {rowFormat()};
+}
+
+QMimeData* ProjectTree::mimeData(const QList<QTreeWidgetItem*>& items) const {
+    if (items.isEmpty()) return nullptr;
+    auto* dragged = new QMimeData; // owned by the drag
+    dragged->setData(rowFormat(), QByteArray::number(static_cast<int>(kindOf(*items.front()))) + ' ' +
+                                   QByteArray::number(idOf(*items.front())));
+    return dragged;
+}
+
+/// The presenter moves the row. @return false, so that the view does not remove it
+bool ProjectTree::dropMimeData(QTreeWidgetItem* parent, int index, const QMimeData* dragged, Qt::DropAction) {
+    const QList<QByteArray> row = dragged->data(rowFormat()).split(' ');
+    if (row.size() != 2 || parent == nullptr || index < 0) return false;
+    const auto kind = static_cast<ProjectRowKind>(row[0].toInt());
+    const qint64 id = row[1].toLongLong();
+    const QTreeWidgetItem *item = itemWith(kind, id), *before = parent->child(index); // null: to the end
+    if (item == nullptr || item->parent() != parent || item == before) return false;
+    emit moved(kind, id, before != nullptr ? idOf(*before) : -1);
+    return false;
+}
+
+/// Without that of QTreeWidget, which moves the row by itself.
+void ProjectTree::dropEvent(QDropEvent* event) {
+    QTreeView::dropEvent(event);
 }
 
 void ProjectTree::changeEvent(QEvent* event) {

@@ -20,6 +20,7 @@ struct ProjectRow {
     QString name, detail, toolTip;
     bool current = false;     ///< in use
     bool dimmed = false;      ///< whether it is no longer in effect, or doesn't exist yet
+    bool movable = false;     ///< can be dragged to another position among its siblings
     std::optional<bool> on{}; ///< state of its check box; empty: it has none
     bool partly = false;      ///< whether its check box is half ticked
     bool folded = false;      ///< whether its child rows are closed until the user opens it
@@ -29,7 +30,8 @@ struct ProjectRow {
 };
 
 /// The contents of a project as a tree; rows in use are bold. A double click or Enter opens a row, its check box
-/// switches it, the right button opens its menu.
+/// switches it, the right button opens its menu. Movable rows are dragged among their siblings; a line shows where a
+/// row will be dropped.
 class ProjectTree final : public QTreeWidget {
     Q_OBJECT
 public:
@@ -43,8 +45,15 @@ signals:
     void opened(ProjectRowKind kind, qint64 id);
     void switched(ProjectRowKind kind, qint64 id, bool on);
     void menuWanted(ProjectRowKind kind, qint64 id, const QPoint& globalPosition);
+    /// A row was dragged before another one of its kind; `before` -1: to the end.
+    void moved(ProjectRowKind kind, qint64 id, qint64 before);
 
 protected:
+    QStringList mimeTypes() const override;
+    QMimeData* mimeData(const QList<QTreeWidgetItem*>& items) const override;
+    Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    bool dropMimeData(QTreeWidgetItem* parent, int index, const QMimeData* data, Qt::DropAction action) override;
+    void dropEvent(QDropEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void changeEvent(QEvent* event) override; ///< updates the colours of the theme
 

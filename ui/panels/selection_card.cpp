@@ -17,6 +17,7 @@ namespace burin {
 SelectionCard::SelectionCard(QWidget* parent)
     : QFrame(parent)
     , chosen_(new ElidedLabel({}, this))
+    , shown_(new ElidedLabel({}, this))
     , clear_(makeIconButton(QStringLiteral("cancel"), tr("Clear the selection (Esc in the view)"),
                             QStringLiteral("clearSelectionButton"), this))
     , drag_(new ChoiceBox(this))
@@ -32,6 +33,9 @@ SelectionCard::SelectionCard(QWidget* parent)
     head->addWidget(chosen_, 1);
     head->addWidget(clear_);
     column->addLayout(head);
+    shown_->setObjectName(QStringLiteral("pathAtTime"));
+    shown_->setVisible(false);
+    column->addWidget(shown_);
     drag_->setObjectName(QStringLiteral("dragChoice"));
     drag_->addItems({tr("on its level"), QStringLiteral("X"), QStringLiteral("Y"), tr("Z, the tool's axis"),
                      tr("the part's surface")});
@@ -45,7 +49,23 @@ SelectionCard::SelectionCard(QWidget* parent)
     connect(clear_, &QToolButton::clicked, this, &SelectionCard::cleared);
 }
 
-void SelectionCard::setState(const PathState& state) {
+void SelectionCard::showTimelinesPlace(const PathState& state, LengthUnit unit) {
+    shown_->setVisible(state.atTime.moment.has_value());
+    if (!state.atTime.moment) return;
+    const QString time = momentText(state.takes, *state.atTime.moment);
+    if (!state.atTime.place) {
+        shown_->setText(tr("Timeline: not in this path"));
+        shown_->setToolTip(tr("The path has no point that was milled at %1").arg(time));
+        return;
+    }
+    const glm::dvec3 place = *state.atTime.place - state.zero;
+    shown_->setText(tr("Timeline: X %1, Y %2, Z %3")
+                        .arg(lengthNumber(place.x, unit), lengthNumber(place.y, unit), lengthText(place.z, unit)));
+    shown_->setToolTip(tr("Point of the path at the time on the timeline, from program zero: %1").arg(time));
+}
+
+void SelectionCard::setState(const PathState& state, LengthUnit unit) {
+    showTimelinesPlace(state, unit);
     QString chosen = state.selection ? tr("Selected: %1").arg(stretchText(state.takes, *state.selection))
                                      : tr("No part of the path is selected");
     if (state.selectedSide == MillingSide::climb) chosen += QStringLiteral(" · ") + tr("climb");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/panels/path_states.h"
+#include "ui/theme/length_unit.h"
 
 #include <QFrame>
 
@@ -19,7 +20,7 @@ class SelectionCard : public QFrame {
     Q_OBJECT
 public:
     explicit SelectionCard(QWidget* parent = nullptr);
-    void setState(const PathState& state); ///< never emits
+    void setState(const PathState& state, LengthUnit unit); ///< never emits
 
 signals:
     void dragChosen(burin::DragChoice drag);
@@ -27,7 +28,9 @@ signals:
     void cleared();
 
 private:
-    ElidedLabel* chosen_;
+    void showTimelinesPlace(const PathState& state, LengthUnit unit);
+
+    ElidedLabel *chosen_, *shown_; ///< the selection, and the point at the timeline's time
     QToolButton* clear_;
     ChoiceBox* drag_;
     QPushButton* draw_;

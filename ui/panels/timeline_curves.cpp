@@ -16,6 +16,8 @@ namespace burin {
 
 namespace {
 
+constexpr double farthestDeviation = 5.0; // mm
+
 /// Translation context of this file.
 struct TimelineCurveWords {
     Q_DECLARE_TR_FUNCTIONS(TimelineCurveWords)
@@ -37,6 +39,8 @@ QString curveName(TrackCurve curve) {
         return TimelineCurveWords::tr("Push-back");
     case TrackCurve::height:
         return TimelineCurveWords::tr("Height");
+    case TrackCurve::deviation:
+        return TimelineCurveWords::tr("Deviation");
     }
     return {};
 }
@@ -53,14 +57,16 @@ QString curveText(TrackCurve curve, double value, LengthUnit unit) {
         return areaText(value, unit);
     case TrackCurve::pushBack:
     case TrackCurve::height:
+    case TrackCurve::deviation:
         return shortLength(std::round(value * 1e3) / 1e3, unit);
     }
     return {};
 }
 
 ColourRole curveColour(TrackCurve curve) {
-    constexpr std::array roles{&Palette::force, &Palette::accent, &Palette::inOrder,
-                               &Palette::path,  &Palette::part,   &Palette::quietText};
+    constexpr std::array roles{&Palette::force, &Palette::accent,    &Palette::inOrder, &Palette::path,
+                               &Palette::part,  &Palette::quietText, &Palette::coupling};
+    static_assert(roles.size() == trackCurves);
     return roles[static_cast<std::size_t>(curve)];
 }
 
@@ -77,7 +83,12 @@ void TimelineCurves::setRecorded(std::shared_ptr<const RecordedTime> recorded) {
                 range.low = std::min(range.low, static_cast<double>(value));
                 range.high = std::max(range.high, static_cast<double>(value));
             }
-        if (static_cast<TrackCurve>(curve) != TrackCurve::height) range.low = 0.0;
+        if (static_cast<TrackCurve>(curve) == TrackCurve::deviation) {
+            range.low = std::min(range.low, 0.0);
+            range.high = std::min(range.high, farthestDeviation);
+        } else if (static_cast<TrackCurve>(curve) != TrackCurve::height) {
+            range.low = 0.0;
+        }
         if (range.high >= range.low) ranges_[curve] = range;
     }
 }
@@ -100,50 +111,54 @@ void TimelineCurves::follow(const Window& window) {
 const std::vector<double>& TimelineCurves::columns(TrackCurve curve, const Window& window) {
     follow(window);
     std::vector<double>& known = columns_[static_cast<std::size_t>(curve)];
-    if (known.empty()) known = greatest(curve);
+    if (known.empty()) known = extremes(curve);
     return known;
 }
 
 const std::vector<double>& TimelineCurves::referenceColumns(TrackCurve curve, const Window& window) {
     follow(window);
     std::vector<double>& known = referenceColumns_[static_cast<std::size_t>(curve)];
-    if (known.empty()) known = greatestOfReference(curve);
+    if (known.empty()) known = extremesOfReference(curve);
     return known;
 }
 
-void TimelineCurves::add(std::vector<double>& greatest, const TakeTrack& track, TrackCurve curve, double start,
+void TimelineCurves::add(std::vector<double>& extremes, const TakeTrack& track, TrackCurve curve, double start,
                          double end) const {
     const std::vector<float>& values = track.curves[static_cast<std::size_t>(curve)];
     const double bin = static_cast<double>(TakeTrack::samplesPerBin) * track.info.tickPeriod;
     const double column = window_.length / window_.columns;
-    for (std::size_t x = 0; x < greatest.size(); ++x) {
+    for (std::size_t x = 0; x < extremes.size(); ++x) {
         const double at = window_.begin + static_cast<double>(x) * column;
         const double from = (at - start) / bin, to = (std::min(at + column, end) - start) / bin;
         if (at > end || to < 0.0 || from >= static_cast<double>(values.size())) continue;
         const auto first = static_cast<std::size_t>(std::max(0.0, from));
         const auto last = std::min(values.size(), static_cast<std::size_t>(std::max(0.0, to)) + 1);
-        for (std::size_t i = first; i < last; ++i) greatest[x] = std::fmax(greatest[x], static_cast<double>(values[i]));
+        for (std::size_t i = first; i < last; ++i) {
+            const auto value = static_cast<double>(values[i]);
+            extremes[x] =
+                curve == TrackCurve::deviation ? std::fmin(extremes[x], value) : std::fmax(extremes[x], value);
+        }
     }
 }
 
-std::vector<double> TimelineCurves::greatest(TrackCurve curve) const {
-    std::vector<double> greatest(static_cast<std::size_t>(window_.columns), std::nan(""));
-    if (!recorded_) return greatest;
+std::vector<double> TimelineCurves::extremes(TrackCurve curve) const {
+    std::vector<double> extremes(static_cast<std::size_t>(window_.columns), std::nan(""));
+    if (!recorded_) return extremes;
     const double all = recorded_->seconds();
     double start = 0.0;
     for (const TakeTrack& track : recorded_->tracks) {
-        add(greatest, track, curve, start, all);
+        add(extremes, track, curve, start, all);
         start += track.seconds();
     }
-    return greatest;
+    return extremes;
 }
 
-std::vector<double> TimelineCurves::greatestOfReference(TrackCurve curve) const {
-    std::vector<double> greatest(static_cast<std::size_t>(window_.columns), std::nan(""));
-    if (!recorded_ || reference_ == 0) return greatest;
+std::vector<double> TimelineCurves::extremesOfReference(TrackCurve curve) const {
+    std::vector<double> extremes(static_cast<std::size_t>(window_.columns), std::nan(""));
+    if (!recorded_ || reference_ == 0) return extremes;
     const double start = recorded_->secondsAt({take_, 0});
-    add(greatest, *recorded_->trackOf(reference_), curve, start, start + recorded_->trackOf(take_)->seconds());
-    return greatest;
+    add(extremes, *recorded_->trackOf(reference_), curve, start, start + recorded_->trackOf(take_)->seconds());
+    return extremes;
 }
 
 } // namespace burin

@@ -24,7 +24,8 @@ ColourRole curveColour(TrackCurve curve);
 /// over them costs nothing.
 class TimelineCurves {
 public:
-    /// The range of all values; it starts at 0, except for the height.
+    /// The range that is drawn: that of all values, from 0, except for the height. Of the deviation, values from the
+    /// least one, or 0, to 5 mm at most: greater ones are drawn as 5 mm.
     struct Range {
         double low = 0.0, high = 0.0;
     };
@@ -41,7 +42,7 @@ public:
     void setReference(std::int64_t take, std::int64_t reference);
     bool hasReference() const noexcept { return reference_ != 0; }
     const Range& range(TrackCurve curve) const noexcept { return ranges_[static_cast<std::size_t>(curve)]; }
-    /// The maximum in each column; NaN where there is no value.
+    /// The maximum in each column, of the deviation the minimum; NaN where there is no value.
     const std::vector<double>& columns(TrackCurve curve, const Window& window);
     /// The same for the reference, up to the end of the take.
     const std::vector<double>& referenceColumns(TrackCurve curve, const Window& window);
@@ -49,10 +50,10 @@ public:
 private:
     using Columns = std::array<std::vector<double>, trackCurves>; ///< empty until requested
     void follow(const Window& window);
-    std::vector<double> greatest(TrackCurve curve) const;
-    std::vector<double> greatestOfReference(TrackCurve curve) const;
+    std::vector<double> extremes(TrackCurve curve) const;
+    std::vector<double> extremesOfReference(TrackCurve curve) const;
     /// @param start, end s, of the drawn part of the track
-    void add(std::vector<double>& greatest, const TakeTrack& track, TrackCurve curve, double start, double end) const;
+    void add(std::vector<double>& extremes, const TakeTrack& track, TrackCurve curve, double start, double end) const;
 
     std::shared_ptr<const RecordedTime> recorded_;
     std::array<Range, trackCurves> ranges_{};

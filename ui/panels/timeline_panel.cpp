@@ -21,7 +21,7 @@ namespace burin {
 namespace {
 
 /// Ids of the curves in settings, in the order of TrackCurve.
-constexpr std::array curveIds{"force", "removal", "feed", "engagement", "push_back", "height"};
+constexpr std::array curveIds{"force", "removal", "feed", "engagement", "push_back", "height", "deviation"};
 static_assert(curveIds.size() == trackCurves);
 
 constexpr int speedWidth = 76; // pixels
@@ -40,6 +40,10 @@ QString curveTip(TrackCurve curve) {
         return TimelinePanel::tr("Distance by which the part, a fixture or a guide held the hand back.");
     case TrackCurve::height:
         return TimelinePanel::tr("Z of the tip in the setup's coordinates.");
+    case TrackCurve::deviation:
+        return TimelinePanel::tr(
+            "Distance of the tool from the part; negative: the tool is in the part. Distances above "
+            "5 mm are drawn as 5 mm.");
     }
     return {};
 }
@@ -104,7 +108,10 @@ QMenu* TimelinePanel::makeCurvesMenu() {
         action->setToolTip(curveTip(curve));
         action->setCheckable(true);
         curves_[i] = action;
-        connect(action, &QAction::toggled, this, [this, curve](bool on) { view_->showCurve(curve, on); });
+        connect(action, &QAction::toggled, this, [this, curve](bool on) {
+            view_->showCurve(curve, on);
+            emit curveShown(curve, on);
+        });
     }
     return menu;
 }
@@ -119,8 +126,8 @@ QToolButton* TimelinePanel::makeActionButton(QAction& action, const char* icon, 
 }
 
 void TimelinePanel::setState(const TimelinePanelState& state) {
-    all_ = state.view.recorded ? state.view.recorded->seconds() : 0.0;
     view_->setState(state.view);
+    all_ = view_->all();
     for (QToolButton* button : {start_, end_}) setEnabledKeepingFocus(button, state.view.enabled);
     showIcon(play_, state.playing ? QStringLiteral("pause") : QStringLiteral("play"));
     const QSignalBlocker quiet(speed_);
@@ -129,7 +136,7 @@ void TimelinePanel::setState(const TimelinePanelState& state) {
 }
 
 void TimelinePanel::showTime(const TimelinePanelState& state) {
-    if (!state.view.recorded || all_ <= 0.0)
+    if (all_ <= 0.0)
         time_->setText(state.reading ? tr("Reading the takes…") : QString());
     else
         time_->setText(QStringLiteral("%1 / %2").arg(clockText(state.view.seconds, 3), clockText(all_, 3)));

@@ -48,6 +48,7 @@ public:
 signals:
     void sought(double seconds);
     void speedChosen(double speed);
+    void curveShown(TrackCurve curve, bool shown);
 
 private:
     QToolButton* makeActionButton(QAction& action, const char* icon, const char* name);

@@ -55,6 +55,14 @@ void paintLine(QPainter& painter, const std::vector<double>& values, const TopOf
     }
 }
 
+/// Whether two readings have the same takes, so that the visible interval stays meaningful.
+bool haveSameTakes(const RecordedTime* one, const RecordedTime* other) {
+    const auto same = [](const TakeTrack& track, const TakeTrack& second) {
+        return track.info.id == second.info.id && track.info.sampleCount == second.info.sampleCount;
+    };
+    return one != nullptr && other != nullptr && std::ranges::equal(one->tracks, other->tracks, same);
+}
+
 } // namespace
 
 TimelineView::TimelineView(QWidget* parent) : QWidget(parent) {
@@ -67,11 +75,10 @@ TimelineView::TimelineView(QWidget* parent) : QWidget(parent) {
 
 void TimelineView::setState(const TimelineState& state) {
     const bool other = state.recorded != state_.recorded;
+    if (other && !haveSameTakes(state.recorded.get(), state_.recorded.get())) begin_ = length_ = 0.0;
+    if (!state.growing.empty()) begin_ = length_ = 0.0; // all of it, while it grows
     state_ = state;
-    if (other) {
-        begin_ = length_ = 0.0;
-        curves_.setRecorded(state_.recorded);
-    }
+    if (other) curves_.setRecorded(state_.recorded);
     curves_.setReference(state_.scored, state_.reference);
     if (length_ > 0.0 && (state_.seconds < begin_ || state_.seconds > begin_ + length_))
         moveTo(state_.seconds - 0.1 * length_); // playback continues beyond the visible interval
@@ -101,7 +108,9 @@ QSize TimelineView::minimumSizeHint() const {
 }
 
 double TimelineView::all() const {
-    return state_.recorded ? state_.recorded->seconds() : 0.0;
+    double all = state_.recorded ? state_.recorded->seconds() : 0.0;
+    for (const GrowingClip& clip : state_.growing) all += clip.seconds;
+    return all;
 }
 
 double TimelineView::secondsAt(double x) const {
@@ -153,7 +162,7 @@ void TimelineView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const Palette& palette = activePalette();
     painter.fillRect(rect(), palette.panel);
-    if (!state_.recorded || state_.recorded->tracks.empty()) {
+    if (!state_.recorded || (state_.recorded->tracks.empty() && state_.growing.empty())) {
         painter.setPen(palette.quietText);
         painter.drawText(rect(), Qt::AlignCenter,
                          state_.program ? tr("The program's time is being read.")
@@ -163,6 +172,8 @@ void TimelineView::paintEvent(QPaintEvent*) {
     paintRuler(painter);
     for (const Lane& lane : lanes()) paintLane(painter, lane);
     paintClips(painter);
+    paintGrowing(painter);
+    paintPointed(painter);
     paintMarkers(painter);
     paintCursor(painter);
     if (hasFocus()) {
@@ -201,13 +212,14 @@ void TimelineView::paintLane(QPainter& painter, const Lane& lane) {
     const TimelineCurves::Window window{begin_, length_ > 0.0 ? length_ : all(), std::max(0, count)};
     const double scale = range.high > range.low ? (area.height() - 2) / (range.high - range.low) : 0.0;
     const auto topOf = [&](double value) {
-        return area.bottom() - static_cast<int>(std::lround((value - range.low) * scale));
+        return area.bottom() - static_cast<int>(std::lround((std::min(value, range.high) - range.low) * scale));
     };
     const std::vector<double>& values = curves_.columns(lane.curve, window);
     const QColor fill = mixed(palette.panel, colour, 0.3);
+    const int base = lane.curve == TrackCurve::deviation ? topOf(0.0) : area.bottom();
     for (int x = 0; x < count; ++x)
         if (const double value = values[static_cast<std::size_t>(x)]; !std::isnan(value))
-            painter.fillRect(labelWidth + x, topOf(value), 1, area.bottom() - topOf(value), fill);
+            painter.fillRect(labelWidth + x, std::min(topOf(value), base), 1, std::abs(base - topOf(value)), fill);
     if (curves_.hasReference()) paintLine(painter, curves_.referenceColumns(lane.curve, window), topOf, palette.text);
     paintLine(painter, values, topOf, colour);
     const QRect label(edge, area.top(), labelWidth - 2 * edge, area.height());
@@ -218,9 +230,13 @@ void TimelineView::paintLane(QPainter& painter, const Lane& lane) {
                      painter.fontMetrics().elidedText(curveName(lane.curve), Qt::ElideRight, label.width()));
     if (!twoLines) return;
     painter.setPen(palette.quietText);
+    const QString high = curveText(lane.curve, range.high, unit_);
+    const QString text =
+        lane.curve == TrackCurve::deviation && range.low < 0.0
+            ? tr("%1 to %2", "lowest and highest value").arg(curveText(lane.curve, range.low, unit_), high)
+            : tr("to %1").arg(high);
     painter.drawText(label, Qt::AlignLeft | Qt::AlignBottom,
-                     painter.fontMetrics().elidedText(tr("to %1").arg(curveText(lane.curve, range.high, unit_)),
-                                                      Qt::ElideRight, label.width()));
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, label.width()));
 }
 
 QString TimelineView::clipText(std::size_t track) const {

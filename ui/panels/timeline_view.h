@@ -9,13 +9,29 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace burin {
 
+/// A take that is being recorded, or was recorded since the timeline's takes were read.
+struct GrowingClip {
+    QString name;
+    double seconds = 0.0;                           ///< so far
+    std::vector<std::pair<double, double>> strokes; ///< s from its start: begin and end
+};
+
+/// The moments of the chosen part of a path.
+struct PointedTime {
+    bool hasMoment = false;         ///< false: it was computed, by a planner or an edit
+    double first = 0.0, last = 0.0; ///< s from the first take's start
+};
+
 /// The state shown by a timeline.
 struct TimelineState {
     std::shared_ptr<const RecordedTime> recorded; ///< null: no recording
+    std::vector<GrowingClip> growing;             ///< after those takes, in order
+    std::optional<PointedTime> pointed;           ///< empty: nothing is chosen on the path
     std::vector<TimeMarker> markers;              ///< in order
     bool program = false; ///< whether it shows the time of a program; its takes are then intervals with one tool
     double seconds = 0.0; ///< position of the cursor, s
@@ -40,6 +56,7 @@ public:
     /// Time (s) at a pixel of the widget, and the inverse; also used by tests.
     double secondsAt(double x) const;
     double placeOf(double seconds) const;
+    double all() const; ///< total length of all takes, s
 
 signals:
     void sought(double seconds); ///< s from the first take's start
@@ -67,13 +84,14 @@ private:
     };
     std::vector<Lane> lanes() const;
     QRect clipRow() const;
-    double all() const;                      ///< total length of all takes, s
     double startOf(std::size_t track) const; ///< start of a take, s
     std::optional<std::size_t> trackAt(double seconds) const;
     void paintRuler(QPainter& painter) const;
     void paintLane(QPainter& painter, const Lane& lane);
     QString valueText(TrackCurve curve, std::size_t track, std::size_t bin) const;
     void paintClips(QPainter& painter) const;
+    void paintGrowing(QPainter& painter) const;
+    void paintPointed(QPainter& painter) const;
     void paintMarkers(QPainter& painter) const;
     void paintCursor(QPainter& painter) const;
     std::optional<std::size_t> markerAt(const QPointF& place) const;

@@ -150,6 +150,9 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     , panel_(panel)
     , scene_(scene) {
     yieldWhileHidden(panel);
+    connect(&workbench.time, &Controller::changed, this, [this] {
+        if (panel_.isVisible()) panel_.setAtTime(atTime());
+    });
     connect(&panel, &PathPanel::toolChosen, &workbench.tool, &ToolController::choose);
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::measureRequested, &workbench.passMeasurer, &PassMeasurer::measure);
@@ -179,6 +182,7 @@ void PathPresenter::connectActions(const Actions& actions) {
     connect(actions[ActionId::evaluatePath], &QAction::triggered, &path, [&path] { path.evaluate(); });
     connect(actions[ActionId::drawStretch], &QAction::triggered, this,
             [this] { scene_.setDrawing(!scene_.drawing()); });
+    connect(actions[ActionId::insertPoint], &QAction::triggered, &scene_, &PathScenePresenter::insertAtSelection);
     connect(&panel_, &PathPanel::visibilityToggled, actions[ActionId::showPath], &QAction::setChecked);
 }
 
@@ -261,6 +265,15 @@ void PathPresenter::setUnit(LengthUnit unit) {
     Presenter::setUnit(unit);
 }
 
+TimelinesPlace PathPresenter::atTime() const {
+    TimelinesPlace at;
+    const std::shared_ptr<const EvaluatedPath> path = workbench_.path.evaluated();
+    if (path) at.moment = workbench_.time.handMoment();
+    const auto point = at.moment ? pointAt(path->path, *at.moment) : std::nullopt;
+    if (point) at.place = point->pose.tip;
+    return at;
+}
+
 void PathPresenter::present() {
     const PathController& path = workbench_.path;
     PathState state;
@@ -303,6 +316,7 @@ void PathPresenter::present() {
     if (path.problem()) state.problem = Messages::sentence(*path.problem());
     state.missingBefore = toolNames(workbench_, path.toolsMissingBefore()).join(QStringLiteral(", "));
     state.selection = path.selection();
+    state.atTime = atTime();
     state.drag = scene_.drag();
     state.drawing = scene_.drawing();
     state.drawnField = scene_.drawnField();

@@ -28,6 +28,7 @@ signals:
 
 private:
     void present() override;
+    TimelinesPlace atTime() const;
     void askPass();
     void askChange(std::int64_t pass);
     void askFrom(const WantedPass& last);

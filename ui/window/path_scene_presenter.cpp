@@ -4,7 +4,12 @@
 
 #include "core/geometry/arc.h"
 #include "core/path/hand_stretch.h"
+#include "ui/panels/hand_times.h"
 #include "ui/scene/camera_view.h"
+#include "ui/window/context_menu.h"
+#include "ui/window/path_drag.h"
+
+#include <QMenu>
 
 #include <algorithm>
 
@@ -13,8 +18,7 @@ namespace burin {
 namespace {
 
 constexpr std::string_view areaKey = "outline_mm";
-constexpr double markedChord = 0.02;  // mm, chord error of the mark of an arc
-constexpr double draggedSteps = 16.0; // number of steps of an arc while it is dragged
+constexpr double markedChord = 0.02; // mm, chord error of the mark of an arc
 
 std::vector<glm::dvec3> closed(std::vector<glm::dvec3> outline) {
     if (!outline.empty()) outline.push_back(outline.front());
@@ -24,17 +28,6 @@ std::vector<glm::dvec3> closed(std::vector<glm::dvec3> outline) {
 /// Identifies an edit of a path as long as it is not changed.
 std::string keyOf(const StoredPath& path, std::size_t edit) {
     return std::to_string(path.id) + ' ' + std::to_string(edit) + ' ' + toJson(path.edits[edit]);
-}
-
-Arc arcOf(const glm::dvec3& from, const PathPoint& to) {
-    return {from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
-}
-
-glm::dvec3 placeOf(const std::vector<PathPoint>& points, const PathPlace& place) {
-    const PathPoint &from = points[place.piece], &to = points[place.piece + 1];
-    if (!to.arc) return glm::mix(from.pose.tip, to.pose.tip, place.share);
-    const Arc arc = arcOf(from.pose.tip, to);
-    return placeOn(arc, turnOf(arc), place.share);
 }
 
 /// The points, and points on the arcs between them.
@@ -48,52 +41,6 @@ std::vector<glm::dvec3> drawnLine(const std::vector<PathPoint>& points) {
     return line;
 }
 
-/// The shape of a stroke while one of its points is dragged, as computed by MovePoints: the displacement decreases
-/// along the stroke.
-class Falloff {
-public:
-    Falloff(const std::vector<PathPoint>& points, const PathPlace& place, const glm::dvec3& by)
-        : points_(points), place_(place), start_(placeOf(points, place)), by_(by) {}
-
-    std::vector<glm::dvec3> places() const {
-        std::vector<glm::dvec3> moved{start_ + by_};
-        follow(moved, -1);
-        std::ranges::reverse(moved);
-        follow(moved, 1);
-        return moved;
-    }
-
-private:
-    void follow(std::vector<glm::dvec3>& moved, std::ptrdiff_t step) const {
-        const MovePoints edit;
-        const std::int64_t take = points_[place_.nearestPoint()].source;
-        const double end = step < 0 ? 0.0 : 1.0;
-        PathPlace at = place_;
-        glm::dvec3 from = start_;
-        double way = 0.0;
-        const auto pieces = static_cast<std::ptrdiff_t>(points_.size()) - 1;
-        for (auto piece = static_cast<std::ptrdiff_t>(place_.piece); piece >= 0 && piece < pieces; piece += step) {
-            at.piece = static_cast<std::size_t>(piece);
-            const PathPoint& point = points_[at.piece + (step < 0 ? 0 : 1)];
-            if (way >= edit.falloff || !hasMoment(point) || point.source != take) return;
-            const double steps = points_[at.piece + 1].arc ? draggedSteps : 1.0, begin = at.share;
-            for (double i = 1.0; i <= steps; i += 1.0) {
-                at.share = glm::mix(begin, end, i / steps);
-                const glm::dvec3 place = placeOf(points_, at);
-                way += glm::distance(place, from);
-                from = place;
-                moved.push_back(place + edit.shareAt(way) * by_);
-            }
-            at.share = 1.0 - end;
-        }
-    }
-
-    const std::vector<PathPoint>& points_;
-    PathPlace place_;
-    glm::dvec3 start_; ///< mm, initial position of the point
-    glm::dvec3 by_;
-};
-
 } // namespace
 
 PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport, QObject* parent)
@@ -104,12 +51,24 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
         const PassPreview* preview = workbench_.passPreview.preview();
         viewport_.setPassPreview(preview != nullptr ? preview->strokes : PlaceChains{});
     });
+    connect(&workbench.time, &Controller::changed, this, [this] {
+        const std::optional<Moment> shown = workbench_.time.handMoment();
+        if (!active_ || shown == shownMoment_) return;
+        shownMoment_ = shown;
+        markSelection();
+    });
     connect(&hand_, &PathHand::chosen, this, [this](const PathPlace& place, bool extend) {
+        clicked_ = {momentOf(place), insertionAt(path_->path.points, place.piece, place.share)};
         extend ? workbench_.path.selectTo(momentOf(place)) : workbench_.path.select(momentOf(place));
     });
     connect(&hand_, &PathHand::stateChanged, this, &PathScenePresenter::escapeChanged);
     connect(&hand_, &PathHand::dragging, this, &PathScenePresenter::showDrag);
     connect(&hand_, &PathHand::dropped, this, &PathScenePresenter::drop);
+    connect(&hand_, &PathHand::handleDragging, this, &PathScenePresenter::showHandleDrag);
+    connect(&hand_, &PathHand::handleDropped, this, [this](std::size_t handle, const glm::dvec3& by) {
+        if (handle < inserted_.size()) workbench_.path.moveInserted(inserted_[handle].edit, by);
+    });
+    connect(&hand_, &PathHand::menuWanted, this, &PathScenePresenter::showMenu);
     connect(&hand_, &PathHand::drawing, this, &PathScenePresenter::showDrawing);
     connect(&hand_, &PathHand::drawn, this, &PathScenePresenter::finishDrawing);
     connect(&hand_, &PathHand::givenUp, this, [this] {
@@ -128,6 +87,7 @@ void PathScenePresenter::setShown(JobStep step) {
 void PathScenePresenter::setDrag(DragChoice drag) {
     drag_ = drag;
     hand_.setAlong(static_cast<DragAlong>(drag));
+    takeInserted();
     emit changed();
 }
 
@@ -166,6 +126,7 @@ void PathScenePresenter::startDrawing(std::optional<double> height) {
 }
 
 void PathScenePresenter::addEdit(const Edit& edit) {
+    if (std::holds_alternative<InsertPoint>(edit.parameters) && workbench_.path.selection()) return insertAtSelection();
     const std::size_t place = workbench_.path.addEdit(withinStock(edit));
     for (const EditField& field : fieldsOf(edit.parameters))
         if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&field.value); places && places->empty())
@@ -176,7 +137,32 @@ void PathScenePresenter::lookAt(const glm::dvec3& place) {
     CameraView view = viewport_.cameraView();
     view.focus = place;
     viewport_.setCameraView(view);
-    viewport_.setMoveMark({{place}});
+    lookedAt_ = place;
+    workbench_.path.pointAt(path_ ? momentNear(path_->path, place) : Moment{});
+    markSelection();
+}
+
+void PathScenePresenter::insertAtSelection() {
+    const std::optional<SourceStretch>& selection = workbench_.path.selection();
+    if (!selection || !path_) return;
+    InsertPoint edit;
+    edit.at = {selection->source, selection->first};
+    workbench_.path.insertPoint(clicked_.first == edit.at ? clicked_.second : edit);
+}
+
+/// The menu of a point of the path.
+void PathScenePresenter::showMenu(const PathPlace& place, const QPointF& position) {
+    if (!path_) return;
+    const InsertPoint edit = insertionAt(path_->path.points, place.piece, place.share);
+    const Moment moment = momentOf(place);
+    QMenu* menu = makeContextMenu("pathPointMenu", momentText(workbench_.mill.allTakes(), moment), &viewport_);
+    addEntry(*menu, tr("&Insert a point here"),
+             tr("Insert a point into the path here. Drag it to move it; the stroke follows it smoothly."),
+             "insertPointHere", [this, edit] { workbench_.path.insertPoint(edit); });
+    addEntry(*menu, tr("Show this &moment"), tr("Go to the time on the timeline at which this point was milled."),
+             "showMomentHere", [this, moment] { workbench_.time.goTo(moment); });
+    menu->actions().back()->setEnabled(workbench_.time.possible() && workbench_.time.secondsAt(moment).has_value());
+    menu->popup(viewport_.mapToGlobal(position.toPoint()));
 }
 
 /// Initially an area extends from the stock's bottom to the height of free travel, and a mirror is in the middle of the
@@ -209,7 +195,10 @@ void PathScenePresenter::present() {
         if (!active) viewport_.setMoveMark({});
     }
     takePath();
-    hand_.setChosen(active_ && workbench_.path.selection().has_value());
+    takeInserted();
+    shownMoment_ = workbench_.time.handMoment();
+    if (!workbench_.path.pointsElsewhere()) lookedAt_.reset();
+    hand_.setChosen(active_ && workbench_.path.pointed().has_value());
     if (drawing_ && (!active || !stillMeant())) setDrawing(false);
     showOutlines();
     if (active_) markSelection();
@@ -229,18 +218,58 @@ void PathScenePresenter::takePath() {
     hand_.setPoints(std::move(points));
 }
 
+/// The points that edits inserted, as long as the path is that of the present edits.
+void PathScenePresenter::takeInserted() {
+    inserted_.clear();
+    const StoredPath* path = workbench_.path.stored();
+    if (path_ && path != nullptr && !workbench_.path.outdated()) {
+        auto report = path_->reports.begin();
+        for (std::size_t i = 0; i < path->edits.size() && report != path_->reports.end(); ++i) {
+            if (!path->edits[i].enabled) continue;
+            for (const glm::dvec3& place : report->inserted) inserted_.push_back({place, i});
+            ++report;
+        }
+    }
+    std::vector<glm::dvec3> handles;
+    if (drag_ != DragChoice::surface) // on the surface, the path itself is dragged
+        for (const Inserted& point : inserted_) handles.push_back(point.place);
+    hand_.setHandles(std::move(handles));
+}
+
 void PathScenePresenter::markSelection() {
     if (drawing_ && !drawn_.empty()) { // the drawing under way stays visible, even if the path is evaluated meanwhile
         showDrawing(drawn_);
         return;
     }
-    PlaceChains chosen;
-    for (const std::vector<PathPoint>& chain : chosenPoints()) chosen.push_back(drawnLine(chain));
-    viewport_.setMoveMark(chosen);
+    PlaceChains marked;
+    if (lookedAt_)
+        marked.push_back({*lookedAt_});
+    else
+        for (const std::vector<PathPoint>& chain : chosenPoints()) marked.push_back(drawnLine(chain));
+    for (const Inserted& point : inserted_) marked.push_back({point.place});
+    if (shownMoment_ && path_)
+        if (const auto point = pointAt(path_->path, *shownMoment_)) marked.push_back({point->pose.tip});
+    viewport_.setMoveMark(marked);
+}
+
+void PathScenePresenter::showHandleDrag(std::size_t handle, const std::optional<PathPlace>& place,
+                                        const glm::dvec3& by) {
+    const StoredPath* path = workbench_.path.stored();
+    if (!path_ || path == nullptr || handle >= inserted_.size()) return;
+    const auto* edit = std::get_if<InsertPoint>(&path->edits[inserted_[handle].edit].parameters);
+    if (edit == nullptr) return;
+    PlaceChains shape{{inserted_[handle].place + by}};
+    if (place)
+        shape.push_back(draggedShape(path_->path.points, *place, by, edit->length,
+                                     [edit](double way) { return way > 0.0 ? edit->shareAt(way) : 1.0; }));
+    viewport_.setMoveMark(shape);
 }
 
 void PathScenePresenter::showDrag(const PathPlace& place, const glm::dvec3& by) {
-    if (path_) viewport_.setMoveMark({Falloff(path_->path.points, place, by).places()});
+    const MovePoints edit;
+    if (path_)
+        viewport_.setMoveMark({draggedShape(path_->path.points, place, by, edit.falloff,
+                                            [&edit](double way) { return edit.shareAt(way); })});
 }
 
 void PathScenePresenter::drop(const PathPlace& place, const glm::dvec3& by) {

@@ -8,6 +8,8 @@
 #include "ui/scene/viewport.h"
 #include "ui/window/presenter.h"
 
+#include <utility>
+
 namespace burin {
 
 /// The pointer on the path: the selection is marked in the viewport, points are dragged, strokes drawn. Active while
@@ -30,7 +32,9 @@ public:
     void toggleLastDrawing();
     /// Adds an edit to the path; if it needs points, drawing them starts.
     void addEdit(const Edit& edit);
-    /// Marks a point and centres the view on it. @param place mm, setup frame
+    /// Inserts a point at the start of the selection, or where the user clicked to select it.
+    void insertAtSelection();
+    /// Marks a point, points at its moment, and centres the view on it. @param place mm, setup frame
     void lookAt(const glm::dvec3& place);
 
 signals:
@@ -40,6 +44,9 @@ signals:
 private:
     void present() override;
     void takePath();
+    void takeInserted();
+    void showMenu(const PathPlace& place, const QPointF& position);
+    void showHandleDrag(std::size_t handle, const std::optional<PathPlace>& place, const glm::dvec3& by);
     void markSelection();
     void startDrawing(std::optional<double> height);
     void showDrawing(const std::vector<glm::dvec3>& places);
@@ -59,6 +66,16 @@ private:
     Viewport& viewport_;
     PathHand hand_;
     std::shared_ptr<const EvaluatedPath> path_; ///< path whose points can be picked; null while inactive
+    /// A point that an edit inserted.
+    struct Inserted {
+        glm::dvec3 place{0.0}; ///< mm
+        std::size_t edit = 0;
+    };
+    std::vector<Inserted> inserted_; ///< of `path_`; the handles of the pointer, in their order
+    /// The moment at which the user clicked last, and the edit that inserts a point just there.
+    std::pair<Moment, InsertPoint> clicked_;
+    std::optional<Moment> shownMoment_;  ///< on the timeline; empty: the present
+    std::optional<glm::dvec3> lookedAt_; ///< mm; empty: the selection is marked
     DragChoice drag_ = DragChoice::level;
     std::vector<glm::dvec3> drawn_;   ///< of the stroke under way
     std::string drawnFor_;            ///< state of the edit of `field_` when drawing began

@@ -5,13 +5,17 @@
 #include "ui/panels/texts.h"
 #include "ui/window/take_menu.h"
 
+#include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace burin {
 
 TimePresenter::TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePresenter& scene, QObject* parent)
     : Presenter(workbench,
-                {&workbench.time, &workbench.session, &workbench.workpiece, &workbench.mill, &workbench.score}, parent)
+                {&workbench.time, &workbench.session, &workbench.workpiece, &workbench.mill, &workbench.score,
+                 &workbench.path, &workbench.growing},
+                parent)
     , panel_(panel)
     , scene_(scene) {
     TimeController& time = workbench.time;
@@ -19,6 +23,10 @@ TimePresenter::TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePr
     connect(&time, &TimeController::recordedChanged, this, &Presenter::presentSoon);
     connect(&workbench.program, &Controller::changed, this, &TimePresenter::followProgram);
     connect(&workbench.workpiece, &WorkpieceController::workpieceChanged, this, &TimePresenter::followProgram);
+    connect(&workbench.path, &Controller::changed, this, &TimePresenter::followPath);
+    connect(&panel, &TimelinePanel::curveShown, &workbench.deviations, [&workbench](TrackCurve curve, bool shown) {
+        if (curve == TrackCurve::deviation) workbench.deviations.setWanted(shown);
+    });
     connect(&panel, &TimelinePanel::sought, this, [&time](double seconds) {
         time.pause();
         time.goTo(seconds);
@@ -60,12 +68,20 @@ void TimePresenter::setUnit(LengthUnit unit) {
 }
 
 void TimePresenter::setShown(JobStep step) {
-    program_ = step == JobStep::program;
+    step_ = step;
     followProgram();
+    presentSoon();
+}
+
+/// While the past is shown, it follows the point that is chosen on the path.
+void TimePresenter::followPath() {
+    const std::optional<SourceStretch> pointed = workbench_.path.pointed();
+    if (std::exchange(pointed_, pointed) == pointed || !pointed || step_ != JobStep::path) return;
+    workbench_.time.followPath({pointed->source, pointed->first});
 }
 
 void TimePresenter::followProgram() {
-    const bool program = program_ && workbench_.workpiece.milling() && !workbench_.program.edited();
+    const bool program = step_ == JobStep::program && workbench_.workpiece.milling() && !workbench_.program.edited();
     workbench_.time.showProgram(program ? workbench_.program.program() : nullptr);
 }
 
@@ -81,13 +97,41 @@ std::vector<TimeMarker> TimePresenter::markers() const {
     return markers;
 }
 
+std::vector<GrowingClip> TimePresenter::growing() const {
+    std::vector<GrowingClip> clips;
+    if (workbench_.time.showsProgram()) return clips;
+    const std::vector<TakeInfo>& takes = workbench_.mill.allTakes();
+    for (const GrowingTake& take : workbench_.growing.takes()) {
+        const auto info = std::ranges::find(takes, take.take, &TakeInfo::id);
+        const bool underWay = workbench_.growing.underWay(take.take);
+        if (info == takes.end() && !underWay) continue; // removed
+        clips.push_back({underWay ? tr("Recording") : takeName(info->name), take.seconds, take.strokes});
+    }
+    return clips;
+}
+
+/// The chosen part of the path; empty if nothing is chosen or its take was not read.
+std::optional<PointedTime> TimePresenter::pointed() const {
+    const std::optional<SourceStretch>& pointed = workbench_.path.pointed();
+    if (!pointed || step_ != JobStep::path || workbench_.time.showsProgram()) return std::nullopt;
+    if (pointed->source <= 0) return PointedTime{};
+    const std::optional<double> first = workbench_.time.secondsAt(Moment{pointed->source, pointed->first}),
+                                last = workbench_.time.secondsAt(Moment{pointed->source, pointed->last});
+    return first && last ? std::optional(PointedTime{true, *first, *last}) : std::nullopt;
+}
+
 void TimePresenter::present() {
     const TimeController& time = workbench_.time;
     TimelinePanelState state;
     state.view.recorded = time.recorded();
     state.view.markers = markers();
     state.view.program = time.showsProgram();
+    state.view.growing = growing();
+    if (!state.view.growing.empty() && !state.view.recorded) state.view.recorded = std::make_shared<RecordedTime>();
+    state.view.pointed = pointed();
     state.view.seconds = time.seconds();
+    if (!time.away())
+        for (const GrowingClip& clip : state.view.growing) state.view.seconds += clip.seconds;
     state.view.chosen = time.showsProgram() ? 0 : workbench_.mill.chosenTake();
     state.view.away = time.away();
     state.view.enabled = time.possible();

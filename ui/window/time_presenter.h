@@ -17,7 +17,7 @@ public:
     TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePresenter& scene, QObject* parent);
     void setUnit(LengthUnit unit) override;
     void connectActions(const Actions& actions);
-    /// In the program step the program's timeline is shown.
+    /// In the program step the program's timeline is shown, in the path step the chosen part of the path is marked.
     void setShown(JobStep step);
 
 signals:
@@ -28,12 +28,16 @@ private:
     void present() override;
     void showMoment();
     void followProgram();
+    void followPath();
     std::vector<TimeMarker> markers() const;
+    std::vector<GrowingClip> growing() const;
+    std::optional<PointedTime> pointed() const;
 
     TimelinePanel& panel_;
     ScenePresenter& scene_;
-    bool program_ = false;
-    int line_ = 0; ///< reported last
+    JobStep step_ = JobStep::part;
+    std::optional<SourceStretch> pointed_; ///< on the path, followed last
+    int line_ = 0;                         ///< reported last
 };
 
 } // namespace burin

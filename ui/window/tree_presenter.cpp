@@ -40,6 +40,9 @@ TreePresenter::TreePresenter(Workbench& workbench, ProjectTree& tree, ScenePrese
     });
     connect(&tree, &ProjectTree::switched, this, &TreePresenter::switchRow);
     connect(&tree, &ProjectTree::menuWanted, this, &TreePresenter::showMenu);
+    connect(&tree, &ProjectTree::moved, this, [this](ProjectRowKind kind, qint64 id, qint64 before) {
+        if (kind == ProjectRowKind::take) workbench_.mill.moveTakeBefore(id, before);
+    });
 }
 
 void TreePresenter::present() {
@@ -117,7 +120,8 @@ ProjectRow TreePresenter::takes() const {
     for (const TakeInfo& take : workbench_.mill.allTakes()) {
         ProjectRow row{ProjectRowKind::take, take.id, takeName(take.name),
                        take.seconds ? durationText(*take.seconds) : QString(),
-                       tr("Right click: switch it off and on, move, duplicate, rename or delete it.")};
+                       tr("Drag: move it. Right click: switch it off and on, move, duplicate, rename or delete it.")};
+        row.movable = workbench_.mill.canCopy(take.id);
         row.dimmed = std::ranges::find(standing, take.id, &TakeInfo::id) == standing.end();
         all.children.push_back(std::move(row));
     }

@@ -75,10 +75,12 @@ public:
     /// Whether a take can be swapped with its neighbour; false during a recording and while takes are changing. @param
     /// by -1: earlier; 1: later
     bool canMove(std::int64_t take, int by) const noexcept;
-    bool canCopy(std::int64_t take) const noexcept; ///< false during a recording and while takes are changing
+    /// Whether it can be copied, or moved to any position; false during a recording and while takes are changing.
+    bool canCopy(std::int64_t take) const noexcept;
     // Entries of the undo stack that leave the workpiece unchanged.
-    void moveTake(std::int64_t id, int by); ///< @param by as in canMove
-    void duplicateTake(std::int64_t id);    ///< the copy is appended and chosen
+    void moveTake(std::int64_t id, int by);                    ///< @param by as in canMove
+    void moveTakeBefore(std::int64_t id, std::int64_t before); ///< @param before another take; none of them: to the end
+    void duplicateTake(std::int64_t id);                       ///< the copy is appended and chosen
 
     /// Loads the takes of a project.
     void load(std::vector<TakeInfo> takes);

@@ -80,6 +80,17 @@ void MillController::moveTake(std::int64_t id, int by) {
     });
 }
 
+void MillController::moveTakeBefore(std::int64_t id, std::int64_t before) {
+    if (!canCopy(id) || id == before) return;
+    reorder([id, before](const Project& project) -> Result<TakeOrder> {
+        const Result<std::vector<TakeInfo>> takes = project.takes();
+        if (!takes) return takes.error();
+        return std::ranges::find(*takes, before, &TakeInfo::id) != takes->end()
+                   ? orderWithTakeBefore(project, id, before)
+                   : orderWithTakeAt(project, id, takes->size() - 1);
+    });
+}
+
 void MillController::countChanges(int by) {
     changesUnderWay_ += by;
     emit changed();

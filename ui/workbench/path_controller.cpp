@@ -74,7 +74,7 @@ void PathController::load(const std::vector<StoredPath>& paths, const std::vecto
     newestStrokes_.clear();
     ++loads_;
     making_ = false;
-    selection_.reset();
+    dropChoice();
     notMade_.reset();
     evaluation_.forget();
     updateJob();
@@ -105,7 +105,7 @@ void PathController::countVersion() {
 void PathController::useTool(const std::string& id) {
     if (id == tool_) return;
     tool_ = id;
-    selection_.reset();
+    dropChoice();
     notMade_.reset();
     updateJob();
     emit evaluatedAnew();
@@ -305,7 +305,7 @@ void PathController::applySources(std::int64_t id, const std::vector<PathSource>
     const auto path = std::ranges::find(paths_, id, &StoredPath::id);
     if (path == paths_.end()) return;
     path->sources = sources;
-    selection_.reset();
+    dropChoice();
     store([path = *path](Project& project) { return project.setPath(path); });
     updateJob();
     evaluation_.touch(id);
@@ -333,6 +333,12 @@ std::size_t PathController::addEdit(const Edit& edit) {
 
 void PathController::select(const Moment& moment) {
     selection_ = SourceStretch{moment.source, moment.tick, moment.tick};
+    pointed_.reset();
+    emit changed();
+}
+
+void PathController::pointAt(const Moment& moment) {
+    pointed_ = SourceStretch{moment.source, moment.tick, moment.tick};
     emit changed();
 }
 
@@ -341,14 +347,20 @@ void PathController::selectTo(const Moment& moment) {
         select(moment);
         return;
     }
+    pointed_.reset();
     selection_->first = std::min(selection_->first, moment.tick);
     selection_->last = std::max(selection_->last, moment.tick);
     emit changed();
 }
 
-void PathController::clearSelection() {
-    if (!selection_) return;
+void PathController::dropChoice() {
     selection_.reset();
+    pointed_.reset();
+}
+
+void PathController::clearSelection() {
+    if (!selection_ && !pointed_) return;
+    dropChoice();
     emit changed();
 }
 
@@ -370,6 +382,25 @@ void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MoveP
         moves.along = along;
         edits = withEdit(edits, placeFor(edits, {moves}), {moves});
     }
+    push(tr("point of the path"), std::move(edits));
+}
+
+void PathController::insertPoint(const InsertPoint& edit) {
+    const StoredPath* path = stored();
+    if (path == nullptr || edit.at.source == 0) return;
+    selection_ = SourceStretch{edit.at.source, edit.at.tick, edit.at.tick};
+    pointed_.reset();
+    push(tr("inserted point"), withEdit(path->edits, placeFor(path->edits, {edit}), {edit}));
+    emit changed();
+}
+
+void PathController::moveInserted(std::size_t index, const glm::dvec3& by) {
+    const StoredPath* path = stored();
+    if (path == nullptr || index >= path->edits.size() || by == glm::dvec3(0.0)) return;
+    std::vector<Edit> edits = path->edits;
+    auto* inserted = std::get_if<InsertPoint>(&edits[index].parameters);
+    if (inserted == nullptr) return;
+    inserted->by += by;
     push(tr("point of the path"), std::move(edits));
 }
 
@@ -443,7 +474,7 @@ void PathController::setPresent(const std::vector<StoredPath>& paths, bool prese
             paths_.push_back(path);
             store([path](Project& project) { return project.restorePath(path); });
         } else if (!present && known != paths_.end()) {
-            if (path.id == inForce()) selection_.reset();
+            if (path.id == inForce()) dropChoice();
             paths_.erase(known);
             store([id = path.id](Project& project) { return project.removePath(id); });
         }

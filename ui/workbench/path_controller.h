@@ -87,6 +87,16 @@ public:
     void select(const Moment& moment);   ///< selects a single moment
     void selectTo(const Moment& moment); ///< extends the selection to `moment`, of the same take
     void clearSelection();
+    /// The point that the user looks at, as the worst one of an edit, or the selection. Empty: neither. Source 0: a
+    /// point without a moment.
+    const std::optional<SourceStretch>& pointed() const noexcept { return pointed_ ? pointed_ : selection_; }
+    bool pointsElsewhere() const noexcept { return pointed_.has_value(); } ///< than to the selection
+    /// Points at a moment and keeps the selection.
+    void pointAt(const Moment& moment);
+    /// Inserts a point into the path and selects it.
+    void insertPoint(const InsertPoint& edit);
+    /// Moves a point that an edit inserted. @param index of the edit @param by mm
+    void moveInserted(std::size_t index, const glm::dvec3& by);
     /// Moves a point of the path. Moving the same point again adds to the existing edit.
     /// @param by mm @param along the part's surface, or freely
     void movePlace(const Moment& moment, const glm::dvec3& by, MovePoints::Along along);
@@ -114,6 +124,7 @@ signals:
 private:
     std::int64_t inForce() const;                            ///< id of its path; 0: none
     const StoredPath* pathOf(const std::string& tool) const; ///< null if it has none
+    void dropChoice();
     void updateJob();
     void push(const QString& text, std::vector<Edit> edits);
     void apply(std::int64_t path, const std::vector<Edit>& edits);
@@ -150,7 +161,7 @@ private:
     std::vector<GeneratedInfo> generated_;
     std::vector<TakeInfo> standing_; ///< those with strokes in effect: a tool without them has no path
     std::string tool_;               ///< in force, by id
-    std::optional<SourceStretch> selection_;
+    std::optional<SourceStretch> selection_, pointed_;
     std::map<std::int64_t, std::uint64_t> newestStrokes_;
     quint64 version_ = 0, newestVersion_ = 0;
     std::map<RecordedKey, quint64> versions_; ///< since edits, fixtures or limits were last changed

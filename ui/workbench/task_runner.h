@@ -52,7 +52,8 @@ enum class TaskKind {
     keeping,
     punchingIn,
     faces,
-    score
+    score,
+    deviation
 };
 
 /// A task as the status line shows it.

@@ -175,6 +175,41 @@ void TimeController::goTo(const TakeMoment& moment) {
     if (possible()) goTo(recorded()->secondsAt(moment));
 }
 
+std::optional<Moment> TimeController::handMoment() const {
+    if (!away_ || program_ || !recorded_ || recorded_->tracks.empty()) return std::nullopt;
+    const TakeMoment at = recorded_->momentAt(seconds_);
+    const std::uint64_t tick = recorded_->trackOf(at.take)->tickOf(at.samples > 0 ? at.samples - 1 : 0);
+    return Moment{at.take, static_cast<std::int64_t>(tick)};
+}
+
+std::optional<double> TimeController::secondsAt(const Moment& moment) const {
+    const TakeTrack* track = recorded_ ? recorded_->trackOf(moment.source) : nullptr;
+    if (track == nullptr || moment.tick < 0) return std::nullopt;
+    return recorded_->secondsAt({moment.source, track->sampleOf(static_cast<std::uint64_t>(moment.tick)) + 1});
+}
+
+void TimeController::goTo(const Moment& moment) {
+    if (program_) return;
+    if (const std::optional<double> seconds = secondsAt(moment)) {
+        pause();
+        goTo(*seconds);
+    }
+}
+
+void TimeController::followPath(const Moment& moment) {
+    if (away_) goTo(moment);
+}
+
+void TimeController::addDeviation(std::int64_t take, std::uint64_t samples, std::vector<float> values) {
+    if (!recorded_) return;
+    RecordedTime time = *recorded_;
+    const auto track = std::ranges::find(time.tracks, take, [](const TakeTrack& each) { return each.info.id; });
+    if (track == time.tracks.end() || track->info.sampleCount != samples) return;
+    track->curves[static_cast<std::size_t>(TrackCurve::deviation)] = std::move(values);
+    recorded_ = std::make_shared<const RecordedTime>(std::move(time));
+    emit recordedChanged();
+}
+
 void TimeController::arrive() {
     if (!wanted_ || arriving()) return;
     const TakeMoment moment = *std::exchange(wanted_, std::nullopt);

@@ -5,6 +5,7 @@
 #include "core/job/program_time.h"
 #include "core/job/recorded_time.h"
 #include "core/job/workpiece_in_time.h"
+#include "core/path/edit_values.h"
 #include "ui/workbench/mill_controller.h"
 
 #include <QElapsedTimer>
@@ -45,6 +46,11 @@ public:
     int line() const;
     /// The recordings or program motions shown, in order; null: not read yet, or none.
     const std::shared_ptr<const RecordedTime>& recorded() const noexcept { return program_ ? spread_ : recorded_; }
+    /// The recordings alone, even while a program is shown; null: not read yet.
+    const std::shared_ptr<const RecordedTime>& recordings() const noexcept { return recorded_; }
+    /// Adds the deviation of a take to the recordings. Ignored if the take has changed since.
+    /// @param samples of the take when it was computed
+    void addDeviation(std::int64_t take, std::uint64_t samples, std::vector<float> values);
     bool reading() const { return program_ ? desk_.tasks.running(TaskKind::programTime) : reading_; }
     /// Whether there are recordings and no session is running.
     bool possible() const;
@@ -55,6 +61,16 @@ public:
     bool arriving() const { return desk_.tasks.running(TaskKind::time); }
     void goTo(double seconds);
     void goTo(const TakeMoment& moment);
+    /// The requested moment of the recordings as paths name it: the tick of the last sample before it. Empty in the
+    /// present and for a program.
+    std::optional<Moment> handMoment() const;
+    /// The time of a moment of a path, s from the start of the first take, when its tick is over. Empty if it belongs
+    /// to none of the takes that were read.
+    std::optional<double> secondsAt(const Moment& moment) const;
+    /// Goes to a moment of a path, if it belongs to a take that was read and no program is shown.
+    void goTo(const Moment& moment);
+    /// The same if the past is shown.
+    void followPath(const Moment& moment);
     /// Shows the workpiece being milled again.
     void backToPresent();
 

@@ -56,7 +56,9 @@ Workbench::Workbench(QObject* parent)
     , time(desk_, workpiece, session, mill, this)
     , keeper(desk_, workpiece, session, mill, this)
     , score(desk_, workpiece, session, mill, this)
-    , faces(desk_, this) {
+    , faces(desk_, this)
+    , deviations(desk_, workpiece, session, time, this)
+    , growing(desk_, session, this) {
     wire();
 }
 
@@ -68,10 +70,10 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,        &setup,      &material,     &tool,         &target,  &workpiece, &styluses,
-            &session,  &deviceTester, &viewDevice, &mill,         &surroundings, &guides,  &hand,      &showMe,
-            &path,     &area,         &passes,     &passMeasurer, &pathValuer,   &measure, &program,   &setups,
-            &sheet,    &time,         &keeper,     &faces,        &pathComparer, &score,   &fixtures,   &axisTuner};
+    return {&document, &model,        &setup,      &material,     &tool,         &target,  &workpiece,  &styluses,
+            &session,  &deviceTester, &viewDevice, &mill,         &surroundings, &guides,  &hand,       &showMe,
+            &path,     &area,         &passes,     &passMeasurer, &pathValuer,   &measure, &program,    &setups,
+            &sheet,    &time,         &keeper,     &faces,        &pathComparer, &score,   &fixtures,   &axisTuner,   &deviations, &growing};
 }
 
 void Workbench::wire() {
@@ -127,6 +129,9 @@ void Workbench::wire() {
     connect(&workpiece, &WorkpieceController::replayed, this, [this] { // a project shows its paths when opened
         if (samplesOf(mill.takes()) <= mostSamplesUnasked) path.evaluate();
     });
+    connect(&time, &TimeController::recordedChanged, this, [this] {
+        if (!session.running()) growing.clear(); // they are among the takes that were read
+    });
     connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
     workpiece.setWanted(target.machine());
     workpiece.setGuard([this](std::function<void()> change) { mill.interrupt(std::move(change)); });
@@ -154,6 +159,8 @@ void Workbench::load(const ProjectContents& contents) {
     keeper.forget();
     score.forget();
     faces.forget();
+    deviations.forget();
+    growing.clear();
     path.load(contents.paths, contents.takes, contents.generated);
     lockSetup();
     program.load(contents.programs, contents.programDraft, contents.keptProgram);

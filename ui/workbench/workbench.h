@@ -9,6 +9,7 @@
 #include "ui/workbench/document_controller.h"
 #include "ui/workbench/face_controller.h"
 #include "ui/workbench/fixture_controller.h"
+#include "ui/workbench/growing_takes.h"
 #include "ui/workbench/hand_controller.h"
 #include "ui/workbench/material_controller.h"
 #include "ui/workbench/measure_controller.h"
@@ -27,6 +28,7 @@
 #include "ui/workbench/show_me.h"
 #include "ui/workbench/stylus_controller.h"
 #include "ui/workbench/surroundings_controller.h"
+#include "ui/workbench/take_deviations.h"
 #include "ui/workbench/target_controller.h"
 #include "ui/workbench/time_controller.h"
 #include "ui/workbench/tool_controller.h"
@@ -83,6 +85,8 @@ public:
     WorkpieceKeeper keeper;
     ScoreController score;
     FaceController faces;
+    TakeDeviations deviations;
+    GrowingTakes growing;
 
     std::vector<Controller*> controllers();
     TaskRunner& tasks() noexcept { return tasks_; }

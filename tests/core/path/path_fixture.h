@@ -110,6 +110,11 @@ inline bool isEmpty(const Result<EvaluatedPath>& path) {
     return !path && path.error().code == ErrorCode::pathEmpty;
 }
 
+/// Whether a point is to be inserted at a moment that earlier edits have removed.
+inline bool missesMoment(const Result<EvaluatedPath>& path) {
+    return !path && path.error().code == ErrorCode::argumentInvalid && path.error().subject == "at";
+}
+
 /// Points of a move at most `step` apart, including both ends. An arc is sampled by its own angles about its axis, with
 /// a radius that changes evenly from one end's to the other's.
 inline std::vector<glm::dvec3> placesOf(const glm::dvec3& from, const PathPoint& to, double step) {

@@ -46,6 +46,7 @@ inline std::vector<Edit> randomEdits(bool surface) {
                                           {burin::Array{stretch, by, {}, by.x, 2.0}},
                                           {MovePoints{stretch, by, 3.0, MovePoints::Along::free}},
                                           {MovePoints{stretch, by, 3.0, MovePoints::Along::surface}},
+                                          {InsertPoint{{1, stretch.last}, std::abs(by.x), by, 3.0}},
                                           {ReplaceStretch{{}, {by, -by, {by.y, by.x, 0}}}},
                                           {lift},
                                           {remove},

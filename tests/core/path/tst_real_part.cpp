@@ -85,7 +85,7 @@ bool expectNoGouge(const PathContext& context, const PartOracle& oracle, const g
     Take take = randomTake(); // all over the part, inside and outside it
     for (Sample& sample : take.samples) sample.proxy.tip *= scale;
     const auto path = run({take}, editsWithProjectionLast(), context);
-    if (!path && path.error().code == ErrorCode::pathEmpty) return false;
+    if (isEmpty(path) || missesMoment(path)) return false;
     RC_ASSERT(static_cast<bool>(path));
     RC_ASSERT(leastClearance(path->path.points, oracle, 0.2) >= -0.01);
     return true;
