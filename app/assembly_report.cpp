@@ -40,7 +40,7 @@ std::string assemblyText(const Model& model, const BodyNode& node) {
 }
 
 void addTreeLines(const Model& model, const std::vector<BodyNode>& nodes, const std::string& indent,
-              const BodyText& bodyText, std::string& text) {
+                  const BodyText& bodyText, std::string& text) {
     for (const BodyNode& node : nodes) {
         text += "\n" + indent;
         text += node.body ? bodyText(*node.body, bodyName(node.name).toStdString()) : assemblyText(model, node);

@@ -8,6 +8,7 @@
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/units.h"
+#include "core/setup/fixture_library.h"
 
 #include <algorithm>
 #include <optional>
@@ -105,10 +106,13 @@ Result<Obstacle> addedFixture(const std::string& text, const FixtureSite& site, 
     return fixtureOf(design, site.stock, worded(rowOf(*kind).title), clearance);
 }
 
-/// "NAME: KEY=VALUE …"
+/// "NAME: KEY=VALUE …"; of several names that fit, as one may contain a colon, the longest is meant.
 Result<void> changeFixture(std::vector<Obstacle>& obstacles, const std::string& text, const FixtureSite& site) {
-    const auto isMeant = [&](const Obstacle& one) { return one.design && text.starts_with(one.name + ":"); };
-    const auto found = std::ranges::find_if(obstacles, isMeant);
+    auto found = obstacles.end();
+    for (auto one = obstacles.begin(); one != obstacles.end(); ++one)
+        if (one->design && text.starts_with(one->name + ":") &&
+            (found == obstacles.end() || one->name.size() > found->name.size()))
+            found = one;
     if (found == obstacles.end()) {
         std::string known;
         for (const Obstacle& one : obstacles)

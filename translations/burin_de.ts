@@ -676,10 +676,6 @@
         <translation>Länge, Zeit, Luftanteil und Eingriff jedes Durchgangs und das Material, das er übrig lässt.</translation>
     </message>
     <message>
-        <source>Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool.</source>
-        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur, Bohren oder Gravieren mit dem geladenen Werkzeug berechnen.</translation>
-    </message>
-    <message>
         <source>De&amp;vices…</source>
         <translation>&amp;Geräte…</translation>
     </message>
@@ -883,6 +879,34 @@
         <source>Dupl&amp;icate the take</source>
         <translation>Aufnahme du&amp;plizieren</translation>
     </message>
+    <message>
+        <source>A&amp;dd a fixture…</source>
+        <translation>Vorrichtung hinzu&amp;fügen…</translation>
+    </message>
+    <message>
+        <source>Place a vise, clamp, screw, parallels or plate of the library by the mouse; the tool keeps clear of it.</source>
+        <translation>Schraubstock, Spanneisen, Schraube, Parallelen oder Platte der Bibliothek mit der Maus platzieren; das Werkzeug hält Abstand.</translation>
+    </message>
+    <message>
+        <source>Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool.</source>
+        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur, Bohren, Gewinde oder Gravieren mit dem geladenen Werkzeug berechnen.</translation>
+    </message>
+    <message>
+        <source>Pick &amp;holes for a pass</source>
+        <translation>Bo&amp;hrungen für einen Durchgang wählen</translation>
+    </message>
+    <message>
+        <source>Click holes of the part for drilling or thread milling with the loaded tool.</source>
+        <translation>Bohrungen des Teils anklicken, die mit dem geladenen Werkzeug gebohrt werden oder ein Gewinde erhalten.</translation>
+    </message>
+    <message>
+        <source>Insert a &amp;point</source>
+        <translation>Punkt &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a point where the path is selected. Drag it in the view to move it; the stroke follows it smoothly.</source>
+        <translation>Einen Punkt einfügen, wo die Bahn ausgewählt ist. Ziehen Sie ihn in der Ansicht, um ihn zu verschieben; der Zug folgt ihm glatt.</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -937,6 +961,103 @@
     <message>
         <source>FLUTES</source>
         <translation>SCHNEIDEN</translation>
+    </message>
+</context>
+<context>
+    <name>BodyMenu</name>
+    <message>
+        <source>Draw this body again.</source>
+        <translation>Diesen Körper wieder zeichnen.</translation>
+    </message>
+    <message>
+        <source>Draw these bodies again.</source>
+        <translation>Diese Körper wieder zeichnen.</translation>
+    </message>
+    <message>
+        <source>Do not draw this body; nothing else changes.</source>
+        <translation>Diesen Körper nicht zeichnen; sonst ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>Do not draw these bodies; nothing else changes.</source>
+        <translation>Diese Körper nicht zeichnen; sonst ändert sich nichts.</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>&amp;Ausblenden</translation>
+    </message>
+    <message>
+        <source>Show this one &amp;alone</source>
+        <translation>&amp;Nur diesen zeigen</translation>
+    </message>
+    <message>
+        <source>Show these &amp;alone</source>
+        <translation>&amp;Nur diese zeigen</translation>
+    </message>
+    <message>
+        <source>Hide all other bodies.</source>
+        <translation>Alle anderen Körper ausblenden.</translation>
+    </message>
+    <message>
+        <source>Show a&amp;ll</source>
+        <translation>A&amp;lle zeigen</translation>
+    </message>
+    <message>
+        <source>Draw all bodies again.</source>
+        <translation>Alle Körper wieder zeichnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Role</source>
+        <translation>&amp;Rolle</translation>
+    </message>
+    <message>
+        <source>Recordings depend on the roles of bodies.</source>
+        <translation>Aufnahmen hängen von den Rollen der Körper ab.</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>&amp;Colour…</source>
+        <translation>&amp;Farbe…</translation>
+    </message>
+    <message>
+        <source>Choose the colour in which the view shows it.</source>
+        <translation>Die Farbe wählen, in der die Ansicht ihn zeigt.</translation>
+    </message>
+    <message>
+        <source>&amp;Without a colour of its own</source>
+        <translation>&amp;Ohne eigene Farbe</translation>
+    </message>
+    <message>
+        <source>Show it in the colour of parts without a colour.</source>
+        <translation>In der Farbe von Teilen ohne eigene Farbe zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>BodyRows</name>
+    <message>
+        <source>Tick: shown in the view.</source>
+        <translation>Häkchen: in der Ansicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>several roles</source>
+        <translation>mehrere Rollen</translation>
+    </message>
+    <message>
+        <source>1 body. Tick: shown in the view.</source>
+        <translation>1 Körper. Häkchen: in der Ansicht gezeigt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bodies. Tick: shown in the view.</source>
+        <translation>
+            <numerusform>%n Körper. Häkchen: in der Ansicht gezeigt.</numerusform>
+            <numerusform>%n Körper. Häkchen: in der Ansicht gezeigt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2168,6 +2289,166 @@
         <source>The coolant changes within %1 passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
         <translation>%1 Durchgänge wechseln das Kühlmittel; das erste außer „aus“ gilt nun jeweils für den ganzen Durchgang.</translation>
     </message>
+    <message>
+        <source>assembly %2: %1 body, %3 mm^3</source>
+        <translation>Baugruppe %2: %1 Körper, %3 mm^3</translation>
+    </message>
+    <message>
+        <source>assembly %2: %1 bodies, %3 mm^3</source>
+        <translation>Baugruppe %2: %1 Körper, %3 mm^3</translation>
+    </message>
+    <message>
+        <source>body     %1: %2</source>
+        <translation>Körper   %1: %2</translation>
+    </message>
+    <message>
+        <source>N=MOTION[,reversed][,gain=G][,dead=SHARE] with N from 1 to %1 and one of the motions %2</source>
+        <translation>N=BEWEGUNG[,reversed][,gain=G][,dead=ANTEIL] mit N von 1 bis %1 und einer der Bewegungen %2</translation>
+    </message>
+    <message>
+        <source>N=ACTION with N from 1 to %1 and one of the actions %2</source>
+        <translation>N=AKTION mit N von 1 bis %1 und einer der Aktionen %2</translation>
+    </message>
+    <message>
+        <source>Leave the device at rest.</source>
+        <translation>Lassen Sie das Gerät in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Move every axis to both of its ends.</source>
+        <translation>Bewegen Sie jede Achse bis an ihre beiden Enden.</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm (%3 to %4; %5), or as the stock needs it</source>
+        <translation>%1: %2 mm (%3 bis %4; %5), oder wie das Rohteil es braucht</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm (%3 to %4; %5)</source>
+        <translation>%1: %2 mm (%3 bis %4; %5)</translation>
+    </message>
+    <message>
+        <source>%1 hole is left without a thread: it is not drilled deep enough, or the part is in the way. Drill it first.</source>
+        <translation>%1 Bohrung bleibt ohne Gewinde: Sie ist nicht tief genug vorgebohrt, oder das Teil ist im Weg. Bohren Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>%1 holes are left without a thread: they are not drilled deep enough, or the part is in the way. Drill them first.</source>
+        <translation>%1 Bohrungen bleiben ohne Gewinde: Sie sind nicht tief genug vorgebohrt, oder das Teil ist im Weg. Bohren Sie sie zuerst.</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>take %1 %2: there is no part to measure to</source>
+        <translation>Aufnahme %1 %2: Es gibt kein Teil, zu dem gemessen werden kann</translation>
+    </message>
+    <message>
+        <source>take %1 %2: the tool is %3 to %4 mm from the part</source>
+        <translation>Aufnahme %1 %2: Das Werkzeug ist %3 bis %4 mm vom Teil entfernt</translation>
+    </message>
+    <message>
+        <source>library &quot;%1&quot;:</source>
+        <translation>Bibliothek „%1“:</translation>
+    </message>
+    <message>
+        <source>%2: %1 tool</source>
+        <translation>%2: %1 Werkzeug</translation>
+    </message>
+    <message>
+        <source>%2: %1 tools</source>
+        <translation>%2: %1 Werkzeuge</translation>
+    </message>
+    <message>
+        <source>library &quot;%1&quot; added</source>
+        <translation>Bibliothek „%1“ angelegt</translation>
+    </message>
+    <message>
+        <source>library &quot;%1&quot; is called &quot;%2&quot; now</source>
+        <translation>Bibliothek „%1“ heißt jetzt „%2“</translation>
+    </message>
+    <message>
+        <source>an empty library, or --with-tools to delete its tools</source>
+        <translation>eine leere Bibliothek, oder --with-tools, um ihre Werkzeuge zu löschen</translation>
+    </message>
+    <message>
+        <source>library &quot;%2&quot; and %1 tool removed</source>
+        <translation>Bibliothek „%2“ und %1 Werkzeug gelöscht</translation>
+    </message>
+    <message>
+        <source>library &quot;%2&quot; and %1 tools removed</source>
+        <translation>Bibliothek „%2“ und %1 Werkzeuge gelöscht</translation>
+    </message>
+    <message>
+        <source>mine, or a library of your own</source>
+        <translation>mine oder eine eigene Bibliothek</translation>
+    </message>
+    <message>
+        <source>a tool of your own, or --copy</source>
+        <translation>ein eigenes Werkzeug, oder --copy</translation>
+    </message>
+    <message>
+        <source>%1: in the library &quot;%2&quot;</source>
+        <translation>%1: in der Bibliothek „%2“</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3 1/min, %4 mm/min</source>
+        <translation>%1 (%2): %3 1/min, %4 mm/min</translation>
+    </message>
+    <message>
+        <source>any material</source>
+        <translation>jeder Werkstoff</translation>
+    </message>
+    <message>
+        <source>no value, unless --fixed states that the tool does not turn</source>
+        <translation>kein Wert, außer wenn --fixed angibt, dass sich das Werkzeug nicht dreht</translation>
+    </message>
+    <message>
+        <source>does not turn: the models cut and touch the stock, with X at %1 degrees from X of the setup; the profile keeps them out of the part</source>
+        <translation>dreht sich nicht: die Modelle schneiden und berühren das Rohteil, mit X um %1 Grad zu X der Aufspannung; das Profil hält sie vom Teil ab</translation>
+    </message>
+    <message>
+        <source>at=X,Y in mm</source>
+        <translation>at=X,Y in mm</translation>
+    </message>
+    <message>
+        <source>place=X,Y,Z in mm</source>
+        <translation>place=X,Y,Z in mm</translation>
+    </message>
+    <message>
+        <source>turn=DEGREES</source>
+        <translation>turn=GRAD</translation>
+    </message>
+    <message>
+        <source>a size and its length in mm: SIZE=MM</source>
+        <translation>ein Maß und seine Länge in mm: MASS=MM</translation>
+    </message>
+    <message>
+        <source>X,Y in mm, or the number of a hole of the part, 1 to %1</source>
+        <translation>X,Y in mm oder die Nummer einer Bohrung des Teils, 1 bis %1</translation>
+    </message>
+    <message>
+        <source>stated   unit %1: %2</source>
+        <translation>laut Datei Einheit %1: %2</translation>
+    </message>
+    <message>
+        <source>#RRGGBB, such as #3070c0</source>
+        <translation>#RRGGBB, zum Beispiel #3070c0</translation>
+    </message>
+    <message>
+        <source>mm, cm, dm, m, km, µm, inch, foot, yard, mil, stated, or mm per unit from 0.000001 to 1000000</source>
+        <translation>mm, cm, dm, m, km, µm, inch, foot, yard, mil, stated oder mm je Einheit von 0.000001 bis 1000000</translation>
+    </message>
+    <message>
+        <source>Axes that were not moved before the measurement keep their rest and dead zone (%1); move every axis once first, then calibrate again.</source>
+        <translation>Achsen, die vor der Messung nicht bewegt wurden, behalten Ruhelage und Totzone (%1); bewegen Sie zuerst jede Achse einmal und kalibrieren Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>already deleted: %1</source>
+        <translation>bereits gelöscht: %1</translation>
+    </message>
+    <message>
+        <source>already in the library: %1</source>
+        <translation>bereits in der Bibliothek: %1</translation>
+    </message>
 </context>
 <context>
     <name>Detail</name>
@@ -3312,20 +3593,12 @@
         <translation>muss da sein, über 0 und unter dem halben Durchmesser</translation>
     </message>
     <message>
-        <source>*.fctb, *.tbl or *.json</source>
-        <translation>*.fctb, *.tbl oder *.json</translation>
-    </message>
-    <message>
         <source>The bit has no TipAngle; 118° is used.</source>
         <translation>Das Bit hat keinen TipAngle; es gilt 118°.</translation>
     </message>
     <message>
         <source>1 to 1000: it is the pocket, too</source>
         <translation>1 bis 1000: sie ist auch der Magazinplatz</translation>
-    </message>
-    <message>
-        <source>one; several go into *.tbl, *.tools or *.ctbl</source>
-        <translation>eines; mehrere gehen in *.tbl, *.tools oder *.ctbl</translation>
     </message>
     <message>
         <source>another library (%1)</source>
@@ -3362,10 +3635,6 @@
     <message>
         <source>Limits and strength are those of %1: enter your own.</source>
         <translation>Grenzen und Festigkeit sind die von %1: Geben Sie Ihre eigenen ein.</translation>
-    </message>
-    <message>
-        <source>Feed and speed presets were not imported.</source>
-        <translation>Voreinstellungen für Vorschub und Drehzahl wurden nicht übernommen.</translation>
     </message>
     <message>
         <source>Expressions were not imported, only the numbers.</source>
@@ -3743,6 +4012,230 @@
         <source>at most %1 1/min, the limit of the tool %2</source>
         <translation>höchstens %1 1/min, die Grenze des Werkzeugs %2</translation>
     </message>
+    <message>
+        <source>a tool that turns</source>
+        <translation>ein Werkzeug, das sich dreht</translation>
+    </message>
+    <message>
+        <source>no feeds, and links at the safe height without ramps: the tool doesn&apos;t turn</source>
+        <translation>keine Vorschübe, und Verbindungen auf Sicherheitshöhe ohne Rampen: das Werkzeug dreht sich nicht</translation>
+    </message>
+    <message>
+        <source>profile: the tool doesn&apos;t turn</source>
+        <translation>profile: das Werkzeug dreht sich nicht</translation>
+    </message>
+    <message>
+        <source>%1 to %2 triangles</source>
+        <translation>%1 bis %2 Dreiecke</translation>
+    </message>
+    <message>
+        <source>triangles of the vertices that are there</source>
+        <translation>Dreiecke aus den vorhandenen Eckpunkten</translation>
+    </message>
+    <message>
+        <source>inside the profile: make the tool from its models anew</source>
+        <translation>innerhalb des Profils: machen Sie das Werkzeug neu aus seinen Modellen</translation>
+    </message>
+    <message>
+        <source>inside the shank: make the tool from its models anew</source>
+        <translation>innerhalb des Schafts: machen Sie das Werkzeug neu aus seinen Modellen</translation>
+    </message>
+    <message>
+        <source>the height of the model of the shank</source>
+        <translation>die Höhe des Modells des Schafts</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot; was left out: no material can be called &quot;%2&quot;.</source>
+        <translation>Die Vorgabe „%1“ wurde weggelassen: Kein Werkstoff kann „%2“ heißen.</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot; is for &quot;%2&quot;, a material that Burin does not have: choose its material.</source>
+        <translation>Die Vorgabe „%1“ gilt für „%2“, einen Werkstoff, den Burin nicht hat: Wählen Sie ihren Werkstoff.</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot;: the step-down of %2 mm was left out, as the tool allows %3 mm.</source>
+        <translation>Vorgabe „%1“: Die Zustellung von %2 mm wurde weggelassen, da das Werkzeug %3 mm zulässt.</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot;: the step-over of %2 mm was left out, as the tool allows %3 mm.</source>
+        <translation>Vorgabe „%1“: Der Zeilenabstand von %2 mm wurde weggelassen, da das Werkzeug %3 mm zulässt.</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot; was left out: %2 has to be %3.</source>
+        <translation>Die Vorgabe „%1“ wurde weggelassen: „%2“ muss sein: %3.</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot; is for one operation (%2): Burin uses it for all passes.</source>
+        <translation>Die Vorgabe „%1“ gilt für eine Operation (%2): Burin verwendet sie für alle Durchgänge.</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot;: its remarks were not imported.</source>
+        <translation>Vorgabe „%1“: Ihre Bemerkungen wurden nicht importiert.</translation>
+    </message>
+    <message>
+        <source>Coolant &quot;%1&quot; of a preset was not imported.</source>
+        <translation>Das Kühlmittel „%1“ einer Vorgabe wurde nicht importiert.</translation>
+    </message>
+    <message>
+        <source>Feeds of presets for ramps, leads and transitions were not imported.</source>
+        <translation>Vorschübe von Vorgaben für Rampen, An- und Abfahrten und Übergänge wurden nicht importiert.</translation>
+    </message>
+    <message>
+        <source>Presets of feeds and speeds can&apos;t be stored in this format.</source>
+        <translation>Vorgaben von Schnittwerten können in diesem Format nicht gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Step-down, step-over and coolant of presets have no place in a bit.</source>
+        <translation>Zustellung, Zeilenabstand und Kühlmittel von Vorgaben haben in einem FreeCAD-Werkzeug keinen Platz.</translation>
+    </message>
+    <message>
+        <source>%1: FreeCAD does not support this shape.</source>
+        <translation>%1: FreeCAD kennt diese Form nicht.</translation>
+    </message>
+    <message>
+        <source>Holder and limits have no place in a FreeCAD library and were left out.</source>
+        <translation>Halter und Grenzen haben in einer FreeCAD-Bibliothek keinen Platz und wurden weggelassen.</translation>
+    </message>
+    <message>
+        <source>The bits are in the folder Bit next to the library. FreeCAD finds them if the library itself is in a folder Library next to that folder.</source>
+        <translation>Die Werkzeuge sind im Ordner Bit neben der Bibliothek. FreeCAD findet sie, wenn die Bibliothek selbst in einem Ordner Library neben diesem Ordner liegt.</translation>
+    </message>
+    <message>
+        <source>one; several go into *.fctl, *.tbl, *.tools or *.ctbl</source>
+        <translation>eines; mehrere kommen in *.fctl, *.tbl, *.tools oder *.ctbl</translation>
+    </message>
+    <message>
+        <source>*.fctl, *.fctb, *.tbl, *.tools, *.ctbl or *.json</source>
+        <translation>*.fctl, *.fctb, *.tbl, *.tools, *.ctbl oder *.json</translation>
+    </message>
+    <message>
+        <source>a short line of text other than all, starter and mine, without spaces around it</source>
+        <translation>eine kurze Zeile Text außer all, starter und mine, ohne Leerzeichen am Rand</translation>
+    </message>
+    <message>
+        <source>mine, or a library of your own</source>
+        <translation>mine oder eine eigene Bibliothek</translation>
+    </message>
+    <message>
+        <source>a name that no library has yet</source>
+        <translation>ein Name, den noch keine Bibliothek hat</translation>
+    </message>
+    <message>
+        <source>there if chip_load_mm is not, and left out if it is</source>
+        <translation>da, wenn chip_load_mm fehlt, und weggelassen, wenn es da ist</translation>
+    </message>
+    <message>
+        <source>at most maximum_depth_of_cut_mm (%1)</source>
+        <translation>höchstens maximum_depth_of_cut_mm (%1)</translation>
+    </message>
+    <message>
+        <source>at most half of diameter_mm (%1)</source>
+        <translation>höchstens die Hälfte von diameter_mm (%1)</translation>
+    </message>
+    <message>
+        <source>one line of text that is not empty</source>
+        <translation>eine Zeile Text, die nicht leer ist</translation>
+    </message>
+    <message>
+        <source>a name that no other preset of the tool has</source>
+        <translation>ein Name, den keine andere Vorgabe des Werkzeugs hat</translation>
+    </message>
+    <message>
+        <source>a moment that the path still has</source>
+        <translation>ein Zeitpunkt, den die Bahn noch hat</translation>
+    </message>
+    <message>
+        <source>take %1, tick %2</source>
+        <translation>Aufnahme %1, Takt %2</translation>
+    </message>
+    <message>
+        <source>pass %1, tick %2</source>
+        <translation>Durchgang %1, Takt %2</translation>
+    </message>
+    <message>
+        <source>the part has no upright hole of the thread&apos;s major diameter there</source>
+        <translation>das Teil hat dort keine senkrechte Bohrung mit dem Nenndurchmesser des Gewindes</translation>
+    </message>
+    <message>
+        <source>a round upright hole of the part</source>
+        <translation>eine runde senkrechte Bohrung des Teils</translation>
+    </message>
+    <message>
+        <source>a hole that the part has at the major diameter, %1 mm, and not at %2 mm</source>
+        <translation>eine Bohrung, die das Teil mit dem Nenndurchmesser %1 mm hat und nicht mit %2 mm</translation>
+    </message>
+    <message>
+        <source>a model whose facets are at most %1 mm inside of that hole&apos;s circle</source>
+        <translation>ein Modell, dessen Facetten höchstens %1 mm innerhalb des Kreises dieser Bohrung liegen</translation>
+    </message>
+    <message>
+        <source>a thread mill of at most %1 mm for that hole</source>
+        <translation>ein Gewindefräser von höchstens %1 mm für diese Bohrung</translation>
+    </message>
+    <message>
+        <source>a thread mill with one tooth for a pitch of %1 mm</source>
+        <translation>ein Gewindefräser mit einem Zahn für die Steigung %1 mm</translation>
+    </message>
+    <message>
+        <source>a thread mill with a neck of at most %1 mm</source>
+        <translation>ein Gewindefräser mit einem Hals von höchstens %1 mm</translation>
+    </message>
+    <message>
+        <source>a thread mill</source>
+        <translation>ein Gewindefräser</translation>
+    </message>
+    <message>
+        <source>a drill</source>
+        <translation>ein Bohrer</translation>
+    </message>
+    <message>
+        <source>0 for a thread</source>
+        <translation>0 bei einem Gewinde</translation>
+    </message>
+    <message>
+        <source>above 0, or the holes of the thread</source>
+        <translation>über 0, oder die Bohrungen des Gewindes</translation>
+    </message>
+    <message>
+        <source>below half of the diameter</source>
+        <translation>unter dem halben Durchmesser</translation>
+    </message>
+    <message>
+        <source>%1 mm or more, with the other sizes of this fixture</source>
+        <translation>%1 mm oder mehr bei den anderen Maßen dieser Vorrichtung</translation>
+    </message>
+    <message>
+        <source>a value for each parameter</source>
+        <translation>ein Wert für jeden Parameter</translation>
+    </message>
+    <message>
+        <source>a finite angle</source>
+        <translation>ein endlicher Winkel</translation>
+    </message>
+    <message>
+        <source>a length of %1 to %2 mm</source>
+        <translation>eine Länge von %1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>a device with axes to assign</source>
+        <translation>ein Gerät, dessen Achsen sich belegen lassen</translation>
+    </message>
+    <message>
+        <source>one button or more that mills</source>
+        <translation>mindestens eine Taste, die fräst</translation>
+    </message>
+    <message>
+        <source>low end, rest and high end in ascending order, from -4 to 4</source>
+        <translation>unteres Ende, Ruhe und oberes Ende in aufsteigender Reihenfolge, von -4 bis 4</translation>
+    </message>
+    <message>
+        <source>the holes are not drilled as deep as the thread: drill them first, with the full diameter down to Z %1 mm in the coordinates of the setup</source>
+        <translation>die Bohrungen sind nicht so tief vorgebohrt wie das Gewinde: Bohren Sie sie zuerst, mit vollem Durchmesser bis Z %1 mm in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>above %1 and at most %2 mm for the hole at %3, %4</source>
+        <translation>über %1 und höchstens %2 mm für die Bohrung bei %3, %4</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -3797,6 +4290,98 @@
     <message>
         <source>set by Burin</source>
         <translation>von Burin vorgegeben</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>nach rechts</translation>
+    </message>
+    <message>
+        <source>towards the user</source>
+        <translation>zum Benutzer hin</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>nach unten</translation>
+    </message>
+    <message>
+        <source>tilt back and forth</source>
+        <translation>Kippen vor und zurück</translation>
+    </message>
+    <message>
+        <source>tilt sideways</source>
+        <translation>Kippen zur Seite</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>RX</source>
+        <translation>RX</translation>
+    </message>
+    <message>
+        <source>RY</source>
+        <translation>RY</translation>
+    </message>
+    <message>
+        <source>RZ</source>
+        <translation>RZ</translation>
+    </message>
+    <message>
+        <source>hat X</source>
+        <translation>Kreuz X</translation>
+    </message>
+    <message>
+        <source>hat Y</source>
+        <translation>Kreuz Y</translation>
+    </message>
+    <message>
+        <source>throttle</source>
+        <translation>Schubregler</translation>
+    </message>
+    <message>
+        <source>rudder</source>
+        <translation>Ruder</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation>Gas</translation>
+    </message>
+    <message>
+        <source>position to the right</source>
+        <translation>Position nach rechts</translation>
+    </message>
+    <message>
+        <source>position away from the user</source>
+        <translation>Position vom Benutzer weg</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>tilt to the right</source>
+        <translation>Neigung nach rechts</translation>
+    </message>
+    <message>
+        <source>tilt away from the user</source>
+        <translation>Neigung vom Benutzer weg</translation>
     </message>
 </context>
 <context>
@@ -3980,6 +4565,86 @@
         <source>Rotation: %1°</source>
         <translation>Drehung: %1°</translation>
     </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>X, right</source>
+        <translation>X, nach rechts</translation>
+    </message>
+    <message>
+        <source>Y, away</source>
+        <translation>Y, vom Benutzer weg</translation>
+    </message>
+    <message>
+        <source>Z, up</source>
+        <translation>Z, nach oben</translation>
+    </message>
+    <message>
+        <source>A, about X</source>
+        <translation>A, um X</translation>
+    </message>
+    <message>
+        <source>B, about Y</source>
+        <translation>B, um Y</translation>
+    </message>
+    <message>
+        <source>C, about Z</source>
+        <translation>C, um Z</translation>
+    </message>
+    <message>
+        <source>mill</source>
+        <translation>fräsen</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>abheben</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>rückgängig</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>wiederherstellen</translation>
+    </message>
+    <message>
+        <source>clutch</source>
+        <translation>auskuppeln</translation>
+    </message>
+    <message>
+        <source>recentre</source>
+        <translation>zentrieren</translation>
+    </message>
+    <message>
+        <source>level above</source>
+        <translation>Ebene darüber</translation>
+    </message>
+    <message>
+        <source>level below</source>
+        <translation>Ebene darunter</translation>
+    </message>
+    <message>
+        <source>nearest edge</source>
+        <translation>nächste Kante</translation>
+    </message>
+    <message>
+        <source>fit the view</source>
+        <translation>alles zeigen</translation>
+    </message>
+    <message>
+        <source>%1: %2, reversed; gain %3; dead zone %4 %; range %5 … %6 … %7 %</source>
+        <translation>%1: %2, umgekehrt; Verstärkung %3; Totzone %4 %; Bereich %5 … %6 … %7 %</translation>
+    </message>
+    <message>
+        <source>%1: %2; gain %3; dead zone %4 %; range %5 … %6 … %7 %</source>
+        <translation>%1: %2; Verstärkung %3; Totzone %4 %; Bereich %5 … %6 … %7 %</translation>
+    </message>
+    <message>
+        <source>button %1: %2</source>
+        <translation>Taste %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>Edit</name>
@@ -4122,6 +4787,10 @@
     <message>
         <source>Spindle and coolant</source>
         <translation>Spindel und Kühlung</translation>
+    </message>
+    <message>
+        <source>Insert a point</source>
+        <translation>Punkt einfügen</translation>
     </message>
 </context>
 <context>
@@ -4845,6 +5514,42 @@
         <source>Of these strokes, if the machine has it</source>
         <translation>Dieser Züge, wenn die Maschine sie hat</translation>
     </message>
+    <message>
+        <source>smooth</source>
+        <translation>glatt</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>The point is inserted here. Select a point of the path first</source>
+        <translation>Hier wird der Punkt eingefügt. Wählen Sie vorher einen Punkt der Bahn</translation>
+    </message>
+    <message>
+        <source>Farther along</source>
+        <translation>Weiter entlang</translation>
+    </message>
+    <message>
+        <source>Distance along the stroke from that position to the point</source>
+        <translation>Abstand des Punktes von dieser Position, entlang des Zuges</translation>
+    </message>
+    <message>
+        <source>Displacement of the point from the stroke</source>
+        <translation>Verschiebung des Punktes gegenüber dem Zug</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>The stroke follows the point within this length on either side; 0: the point alone moves</source>
+        <translation>Bis zu dieser Länge auf beiden Seiten folgt der Zug dem Punkt; 0: Nur der Punkt bewegt sich</translation>
+    </message>
+    <message>
+        <source>How the stroke leads to the point: in a smooth curve, or in straight lines to a corner</source>
+        <translation>Wie der Zug zum Punkt führt: in einer glatten Kurve, oder in Geraden zu einer Ecke</translation>
+    </message>
 </context>
 <context>
     <name>EmbeddingWords</name>
@@ -5020,10 +5725,6 @@
         <translation>Werkzeuge (*.json *.tools *.fctb *.fctl *.ctbl *.tbl);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Tools for other programs (*.fctb *.tbl *.tools *.ctbl *.json)</source>
-        <translation>Werkzeuge für andere Programme (*.fctb *.tbl *.tools *.ctbl *.json)</translation>
-    </message>
-    <message>
         <source>Drawing</source>
         <translation>Zeichnung</translation>
     </message>
@@ -5063,6 +5764,10 @@
         <source>Tables (*.csv)</source>
         <translation>Tabellen (*.csv)</translation>
     </message>
+    <message>
+        <source>Tools for other programs (*.fctl *.fctb *.tbl *.tools *.ctbl *.json)</source>
+        <translation>Werkzeuge für andere Programme (*.fctl *.fctb *.tbl *.tools *.ctbl *.json)</translation>
+    </message>
 </context>
 <context>
     <name>FileUnits</name>
@@ -5081,6 +5786,14 @@
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+    <message>
+        <source>%1 (stated)</source>
+        <translation>%1 (angegeben)</translation>
+    </message>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1 (angenommen)</translation>
     </message>
 </context>
 <context>
@@ -5184,6 +5897,10 @@
     <message>
         <source>use a spindle speed within the machine&apos;s range</source>
         <translation>eine Drehzahl im Bereich der Maschine verwenden</translation>
+    </message>
+    <message>
+        <source>stop the spindle before this move, and hold it: the tool doesn&apos;t turn</source>
+        <translation>die Spindel vor dieser Bewegung anhalten und festhalten: das Werkzeug dreht sich nicht</translation>
     </message>
 </context>
 <context>
@@ -5324,6 +6041,10 @@
         <source>holder_near_obstacle</source>
         <translation>Halter nahe an Vorrichtung</translation>
     </message>
+    <message>
+        <source>spindle_on</source>
+        <translation>Spindel dreht</translation>
+    </message>
 </context>
 <context>
     <name>FirstJob</name>
@@ -5422,6 +6143,385 @@
     <message>
         <source>Click “%1” at the top of the window.</source>
         <translation>Klicken Sie oben im Fenster auf „%1“.</translation>
+    </message>
+</context>
+<context>
+    <name>Fixture</name>
+    <message>
+        <source>estimate</source>
+        <translation>Schätzwert</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnung</translation>
+    </message>
+    <message>
+        <source>Distance between the jaws: the width of the stock</source>
+        <translation>Abstand der Backen: die Breite des Rohteils</translation>
+    </message>
+    <message>
+        <source>Depth of grip</source>
+        <translation>Spanntiefe</translation>
+    </message>
+    <message>
+        <source>Height of the stock that is between the jaws</source>
+        <translation>Höhe des Rohteils, die zwischen den Backen liegt</translation>
+    </message>
+    <message>
+        <source>Jaw width</source>
+        <translation>Backenbreite</translation>
+    </message>
+    <message>
+        <source>Length of the jaws along the stock</source>
+        <translation>Länge der Backen entlang des Rohteils</translation>
+    </message>
+    <message>
+        <source>Jaw height</source>
+        <translation>Backenhöhe</translation>
+    </message>
+    <message>
+        <source>From the bed of the vise to the top of the jaws</source>
+        <translation>Vom Bett des Schraubstocks bis zur Oberkante der Backen</translation>
+    </message>
+    <message>
+        <source>Jaw depth</source>
+        <translation>Backentiefe</translation>
+    </message>
+    <message>
+        <source>Thickness of each jaw in the direction of clamping</source>
+        <translation>Dicke jeder Backe in Spannrichtung</translation>
+    </message>
+    <message>
+        <source>Body width</source>
+        <translation>Körperbreite</translation>
+    </message>
+    <message>
+        <source>Width of the body, in the direction of the jaws</source>
+        <translation>Breite des Körpers in Richtung der Backen</translation>
+    </message>
+    <message>
+        <source>Body height</source>
+        <translation>Körperhöhe</translation>
+    </message>
+    <message>
+        <source>From the table to the bed of the vise</source>
+        <translation>Vom Tisch bis zum Bett des Schraubstocks</translation>
+    </message>
+    <message>
+        <source>Spindle length</source>
+        <translation>Spindellänge</translation>
+    </message>
+    <message>
+        <source>How far body and spindle reach out behind the movable jaw</source>
+        <translation>Wie weit Körper und Spindel hinter der beweglichen Backe vorstehen</translation>
+    </message>
+    <message>
+        <source>Clamping height</source>
+        <translation>Spannhöhe</translation>
+    </message>
+    <message>
+        <source>From the table to the lower side of the bar</source>
+        <translation>Vom Tisch bis zur Unterseite des Eisens</translation>
+    </message>
+    <message>
+        <source>Bar length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Length of the bar</source>
+        <translation>Länge des Eisens</translation>
+    </message>
+    <message>
+        <source>Bar width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width of the bar</source>
+        <translation>Breite des Eisens</translation>
+    </message>
+    <message>
+        <source>Bar thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Height of the bar</source>
+        <translation>Höhe des Eisens</translation>
+    </message>
+    <message>
+        <source>Contact length</source>
+        <translation>Auflagelänge</translation>
+    </message>
+    <message>
+        <source>Length of the bar&apos;s nose that presses on the stock</source>
+        <translation>Länge der Nase des Eisens, die auf das Rohteil drückt</translation>
+    </message>
+    <message>
+        <source>Stud distance</source>
+        <translation>Abstand der Stiftschraube</translation>
+    </message>
+    <message>
+        <source>From the pressed point to the axis of the stud</source>
+        <translation>Vom gedrückten Punkt bis zur Achse der Stiftschraube</translation>
+    </message>
+    <message>
+        <source>Stud diameter</source>
+        <translation>Stiftschraubendurchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the stud&apos;s thread</source>
+        <translation>Durchmesser des Gewindes der Stiftschraube</translation>
+    </message>
+    <message>
+        <source>Slot width</source>
+        <translation>Schlitzbreite</translation>
+    </message>
+    <message>
+        <source>Width of the hole in the bar around the stud</source>
+        <translation>Breite des Lochs im Eisen um die Stiftschraube</translation>
+    </message>
+    <message>
+        <source>Washer diameter</source>
+        <translation>Scheibendurchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the washer below the nut</source>
+        <translation>Durchmesser der Scheibe unter der Mutter</translation>
+    </message>
+    <message>
+        <source>Washer thickness</source>
+        <translation>Scheibendicke</translation>
+    </message>
+    <message>
+        <source>Thickness of the washer</source>
+        <translation>Dicke der Scheibe</translation>
+    </message>
+    <message>
+        <source>Nut width</source>
+        <translation>Schlüsselweite der Mutter</translation>
+    </message>
+    <message>
+        <source>Across flats; kept clear across its corners, however the nut stands</source>
+        <translation>Schlüsselweite; freigehalten wird das Eckenmaß, wie die Mutter auch steht</translation>
+    </message>
+    <message>
+        <source>Nut height</source>
+        <translation>Mutternhöhe</translation>
+    </message>
+    <message>
+        <source>Height of the nut</source>
+        <translation>Höhe der Mutter</translation>
+    </message>
+    <message>
+        <source>Stud end</source>
+        <translation>Überstand der Stiftschraube</translation>
+    </message>
+    <message>
+        <source>How far the stud reaches above the nut</source>
+        <translation>Wie weit die Stiftschraube über die Mutter reicht</translation>
+    </message>
+    <message>
+        <source>Step block length</source>
+        <translation>Treppenbocklänge</translation>
+    </message>
+    <message>
+        <source>Length of the step block below the end of the bar; it has three steps</source>
+        <translation>Länge des Treppenbocks unter dem Ende des Eisens; er hat drei Stufen</translation>
+    </message>
+    <message>
+        <source>Nose height</source>
+        <translation>Nasenhöhe</translation>
+    </message>
+    <message>
+        <source>From the table to the top of the nose</source>
+        <translation>Vom Tisch bis zur Oberkante der Nase</translation>
+    </message>
+    <message>
+        <source>Nose thickness</source>
+        <translation>Nasendicke</translation>
+    </message>
+    <message>
+        <source>Height of the nose that presses on the side of the stock</source>
+        <translation>Höhe der Nase, die auf die Seite des Rohteils drückt</translation>
+    </message>
+    <message>
+        <source>Nose length</source>
+        <translation>Nasenlänge</translation>
+    </message>
+    <message>
+        <source>How far the nose reaches out of the body</source>
+        <translation>Wie weit die Nase aus dem Körper vorsteht</translation>
+    </message>
+    <message>
+        <source>Nose width</source>
+        <translation>Nasenbreite</translation>
+    </message>
+    <message>
+        <source>Width of the nose along the side of the stock</source>
+        <translation>Breite der Nase entlang der Seite des Rohteils</translation>
+    </message>
+    <message>
+        <source>Body length</source>
+        <translation>Körperlänge</translation>
+    </message>
+    <message>
+        <source>Length of the body, away from the stock</source>
+        <translation>Länge des Körpers, vom Rohteil weg</translation>
+    </message>
+    <message>
+        <source>Width of the body along the side of the stock</source>
+        <translation>Breite des Körpers entlang der Seite des Rohteils</translation>
+    </message>
+    <message>
+        <source>From the table to the top of the body</source>
+        <translation>Vom Tisch bis zur Oberkante des Körpers</translation>
+    </message>
+    <message>
+        <source>Thread diameter</source>
+        <translation>Gewindedurchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the screw&apos;s thread</source>
+        <translation>Durchmesser des Gewindes der Schraube</translation>
+    </message>
+    <message>
+        <source>Head height</source>
+        <translation>Kopfhöhe</translation>
+    </message>
+    <message>
+        <source>Height of the head</source>
+        <translation>Höhe des Kopfes</translation>
+    </message>
+    <message>
+        <source>Screw length</source>
+        <translation>Schraubenlänge</translation>
+    </message>
+    <message>
+        <source>How far the screw reaches below the washer</source>
+        <translation>Wie weit die Schraube unter die Scheibe reicht</translation>
+    </message>
+    <message>
+        <source>Diameter of the washer below the head</source>
+        <translation>Durchmesser der Scheibe unter dem Kopf</translation>
+    </message>
+    <message>
+        <source>Head width</source>
+        <translation>Schlüsselweite</translation>
+    </message>
+    <message>
+        <source>Across flats; kept clear across its corners, however the head stands</source>
+        <translation>Schlüsselweite; freigehalten wird das Eckenmaß, wie der Kopf auch steht</translation>
+    </message>
+    <message>
+        <source>Head diameter</source>
+        <translation>Kopfdurchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter of the head with its socket</source>
+        <translation>Durchmesser des Kopfes mit Innensechskant</translation>
+    </message>
+    <message>
+        <source>Length of each of the two bars</source>
+        <translation>Länge jeder der beiden Leisten</translation>
+    </message>
+    <message>
+        <source>Width of each bar, across its length</source>
+        <translation>Breite jeder Leiste, quer zu ihrer Länge</translation>
+    </message>
+    <message>
+        <source>Bar height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>From the table to the stock</source>
+        <translation>Vom Tisch bis zum Rohteil</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Between the middles of both bars</source>
+        <translation>Zwischen den Mitten beider Leisten</translation>
+    </message>
+    <message>
+        <source>Plate length</source>
+        <translation>Plattenlänge</translation>
+    </message>
+    <message>
+        <source>Along its X axis</source>
+        <translation>Entlang ihrer X-Achse</translation>
+    </message>
+    <message>
+        <source>Plate width</source>
+        <translation>Plattenbreite</translation>
+    </message>
+    <message>
+        <source>Along its Y axis</source>
+        <translation>Entlang ihrer Y-Achse</translation>
+    </message>
+    <message>
+        <source>Plate thickness</source>
+        <translation>Plattendicke</translation>
+    </message>
+    <message>
+        <source>From its lower to its upper face</source>
+        <translation>Von ihrer Unter- bis zu ihrer Oberseite</translation>
+    </message>
+    <message>
+        <source>Vise</source>
+        <translation>Schraubstock</translation>
+    </message>
+    <message>
+        <source>Closes on the clicked side of the stock and the opposite one</source>
+        <translation>Spannt die angeklickte Seite des Rohteils und die gegenüberliegende</translation>
+    </message>
+    <message>
+        <source>Step clamp</source>
+        <translation>Spanneisen</translation>
+    </message>
+    <message>
+        <source>A bar with stud and step block that presses on the top of the stock</source>
+        <translation>Ein Spanneisen mit Stiftschraube und Treppenbock, das auf die Oberseite des Rohteils drückt</translation>
+    </message>
+    <message>
+        <source>Toe clamp</source>
+        <translation>Niederzugspanner</translation>
+    </message>
+    <message>
+        <source>Presses on a side of the stock and leaves its top free</source>
+        <translation>Drückt auf eine Seite des Rohteils und lässt seine Oberseite frei</translation>
+    </message>
+    <message>
+        <source>Hexagon screw</source>
+        <translation>Sechskantschraube</translation>
+    </message>
+    <message>
+        <source>A screw through the stock with hexagon head and washer</source>
+        <translation>Eine Schraube durch das Rohteil mit Sechskantkopf und Scheibe</translation>
+    </message>
+    <message>
+        <source>Socket screw</source>
+        <translation>Zylinderschraube</translation>
+    </message>
+    <message>
+        <source>A screw through the stock with socket head and washer</source>
+        <translation>Eine Schraube durch das Rohteil mit Innensechskant und Scheibe</translation>
+    </message>
+    <message>
+        <source>Pair of parallels</source>
+        <translation>Parallelen (Paar)</translation>
+    </message>
+    <message>
+        <source>Two bars below the stock</source>
+        <translation>Zwei Leisten unter dem Rohteil</translation>
+    </message>
+    <message>
+        <source>Table plate</source>
+        <translation>Tischplatte</translation>
+    </message>
+    <message>
+        <source>A plate below the stock; its top is the table for clamps that are placed later</source>
+        <translation>Eine Platte unter dem Rohteil; ihre Oberseite ist der Tisch für Spannmittel, die später platziert werden</translation>
     </message>
 </context>
 <context>
@@ -5711,10 +6811,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Stock around the part on every side, mm</source>
         <translation>Zugabe um das Teil auf jeder Seite, mm</translation>
-    </message>
-    <message>
-        <source>Material of a body: BODY=NAME; may be repeated</source>
-        <translation>Werkstoff eines Körpers: KÖRPER=NAME; darf wiederholt werden</translation>
     </message>
     <message>
         <source>Read a CAD model and report its contents</source>
@@ -6169,10 +7265,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Achse eines Zylinders um das Teil: x, y, z oder X,Y,Z</translation>
     </message>
     <message>
-        <source>Role of a body: BODY=part, stock, insert, protected-insert, fixture or ignored; may be repeated</source>
-        <translation>Rolle eines Körpers: KÖRPER=part, stock, insert, protected-insert, fixture oder ignored; darf wiederholt werden</translation>
-    </message>
-    <message>
         <source>Layer of the stock: NAME=MATERIAL,AXIS,FROM,TO, mm; a later one has the place; may be repeated</source>
         <translation>Schicht des Rohteils: NAME=WERKSTOFF,ACHSE,VON,BIS, mm; eine spätere hat Vorrang; darf wiederholt werden</translation>
     </message>
@@ -6237,10 +7329,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Ersetzt Ihr Werkzeug dieser ID</translation>
     </message>
     <message>
-        <source>List and show tools; copy, add and delete your own, and make them of models. Every tool states the source of its values</source>
-        <translation>Werkzeuge auflisten und zeigen; eigene kopieren, hinzufügen, löschen und aus Modellen machen. Jedes Werkzeug nennt die Quelle seiner Werte</translation>
-    </message>
-    <message>
         <source>List all tools with their numbers and diameters</source>
         <translation>Alle Werkzeuge mit Nummer und Durchmesser auflisten</translation>
     </message>
@@ -6263,10 +7351,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Delete one of your own tools</source>
         <translation>Löscht eines Ihrer eigenen Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Tools (default: all)</source>
-        <translation>Werkzeuge (ohne: alle)</translation>
     </message>
     <message>
         <source>Unit of the machine that reads the table</source>
@@ -6373,10 +7457,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Einheit der Seite: mm oder inch (Vorgabe: die des Programms)</translation>
     </message>
     <message>
-        <source>Add tools of another program to your own: a Fusion library (*.tools, *.json), a FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC table (*.tbl). What can&apos;t be held is listed</source>
-        <translation>Werkzeuge eines anderen Programms zu Ihren eigenen hinzufügen: eine Fusion-Bibliothek (*.tools, *.json), eine FreeCAD-Bibliothek oder ein Werkzeug daraus (*.fctl, *.fctb), eine CAMotics-Tabelle (*.ctbl), eine LinuxCNC-Tabelle (*.tbl). Was nicht übernommen werden kann, wird aufgezählt</translation>
-    </message>
-    <message>
         <source>File to read</source>
         <translation>Zu lesende Datei</translation>
     </message>
@@ -6395,10 +7475,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>List what would be added; keep nothing</source>
         <translation>Aufzählen, was hinzukäme; nichts behalten</translation>
-    </message>
-    <message>
-        <source>Write tools for other programs: a LinuxCNC tool table (*.tbl), a Fusion library (*.tools), a CAMotics table (*.ctbl), a FreeCAD tool bit (*.fctb), or Burin&apos;s own form (*.json)</source>
-        <translation>Werkzeuge für andere Programme schreiben: eine Werkzeugtabelle für LinuxCNC (*.tbl), eine Fusion-Bibliothek (*.tools), eine CAMotics-Tabelle (*.ctbl), ein Werkzeug für FreeCAD (*.fctb) oder Burins eigene Form (*.json)</translation>
     </message>
     <message>
         <source>Make a path from takes or of a computed pass, with the standard edits</source>
@@ -6501,20 +7577,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Bereich: von den Zügen dieser Aufnahmen gemalt, so breit wie --brush</translation>
     </message>
     <message>
-        <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil (concave edges), rest (what is left), engrave, drill</source>
-        <translation>Durchgang berechnen: levels (Schruppen), pocket (Tasche), profile (Kontur), face (Planfräsen), parallel, radial, spiral, flow (Bahnen, die --lead oder --lines folgen), waterline (Höhenlinien), scallop (gleichmäßiger Abstand), pencil (konkave Kanten), rest (Restmaterial), engrave (Gravieren), drill (Bohren)</translation>
-    </message>
-    <message>
         <source>Largest depth of a level, or of a peck when drilling, mm (default: what material, tool and spindle can take; holes deeper than 3 diameters: one diameter)</source>
         <translation>Größte Tiefe einer Ebene oder beim Bohren eines Hubes, mm (Vorgabe: was Werkstoff, Werkzeug und Spindel vertragen; Bohrungen tiefer als 3 Durchmesser: ein Durchmesser)</translation>
-    </message>
-    <message>
-        <source>engrave: depth below the top, mm; drill: the same (default: to the bottom of the part&apos;s hole)</source>
-        <translation>engrave: Tiefe unter der Oberkante, mm; drill: ebenso (Vorgabe: bis zum Grund der Bohrung des Teils)</translation>
-    </message>
-    <message>
-        <source>drill: a place X,Y, mm; can be given several times (default: every upright hole of the part that fits the drill)</source>
-        <translation>drill: eine Stelle X,Y, mm; mehrmals möglich (Vorgabe: jede senkrechte Bohrung des Teils, die zum Bohrer passt)</translation>
     </message>
     <message>
         <source>profile: number of holding tabs left on each outline</source>
@@ -6673,10 +7737,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Einer Bahn eine Bearbeitung, einen berechneten Durchgang oder eine Aufnahme hinzufügen</translation>
     </message>
     <message>
-        <source>Switch takes, or parts of them, off and on; rename, move, copy and score them</source>
-        <translation>Aufnahmen oder Teile davon aus- und einschalten, umbenennen, verschieben, kopieren und bewerten</translation>
-    </message>
-    <message>
         <source>Replay it earlier or later among the takes of its setup; the workpiece at the end and the paths stay</source>
         <translation>Sie unter den Aufnahmen ihrer Aufspannung früher oder später abspielen; das Werkstück am Ende und die Bahnen bleiben</translation>
     </message>
@@ -6735,6 +7795,241 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Copy it with its strokes and what is switched off, after all other takes; no path mills the copy until &quot;burin path P apply PATH --take&quot; adds it</source>
         <translation>Sie mit ihren Zügen und dem, was ausgeschaltet ist, hinter alle anderen Aufnahmen kopieren; keine Bahn fräst die Kopie, bis „burin path P apply PATH --take“ sie aufnimmt</translation>
+    </message>
+    <message>
+        <source>Show what the axes and buttons of this device do; changes are kept for the window and the command mill</source>
+        <translation>Zeigen, was die Achsen und Tasten dieses Geräts tun; Änderungen gelten auch für das Fenster und den Befehl mill</translation>
+    </message>
+    <message>
+        <source>Assign an axis: N=MOTION[,reversed][,gain=G][,dead=SHARE], for example 2=z,reversed,gain=0.5,dead=0.1</source>
+        <translation>Eine Achse belegen: N=BEWEGUNG[,reversed][,gain=G][,dead=ANTEIL], zum Beispiel 2=z,reversed,gain=0.5,dead=0.1</translation>
+    </message>
+    <message>
+        <source>Assign a button: N=ACTION, for example 2=lift; mill, undo, clutch and others</source>
+        <translation>Eine Taste belegen: N=AKTION, zum Beispiel 2=lift; mill, undo, clutch und andere</translation>
+    </message>
+    <message>
+        <source>Begin with the usual assignment and without calibration</source>
+        <translation>Mit der üblichen Belegung und ohne Kalibrierung beginnen</translation>
+    </message>
+    <message>
+        <source>Measure the axes of this device: two seconds at rest, then in motion; rest, ends and dead zone are kept</source>
+        <translation>Die Achsen dieses Geräts messen: zwei Sekunden in Ruhe, dann in Bewegung; Ruhe, Enden und Totzone werden behalten</translation>
+    </message>
+    <message>
+        <source>Time for moving every axis to its ends, s</source>
+        <translation>Zeit, um jede Achse an ihre Enden zu bewegen, s</translation>
+    </message>
+    <message>
+        <source>Colour of a body, or of all bodies of an assembly: BODY=#RRGGBB; may be repeated</source>
+        <translation>Farbe eines Körpers oder aller Körper einer Baugruppe: KÖRPER=#RRGGBB; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>List the library of fixtures: kinds, sizes, their defaults and ranges. Add one to a project with burin setup --add-fixture</source>
+        <translation>Die Bibliothek der Vorrichtungen auflisten: Arten, Maße, ihre Vorgaben und Bereiche. Einem Projekt fügt burin setup --add-fixture eine hinzu</translation>
+    </message>
+    <message>
+        <source>Switch takes, or parts of them, off and on; rename, move, copy, score and measure them</source>
+        <translation>Aufnahmen oder Teile davon aus- und einschalten, umbenennen, verschieben, kopieren, bewerten und messen</translation>
+    </message>
+    <message>
+        <source>Measure the distance of its tool from the part over time, negative where the tool is in the part; nothing is changed</source>
+        <translation>Den Abstand ihres Werkzeugs vom Teil über die Zeit messen, negativ, wo das Werkzeug im Teil ist; nichts wird geändert</translation>
+    </message>
+    <message>
+        <source>Write time and least distance of every ten samples as CSV</source>
+        <translation>Zeit und kleinsten Abstand von je zehn Messpunkten als CSV schreiben</translation>
+    </message>
+    <message>
+        <source>Write tools for other programs: a LinuxCNC tool table (*.tbl), a Fusion library (*.tools), a CAMotics table (*.ctbl), a FreeCAD library with its bits in a folder Bit (*.fctl), a FreeCAD tool bit (*.fctb), or Burin&apos;s own form (*.json)</source>
+        <translation>Werkzeuge für andere Programme schreiben: eine Werkzeugtabelle für LinuxCNC (*.tbl), eine Fusion-Bibliothek (*.tools), eine CAMotics-Tabelle (*.ctbl), eine FreeCAD-Bibliothek mit ihren Werkzeugen im Ordner Bit (*.fctl), ein Werkzeug für FreeCAD (*.fctb) oder Burins eigene Form (*.json)</translation>
+    </message>
+    <message>
+        <source>Tools (default: all, or those of --library)</source>
+        <translation>Werkzeuge (Standard: alle, oder die von --library)</translation>
+    </message>
+    <message>
+        <source>Tool library</source>
+        <translation>Werkzeugbibliothek</translation>
+    </message>
+    <message>
+        <source>List the tool libraries with the number of their tools</source>
+        <translation>Die Werkzeugbibliotheken mit der Zahl ihrer Werkzeuge auflisten</translation>
+    </message>
+    <message>
+        <source>Add a tool library</source>
+        <translation>Eine Werkzeugbibliothek anlegen</translation>
+    </message>
+    <message>
+        <source>Rename one of your tool libraries</source>
+        <translation>Eine Ihrer Werkzeugbibliotheken umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete one of your tool libraries</source>
+        <translation>Eine Ihrer Werkzeugbibliotheken löschen</translation>
+    </message>
+    <message>
+        <source>Delete its tools as well</source>
+        <translation>Auch ihre Werkzeuge löschen</translation>
+    </message>
+    <message>
+        <source>Put tools of your own into the library of --library</source>
+        <translation>Eigene Werkzeuge in die Bibliothek von --library legen</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Put copies there, also of tools that Burin is shipped with</source>
+        <translation>Kopien dorthin legen, auch von mitgelieferten Werkzeugen</translation>
+    </message>
+    <message>
+        <source>Add or change a preset of feeds and speeds of one of your own tools. Paths use the first preset for the material of the stock, without one the first for any material, without one the values that the material states</source>
+        <translation>Eine Vorgabe von Schnittwerten eines eigenen Werkzeugs hinzufügen oder ändern. Bahnen verwenden die erste Vorgabe für den Werkstoff des Rohteils, ohne eine solche die erste für jeden Werkstoff, sonst die Werte des Werkstoffs</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Name der Vorgabe</translation>
+    </message>
+    <message>
+        <source>Material that it is for, or any</source>
+        <translation>Werkstoff, für den sie gilt, oder any</translation>
+    </message>
+    <message>
+        <source>Speed of the spindle, 1/min</source>
+        <translation>Drehzahl der Spindel, 1/min</translation>
+    </message>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>Vorschub, mm/min</translation>
+    </message>
+    <message>
+        <source>Feed per tooth instead, mm</source>
+        <translation>Stattdessen Vorschub je Zahn, mm</translation>
+    </message>
+    <message>
+        <source>Plunge feed, mm/min; 0: the share of the feed that the material states</source>
+        <translation>Eintauchvorschub, mm/min; 0: der Anteil am Vorschub, den der Werkstoff angibt</translation>
+    </message>
+    <message>
+        <source>Depth of a level, mm; 0: what material, tool and spindle can take</source>
+        <translation>Tiefe einer Ebene, mm; 0: was Werkstoff, Werkzeug und Spindel aushalten</translation>
+    </message>
+    <message>
+        <source>Distance between the loops of a level, mm; 0: a share of the diameter</source>
+        <translation>Abstand der Umläufe einer Ebene, mm; 0: ein Anteil des Durchmessers</translation>
+    </message>
+    <message>
+        <source>Coolant, or what the material advises</source>
+        <translation>Kühlmittel, oder was der Werkstoff empfiehlt</translation>
+    </message>
+    <message>
+        <source>Prefer it to the tool&apos;s other presets</source>
+        <translation>Sie den anderen Vorgaben des Werkzeugs vorziehen</translation>
+    </message>
+    <message>
+        <source>Delete the preset</source>
+        <translation>Die Vorgabe löschen</translation>
+    </message>
+    <message>
+        <source>The tool does not turn (scraper, planing blade): the models themselves cut, and the profile only keeps them out of the part</source>
+        <translation>Das Werkzeug dreht sich nicht (Schaber, Hobelmesser): die Modelle selbst schneiden, und das Profil hält sie nur vom Teil ab</translation>
+    </message>
+    <message>
+        <source>With --fixed: angle from X of the setup to X of the models, degrees, counterclockwise seen from above</source>
+        <translation>Mit --fixed: Winkel von X der Aufspannung zu X der Modelle in Grad, von oben gesehen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>List and show tools; copy, add and delete your own, and make them of models. Tools form libraries. Every tool states the source of its values</source>
+        <translation>Werkzeuge auflisten und zeigen; eigene kopieren, hinzufügen, löschen und aus Modellen machen. Werkzeuge bilden Bibliotheken. Jedes nennt die Quelle seiner Werte</translation>
+    </message>
+    <message>
+        <source>Tool library: all, starter (what Burin is shipped with), mine (your own tools that are in no other), or one that you have named (default: all; of new tools mine)</source>
+        <translation>Werkzeugbibliothek: all (alle), starter (die mitgelieferten), mine (eigene, die in keiner anderen sind) oder eine, die Sie benannt haben (Standard: all; für neue Werkzeuge mine)</translation>
+    </message>
+    <message>
+        <source>Fixture of the library: its kind, then where it would be clicked on, and sizes: &quot;step-clamp at=X,Y turn=DEGREES SIZE=MM&quot;; place=X,Y,Z moves its origin. Kinds and sizes: burin fixtures; may be repeated</source>
+        <translation>Vorrichtung der Bibliothek: ihre Art, dann wo sie angeklickt würde, und Maße: &quot;step-clamp at=X,Y turn=GRAD MASS=MM&quot;; place=X,Y,Z versetzt ihren Ursprung. Arten und Maße: burin fixtures; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Change a fixture of the library: &quot;NAME: SIZE=MM&quot;, with the same words; may be repeated</source>
+        <translation>Eine Vorrichtung der Bibliothek ändern: &quot;NAME: MASS=MM&quot;, mit denselben Wörtern; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>drill, thread: a hole at X,Y, mm, or by its number in &quot;info --json&quot;; can be given several times (default: every upright hole of the part that fits the drill, or has the diameter of the thread)</source>
+        <translation>drill, thread: eine Bohrung bei X,Y, mm, oder nach ihrer Nummer in „info --json“; mehrmals möglich (Vorgabe: jede senkrechte Bohrung des Teils, die zum Bohrer passt oder den Durchmesser des Gewindes hat)</translation>
+    </message>
+    <message>
+        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes have to be drawn at this diameter</source>
+        <translation>thread: metrische Größe, M3 bis M24 oder Durchmesser und Steigung, M8x1; die Bohrungen des Teils müssen mit diesem Durchmesser gezeichnet sein</translation>
+    </message>
+    <message>
+        <source>thread: pitch, mm</source>
+        <translation>thread: Steigung, mm</translation>
+    </message>
+    <message>
+        <source>thread: instead of --pitch: threads per inch</source>
+        <translation>thread: statt --pitch: Gänge je Zoll</translation>
+    </message>
+    <message>
+        <source>thread: major diameter, mm (default: that of each --hole)</source>
+        <translation>thread: Nenndurchmesser, mm (Vorgabe: der jeder --hole)</translation>
+    </message>
+    <message>
+        <source>thread: how often the tool follows the thread, deeper each time</source>
+        <translation>thread: wie oft das Werkzeug dem Gewinde folgt, jedes Mal tiefer</translation>
+    </message>
+    <message>
+        <source>thread: once more at full depth</source>
+        <translation>thread: noch einmal in voller Tiefe</translation>
+    </message>
+    <message>
+        <source>thread: left-handed</source>
+        <translation>thread: Linksgewinde</translation>
+    </message>
+    <message>
+        <source>thread: conventional instead of climb milling</source>
+        <translation>thread: Gegenlauf statt Gleichlauf</translation>
+    </message>
+    <message>
+        <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil (concave edges), rest (what is left), engrave, drill, thread</source>
+        <translation>Durchgang berechnen: levels (Schruppen), pocket (Tasche), profile (Kontur), face (Planfräsen), parallel, radial, spiral, flow (Bahnen, die --lead oder --lines folgen), waterline (Höhenlinien), scallop (gleichmäßiger Abstand), pencil (konkave Kanten), rest (Restmaterial), engrave (Gravieren), drill (Bohren), thread (Gewindefräsen)</translation>
+    </message>
+    <message>
+        <source>engrave, drill: depth below the top of the stock, mm; thread: below the top of its hole (default of drill and thread: to the bottom of the part&apos;s hole)</source>
+        <translation>engrave, drill: Tiefe unter der Oberkante des Rohteils, mm; thread: unter der Oberkante der Bohrung (Vorgabe bei drill und thread: bis zum Grund der Bohrung des Teils)</translation>
+    </message>
+    <message>
+        <source>Role of a body, or of all bodies of an assembly (by its path): BODY=part, stock, insert, protected-insert, fixture or ignored; may be repeated</source>
+        <translation>Rolle eines Körpers oder aller Körper einer Baugruppe (nach ihrem Pfad): KÖRPER=part, stock, insert, protected-insert, fixture oder ignored; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Material of a body, or of all bodies of an assembly: BODY=NAME; may be repeated</source>
+        <translation>Werkstoff eines Körpers oder aller Körper einer Baugruppe: KÖRPER=NAME; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>Unit of the model, whatever its file states: mm, cm, m, inch, foot, mil, a number of mm, or stated</source>
+        <translation>Einheit des Modells, was auch seine Datei angibt: mm, cm, m, inch, foot, mil, eine Zahl von mm oder stated</translation>
+    </message>
+    <message>
+        <source>Add tools of another program to your own: a Fusion library (*.tools, *.json), a FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC table (*.tbl). Several tools become a library that has the name of the file, or are put into --library, which need not exist yet. What can&apos;t be held is listed</source>
+        <translation>Werkzeuge eines anderen Programms zu Ihren eigenen hinzufügen: eine Fusion-Bibliothek (*.tools, *.json), eine FreeCAD-Bibliothek oder ein Werkzeug daraus (*.fctl, *.fctb), eine CAMotics-Tabelle (*.ctbl), eine LinuxCNC-Tabelle (*.tbl). Mehrere Werkzeuge werden zu einer Bibliothek, die wie die Datei heißt, oder kommen in die von --library, die es noch nicht geben muss. Was nicht übernommen werden kann, wird aufgezählt</translation>
+    </message>
+</context>
+<context>
+    <name>HoleWords</name>
+    <message>
+        <source>⌀ %1, %2 deep</source>
+        <translation>⌀ %1, %2 tief</translation>
+    </message>
+    <message>
+        <source>no hole of the part</source>
+        <translation>keine Bohrung des Teils</translation>
+    </message>
+    <message>
+        <source>%1 at X %2, Y %3</source>
+        <translation>%1 bei X %2, Y %3</translation>
     </message>
 </context>
 <context>
@@ -6869,6 +8164,34 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Colours are stored in another file, %1, and were not imported.</source>
         <translation>Farben stehen in einer anderen Datei, %1, und wurden nicht importiert.</translation>
+    </message>
+    <message>
+        <source>The file states the unit %1 (%2 mm); 1 unit = %3 mm was used instead.</source>
+        <translation>Die Datei gibt die Einheit %1 (%2 mm) an; stattdessen wurde 1 Einheit = %3 mm verwendet.</translation>
+    </message>
+    <message>
+        <source>1 face has a colour of its own, which is not shown: a body is shown in one colour.</source>
+        <translation>1 Fläche hat eine eigene Farbe, die nicht gezeigt wird: Ein Körper wird in einer Farbe gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1 faces have colours of their own, which are not shown: a body is shown in one colour.</source>
+        <translation>%1 Flächen haben eigene Farben, die nicht gezeigt werden: Ein Körper wird in einer Farbe gezeigt.</translation>
+    </message>
+    <message>
+        <source>The transparency of colours was not imported.</source>
+        <translation>Die Durchsichtigkeit von Farben wurde nicht importiert.</translation>
+    </message>
+    <message>
+        <source>Layers were not imported (number of layers: %1).</source>
+        <translation>Ebenen wurden nicht importiert (Anzahl der Ebenen: %1).</translation>
+    </message>
+    <message>
+        <source>Dimensions, tolerances and other annotations (PMI) were not imported (number of entries: %1).</source>
+        <translation>Maße, Toleranzen und andere Anmerkungen (PMI) wurden nicht importiert (Anzahl der Einträge: %1).</translation>
+    </message>
+    <message>
+        <source>Assembly %1</source>
+        <translation>Baugruppe %1</translation>
     </message>
 </context>
 <context>
@@ -7234,6 +8557,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>The library &quot;%1&quot; can&apos;t be used (%2); install %3.</source>
         <translation>Die Bibliothek „%1“ ist nicht verwendbar (%2); bitte %3 installieren.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would be %2 deep in the stock; move it, or change its sizes.</source>
+        <translation>„%1“ würde %2 tief im Rohteil stecken; verschieben Sie es, oder ändern Sie seine Maße.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not done, because an undo or redo is still under way; do it again in a moment.</source>
+        <translation>„%1“ wurde nicht ausgeführt, weil noch etwas rückgängig gemacht oder wiederholt wird; führen Sie es gleich noch einmal aus.</translation>
     </message>
 </context>
 <context>
@@ -7636,6 +8967,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>rpm</source>
         <translation>1/min</translation>
     </message>
+    <message>
+        <source>Spindle on in %1</source>
+        <translation>Spindel dreht in %1</translation>
+    </message>
+    <message>
+        <source>doesn&apos;t turn</source>
+        <translation>dreht sich nicht</translation>
+    </message>
 </context>
 <context>
     <name>Pass</name>
@@ -7750,6 +9089,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Drills the upright holes of the part that fit the drill, or at given places</source>
         <translation>Bohrt die senkrechten Bohrungen des Teils, die zum Bohrer passen, oder an angegebenen Stellen</translation>
+    </message>
+    <message>
+        <source>Thread milling</source>
+        <translation>Gewindefräsen</translation>
+    </message>
+    <message>
+        <source>Mills internal threads in drilled holes that the part has at the thread&apos;s major diameter</source>
+        <translation>Fräst Innengewinde in vorgebohrte Bohrungen, die das Teil mit dem Nenndurchmesser des Gewindes hat</translation>
     </message>
 </context>
 <context>
@@ -8549,6 +9896,34 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Lollipop mill 10 mm</source>
         <translation>Kugelkopffräser 6 mm {10 ?}</translation>
     </message>
+    <message>
+        <source>Thread mill M3 × 0.5</source>
+        <translation>Gewindefräser M3 × 0,5</translation>
+    </message>
+    <message>
+        <source>Thread mill M4 × 0.7</source>
+        <translation>Gewindefräser M4 × 0,7</translation>
+    </message>
+    <message>
+        <source>Thread mill M5 × 0.8</source>
+        <translation>Gewindefräser M5 × 0,8</translation>
+    </message>
+    <message>
+        <source>Thread mill M6 × 1</source>
+        <translation>Gewindefräser M6 × 1</translation>
+    </message>
+    <message>
+        <source>Thread mill M8 × 1.25</source>
+        <translation>Gewindefräser M8 × 1,25</translation>
+    </message>
+    <message>
+        <source>Thread mill M10 × 1.5</source>
+        <translation>Gewindefräser M10 × 1,5</translation>
+    </message>
+    <message>
+        <source>Thread mill M12 × 1.75</source>
+        <translation>Gewindefräser M12 × 1,75</translation>
+    </message>
 </context>
 <context>
     <name>RestartDialog</name>
@@ -9114,6 +10489,66 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>faces</source>
         <translation>Flächen</translation>
     </message>
+    <message>
+        <source>fixture of the library</source>
+        <translation>Vorrichtung der Bibliothek</translation>
+    </message>
+    <message>
+        <source>kind of fixture</source>
+        <translation>Art von Vorrichtung</translation>
+    </message>
+    <message>
+        <source>size of a fixture</source>
+        <translation>Maß einer Vorrichtung</translation>
+    </message>
+    <message>
+        <source>library</source>
+        <translation>Bibliothek</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>Gewinde</translation>
+    </message>
+    <message>
+        <source>a computed pass with a tool that doesn&apos;t turn</source>
+        <translation>einen berechneten Durchgang mit einem Werkzeug, das sich nicht dreht</translation>
+    </message>
+    <message>
+        <source>the virtual operator with a tool that doesn&apos;t turn</source>
+        <translation>den virtuellen Bediener mit einem Werkzeug, das sich nicht dreht</translation>
+    </message>
+    <message>
+        <source>a program for a tool that doesn&apos;t turn</source>
+        <translation>ein Programm für ein Werkzeug, das sich nicht dreht</translation>
+    </message>
+    <message>
+        <source>a tilted axis of a tool that doesn&apos;t turn</source>
+        <translation>eine geneigte Achse eines Werkzeugs, das sich nicht dreht</translation>
+    </message>
+    <message>
+        <source>gain of axis</source>
+        <translation>Verstärkung der Achse</translation>
+    </message>
+    <message>
+        <source>dead zone of axis</source>
+        <translation>Totzone der Achse</translation>
+    </message>
+    <message>
+        <source>rest of axis</source>
+        <translation>Ruhe der Achse</translation>
+    </message>
+    <message>
+        <source>buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>a path of a program for a tool that doesn&apos;t turn</source>
+        <translation>eine Bahn aus einem Programm für ein Werkzeug, das sich nicht dreht</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -9299,6 +10734,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>%1 N</source>
         <translation>%1 N</translation>
     </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Abweichung</translation>
+    </message>
 </context>
 <context>
     <name>ViewCube</name>
@@ -9456,6 +10895,151 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Esc: stop painting</source>
         <translation>Esc: Malen beenden</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AxisDialog</name>
+    <message>
+        <source>Axes and buttons: %1</source>
+        <translation>Achsen und Tasten: %1</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Stop calibrating</source>
+        <translation>Kalibrieren beenden</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Usual assignment</source>
+        <translation>Übliche Belegung</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>The device is not connected.</source>
+        <translation>Das Gerät ist nicht verbunden.</translation>
+    </message>
+    <message>
+        <source>The rest is being measured.</source>
+        <translation>Die Ruhe wird gemessen.</translation>
+    </message>
+    <message>
+        <source>Every axis was at both of its ends</source>
+        <translation>Jede Achse war an ihren beiden Enden</translation>
+    </message>
+    <message>
+        <source>Measure rest, noise and ends of the axes: two seconds at rest, then move</source>
+        <translation>Ruhe, Rauschen und Enden der Achsen messen: zwei Sekunden in Ruhe, dann bewegen</translation>
+    </message>
+    <message>
+        <source>Leave the device at rest for two seconds.</source>
+        <translation>Lassen Sie das Gerät zwei Sekunden in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Move every axis to both of its ends, then press Finish.</source>
+        <translation>Bewegen Sie jede Achse bis an ihre beiden Enden, dann drücken Sie „Fertig“.</translation>
+    </message>
+    <message>
+        <source>Connecting the device…</source>
+        <translation>Das Gerät wird verbunden …</translation>
+    </message>
+    <message>
+        <source>Move the device: each bar shows its axis, a dot the pressed buttons.</source>
+        <translation>Bewegen Sie das Gerät: Jeder Balken zeigt seine Achse, ein Punkt die gedrückten Tasten.</translation>
+    </message>
+    <message>
+        <source>Axes that were not moved before the measurement keep their rest and dead zone (%1); move every axis once first, then calibrate again.</source>
+        <translation>Achsen, die vor der Messung nicht bewegt wurden, behalten Ruhelage und Totzone (%1); bewegen Sie zuerst jede Achse einmal und kalibrieren Sie dann erneut.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AxisRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Messwert</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>Bewegt</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>Totzone</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>What this axis moves, as seen from the user</source>
+        <translation>Was diese Achse bewegt, vom Benutzer aus gesehen</translation>
+    </message>
+    <message>
+        <source>reversed</source>
+        <translation>umgekehrt</translation>
+    </message>
+    <message>
+        <source>The axis moves the other way</source>
+        <translation>Die Achse bewegt in die andere Richtung</translation>
+    </message>
+    <message>
+        <source>Share of the full motion at full deflection; more than 1 reaches it earlier</source>
+        <translation>Anteil der vollen Bewegung bei voller Auslenkung; mehr als 1 erreicht sie früher</translation>
+    </message>
+    <message>
+        <source>Share of the deflection from rest that has no effect</source>
+        <translation>Anteil der Auslenkung aus der Ruhe, der keine Wirkung hat</translation>
+    </message>
+    <message>
+        <source>Lower end, rest and upper end of the axis, % of its nominal range</source>
+        <translation>Unteres Ende, Ruhe und oberes Ende der Achse, % ihres Nennbereichs</translation>
+    </message>
+    <message>
+        <source>Button %1</source>
+        <translation>Taste %1</translation>
+    </message>
+    <message>
+        <source>What this button does while the device mills</source>
+        <translation>Was diese Taste tut, während das Gerät fräst</translation>
+    </message>
+    <message>
+        <source>%1 … %2 … %3 %</source>
+        <translation>%1 … %2 … %3 %</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AxisTuner</name>
+    <message>
+        <source>Reading the axes of %1</source>
+        <translation>Achsen von %1 werden gelesen</translation>
     </message>
 </context>
 <context>
@@ -9984,6 +11568,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Pan, zoom and rotate the view with this device, beside the stylus. Its first button fits the view. While it moves the tool, the view stays</source>
         <translation>Verschiebt, zoomt und dreht die Ansicht mit diesem Gerät, neben dem Stylus. Seine erste Taste zeigt alles. Solange es das Werkzeug bewegt, bleibt die Ansicht stehen</translation>
     </message>
+    <message>
+        <source>Axes and buttons…</source>
+        <translation>Achsen und Tasten …</translation>
+    </message>
+    <message>
+        <source>Stop the test first.</source>
+        <translation>Beenden Sie zuerst den Test.</translation>
+    </message>
+    <message>
+        <source>What the axes and buttons of a gamepad, joystick, tablet or 3D mouse do, and their calibration</source>
+        <translation>Was die Achsen und Tasten eines Gamepads, Joysticks, Grafiktabletts oder einer 3D-Maus tun, und ihre Kalibrierung</translation>
+    </message>
 </context>
 <context>
     <name>burin::DeviceTester</name>
@@ -10247,6 +11843,84 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Share of the face&apos;s points where a gouge deeper than the tolerance is marked. Each position of the tool marks the point that is nearest to its deepest one, so more of the face may be cut into</source>
         <translation>Anteil der Punkte der Fläche, an denen eine Konturverletzung tiefer als die Toleranz vermerkt ist. Jede Stellung des Werkzeugs vermerkt den Punkt, der ihrem tiefsten am nächsten liegt; verletzt sein kann also mehr von der Fläche</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FixtureDialog</name>
+    <message>
+        <source>Click the stock or the table in the view, or drag, to place it. In the view, the arrow keys move it by 1 mm (Shift: 0.1 mm, Ctrl: 10 mm), R rotates it by 15° (Shift: 90°), Enter accepts it.</source>
+        <translation>Klicken Sie in der Ansicht auf das Rohteil oder den Tisch, oder ziehen Sie, um sie zu platzieren. In der Ansicht verschieben die Pfeiltasten sie um 1 mm (Umschalt: 0,1 mm, Strg: 10 mm), R dreht sie um 15° (Umschalt: 90°), die Eingabetaste übernimmt sie.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Kind of fixture of the library</source>
+        <translation>Art der Vorrichtung aus der Bibliothek</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Origin of the fixture, from program zero</source>
+        <translation>Ursprung der Vorrichtung, vom Programmnullpunkt aus</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>About Z, through its origin</source>
+        <translation>Um Z durch ihren Ursprung</translation>
+    </message>
+    <message>
+        <source>Rotate it about Z</source>
+        <translation>Um Z drehen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>Nichts ändern</translation>
+    </message>
+    <message>
+        <source>Change a fixture</source>
+        <translation>Vorrichtung ändern</translation>
+    </message>
+    <message>
+        <source>Add a fixture</source>
+        <translation>Vorrichtung hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 X, Y, Z, in %2</source>
+        <translation>%1 X, Y, Z in %2</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Change the fixture of the setup</source>
+        <translation>Die Vorrichtung der Aufspannung ändern</translation>
+    </message>
+    <message>
+        <source>Add the fixture to the setup</source>
+        <translation>Die Vorrichtung zur Aufspannung hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FixturePlacer</name>
+    <message>
+        <source>Esc: cancel placing the fixture</source>
+        <translation>Esc: Platzieren der Vorrichtung abbrechen</translation>
     </message>
 </context>
 <context>
@@ -10611,6 +12285,50 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Ends the stroke, then stops milling.</source>
         <translation>Beendet den Zug, dann das Fräsen.</translation>
     </message>
+    <message>
+        <source>Right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Opens the menu of a point of the path.</source>
+        <translation>Öffnet das Menü eines Punktes der Bahn.</translation>
+    </message>
+    <message>
+        <source>Click, left drag</source>
+        <translation>Klick, links ziehen</translation>
+    </message>
+    <message>
+        <source>Places the fixture on the stock, or on the table beside it.</source>
+        <translation>Platziert die Vorrichtung auf dem Rohteil oder auf dem Tisch daneben.</translation>
+    </message>
+    <message>
+        <source>Move it by 1 mm; with Shift by 0.1 mm, with Ctrl by 10 mm.</source>
+        <translation>Verschieben sie um 1 mm; mit Umschalt um 0,1 mm, mit Strg um 10 mm.</translation>
+    </message>
+    <message>
+        <source>Raise and lower it, by the same steps.</source>
+        <translation>Heben und senken sie in denselben Schritten.</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Rotates it by 15°; with Shift by 90°.</source>
+        <translation>Dreht sie um 15°; mit Umschalt um 90°.</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Adds it to the setup.</source>
+        <translation>Fügt sie zur Aufspannung hinzu.</translation>
+    </message>
+    <message>
+        <source>Cancels placing.</source>
+        <translation>Bricht das Platzieren ab.</translation>
+    </message>
 </context>
 <context>
     <name>burin::HandPanel</name>
@@ -10756,6 +12474,43 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>No topic contains these words.</source>
         <translation>Kein Thema enthält diese Wörter.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::HolePicker</name>
+    <message>
+        <source>Esc or Enter: back to the pass</source>
+        <translation>Esc oder Eingabe: zurück zum Durchgang</translation>
+    </message>
+</context>
+<context>
+    <name>burin::HolePresenter</name>
+    <message>
+        <source>There is no round upright hole. Click the wall of a hole, or into it.</source>
+        <translation>Dort ist keine runde senkrechte Bohrung. Klicken Sie die Wand einer Bohrung an, oder hinein.</translation>
+    </message>
+    <message>
+        <source>Click the holes of the pass; a second click removes a hole. Enter or Esc goes back to the pass.</source>
+        <translation>Klicken Sie die Bohrungen des Durchgangs an; ein zweiter Klick entfernt eine. Eingabe oder Esc führt zum Durchgang zurück.</translation>
+    </message>
+    <message>
+        <source>Removed: %1.</source>
+        <translation>Entfernt: %1.</translation>
+    </message>
+    <message>
+        <source>Picked: %1.</source>
+        <translation>Gewählt: %1.</translation>
+    </message>
+    <message>
+        <source>1 hole is picked.</source>
+        <translation>1 Bohrung ist gewählt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes are picked.</source>
+        <translation>
+            <numerusform>%n Bohrung ist gewählt.</numerusform>
+            <numerusform>%n Bohrungen sind gewählt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11795,6 +13550,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>%n Durchgänge wechseln das Kühlmittel; das erste außer „aus“ gilt nun jeweils für den ganzen Durchgang.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>View of part and workpiece</source>
+        <translation>Ansicht von Teil und Werkstück</translation>
+    </message>
+    <message>
+        <source>“%1” is in use: the change was made there.</source>
+        <translation>„%1“ ist in Gebrauch: Die Änderung wurde dort gemacht.</translation>
+    </message>
+    <message>
+        <source>Placing a fixture</source>
+        <translation>Vorrichtung platzieren</translation>
+    </message>
+    <message>
+        <source>The tool “%1” is in the library. It doesn&apos;t turn: its models cut, and their profile keeps them out of the part.</source>
+        <translation>Das Werkzeug „%1“ ist in der Bibliothek. Es dreht sich nicht: seine Modelle schneiden, und ihr Profil hält sie vom Teil ab.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -12326,6 +14097,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>copy of a take</source>
         <translation>Kopie einer Aufnahme</translation>
     </message>
+    <message>
+        <source>take without strokes</source>
+        <translation>Aufnahme ohne Züge</translation>
+    </message>
 </context>
 <context>
     <name>burin::MillPanel</name>
@@ -12532,6 +14307,34 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Depth of the hand in the part, against its push-back</source>
         <translation>Tiefe der Hand im Teil, gegen die Gegenkraft</translation>
     </message>
+    <message>
+        <source>The tool is as deep as the pressure&apos;s share of the depth of cut, or of the press into the part</source>
+        <translation>Das Werkzeug ist so tief wie der Anteil des Drucks an der Zustellung oder am Eindrücken in das Teil</translation>
+    </message>
+    <message>
+        <source>The tool sinks from the surface to the depth of cut, the faster the harder the pen presses</source>
+        <translation>Das Werkzeug sinkt von der Oberfläche auf die Zustellung, umso schneller, je stärker der Stift drückt</translation>
+    </message>
+    <message>
+        <source>Sinking speed</source>
+        <translation>Sinkgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed at which the tool sinks at full pressure of the pen</source>
+        <translation>Geschwindigkeit, mit der das Werkzeug bei vollem Druck des Stifts sinkt</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Sinking</source>
+        <translation>Sinken</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>Stift</translation>
+    </message>
 </context>
 <context>
     <name>burin::MillPresenter</name>
@@ -12574,6 +14377,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Strokes are locked to their direction. Press D to unlock.</source>
         <translation>Züge sind auf ihre Richtung festgelegt. D gibt sie frei.</translation>
+    </message>
+    <message>
+        <source>The tool axis is fixed, so the pen&apos;s tilt has no effect. Choose the axis “free, with the hand” in the step Stock to lean the tool.</source>
+        <translation>Die Werkzeugachse ist fest, die Neigung des Stifts hat keine Wirkung. Wählen Sie im Schritt Rohteil die Achse „frei, mit der Hand“, um das Werkzeug zu neigen.</translation>
     </message>
 </context>
 <context>
@@ -12628,6 +14435,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>mirrored part</source>
         <translation>gespiegeltes Teil</translation>
+    </message>
+    <message>
+        <source>colour of bodies</source>
+        <translation>Farbe von Körpern</translation>
     </message>
 </context>
 <context>
@@ -12731,6 +14542,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>A fixture is a solid object; a keep-out volume has to stay clear of the tool</source>
         <translation>Eine Vorrichtung ist ein fester Körper; ein Sperrraum muss vom Werkzeug frei bleiben</translation>
     </message>
+    <message>
+        <source>Change its sizes and its position</source>
+        <translation>Ihre Maße und ihre Lage ändern</translation>
+    </message>
+    <message>
+        <source>From the library: %1. It is %2 deep in the stock; change its position or size.</source>
+        <translation>Aus der Bibliothek: %1. Sie steckt %2 tief im Rohteil; ändern Sie Lage oder Maße.</translation>
+    </message>
+    <message>
+        <source>From the library: %1</source>
+        <translation>Aus der Bibliothek: %1</translation>
+    </message>
 </context>
 <context>
     <name>burin::PartPanel</name>
@@ -12831,6 +14654,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The CAD solid that is to be made. STEP keeps the exact surfaces, a mesh (STL, 3MF, OBJ) has only triangles.</source>
         <translation>Der CAD-Körper, der entstehen soll. STEP enthält die genauen Flächen, ein Netz (STL, 3MF, OBJ) nur Dreiecke.</translation>
+    </message>
+    <message>
+        <source>Size as stated</source>
+        <translation>Größe laut Datei</translation>
+    </message>
+    <message>
+        <source>Choosing another unit than the stated one reads the file again: the part gets another size.</source>
+        <translation>Eine andere als die angegebene Einheit zu wählen liest die Datei neu: Das Teil bekommt eine andere Größe.</translation>
+    </message>
+    <message>
+        <source>Not imported</source>
+        <translation>Nicht importiert</translation>
     </message>
 </context>
 <context>
@@ -12981,6 +14816,38 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Upright holes of the part: %1</source>
         <translation>Senkrechte Bohrungen des Teils: %1</translation>
+    </message>
+    <message>
+        <source>Picked holes</source>
+        <translation>Gewählte Bohrungen</translation>
+    </message>
+    <message>
+        <source>The holes of this pass, in the coordinates of the setup; Del removes one</source>
+        <translation>Die Bohrungen dieses Durchgangs, in den Koordinaten der Aufspannung; Entf entfernt eine</translation>
+    </message>
+    <message>
+        <source>Pick holes…</source>
+        <translation>Bohrungen wählen…</translation>
+    </message>
+    <message>
+        <source>Click holes of the part in the view; a second click removes a hole</source>
+        <translation>Bohrungen des Teils in der Ansicht anklicken; ein zweiter Klick entfernt eine</translation>
+    </message>
+    <message>
+        <source>All that fit</source>
+        <translation>Alle passenden</translation>
+    </message>
+    <message>
+        <source>Forget the picked holes: the pass uses every hole of the part that fits</source>
+        <translation>Die gewählten Bohrungen vergessen: Der Durchgang nimmt jede passende Bohrung des Teils</translation>
+    </message>
+    <message>
+        <source>Choose a thread, or enter its pitch.</source>
+        <translation>Wählen Sie ein Gewinde, oder geben Sie seine Steigung ein.</translation>
+    </message>
+    <message>
+        <source>Enter the diameter of the thread, or pick its holes.</source>
+        <translation>Geben Sie den Durchmesser des Gewindes ein, oder wählen Sie seine Bohrungen.</translation>
     </message>
 </context>
 <context>
@@ -13149,6 +15016,70 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Cuts into the inner corners of the area, so that a part with square corners fits</source>
         <translation>Schneidet in die Innenecken des Bereichs, damit ein Teil mit scharfen Ecken hineinpasst</translation>
     </message>
+    <message>
+        <source>Pitch</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring crests of the thread; 25.4 mm divided by the threads per inch</source>
+        <translation>Abstand benachbarter Gewindespitzen; 25,4 mm geteilt durch die Gänge je Zoll</translation>
+    </message>
+    <message>
+        <source>Major diameter</source>
+        <translation>Nenndurchmesser</translation>
+    </message>
+    <message>
+        <source>Of the thread; the part&apos;s holes have to be drawn at this diameter. 0: that of each picked hole</source>
+        <translation>Des Gewindes; die Bohrungen des Teils müssen mit diesem Durchmesser gezeichnet sein. 0: der jeder gewählten Bohrung</translation>
+    </message>
+    <message>
+        <source>Length of the thread below the top of its hole. 0: as far as each hole is open and drilled</source>
+        <translation>Länge des Gewindes unter der Oberkante seiner Bohrung. 0: so weit jede Bohrung offen und vorgebohrt ist</translation>
+    </message>
+    <message>
+        <source>other thread</source>
+        <translation>anderes Gewinde</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>Gewinde</translation>
+    </message>
+    <message>
+        <source>Metric thread of coarse pitch, ISO 261</source>
+        <translation>Metrisches Regelgewinde, ISO 261</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>How often the tool follows the thread, deeper each time</source>
+        <translation>Wie oft das Werkzeug dem Gewinde folgt, jedes Mal tiefer</translation>
+    </message>
+    <message>
+        <source>Spring pass</source>
+        <translation>Leerschnitt</translation>
+    </message>
+    <message>
+        <source>Follows the thread once more at full depth</source>
+        <translation>Folgt dem Gewinde noch einmal in voller Tiefe</translation>
+    </message>
+    <message>
+        <source>Left-handed</source>
+        <translation>Linksgewinde</translation>
+    </message>
+    <message>
+        <source>Left-handed instead of right-handed thread</source>
+        <translation>Linksgewinde statt Rechtsgewinde</translation>
+    </message>
+    <message>
+        <source>Conventional milling</source>
+        <translation>Gegenlauf</translation>
+    </message>
+    <message>
+        <source>Conventional instead of climb milling: right-hand threads are cut from the top down</source>
+        <translation>Gegenlauf statt Gleichlauf: Rechtsgewinde werden von oben nach unten geschnitten</translation>
+    </message>
 </context>
 <context>
     <name>burin::PassMeasurer</name>
@@ -13235,6 +15166,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>take out of the path</source>
         <translation>Aufnahme aus der Bahn</translation>
+    </message>
+    <message>
+        <source>inserted point</source>
+        <translation>eingefügter Punkt</translation>
     </message>
 </context>
 <context>
@@ -13427,16 +15362,24 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Diesen Durchgang vor dem darüber fräsen</translation>
     </message>
     <message>
-        <source>Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool</source>
-        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur, Bohren oder Gravieren mit dem geladenen Werkzeug berechnen</translation>
-    </message>
-    <message>
         <source>One hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
         <translation>Eine Bohrung wird nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
     </message>
     <message>
         <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
         <translation>%1 Bohrungen werden nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
+    </message>
+    <message>
+        <source>Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool</source>
+        <translation>Schruppen, Schlichten, eine Tasche, eine Kontur, Bohren, Gewinde oder Gravieren mit dem geladenen Werkzeug berechnen</translation>
+    </message>
+    <message>
+        <source>One hole is left without a thread: it is not drilled deep enough, or the part is in the way.</source>
+        <translation>Eine Bohrung bleibt ohne Gewinde: Sie ist nicht tief genug vorgebohrt, oder das Teil ist im Weg.</translation>
+    </message>
+    <message>
+        <source>%1 holes are left without a thread: they are not drilled deep enough, or the part is in the way.</source>
+        <translation>%1 Bohrungen bleiben ohne Gewinde: Sie sind nicht tief genug vorgebohrt, oder das Teil ist im Weg.</translation>
     </message>
 </context>
 <context>
@@ -13460,6 +15403,29 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Stock left on 99 % of the reachable part: at most %1 (most: %2).</source>
         <translation>Auf 99 % des erreichbaren Teils bleibt höchstens %1 Material (größter Wert: %2).</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PathScenePresenter</name>
+    <message>
+        <source>&amp;Insert a point here</source>
+        <translation>Hier einen Punkt &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a point into the path here. Drag it to move it; the stroke follows it smoothly.</source>
+        <translation>Hier einen Punkt in die Bahn einfügen. Ziehen Sie ihn, um ihn zu verschieben; der Zug folgt ihm glatt.</translation>
+    </message>
+    <message>
+        <source>Show this &amp;moment</source>
+        <translation>Diesen &amp;Zeitpunkt zeigen</translation>
+    </message>
+    <message>
+        <source>Go to the time on the timeline at which this point was milled.</source>
+        <translation>Auf der Zeitleiste zu der Zeit gehen, zu der dieser Punkt gefräst wurde.</translation>
+    </message>
+    <message>
+        <source>Computed point</source>
+        <translation>Berechneter Punkt</translation>
     </message>
 </context>
 <context>
@@ -13530,6 +15496,125 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Close this window.</source>
         <translation>Dieses Fenster schließen.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PresetTable</name>
+    <message>
+        <source>Add a preset</source>
+        <translation>Vorgabe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Feeds and speeds for one material, or for any</source>
+        <translation>Schnittwerte für einen Werkstoff oder für jeden</translation>
+    </message>
+    <message>
+        <source>any material</source>
+        <translation>jeder Werkstoff</translation>
+    </message>
+    <message>
+        <source>%1 (not available)</source>
+        <translation>%1 (nicht vorhanden)</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Material of the stock that the preset is for</source>
+        <translation>Werkstoff des Rohteils, für den die Vorgabe gilt</translation>
+    </message>
+    <message>
+        <source>by material</source>
+        <translation>nach Werkstoff</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>mist</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>flood</source>
+        <translation>Schwall</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>Kühlung</translation>
+    </message>
+    <message>
+        <source>Coolant that paths with this preset use</source>
+        <translation>Kühlmittel, das Bahnen mit dieser Vorgabe verwenden</translation>
+    </message>
+    <message>
+        <source>Prefer preset %1 to the one before it</source>
+        <translation>Vorgabe %1 der davor vorziehen</translation>
+    </message>
+    <message>
+        <source>Delete preset %1</source>
+        <translation>Vorgabe %1 löschen</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>0: by the feed per tooth</source>
+        <translation>0: nach dem Vorschub je Zahn</translation>
+    </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>Vorschub je Zahn</translation>
+    </message>
+    <message>
+        <source>0: by the feed</source>
+        <translation>0: nach dem Vorschub</translation>
+    </message>
+    <message>
+        <source>Plunge feed</source>
+        <translation>Eintauchvorschub</translation>
+    </message>
+    <message>
+        <source>0: the share of the feed that the material states</source>
+        <translation>0: der Anteil am Vorschub, den der Werkstoff angibt</translation>
+    </message>
+    <message>
+        <source>Step-down</source>
+        <translation>Zustellung</translation>
+    </message>
+    <message>
+        <source>Depth of a level, at most the deepest cut. 0: what material, tool and spindle can take</source>
+        <translation>Tiefe einer Ebene, höchstens der tiefste Schnitt. 0: was Werkstoff, Werkzeug und Spindel aushalten</translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>Zeilenabstand</translation>
+    </message>
+    <message>
+        <source>Between the loops of a level, at most half the diameter. 0: a share of the diameter</source>
+        <translation>Zwischen den Umläufen einer Ebene, höchstens der halbe Durchmesser. 0: ein Anteil des Durchmessers</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Name of the preset, different from those of the tool&apos;s other presets</source>
+        <translation>Name der Vorgabe, verschieden von denen der anderen Vorgaben des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Speed of the spindle at which the feed applies</source>
+        <translation>Spindeldrehzahl, bei der der Vorschub gilt</translation>
     </message>
 </context>
 <context>
@@ -14122,6 +16207,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Draw it in the view; Esc cancels</source>
         <translation>Zeichnen Sie ihn in der Ansicht; Esc bricht ab</translation>
     </message>
+    <message>
+        <source>Timeline: not in this path</source>
+        <translation>Zeitleiste: nicht in dieser Bahn</translation>
+    </message>
+    <message>
+        <source>The path has no point that was milled at %1</source>
+        <translation>Die Bahn hat keinen Punkt, der zu dieser Zeit gefräst wurde: %1</translation>
+    </message>
+    <message>
+        <source>Timeline: X %1, Y %2, Z %3</source>
+        <translation>Zeitleiste: X %1, Y %2, Z %3</translation>
+    </message>
+    <message>
+        <source>Point of the path at the time on the timeline, from program zero: %1</source>
+        <translation>Punkt der Bahn zur Zeit auf der Zeitleiste, ab Programmnullpunkt: %1</translation>
+    </message>
 </context>
 <context>
     <name>burin::SetupController</name>
@@ -14176,6 +16277,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Examining the face</source>
         <translation>Die Fläche wird untersucht</translation>
+    </message>
+    <message>
+        <source>role of bodies</source>
+        <translation>Rolle von Körpern</translation>
     </message>
 </context>
 <context>
@@ -14342,6 +16447,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Setup %1</source>
         <translation>Aufspannung %1</translation>
+    </message>
+    <message>
+        <source>further setup</source>
+        <translation>weitere Aufspannung</translation>
+    </message>
+    <message>
+        <source>name of a setup</source>
+        <translation>Name einer Aufspannung</translation>
+    </message>
+    <message>
+        <source>deletion of a setup</source>
+        <translation>Löschen einer Aufspannung</translation>
+    </message>
+    <message>
+        <source>stock of another setup</source>
+        <translation>Rohteil aus einer anderen Aufspannung</translation>
     </message>
 </context>
 <context>
@@ -15077,6 +17198,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>machine&apos;s travel</source>
         <translation>Verfahrweg der Maschine</translation>
     </message>
+    <message>
+        <source>fixture renamed</source>
+        <translation>Vorrichtung umbenannt</translation>
+    </message>
 </context>
 <context>
     <name>burin::SurroundingsPanel</name>
@@ -15196,6 +17321,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Kind to add</source>
         <translation>Art des Neuen</translation>
     </message>
+    <message>
+        <source>Fixture from the library…</source>
+        <translation>Vorrichtung aus Bibliothek…</translation>
+    </message>
+</context>
+<context>
+    <name>burin::TakeDeviations</name>
+    <message>
+        <source>Computing the deviation of the takes</source>
+        <translation>Abweichung der Aufnahmen wird berechnet</translation>
+    </message>
 </context>
 <context>
     <name>burin::TakeList</name>
@@ -15298,6 +17434,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::TimePresenter</name>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung läuft</translation>
+    </message>
+</context>
+<context>
     <name>burin::TimelinePanel</name>
     <message>
         <source>Cutting force on the tool.</source>
@@ -15363,6 +17506,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Select the curves to draw.</source>
         <translation>Wählt die Kurven, die gezeichnet werden.</translation>
     </message>
+    <message>
+        <source>Distance of the tool from the part; negative: the tool is in the part. Distances above 5 mm are drawn as 5 mm.</source>
+        <translation>Abstand des Werkzeugs vom Teil; negativ: Das Werkzeug ist im Teil. Abstände über 5 mm werden als 5 mm gezeichnet.</translation>
+    </message>
 </context>
 <context>
     <name>burin::TimelineView</name>
@@ -15410,6 +17557,15 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>%1: %2, reference: %3</source>
         <translation>%1: %2, Referenz: %3</translation>
     </message>
+    <message>
+        <source>The selected point was computed: no take has it</source>
+        <translation>Der gewählte Punkt ist berechnet: keine Aufnahme enthält ihn</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>lowest and highest value</comment>
+        <translation>%1 bis %2</translation>
+    </message>
 </context>
 <context>
     <name>burin::ToolController</name>
@@ -15440,6 +17596,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>import of tools</source>
         <translation>Import von Werkzeugen</translation>
+    </message>
+    <message>
+        <source>new tool library</source>
+        <translation>neue Werkzeugbibliothek</translation>
+    </message>
+    <message>
+        <source>moving a tool to another library</source>
+        <translation>Verschieben eines Werkzeugs in eine andere Bibliothek</translation>
+    </message>
+    <message>
+        <source>name of a tool library</source>
+        <translation>Name einer Werkzeugbibliothek</translation>
+    </message>
+    <message>
+        <source>deleting a tool library</source>
+        <translation>Löschen einer Werkzeugbibliothek</translation>
     </message>
 </context>
 <context>
@@ -15501,10 +17673,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Exportieren…</translation>
     </message>
     <message>
-        <source>Write this tool for FreeCAD (.fctb), or all for LinuxCNC (.tbl)</source>
-        <translation>Dieses Werkzeug für FreeCAD (.fctb) schreiben, oder alle für LinuxCNC (.tbl)</translation>
-    </message>
-    <message>
         <source>Written to “%1”.</source>
         <translation>Nach „%1“ geschrieben.</translation>
     </message>
@@ -15516,16 +17684,64 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>A recording is running; end it first.</source>
         <translation>Eine Aufzeichnung läuft; beenden Sie sie zuerst.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n tools were added.</source>
-        <translation>
-            <numerusform>%n Werkzeug wurde hinzugefügt.</numerusform>
-            <numerusform>%n Werkzeuge wurden hinzugefügt.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Check the stick-out, holder and limits of each tool; other programs may not store them.</source>
         <translation>Prüfen Sie Auskragung, Halter und Grenzen jedes Werkzeugs; andere Programme speichern sie oft nicht.</translation>
+    </message>
+    <message>
+        <source>Move or copy to…</source>
+        <translation>Verschieben oder kopieren…</translation>
+    </message>
+    <message>
+        <source>Put this tool, or a copy of it, into another library</source>
+        <translation>Dieses Werkzeug oder eine Kopie davon in eine andere Bibliothek legen</translation>
+    </message>
+    <message>
+        <source>Write this tool for FreeCAD (.fctb), or the listed library for FreeCAD (.fctl), LinuxCNC (.tbl), Fusion (.tools) or CAMotics (.ctbl)</source>
+        <translation>Dieses Werkzeug für FreeCAD (.fctb) schreiben oder die aufgelistete Bibliothek für FreeCAD (.fctl), LinuxCNC (.tbl), Fusion (.tools) oder CAMotics (.ctbl)</translation>
+    </message>
+    <message>
+        <source>This library is empty. Copy or move tools into it, or add them from a file.</source>
+        <translation>Diese Bibliothek ist leer. Kopieren oder verschieben Sie Werkzeuge hinein, oder fügen Sie welche aus einer Datei hinzu.</translation>
+    </message>
+    <message>
+        <source>A preset has no name; enter one.</source>
+        <translation>Eine Vorgabe hat keinen Namen; geben Sie einen ein.</translation>
+    </message>
+    <message>
+        <source>Two presets are called “%1”; rename one of them.</source>
+        <translation>Zwei Vorgaben heißen „%1“; benennen Sie eine davon um.</translation>
+    </message>
+    <message>
+        <source>The preset “%1” needs a speed, and a feed or a feed per tooth.</source>
+        <translation>Die Vorgabe „%1“ braucht eine Drehzahl und einen Vorschub oder Vorschub je Zahn.</translation>
+    </message>
+    <message>
+        <source>Your own tool, in the library “%1”.</source>
+        <translation>Ihr eigenes Werkzeug, in der Bibliothek „%1“.</translation>
+    </message>
+    <message>
+        <source>Move to “%1”</source>
+        <translation>Nach „%1“ verschieben</translation>
+    </message>
+    <message>
+        <source>Copy to “%1”</source>
+        <translation>Nach „%1“ kopieren</translation>
+    </message>
+    <message>
+        <source>Copy to a new library…</source>
+        <translation>In eine neue Bibliothek kopieren…</translation>
+    </message>
+    <message>
+        <source>This library is empty: there is nothing to export.</source>
+        <translation>Diese Bibliothek ist leer: Es gibt nichts zu exportieren.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tools were added to the library “%1”.</source>
+        <translation>
+            <numerusform>%n Werkzeug wurde der Bibliothek „%1“ hinzugefügt.</numerusform>
+            <numerusform>%n Werkzeuge wurden der Bibliothek „%1“ hinzugefügt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15789,6 +18005,92 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Per tooth</source>
         <translation>Je Zahn</translation>
     </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Of a tool that doesn&apos;t turn, about its axis: from X of the setup to X of its models, counterclockwise seen from above</source>
+        <translation>Eines Werkzeugs, das sich nicht dreht, um seine Achse: von X der Aufspannung zu X seiner Modelle, von oben gesehen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Feeds and speeds</source>
+        <translation>Schnittwerte</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Feeds and speeds of your own. The first preset for the stock&apos;s material is used, without one the first for any material, without one the values that the material states</source>
+        <translation>Eigene Schnittwerte. Verwendet wird die erste Vorgabe für den Werkstoff des Rohteils, ohne eine solche die erste für jeden Werkstoff, sonst die Werte des Werkstoffs</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ToolLibraryBar</name>
+    <message>
+        <source>All tools</source>
+        <translation>Alle Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Starter library</source>
+        <translation>Mitgelieferte Bibliothek</translation>
+    </message>
+    <message>
+        <source>My tools</source>
+        <translation>Meine Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Tool library</source>
+        <translation>Werkzeugbibliothek</translation>
+    </message>
+    <message>
+        <source>The tool library whose tools are listed</source>
+        <translation>Die Werkzeugbibliothek, deren Werkzeuge aufgelistet sind</translation>
+    </message>
+    <message>
+        <source>New tool library</source>
+        <translation>Neue Werkzeugbibliothek</translation>
+    </message>
+    <message>
+        <source>Rename this library</source>
+        <translation>Diese Bibliothek umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete this library and its tools</source>
+        <translation>Diese Bibliothek und ihre Werkzeuge löschen</translation>
+    </message>
+    <message>
+        <source>Choose a library that you have named yourself.</source>
+        <translation>Wählen Sie eine Bibliothek, die Sie selbst benannt haben.</translation>
+    </message>
+    <message>
+        <source>Rename the tool library</source>
+        <translation>Werkzeugbibliothek umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete the empty library “%1”?</source>
+        <translation>Die leere Bibliothek „%1“ löschen?</translation>
+    </message>
+    <message>
+        <source>Delete the library “%1” and its tool?</source>
+        <translation>Die Bibliothek „%1“ und ihr Werkzeug löschen?</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete the library “%1” and its %n tools?</source>
+        <translation>
+            <numerusform>Die Bibliothek „%1“ und ihr %n Werkzeug löschen?</numerusform>
+            <numerusform>Die Bibliothek „%1“ und ihre %n Werkzeuge löschen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Undo brings them back. Projects keep the tools that they use.</source>
+        <translation>Rückgängig bringt sie zurück. Projekte behalten die Werkzeuge, die sie verwenden.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
 </context>
 <context>
     <name>burin::ToolPanel</name>
@@ -15875,16 +18177,24 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>%n Aufnahmen wurden mit diesem Werkzeug gefräst</numerusform>
         </translation>
     </message>
+    <message>
+        <source>This tool doesn&apos;t turn: it cuts as its model sweeps, upright and in a fixed direction. It has no feeds, passes or programs.</source>
+        <translation>Dieses Werkzeug dreht sich nicht: es schneidet, was sein Modell überstreicht, aufrecht und in fester Richtung. Es hat keine Vorschübe, Durchgänge oder Programme.</translation>
+    </message>
+    <message>
+        <source>By the preset “%1” of this tool.</source>
+        <translation>Nach der Vorgabe „%1“ dieses Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>By the preset “%1” of this tool; the plunge feed by the material.</source>
+        <translation>Nach der Vorgabe „%1“ dieses Werkzeugs; der Eintauchvorschub nach dem Werkstoff.</translation>
+    </message>
 </context>
 <context>
     <name>burin::ToolShapeDialog</name>
     <message>
         <source>Tool from models</source>
         <translation>Werkzeug aus Modellen</translation>
-    </message>
-    <message>
-        <source>The tool cuts what its flutes sweep while the spindle turns. Models have their axis along +Z, through the origin, towards the holder; their lowest point becomes the tip. Teeth, limits and holder are those of “%1”.</source>
-        <translation>Das Werkzeug schneidet, was seine Schneiden überstreichen, während die Spindel dreht. Die Achse der Modelle liegt längs +Z, durch den Ursprung, zum Halter hin; ihr tiefster Punkt wird die Spitze. Zähne, Grenzen und Halter sind die von „%1“.</translation>
     </message>
     <message>
         <source>Flutes</source>
@@ -15958,6 +18268,34 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>One or more closed bodies: STEP, IGES, BREP, or a mesh</source>
         <translation>Ein oder mehrere geschlossene Körper: STEP, IGES, BREP oder ein Netz</translation>
     </message>
+    <message>
+        <source>Turns with the spindle</source>
+        <translation>Dreht sich mit der Spindel</translation>
+    </message>
+    <message>
+        <source>Doesn&apos;t turn: scraper, planing blade</source>
+        <translation>Dreht sich nicht: Schaber, Hobelmesser</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>A tool that doesn&apos;t turn cuts as its models sweep; their profile only keeps them out of the part</source>
+        <translation>Ein Werkzeug, das sich nicht dreht, schneidet, was seine Modelle überstreichen; ihr Profil hält sie nur vom Teil ab</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>About the axis: from X of the setup to X of the models, counterclockwise seen from above</source>
+        <translation>Um die Achse: von X der Aufspannung zu X der Modelle, von oben gesehen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>A tool that turns cuts what its flutes sweep with the spindle; one that doesn&apos;t turn cuts what its models sweep. Models have their axis along +Z, through the origin, towards the holder; their lowest point becomes the tip. Teeth, limits and holder are those of “%1”.</source>
+        <translation>Ein drehendes Werkzeug schneidet, was seine Schneiden mit der Spindel überstreichen; eines, das nicht dreht, was seine Modelle überstreichen. Die Achse der Modelle liegt längs +Z, durch den Ursprung, zum Halter hin; ihr tiefster Punkt wird die Spitze. Zähne, Grenzen und Halter sind die von „%1“.</translation>
+    </message>
 </context>
 <context>
     <name>burin::TorqueTable</name>
@@ -16015,10 +18353,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Part</source>
         <translation>Teil</translation>
-    </message>
-    <message>
-        <source>Tick: shown in the view.</source>
-        <translation>Häkchen: in der Ansicht gezeigt.</translation>
     </message>
     <message>
         <source>Fixtures and keep-out volumes</source>
@@ -16128,38 +18462,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Die Aufspannung löschen, wenn in ihr nichts aufgenommen wurde.</translation>
     </message>
     <message>
-        <source>&amp;Show</source>
-        <translation>&amp;Zeigen</translation>
-    </message>
-    <message>
-        <source>&amp;Hide</source>
-        <translation>&amp;Ausblenden</translation>
-    </message>
-    <message>
-        <source>Draw this body again.</source>
-        <translation>Diesen Körper wieder zeichnen.</translation>
-    </message>
-    <message>
-        <source>Do not draw this body; nothing else changes.</source>
-        <translation>Diesen Körper nicht zeichnen; sonst ändert sich nichts.</translation>
-    </message>
-    <message>
-        <source>Show this one &amp;alone</source>
-        <translation>&amp;Nur diesen zeigen</translation>
-    </message>
-    <message>
-        <source>Hide all other bodies.</source>
-        <translation>Alle anderen Körper ausblenden.</translation>
-    </message>
-    <message>
-        <source>Show a&amp;ll</source>
-        <translation>A&amp;lle zeigen</translation>
-    </message>
-    <message>
-        <source>Draw all bodies again.</source>
-        <translation>Alle Körper wieder zeichnen.</translation>
-    </message>
-    <message>
         <source>Delete it from the setup.</source>
         <translation>Aus der Aufspannung löschen.</translation>
     </message>
@@ -16176,8 +18478,24 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Diesen Durchgang löschen.</translation>
     </message>
     <message>
-        <source>Right click: switch it off and on, move, duplicate, rename or delete it.</source>
-        <translation>Rechtsklick: aus- und einschalten, verschieben, duplizieren, umbenennen oder löschen.</translation>
+        <source>Drag: move it. Right click: switch it off and on, move, duplicate, rename or delete it.</source>
+        <translation>Ziehen: verschieben. Rechtsklick: aus- und einschalten, verschieben, duplizieren, umbenennen oder löschen.</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>Ä&amp;ndern…</translation>
+    </message>
+    <message>
+        <source>Change its sizes and its position.</source>
+        <translation>Ihre Maße und ihre Lage ändern.</translation>
+    </message>
+    <message>
+        <source>Rename it.</source>
+        <translation>Umbenennen.</translation>
+    </message>
+    <message>
+        <source>Rename the fixture</source>
+        <translation>Vorrichtung umbenennen</translation>
     </message>
 </context>
 <context>
@@ -16412,6 +18730,21 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>From the sample part to a checked program: Burin shows what to press next.</source>
         <translation>Vom Beispielteil zum geprüften Programm: Burin zeigt, was als Nächstes zu drücken ist.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::Workbench</name>
+    <message>
+        <source>unit of the part</source>
+        <translation>Einheit des Teils</translation>
+    </message>
+    <message>
+        <source>updated part</source>
+        <translation>aktualisiertes Teil</translation>
+    </message>
+    <message>
+        <source>import of a part</source>
+        <translation>Import eines Teils</translation>
     </message>
 </context>
 <context>

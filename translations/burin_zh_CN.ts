@@ -676,10 +676,6 @@
         <translation>每次走刀的长度、时间、空切比例和吃刀量，以及留下的残料。</translation>
     </message>
     <message>
-        <source>Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool.</source>
-        <translation>用已装载的刀具计算粗加工、精加工、型腔、轮廓、钻孔或雕刻。</translation>
-    </message>
-    <message>
         <source>De&amp;vices…</source>
         <translation>设备(&amp;V)…</translation>
     </message>
@@ -883,6 +879,34 @@
         <source>Dupl&amp;icate the take</source>
         <translation>复制录制(&amp;I)</translation>
     </message>
+    <message>
+        <source>A&amp;dd a fixture…</source>
+        <translation>添加夹具(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Place a vise, clamp, screw, parallels or plate of the library by the mouse; the tool keeps clear of it.</source>
+        <translation>用鼠标放置夹具库中的虎钳、压板、螺钉、平行垫铁或底板；刀具会避开它。</translation>
+    </message>
+    <message>
+        <source>Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool.</source>
+        <translation>用当前刀具计算粗加工、精加工、型腔、轮廓、钻孔、螺纹或雕刻。</translation>
+    </message>
+    <message>
+        <source>Pick &amp;holes for a pass</source>
+        <translation>为走刀选择孔(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Click holes of the part for drilling or thread milling with the loaded tool.</source>
+        <translation>单击零件上的孔，用当前刀具钻孔或铣螺纹。</translation>
+    </message>
+    <message>
+        <source>Insert a &amp;point</source>
+        <translation>插入点(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Insert a point where the path is selected. Drag it in the view to move it; the stroke follows it smoothly.</source>
+        <translation>在刀路所选处插入一点。在视图中拖动可移动它；笔画平滑地跟随。</translation>
+    </message>
 </context>
 <context>
     <name>Argument</name>
@@ -937,6 +961,102 @@
     <message>
         <source>FLUTES</source>
         <translation>刃部</translation>
+    </message>
+</context>
+<context>
+    <name>BodyMenu</name>
+    <message>
+        <source>Draw this body again.</source>
+        <translation>重新绘制此实体。</translation>
+    </message>
+    <message>
+        <source>Draw these bodies again.</source>
+        <translation>重新绘制这些实体。</translation>
+    </message>
+    <message>
+        <source>Do not draw this body; nothing else changes.</source>
+        <translation>不绘制此实体；其他不变。</translation>
+    </message>
+    <message>
+        <source>Do not draw these bodies; nothing else changes.</source>
+        <translation>不绘制这些实体；其他不变。</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>显示(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>隐藏(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Show this one &amp;alone</source>
+        <translation>仅显示此项(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Show these &amp;alone</source>
+        <translation>仅显示这些(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Hide all other bodies.</source>
+        <translation>隐藏其他所有实体。</translation>
+    </message>
+    <message>
+        <source>Show a&amp;ll</source>
+        <translation>全部显示(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Draw all bodies again.</source>
+        <translation>重新绘制所有实体。</translation>
+    </message>
+    <message>
+        <source>&amp;Role</source>
+        <translation>角色(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Recordings depend on the roles of bodies.</source>
+        <translation>录制依赖于实体的角色。</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>%1 的颜色</translation>
+    </message>
+    <message>
+        <source>&amp;Colour…</source>
+        <translation>颜色(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Choose the colour in which the view shows it.</source>
+        <translation>选择视图中显示所用的颜色。</translation>
+    </message>
+    <message>
+        <source>&amp;Without a colour of its own</source>
+        <translation>不用自己的颜色(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show it in the colour of parts without a colour.</source>
+        <translation>以没有颜色的零件的颜色显示。</translation>
+    </message>
+</context>
+<context>
+    <name>BodyRows</name>
+    <message>
+        <source>Tick: shown in the view.</source>
+        <translation>勾选：在视图中显示。</translation>
+    </message>
+    <message>
+        <source>several roles</source>
+        <translation>多种角色</translation>
+    </message>
+    <message>
+        <source>1 body. Tick: shown in the view.</source>
+        <translation>1 个实体。勾选：在视图中显示。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n bodies. Tick: shown in the view.</source>
+        <translation>
+            <numerusform>%n 个实体。勾选：在视图中显示。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2168,6 +2288,166 @@
         <source>The coolant changes within %1 passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
         <translation>%1 个走刀中途改变冷却；每个走刀整体采用其第一种非关闭的冷却。</translation>
     </message>
+    <message>
+        <source>assembly %2: %1 body, %3 mm^3</source>
+        <translation>装配体 %2：%1个实体，%3 mm^3</translation>
+    </message>
+    <message>
+        <source>assembly %2: %1 bodies, %3 mm^3</source>
+        <translation>装配体 %2：%1个实体，%3 mm^3</translation>
+    </message>
+    <message>
+        <source>body     %1: %2</source>
+        <translation>实体     %1：%2</translation>
+    </message>
+    <message>
+        <source>N=MOTION[,reversed][,gain=G][,dead=SHARE] with N from 1 to %1 and one of the motions %2</source>
+        <translation>N=运动[,reversed][,gain=G][,dead=比例]，N 为 1 至 %1，运动为以下之一：%2</translation>
+    </message>
+    <message>
+        <source>N=ACTION with N from 1 to %1 and one of the actions %2</source>
+        <translation>N=动作，N 为 1 至 %1，动作为以下之一：%2</translation>
+    </message>
+    <message>
+        <source>Leave the device at rest.</source>
+        <translation>请勿触碰设备。</translation>
+    </message>
+    <message>
+        <source>Move every axis to both of its ends.</source>
+        <translation>将每个轴移动到两端。</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm (%3 to %4; %5), or as the stock needs it</source>
+        <translation>%1：%2 mm（%3 至 %4；%5），或随毛坯而定</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm (%3 to %4; %5)</source>
+        <translation>%1：%2 mm（%3 至 %4；%5）</translation>
+    </message>
+    <message>
+        <source>%1 hole is left without a thread: it is not drilled deep enough, or the part is in the way. Drill it first.</source>
+        <translation>%1 个孔未铣螺纹：孔钻得不够深，或有零件阻挡。请先钻孔。</translation>
+    </message>
+    <message>
+        <source>%1 holes are left without a thread: they are not drilled deep enough, or the part is in the way. Drill them first.</source>
+        <translation>%1 个孔未铣螺纹：孔钻得不够深，或有零件阻挡。请先钻孔。</translation>
+    </message>
+    <message>
+        <source>Measuring</source>
+        <translation>正在测量</translation>
+    </message>
+    <message>
+        <source>take %1 %2: there is no part to measure to</source>
+        <translation>录制 %1 %2：没有可供测量的零件</translation>
+    </message>
+    <message>
+        <source>take %1 %2: the tool is %3 to %4 mm from the part</source>
+        <translation>录制 %1 %2：刀具距零件 %3 到 %4 mm</translation>
+    </message>
+    <message>
+        <source>library &quot;%1&quot;:</source>
+        <translation>刀具库“%1”：</translation>
+    </message>
+    <message>
+        <source>%2: %1 tool</source>
+        <translation>%2：%1 把刀具</translation>
+    </message>
+    <message>
+        <source>%2: %1 tools</source>
+        <translation>%2：%1 把刀具</translation>
+    </message>
+    <message>
+        <source>library &quot;%1&quot; added</source>
+        <translation>已新建刀具库“%1”</translation>
+    </message>
+    <message>
+        <source>library &quot;%1&quot; is called &quot;%2&quot; now</source>
+        <translation>刀具库“%1”现名为“%2”</translation>
+    </message>
+    <message>
+        <source>an empty library, or --with-tools to delete its tools</source>
+        <translation>空的刀具库，或用 --with-tools 删除其中的刀具</translation>
+    </message>
+    <message>
+        <source>library &quot;%2&quot; and %1 tool removed</source>
+        <translation>已删除刀具库“%2”和 %1 把刀具</translation>
+    </message>
+    <message>
+        <source>library &quot;%2&quot; and %1 tools removed</source>
+        <translation>已删除刀具库“%2”和 %1 把刀具</translation>
+    </message>
+    <message>
+        <source>mine, or a library of your own</source>
+        <translation>mine，或您自己的刀具库</translation>
+    </message>
+    <message>
+        <source>a tool of your own, or --copy</source>
+        <translation>您自己的刀具，或使用 --copy</translation>
+    </message>
+    <message>
+        <source>%1: in the library &quot;%2&quot;</source>
+        <translation>%1：在刀具库“%2”中</translation>
+    </message>
+    <message>
+        <source>%1 (%2): %3 1/min, %4 mm/min</source>
+        <translation>%1（%2）：%3 1/min，%4 mm/min</translation>
+    </message>
+    <message>
+        <source>any material</source>
+        <translation>任意材料</translation>
+    </message>
+    <message>
+        <source>no value, unless --fixed states that the tool does not turn</source>
+        <translation>不给值，除非用 --fixed 说明刀具不旋转</translation>
+    </message>
+    <message>
+        <source>does not turn: the models cut and touch the stock, with X at %1 degrees from X of the setup; the profile keeps them out of the part</source>
+        <translation>不旋转：模型本身切削并接触毛坯，其 X 与装夹的 X 成 %1 度；轮廓把它们挡在零件之外</translation>
+    </message>
+    <message>
+        <source>at=X,Y in mm</source>
+        <translation>at=X,Y（mm）</translation>
+    </message>
+    <message>
+        <source>place=X,Y,Z in mm</source>
+        <translation>place=X,Y,Z（mm）</translation>
+    </message>
+    <message>
+        <source>turn=DEGREES</source>
+        <translation>turn=度数</translation>
+    </message>
+    <message>
+        <source>a size and its length in mm: SIZE=MM</source>
+        <translation>尺寸及其长度（mm）：尺寸=毫米</translation>
+    </message>
+    <message>
+        <source>X,Y in mm, or the number of a hole of the part, 1 to %1</source>
+        <translation>X,Y（mm），或零件孔的编号，1 至 %1</translation>
+    </message>
+    <message>
+        <source>stated   unit %1: %2</source>
+        <translation>注明     单位%1：%2</translation>
+    </message>
+    <message>
+        <source>#RRGGBB, such as #3070c0</source>
+        <translation>#RRGGBB，例如 #3070c0</translation>
+    </message>
+    <message>
+        <source>mm, cm, dm, m, km, µm, inch, foot, yard, mil, stated, or mm per unit from 0.000001 to 1000000</source>
+        <translation>mm、cm、dm、m、km、µm、inch、foot、yard、mil、stated，或每单位的毫米数（0.000001 至 1000000）</translation>
+    </message>
+    <message>
+        <source>Axes that were not moved before the measurement keep their rest and dead zone (%1); move every axis once first, then calibrate again.</source>
+        <translation>测量前未移动过的轴保留其静止位置和死区（%1）；请先将每个轴移动一次，然后重新校准。</translation>
+    </message>
+    <message>
+        <source>already deleted: %1</source>
+        <translation>已删除：%1</translation>
+    </message>
+    <message>
+        <source>already in the library: %1</source>
+        <translation>已在库中：%1</translation>
+    </message>
 </context>
 <context>
     <name>Detail</name>
@@ -3312,20 +3592,12 @@
         <translation>必须存在，大于 0 且小于直径的一半</translation>
     </message>
     <message>
-        <source>*.fctb, *.tbl or *.json</source>
-        <translation>*.fctb、*.tbl 或 *.json</translation>
-    </message>
-    <message>
         <source>The bit has no TipAngle; 118° is used.</source>
         <translation>刀具文件没有 TipAngle；采用 118°。</translation>
     </message>
     <message>
         <source>1 to 1000: it is the pocket, too</source>
         <translation>1 到 1000：它也是刀库的刀位号</translation>
-    </message>
-    <message>
-        <source>one; several go into *.tbl, *.tools or *.ctbl</source>
-        <translation>一把；多把存入 *.tbl、*.tools 或 *.ctbl</translation>
     </message>
     <message>
         <source>another library (%1)</source>
@@ -3362,10 +3634,6 @@
     <message>
         <source>Limits and strength are those of %1: enter your own.</source>
         <translation>限值和强度取自%1：应输入实际值。</translation>
-    </message>
-    <message>
-        <source>Feed and speed presets were not imported.</source>
-        <translation>未导入进给和转速预设。</translation>
     </message>
     <message>
         <source>Expressions were not imported, only the numbers.</source>
@@ -3743,6 +4011,230 @@
         <source>at most %1 1/min, the limit of the tool %2</source>
         <translation>不超过 %1 1/min，即刀具 %2 的极限</translation>
     </message>
+    <message>
+        <source>a tool that turns</source>
+        <translation>旋转的刀具</translation>
+    </message>
+    <message>
+        <source>no feeds, and links at the safe height without ramps: the tool doesn&apos;t turn</source>
+        <translation>不设进给，且在安全高度连接、不用斜坡：该刀具不旋转</translation>
+    </message>
+    <message>
+        <source>profile: the tool doesn&apos;t turn</source>
+        <translation>profile：该刀具不旋转</translation>
+    </message>
+    <message>
+        <source>%1 to %2 triangles</source>
+        <translation>%1 到 %2 个三角形</translation>
+    </message>
+    <message>
+        <source>triangles of the vertices that are there</source>
+        <translation>由已有顶点构成的三角形</translation>
+    </message>
+    <message>
+        <source>inside the profile: make the tool from its models anew</source>
+        <translation>在轮廓之内：请由模型重新生成刀具</translation>
+    </message>
+    <message>
+        <source>inside the shank: make the tool from its models anew</source>
+        <translation>在刀杆之内：请由模型重新生成刀具</translation>
+    </message>
+    <message>
+        <source>the height of the model of the shank</source>
+        <translation>刀杆模型的高度</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot; was left out: no material can be called &quot;%2&quot;.</source>
+        <translation>已略去预设“%1”：材料不能以“%2”命名。</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot; is for &quot;%2&quot;, a material that Burin does not have: choose its material.</source>
+        <translation>预设“%1”适用于“%2”，Burin 没有这种材料：请为其选择材料。</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot;: the step-down of %2 mm was left out, as the tool allows %3 mm.</source>
+        <translation>预设“%1”：已略去 %2 mm 的每层切深，因为刀具只允许 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot;: the step-over of %2 mm was left out, as the tool allows %3 mm.</source>
+        <translation>预设“%1”：已略去 %2 mm 的行距，因为刀具只允许 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot; was left out: %2 has to be %3.</source>
+        <translation>已略去预设“%1”：%2 必须为：%3。</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot; is for one operation (%2): Burin uses it for all passes.</source>
+        <translation>预设“%1”只适用于一种操作（%2）：Burin 将其用于所有走刀。</translation>
+    </message>
+    <message>
+        <source>Preset &quot;%1&quot;: its remarks were not imported.</source>
+        <translation>预设“%1”：未导入其备注。</translation>
+    </message>
+    <message>
+        <source>Coolant &quot;%1&quot; of a preset was not imported.</source>
+        <translation>未导入预设的冷却方式“%1”。</translation>
+    </message>
+    <message>
+        <source>Feeds of presets for ramps, leads and transitions were not imported.</source>
+        <translation>未导入预设中用于斜坡、切入切出和过渡的进给。</translation>
+    </message>
+    <message>
+        <source>Presets of feeds and speeds can&apos;t be stored in this format.</source>
+        <translation>此格式无法保存进给和转速预设。</translation>
+    </message>
+    <message>
+        <source>Step-down, step-over and coolant of presets have no place in a bit.</source>
+        <translation>FreeCAD 刀头无法保存预设的每层切深、行距和冷却方式。</translation>
+    </message>
+    <message>
+        <source>%1: FreeCAD does not support this shape.</source>
+        <translation>%1：FreeCAD 不支持此形状。</translation>
+    </message>
+    <message>
+        <source>Holder and limits have no place in a FreeCAD library and were left out.</source>
+        <translation>FreeCAD 刀具库无法保存刀柄和限值，已略去。</translation>
+    </message>
+    <message>
+        <source>The bits are in the folder Bit next to the library. FreeCAD finds them if the library itself is in a folder Library next to that folder.</source>
+        <translation>刀头在刀具库旁的 Bit 文件夹中。若刀具库本身位于该文件夹旁的 Library 文件夹中，FreeCAD 就能找到它们。</translation>
+    </message>
+    <message>
+        <source>one; several go into *.fctl, *.tbl, *.tools or *.ctbl</source>
+        <translation>一把；多把请写入 *.fctl、*.tbl、*.tools 或 *.ctbl</translation>
+    </message>
+    <message>
+        <source>*.fctl, *.fctb, *.tbl, *.tools, *.ctbl or *.json</source>
+        <translation>*.fctl、*.fctb、*.tbl、*.tools、*.ctbl 或 *.json</translation>
+    </message>
+    <message>
+        <source>a short line of text other than all, starter and mine, without spaces around it</source>
+        <translation>一行简短文字，不能是 all、starter 或 mine，首尾无空格</translation>
+    </message>
+    <message>
+        <source>mine, or a library of your own</source>
+        <translation>mine，或您自己的刀具库</translation>
+    </message>
+    <message>
+        <source>a name that no library has yet</source>
+        <translation>尚无刀具库使用的名称</translation>
+    </message>
+    <message>
+        <source>there if chip_load_mm is not, and left out if it is</source>
+        <translation>若无 chip_load_mm 则必须有，若有则须略去</translation>
+    </message>
+    <message>
+        <source>at most maximum_depth_of_cut_mm (%1)</source>
+        <translation>至多为 maximum_depth_of_cut_mm（%1）</translation>
+    </message>
+    <message>
+        <source>at most half of diameter_mm (%1)</source>
+        <translation>至多为 diameter_mm 的一半（%1）</translation>
+    </message>
+    <message>
+        <source>one line of text that is not empty</source>
+        <translation>一行非空文字</translation>
+    </message>
+    <message>
+        <source>a name that no other preset of the tool has</source>
+        <translation>该刀具的其他预设未使用的名称</translation>
+    </message>
+    <message>
+        <source>a moment that the path still has</source>
+        <translation>刀路中仍存在的时刻</translation>
+    </message>
+    <message>
+        <source>take %1, tick %2</source>
+        <translation>录制%1，周期%2</translation>
+    </message>
+    <message>
+        <source>pass %1, tick %2</source>
+        <translation>走刀%1，周期%2</translation>
+    </message>
+    <message>
+        <source>the part has no upright hole of the thread&apos;s major diameter there</source>
+        <translation>零件在那里没有直径等于螺纹大径的竖直孔</translation>
+    </message>
+    <message>
+        <source>a round upright hole of the part</source>
+        <translation>零件上的竖直圆孔</translation>
+    </message>
+    <message>
+        <source>a hole that the part has at the major diameter, %1 mm, and not at %2 mm</source>
+        <translation>零件中按大径 %1 mm（而非 %2 mm）建模的孔</translation>
+    </message>
+    <message>
+        <source>a model whose facets are at most %1 mm inside of that hole&apos;s circle</source>
+        <translation>面片位于该孔圆内侧不超过 %1 mm 的模型</translation>
+    </message>
+    <message>
+        <source>a thread mill of at most %1 mm for that hole</source>
+        <translation>用于该孔、直径不超过 %1 mm 的螺纹铣刀</translation>
+    </message>
+    <message>
+        <source>a thread mill with one tooth for a pitch of %1 mm</source>
+        <translation>适用于螺距 %1 mm 的单齿螺纹铣刀</translation>
+    </message>
+    <message>
+        <source>a thread mill with a neck of at most %1 mm</source>
+        <translation>颈部直径不超过 %1 mm 的螺纹铣刀</translation>
+    </message>
+    <message>
+        <source>a thread mill</source>
+        <translation>螺纹铣刀</translation>
+    </message>
+    <message>
+        <source>a drill</source>
+        <translation>钻头</translation>
+    </message>
+    <message>
+        <source>0 for a thread</source>
+        <translation>螺纹为 0</translation>
+    </message>
+    <message>
+        <source>above 0, or the holes of the thread</source>
+        <translation>大于 0，或指定螺纹的孔</translation>
+    </message>
+    <message>
+        <source>below half of the diameter</source>
+        <translation>小于直径的一半</translation>
+    </message>
+    <message>
+        <source>%1 mm or more, with the other sizes of this fixture</source>
+        <translation>在此夹具的其他尺寸下不小于 %1 mm</translation>
+    </message>
+    <message>
+        <source>a value for each parameter</source>
+        <translation>每个参数一个值</translation>
+    </message>
+    <message>
+        <source>a finite angle</source>
+        <translation>有限的角度</translation>
+    </message>
+    <message>
+        <source>a length of %1 to %2 mm</source>
+        <translation>%1 至 %2 mm 的长度</translation>
+    </message>
+    <message>
+        <source>a device with axes to assign</source>
+        <translation>轴可以分配的设备</translation>
+    </message>
+    <message>
+        <source>one button or more that mills</source>
+        <translation>至少有一个按钮用于铣削</translation>
+    </message>
+    <message>
+        <source>low end, rest and high end in ascending order, from -4 to 4</source>
+        <translation>下端、静止位置和上端按升序排列，范围为 -4 至 4</translation>
+    </message>
+    <message>
+        <source>the holes are not drilled as deep as the thread: drill them first, with the full diameter down to Z %1 mm in the coordinates of the setup</source>
+        <translation>孔没有钻到螺纹的深度：请先钻孔，全直径钻至装夹坐标系的 Z %1 mm</translation>
+    </message>
+    <message>
+        <source>above %1 and at most %2 mm for the hole at %3, %4</source>
+        <translation>对于位于 %3, %4 的孔，须大于 %1 mm 且不超过 %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -3797,6 +4289,98 @@
     <message>
         <source>set by Burin</source>
         <translation>由 Burin 设定</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>向右</translation>
+    </message>
+    <message>
+        <source>towards the user</source>
+        <translation>朝向用户</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>向下</translation>
+    </message>
+    <message>
+        <source>tilt back and forth</source>
+        <translation>前后倾斜</translation>
+    </message>
+    <message>
+        <source>tilt sideways</source>
+        <translation>左右倾斜</translation>
+    </message>
+    <message>
+        <source>twist</source>
+        <translation>扭转</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>RX</source>
+        <translation>RX</translation>
+    </message>
+    <message>
+        <source>RY</source>
+        <translation>RY</translation>
+    </message>
+    <message>
+        <source>RZ</source>
+        <translation>RZ</translation>
+    </message>
+    <message>
+        <source>hat X</source>
+        <translation>苦力帽 X</translation>
+    </message>
+    <message>
+        <source>hat Y</source>
+        <translation>苦力帽 Y</translation>
+    </message>
+    <message>
+        <source>throttle</source>
+        <translation>节流阀</translation>
+    </message>
+    <message>
+        <source>rudder</source>
+        <translation>方向舵</translation>
+    </message>
+    <message>
+        <source>wheel</source>
+        <translation>滚轮</translation>
+    </message>
+    <message>
+        <source>gas</source>
+        <translation>油门</translation>
+    </message>
+    <message>
+        <source>position to the right</source>
+        <translation>位置（向右）</translation>
+    </message>
+    <message>
+        <source>position away from the user</source>
+        <translation>位置（远离用户）</translation>
+    </message>
+    <message>
+        <source>pressure</source>
+        <translation>压力</translation>
+    </message>
+    <message>
+        <source>tilt to the right</source>
+        <translation>倾斜（向右）</translation>
+    </message>
+    <message>
+        <source>tilt away from the user</source>
+        <translation>倾斜（远离用户）</translation>
     </message>
 </context>
 <context>
@@ -3980,6 +4564,86 @@
         <source>Rotation: %1°</source>
         <translation>旋转：%1°</translation>
     </message>
+    <message>
+        <source>nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>X, right</source>
+        <translation>X，向右</translation>
+    </message>
+    <message>
+        <source>Y, away</source>
+        <translation>Y，远离用户</translation>
+    </message>
+    <message>
+        <source>Z, up</source>
+        <translation>Z，向上</translation>
+    </message>
+    <message>
+        <source>A, about X</source>
+        <translation>A，绕 X</translation>
+    </message>
+    <message>
+        <source>B, about Y</source>
+        <translation>B，绕 Y</translation>
+    </message>
+    <message>
+        <source>C, about Z</source>
+        <translation>C，绕 Z</translation>
+    </message>
+    <message>
+        <source>mill</source>
+        <translation>铣削</translation>
+    </message>
+    <message>
+        <source>lift</source>
+        <translation>抬刀</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>clutch</source>
+        <translation>离合</translation>
+    </message>
+    <message>
+        <source>recentre</source>
+        <translation>回中</translation>
+    </message>
+    <message>
+        <source>level above</source>
+        <translation>上一层</translation>
+    </message>
+    <message>
+        <source>level below</source>
+        <translation>下一层</translation>
+    </message>
+    <message>
+        <source>nearest edge</source>
+        <translation>最近的边</translation>
+    </message>
+    <message>
+        <source>fit the view</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>%1: %2, reversed; gain %3; dead zone %4 %; range %5 … %6 … %7 %</source>
+        <translation>%1：%2，反向；增益 %3；死区 %4 %；范围 %5 … %6 … %7 %</translation>
+    </message>
+    <message>
+        <source>%1: %2; gain %3; dead zone %4 %; range %5 … %6 … %7 %</source>
+        <translation>%1：%2；增益 %3；死区 %4 %；范围 %5 … %6 … %7 %</translation>
+    </message>
+    <message>
+        <source>button %1: %2</source>
+        <translation>按钮 %1：%2</translation>
+    </message>
 </context>
 <context>
     <name>Edit</name>
@@ -4122,6 +4786,10 @@
     <message>
         <source>Spindle and coolant</source>
         <translation>主轴与冷却液</translation>
+    </message>
+    <message>
+        <source>Insert a point</source>
+        <translation>插入点</translation>
     </message>
 </context>
 <context>
@@ -4844,6 +5512,42 @@
         <source>Of these strokes, if the machine has it</source>
         <translation>这些笔画的冷却液，前提是机床具备</translation>
     </message>
+    <message>
+        <source>smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>尖角</translation>
+    </message>
+    <message>
+        <source>The point is inserted here. Select a point of the path first</source>
+        <translation>在此处插入该点。请先选择刀路上的一点</translation>
+    </message>
+    <message>
+        <source>Farther along</source>
+        <translation>继续前行</translation>
+    </message>
+    <message>
+        <source>Distance along the stroke from that position to the point</source>
+        <translation>沿笔画从该位置到该点的距离</translation>
+    </message>
+    <message>
+        <source>Displacement of the point from the stroke</source>
+        <translation>该点相对笔画的位移</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <translation>过渡长度</translation>
+    </message>
+    <message>
+        <source>The stroke follows the point within this length on either side; 0: the point alone moves</source>
+        <translation>笔画在两侧此长度内跟随该点；0：只移动该点</translation>
+    </message>
+    <message>
+        <source>How the stroke leads to the point: in a smooth curve, or in straight lines to a corner</source>
+        <translation>笔画如何通向该点：以平滑曲线，或以直线形成尖角</translation>
+    </message>
 </context>
 <context>
     <name>EmbeddingWords</name>
@@ -5019,10 +5723,6 @@
         <translation>刀具 (*.json *.tools *.fctb *.fctl *.ctbl *.tbl);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Tools for other programs (*.fctb *.tbl *.tools *.ctbl *.json)</source>
-        <translation>供其他程序使用的刀具 (*.fctb *.tbl *.tools *.ctbl *.json)</translation>
-    </message>
-    <message>
         <source>Drawing</source>
         <translation>图纸</translation>
     </message>
@@ -5062,6 +5762,10 @@
         <source>Tables (*.csv)</source>
         <translation>表格 (*.csv)</translation>
     </message>
+    <message>
+        <source>Tools for other programs (*.fctl *.fctb *.tbl *.tools *.ctbl *.json)</source>
+        <translation>供其他程序使用的刀具 (*.fctl *.fctb *.tbl *.tools *.ctbl *.json)</translation>
+    </message>
 </context>
 <context>
     <name>FileUnits</name>
@@ -5080,6 +5784,14 @@
     <message>
         <source>m</source>
         <translation>m</translation>
+    </message>
+    <message>
+        <source>%1 (stated)</source>
+        <translation>%1（文件注明）</translation>
+    </message>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1（假定）</translation>
     </message>
 </context>
 <context>
@@ -5183,6 +5895,10 @@
     <message>
         <source>use a spindle speed within the machine&apos;s range</source>
         <translation>使用机床范围内的主轴转速</translation>
+    </message>
+    <message>
+        <source>stop the spindle before this move, and hold it: the tool doesn&apos;t turn</source>
+        <translation>在此移动之前停止并锁住主轴：该刀具不旋转</translation>
     </message>
 </context>
 <context>
@@ -5323,6 +6039,10 @@
         <source>holder_near_obstacle</source>
         <translation>刀柄靠近障碍物</translation>
     </message>
+    <message>
+        <source>spindle_on</source>
+        <translation>主轴旋转</translation>
+    </message>
 </context>
 <context>
     <name>FirstJob</name>
@@ -5421,6 +6141,385 @@
     <message>
         <source>Click “%1” at the top of the window.</source>
         <translation>点击窗口上方的“%1”。</translation>
+    </message>
+</context>
+<context>
+    <name>Fixture</name>
+    <message>
+        <source>estimate</source>
+        <translation>估计值</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>开口</translation>
+    </message>
+    <message>
+        <source>Distance between the jaws: the width of the stock</source>
+        <translation>钳口之间的距离：毛坯的宽度</translation>
+    </message>
+    <message>
+        <source>Depth of grip</source>
+        <translation>夹持深度</translation>
+    </message>
+    <message>
+        <source>Height of the stock that is between the jaws</source>
+        <translation>毛坯位于钳口之间的高度</translation>
+    </message>
+    <message>
+        <source>Jaw width</source>
+        <translation>钳口宽度</translation>
+    </message>
+    <message>
+        <source>Length of the jaws along the stock</source>
+        <translation>钳口沿毛坯的长度</translation>
+    </message>
+    <message>
+        <source>Jaw height</source>
+        <translation>钳口高度</translation>
+    </message>
+    <message>
+        <source>From the bed of the vise to the top of the jaws</source>
+        <translation>从虎钳导轨面到钳口顶面</translation>
+    </message>
+    <message>
+        <source>Jaw depth</source>
+        <translation>钳口厚度</translation>
+    </message>
+    <message>
+        <source>Thickness of each jaw in the direction of clamping</source>
+        <translation>每个钳口沿夹紧方向的厚度</translation>
+    </message>
+    <message>
+        <source>Body width</source>
+        <translation>本体宽度</translation>
+    </message>
+    <message>
+        <source>Width of the body, in the direction of the jaws</source>
+        <translation>本体沿钳口方向的宽度</translation>
+    </message>
+    <message>
+        <source>Body height</source>
+        <translation>本体高度</translation>
+    </message>
+    <message>
+        <source>From the table to the bed of the vise</source>
+        <translation>从工作台到虎钳导轨面</translation>
+    </message>
+    <message>
+        <source>Spindle length</source>
+        <translation>丝杠长度</translation>
+    </message>
+    <message>
+        <source>How far body and spindle reach out behind the movable jaw</source>
+        <translation>本体和丝杠在活动钳口后方伸出的长度</translation>
+    </message>
+    <message>
+        <source>Clamping height</source>
+        <translation>夹紧高度</translation>
+    </message>
+    <message>
+        <source>From the table to the lower side of the bar</source>
+        <translation>从工作台到压板下表面</translation>
+    </message>
+    <message>
+        <source>Bar length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Length of the bar</source>
+        <translation>压板的长度</translation>
+    </message>
+    <message>
+        <source>Bar width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Width of the bar</source>
+        <translation>压板的宽度</translation>
+    </message>
+    <message>
+        <source>Bar thickness</source>
+        <translation>厚度</translation>
+    </message>
+    <message>
+        <source>Height of the bar</source>
+        <translation>压板的高度</translation>
+    </message>
+    <message>
+        <source>Contact length</source>
+        <translation>接触长度</translation>
+    </message>
+    <message>
+        <source>Length of the bar&apos;s nose that presses on the stock</source>
+        <translation>压板前端压在毛坯上的长度</translation>
+    </message>
+    <message>
+        <source>Stud distance</source>
+        <translation>螺柱距离</translation>
+    </message>
+    <message>
+        <source>From the pressed point to the axis of the stud</source>
+        <translation>从压紧点到螺柱轴线</translation>
+    </message>
+    <message>
+        <source>Stud diameter</source>
+        <translation>螺柱直径</translation>
+    </message>
+    <message>
+        <source>Diameter of the stud&apos;s thread</source>
+        <translation>螺柱螺纹的直径</translation>
+    </message>
+    <message>
+        <source>Slot width</source>
+        <translation>槽宽</translation>
+    </message>
+    <message>
+        <source>Width of the hole in the bar around the stud</source>
+        <translation>压板上螺柱孔的宽度</translation>
+    </message>
+    <message>
+        <source>Washer diameter</source>
+        <translation>垫圈直径</translation>
+    </message>
+    <message>
+        <source>Diameter of the washer below the nut</source>
+        <translation>螺母下方垫圈的直径</translation>
+    </message>
+    <message>
+        <source>Washer thickness</source>
+        <translation>垫圈厚度</translation>
+    </message>
+    <message>
+        <source>Thickness of the washer</source>
+        <translation>垫圈的厚度</translation>
+    </message>
+    <message>
+        <source>Nut width</source>
+        <translation>螺母对边宽度</translation>
+    </message>
+    <message>
+        <source>Across flats; kept clear across its corners, however the nut stands</source>
+        <translation>对边宽度；无论螺母朝向如何，均按对角宽度避让</translation>
+    </message>
+    <message>
+        <source>Nut height</source>
+        <translation>螺母高度</translation>
+    </message>
+    <message>
+        <source>Height of the nut</source>
+        <translation>螺母的高度</translation>
+    </message>
+    <message>
+        <source>Stud end</source>
+        <translation>螺柱露出长度</translation>
+    </message>
+    <message>
+        <source>How far the stud reaches above the nut</source>
+        <translation>螺柱在螺母上方伸出的长度</translation>
+    </message>
+    <message>
+        <source>Step block length</source>
+        <translation>阶梯垫块长度</translation>
+    </message>
+    <message>
+        <source>Length of the step block below the end of the bar; it has three steps</source>
+        <translation>压板末端下方阶梯垫块的长度；共三级台阶</translation>
+    </message>
+    <message>
+        <source>Nose height</source>
+        <translation>压头高度</translation>
+    </message>
+    <message>
+        <source>From the table to the top of the nose</source>
+        <translation>从工作台到压头顶面</translation>
+    </message>
+    <message>
+        <source>Nose thickness</source>
+        <translation>压头厚度</translation>
+    </message>
+    <message>
+        <source>Height of the nose that presses on the side of the stock</source>
+        <translation>压在毛坯侧面上的压头的高度</translation>
+    </message>
+    <message>
+        <source>Nose length</source>
+        <translation>压头长度</translation>
+    </message>
+    <message>
+        <source>How far the nose reaches out of the body</source>
+        <translation>压头从本体伸出的长度</translation>
+    </message>
+    <message>
+        <source>Nose width</source>
+        <translation>压头宽度</translation>
+    </message>
+    <message>
+        <source>Width of the nose along the side of the stock</source>
+        <translation>压头沿毛坯侧面的宽度</translation>
+    </message>
+    <message>
+        <source>Body length</source>
+        <translation>本体长度</translation>
+    </message>
+    <message>
+        <source>Length of the body, away from the stock</source>
+        <translation>本体的长度，背离毛坯方向</translation>
+    </message>
+    <message>
+        <source>Width of the body along the side of the stock</source>
+        <translation>本体沿毛坯侧面的宽度</translation>
+    </message>
+    <message>
+        <source>From the table to the top of the body</source>
+        <translation>从工作台到本体顶面</translation>
+    </message>
+    <message>
+        <source>Thread diameter</source>
+        <translation>螺纹直径</translation>
+    </message>
+    <message>
+        <source>Diameter of the screw&apos;s thread</source>
+        <translation>螺钉螺纹的直径</translation>
+    </message>
+    <message>
+        <source>Head height</source>
+        <translation>头部高度</translation>
+    </message>
+    <message>
+        <source>Height of the head</source>
+        <translation>头部的高度</translation>
+    </message>
+    <message>
+        <source>Screw length</source>
+        <translation>螺钉长度</translation>
+    </message>
+    <message>
+        <source>How far the screw reaches below the washer</source>
+        <translation>螺钉在垫圈下方伸出的长度</translation>
+    </message>
+    <message>
+        <source>Diameter of the washer below the head</source>
+        <translation>头部下方垫圈的直径</translation>
+    </message>
+    <message>
+        <source>Head width</source>
+        <translation>头部对边宽度</translation>
+    </message>
+    <message>
+        <source>Across flats; kept clear across its corners, however the head stands</source>
+        <translation>对边宽度；无论头部朝向如何，均按对角宽度避让</translation>
+    </message>
+    <message>
+        <source>Head diameter</source>
+        <translation>头部直径</translation>
+    </message>
+    <message>
+        <source>Diameter of the head with its socket</source>
+        <translation>内六角头部的直径</translation>
+    </message>
+    <message>
+        <source>Length of each of the two bars</source>
+        <translation>两条垫铁各自的长度</translation>
+    </message>
+    <message>
+        <source>Width of each bar, across its length</source>
+        <translation>每条垫铁的宽度，垂直于其长度</translation>
+    </message>
+    <message>
+        <source>Bar height</source>
+        <translation>高度</translation>
+    </message>
+    <message>
+        <source>From the table to the stock</source>
+        <translation>从工作台到毛坯</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Between the middles of both bars</source>
+        <translation>两条垫铁中线之间</translation>
+    </message>
+    <message>
+        <source>Plate length</source>
+        <translation>底板长度</translation>
+    </message>
+    <message>
+        <source>Along its X axis</source>
+        <translation>沿其 X 轴</translation>
+    </message>
+    <message>
+        <source>Plate width</source>
+        <translation>底板宽度</translation>
+    </message>
+    <message>
+        <source>Along its Y axis</source>
+        <translation>沿其 Y 轴</translation>
+    </message>
+    <message>
+        <source>Plate thickness</source>
+        <translation>底板厚度</translation>
+    </message>
+    <message>
+        <source>From its lower to its upper face</source>
+        <translation>从其下表面到上表面</translation>
+    </message>
+    <message>
+        <source>Vise</source>
+        <translation>虎钳</translation>
+    </message>
+    <message>
+        <source>Closes on the clicked side of the stock and the opposite one</source>
+        <translation>夹住毛坯上被单击的侧面及其对面</translation>
+    </message>
+    <message>
+        <source>Step clamp</source>
+        <translation>阶梯压板</translation>
+    </message>
+    <message>
+        <source>A bar with stud and step block that presses on the top of the stock</source>
+        <translation>带螺柱和阶梯垫块、压在毛坯顶面上的压板</translation>
+    </message>
+    <message>
+        <source>Toe clamp</source>
+        <translation>侧压板</translation>
+    </message>
+    <message>
+        <source>Presses on a side of the stock and leaves its top free</source>
+        <translation>压在毛坯的侧面上，顶面保持空出</translation>
+    </message>
+    <message>
+        <source>Hexagon screw</source>
+        <translation>六角螺钉</translation>
+    </message>
+    <message>
+        <source>A screw through the stock with hexagon head and washer</source>
+        <translation>穿过毛坯的螺钉，带六角头和垫圈</translation>
+    </message>
+    <message>
+        <source>Socket screw</source>
+        <translation>内六角螺钉</translation>
+    </message>
+    <message>
+        <source>A screw through the stock with socket head and washer</source>
+        <translation>穿过毛坯的螺钉，带内六角圆柱头和垫圈</translation>
+    </message>
+    <message>
+        <source>Pair of parallels</source>
+        <translation>平行垫铁（一对）</translation>
+    </message>
+    <message>
+        <source>Two bars below the stock</source>
+        <translation>毛坯下方的两条垫铁</translation>
+    </message>
+    <message>
+        <source>Table plate</source>
+        <translation>底板</translation>
+    </message>
+    <message>
+        <source>A plate below the stock; its top is the table for clamps that are placed later</source>
+        <translation>毛坯下方的底板；其顶面是之后放置的压板所用的工作台</translation>
     </message>
 </context>
 <context>
@@ -5710,10 +6809,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Stock around the part on every side, mm</source>
         <translation>零件每一侧的毛坯余量，mm</translation>
-    </message>
-    <message>
-        <source>Material of a body: BODY=NAME; may be repeated</source>
-        <translation>实体的材料：实体=名称；可重复使用</translation>
     </message>
     <message>
         <source>Read a CAD model and report its contents</source>
@@ -6168,10 +7263,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>围绕零件的圆柱的轴线：x、y、z，或 X,Y,Z</translation>
     </message>
     <message>
-        <source>Role of a body: BODY=part, stock, insert, protected-insert, fixture or ignored; may be repeated</source>
-        <translation>实体的角色：实体=part、stock、insert、protected-insert、fixture 或 ignored；可重复使用</translation>
-    </message>
-    <message>
         <source>Layer of the stock: NAME=MATERIAL,AXIS,FROM,TO, mm; a later one has the place; may be repeated</source>
         <translation>毛坯的材料层：名称=材料,轴,起点,终点，mm；重叠处以后一层为准；可重复使用</translation>
     </message>
@@ -6236,10 +7327,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>替换自己的刀具中此 ID 的刀具</translation>
     </message>
     <message>
-        <source>List and show tools; copy, add and delete your own, and make them of models. Every tool states the source of its values</source>
-        <translation>列出和显示刀具；复制、添加和删除自己的刀具，以及由模型生成刀具。每把刀具都注明其数值的来源</translation>
-    </message>
-    <message>
         <source>List all tools with their numbers and diameters</source>
         <translation>列出所有刀具及其编号和直径</translation>
     </message>
@@ -6262,10 +7349,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Delete one of your own tools</source>
         <translation>删除一把自己的刀具</translation>
-    </message>
-    <message>
-        <source>Tools (default: all)</source>
-        <translation>刀具（默认：全部）</translation>
     </message>
     <message>
         <source>Unit of the machine that reads the table</source>
@@ -6372,10 +7455,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>页面的单位：mm 或 inch（默认：程序的单位）</translation>
     </message>
     <message>
-        <source>Add tools of another program to your own: a Fusion library (*.tools, *.json), a FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC table (*.tbl). What can&apos;t be held is listed</source>
-        <translation>将其他程序的刀具添加到自己的刀具中：Fusion 刀具库（*.tools、*.json）、FreeCAD 刀具库或刀具（*.fctl、*.fctb）、CAMotics 刀具表（*.ctbl）、LinuxCNC 刀具表（*.tbl）。无法保留的内容会列出</translation>
-    </message>
-    <message>
         <source>File to read</source>
         <translation>要读取的文件</translation>
     </message>
@@ -6394,10 +7473,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>List what would be added; keep nothing</source>
         <translation>列出将会添加的内容；不保存任何内容</translation>
-    </message>
-    <message>
-        <source>Write tools for other programs: a LinuxCNC tool table (*.tbl), a Fusion library (*.tools), a CAMotics table (*.ctbl), a FreeCAD tool bit (*.fctb), or Burin&apos;s own form (*.json)</source>
-        <translation>为其他程序写出刀具：LinuxCNC 刀具表（*.tbl）、Fusion 刀具库（*.tools）、CAMotics 刀具表（*.ctbl）、FreeCAD 刀具（*.fctb），或 Burin 自己的格式（*.json）</translation>
     </message>
     <message>
         <source>Make a path from takes or of a computed pass, with the standard edits</source>
@@ -6500,20 +7575,8 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>区域：由这些录制的笔画涂出，宽度为 --brush</translation>
     </message>
     <message>
-        <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil (concave edges), rest (what is left), engrave, drill</source>
-        <translation>计算一次走刀：levels（分层粗加工）、pocket（型腔）、profile（轮廓）、face（面铣）、parallel（平行）、radial（放射）、spiral（螺旋）、flow（流线，各行跟随 --lead 或 --lines）、waterline（等高）、scallop（等残高）、pencil（清根，凹边）、rest（残料加工）、engrave（雕刻）、drill（钻孔）</translation>
-    </message>
-    <message>
         <source>Largest depth of a level, or of a peck when drilling, mm (default: what material, tool and spindle can take; holes deeper than 3 diameters: one diameter)</source>
         <translation>每层的最大切深，或钻孔时每次啄钻的最大深度，mm（默认：材料、刀具和主轴所能承受的值；深于 3 倍直径的孔：一倍直径）</translation>
-    </message>
-    <message>
-        <source>engrave: depth below the top, mm; drill: the same (default: to the bottom of the part&apos;s hole)</source>
-        <translation>engrave：低于顶面的深度，mm；drill：同上（默认：到零件孔底）</translation>
-    </message>
-    <message>
-        <source>drill: a place X,Y, mm; can be given several times (default: every upright hole of the part that fits the drill)</source>
-        <translation>drill：位置 X,Y，mm；可多次给出（默认：零件上与钻头相配的每个竖直孔）</translation>
     </message>
     <message>
         <source>profile: number of holding tabs left on each outline</source>
@@ -6672,10 +7735,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>向刀路添加编辑步骤、计算的走刀或录制</translation>
     </message>
     <message>
-        <source>Switch takes, or parts of them, off and on; rename, move, copy and score them</source>
-        <translation>停用或启用录制或其一部分；重命名、移动、复制录制并评分</translation>
-    </message>
-    <message>
         <source>Replay it earlier or later among the takes of its setup; the workpiece at the end and the paths stay</source>
         <translation>使其在所属装夹的录制中更早或更晚重放；最终的工件和刀路不变</translation>
     </message>
@@ -6734,6 +7793,241 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Copy it with its strokes and what is switched off, after all other takes; no path mills the copy until &quot;burin path P apply PATH --take&quot; adds it</source>
         <translation>复制录制，连同其笔画和停用部分，放在所有其他录制之后；用“burin path P apply PATH --take”加入之前，没有刀路铣削该副本</translation>
+    </message>
+    <message>
+        <source>Show what the axes and buttons of this device do; changes are kept for the window and the command mill</source>
+        <translation>显示此设备的轴和按钮的作用；更改会保留，供窗口和 mill 命令使用</translation>
+    </message>
+    <message>
+        <source>Assign an axis: N=MOTION[,reversed][,gain=G][,dead=SHARE], for example 2=z,reversed,gain=0.5,dead=0.1</source>
+        <translation>分配轴：N=运动[,reversed][,gain=G][,dead=比例]，例如 2=z,reversed,gain=0.5,dead=0.1</translation>
+    </message>
+    <message>
+        <source>Assign a button: N=ACTION, for example 2=lift; mill, undo, clutch and others</source>
+        <translation>分配按钮：N=动作，例如 2=lift；还有 mill、undo、clutch 等</translation>
+    </message>
+    <message>
+        <source>Begin with the usual assignment and without calibration</source>
+        <translation>从常用分配开始，不带标定</translation>
+    </message>
+    <message>
+        <source>Measure the axes of this device: two seconds at rest, then in motion; rest, ends and dead zone are kept</source>
+        <translation>测量此设备的轴：先静止两秒，再移动；保留静止位置、两端和死区</translation>
+    </message>
+    <message>
+        <source>Time for moving every axis to its ends, s</source>
+        <translation>将每个轴移动到两端的时间，s</translation>
+    </message>
+    <message>
+        <source>Colour of a body, or of all bodies of an assembly: BODY=#RRGGBB; may be repeated</source>
+        <translation>实体的颜色，或装配体中所有实体的颜色：实体=#RRGGBB；可重复使用</translation>
+    </message>
+    <message>
+        <source>List the library of fixtures: kinds, sizes, their defaults and ranges. Add one to a project with burin setup --add-fixture</source>
+        <translation>列出夹具库：类型、尺寸、其默认值和范围。用 burin setup --add-fixture 把夹具添加到项目中</translation>
+    </message>
+    <message>
+        <source>Switch takes, or parts of them, off and on; rename, move, copy, score and measure them</source>
+        <translation>停用或启用录制或其一部分；重命名、移动、复制录制，并评分和测量</translation>
+    </message>
+    <message>
+        <source>Measure the distance of its tool from the part over time, negative where the tool is in the part; nothing is changed</source>
+        <translation>测量其刀具到零件的距离随时间的变化，刀具进入零件处为负；不做任何更改</translation>
+    </message>
+    <message>
+        <source>Write time and least distance of every ten samples as CSV</source>
+        <translation>把每十个采样点的时间和最小距离写为 CSV</translation>
+    </message>
+    <message>
+        <source>Write tools for other programs: a LinuxCNC tool table (*.tbl), a Fusion library (*.tools), a CAMotics table (*.ctbl), a FreeCAD library with its bits in a folder Bit (*.fctl), a FreeCAD tool bit (*.fctb), or Burin&apos;s own form (*.json)</source>
+        <translation>为其他程序写出刀具：LinuxCNC 刀具表（*.tbl）、Fusion 刀具库（*.tools）、CAMotics 刀具表（*.ctbl）、FreeCAD 刀具库及其 Bit 文件夹中的刀头（*.fctl）、FreeCAD 刀头（*.fctb），或 Burin 自己的格式（*.json）</translation>
+    </message>
+    <message>
+        <source>Tools (default: all, or those of --library)</source>
+        <translation>刀具（默认：全部，或 --library 中的刀具）</translation>
+    </message>
+    <message>
+        <source>Tool library</source>
+        <translation>刀具库</translation>
+    </message>
+    <message>
+        <source>List the tool libraries with the number of their tools</source>
+        <translation>列出刀具库及其刀具数量</translation>
+    </message>
+    <message>
+        <source>Add a tool library</source>
+        <translation>新建刀具库</translation>
+    </message>
+    <message>
+        <source>Rename one of your tool libraries</source>
+        <translation>重命名您的一个刀具库</translation>
+    </message>
+    <message>
+        <source>Delete one of your tool libraries</source>
+        <translation>删除您的一个刀具库</translation>
+    </message>
+    <message>
+        <source>Delete its tools as well</source>
+        <translation>同时删除其中的刀具</translation>
+    </message>
+    <message>
+        <source>Put tools of your own into the library of --library</source>
+        <translation>把您自己的刀具放入 --library 指定的刀具库</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>Put copies there, also of tools that Burin is shipped with</source>
+        <translation>放入副本，也可用于 Burin 自带的刀具</translation>
+    </message>
+    <message>
+        <source>Add or change a preset of feeds and speeds of one of your own tools. Paths use the first preset for the material of the stock, without one the first for any material, without one the values that the material states</source>
+        <translation>为您自己的刀具添加或修改进给和转速预设。刀路使用毛坯材料的第一个预设；若没有，则使用任意材料的第一个预设；再没有，则使用材料给出的数值</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>预设的名称</translation>
+    </message>
+    <message>
+        <source>Material that it is for, or any</source>
+        <translation>预设适用的材料，或 any</translation>
+    </message>
+    <message>
+        <source>Speed of the spindle, 1/min</source>
+        <translation>主轴转速，1/min</translation>
+    </message>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>进给，mm/min</translation>
+    </message>
+    <message>
+        <source>Feed per tooth instead, mm</source>
+        <translation>改用每齿进给量，mm</translation>
+    </message>
+    <message>
+        <source>Plunge feed, mm/min; 0: the share of the feed that the material states</source>
+        <translation>下刀进给，mm/min；0：材料给出的进给比例</translation>
+    </message>
+    <message>
+        <source>Depth of a level, mm; 0: what material, tool and spindle can take</source>
+        <translation>每层切深，mm；0：材料、刀具和主轴所能承受的值</translation>
+    </message>
+    <message>
+        <source>Distance between the loops of a level, mm; 0: a share of the diameter</source>
+        <translation>同层各圈之间的行距，mm；0：直径的一定比例</translation>
+    </message>
+    <message>
+        <source>Coolant, or what the material advises</source>
+        <translation>冷却液，或材料建议的方式</translation>
+    </message>
+    <message>
+        <source>Prefer it to the tool&apos;s other presets</source>
+        <translation>优先于该刀具的其他预设</translation>
+    </message>
+    <message>
+        <source>Delete the preset</source>
+        <translation>删除该预设</translation>
+    </message>
+    <message>
+        <source>The tool does not turn (scraper, planing blade): the models themselves cut, and the profile only keeps them out of the part</source>
+        <translation>刀具不旋转（刮刀、刨刀）：由模型本身切削，轮廓只用来把它们挡在零件之外</translation>
+    </message>
+    <message>
+        <source>With --fixed: angle from X of the setup to X of the models, degrees, counterclockwise seen from above</source>
+        <translation>与 --fixed 一起用：从装夹的 X 到模型的 X 的角度（度），从上方看为逆时针</translation>
+    </message>
+    <message>
+        <source>List and show tools; copy, add and delete your own, and make them of models. Tools form libraries. Every tool states the source of its values</source>
+        <translation>列出并显示刀具；复制、添加和删除您自己的刀具，并由模型生成刀具。刀具分属刀具库。每把刀具都注明其数值的来源</translation>
+    </message>
+    <message>
+        <source>Tool library: all, starter (what Burin is shipped with), mine (your own tools that are in no other), or one that you have named (default: all; of new tools mine)</source>
+        <translation>刀具库：all（全部）、starter（Burin 自带）、mine（不在其他刀具库中的自有刀具），或您命名的刀具库（默认：all；新刀具为 mine）</translation>
+    </message>
+    <message>
+        <source>Fixture of the library: its kind, then where it would be clicked on, and sizes: &quot;step-clamp at=X,Y turn=DEGREES SIZE=MM&quot;; place=X,Y,Z moves its origin. Kinds and sizes: burin fixtures; may be repeated</source>
+        <translation>夹具库中的夹具：先写类型，再写单击的位置和尺寸：&quot;step-clamp at=X,Y turn=度数 尺寸=毫米&quot;；place=X,Y,Z 移动其原点。类型和尺寸见 burin fixtures；可重复使用</translation>
+    </message>
+    <message>
+        <source>Change a fixture of the library: &quot;NAME: SIZE=MM&quot;, with the same words; may be repeated</source>
+        <translation>更改夹具库中的夹具：&quot;名称: 尺寸=毫米&quot;，词语同上；可重复使用</translation>
+    </message>
+    <message>
+        <source>drill, thread: a hole at X,Y, mm, or by its number in &quot;info --json&quot;; can be given several times (default: every upright hole of the part that fits the drill, or has the diameter of the thread)</source>
+        <translation>drill、thread：位于 X,Y（mm）的孔，或其在“info --json”中的编号；可给出多次（默认：零件上所有适合该钻头、或直径等于螺纹大径的竖直孔）</translation>
+    </message>
+    <message>
+        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes have to be drawn at this diameter</source>
+        <translation>thread：公制规格，M3 至 M24，或直径与螺距 M8x1；零件的孔须按此直径建模</translation>
+    </message>
+    <message>
+        <source>thread: pitch, mm</source>
+        <translation>thread：螺距，mm</translation>
+    </message>
+    <message>
+        <source>thread: instead of --pitch: threads per inch</source>
+        <translation>thread：每英寸牙数，代替 --pitch</translation>
+    </message>
+    <message>
+        <source>thread: major diameter, mm (default: that of each --hole)</source>
+        <translation>thread：大径，mm（默认：每个 --hole 的直径）</translation>
+    </message>
+    <message>
+        <source>thread: how often the tool follows the thread, deeper each time</source>
+        <translation>thread：刀具沿螺纹走几遍，逐次加深</translation>
+    </message>
+    <message>
+        <source>thread: once more at full depth</source>
+        <translation>thread：以全深再走一遍</translation>
+    </message>
+    <message>
+        <source>thread: left-handed</source>
+        <translation>thread：左旋</translation>
+    </message>
+    <message>
+        <source>thread: conventional instead of climb milling</source>
+        <translation>thread：逆铣而非顺铣</translation>
+    </message>
+    <message>
+        <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil (concave edges), rest (what is left), engrave, drill, thread</source>
+        <translation>计算一次走刀：levels（分层粗加工）、pocket（型腔）、profile（轮廓）、face（面铣）、parallel（平行）、radial（放射）、spiral（螺旋）、flow（流线，各行跟随 --lead 或 --lines）、waterline（等高）、scallop（等残高）、pencil（清根，凹边）、rest（残料加工）、engrave（雕刻）、drill（钻孔）、thread（铣螺纹）</translation>
+    </message>
+    <message>
+        <source>engrave, drill: depth below the top of the stock, mm; thread: below the top of its hole (default of drill and thread: to the bottom of the part&apos;s hole)</source>
+        <translation>engrave、drill：自毛坯顶面向下的深度，mm；thread：自孔口向下的深度（drill 和 thread 默认：到零件孔的底部）</translation>
+    </message>
+    <message>
+        <source>Role of a body, or of all bodies of an assembly (by its path): BODY=part, stock, insert, protected-insert, fixture or ignored; may be repeated</source>
+        <translation>实体的角色，或装配体（按其路径）中所有实体的角色：实体=part、stock、insert、protected-insert、fixture 或 ignored；可重复使用</translation>
+    </message>
+    <message>
+        <source>Material of a body, or of all bodies of an assembly: BODY=NAME; may be repeated</source>
+        <translation>实体的材料，或装配体中所有实体的材料：实体=名称；可重复使用</translation>
+    </message>
+    <message>
+        <source>Unit of the model, whatever its file states: mm, cm, m, inch, foot, mil, a number of mm, or stated</source>
+        <translation>模型的单位，不论文件如何注明：mm、cm、m、inch、foot、mil、毫米数，或 stated</translation>
+    </message>
+    <message>
+        <source>Add tools of another program to your own: a Fusion library (*.tools, *.json), a FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC table (*.tbl). Several tools become a library that has the name of the file, or are put into --library, which need not exist yet. What can&apos;t be held is listed</source>
+        <translation>把其他程序的刀具加入您自己的刀具：Fusion 刀具库（*.tools、*.json）、FreeCAD 刀具库或刀头（*.fctl、*.fctb）、CAMotics 刀具表（*.ctbl）、LinuxCNC 刀具表（*.tbl）。多把刀具成为与文件同名的刀具库，或放入 --library 指定的刀具库（可尚不存在）。无法保存的内容会列出</translation>
+    </message>
+</context>
+<context>
+    <name>HoleWords</name>
+    <message>
+        <source>⌀ %1, %2 deep</source>
+        <translation>⌀ %1，深 %2</translation>
+    </message>
+    <message>
+        <source>no hole of the part</source>
+        <translation>不是零件的孔</translation>
+    </message>
+    <message>
+        <source>%1 at X %2, Y %3</source>
+        <translation>%1，位于 X %2，Y %3</translation>
     </message>
 </context>
 <context>
@@ -6868,6 +8162,34 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Colours are stored in another file, %1, and were not imported.</source>
         <translation>颜色存放在另一个文件 %1 中，未导入。</translation>
+    </message>
+    <message>
+        <source>The file states the unit %1 (%2 mm); 1 unit = %3 mm was used instead.</source>
+        <translation>文件注明的单位是 %1（%2 mm）；已改用 1 单位 = %3 mm。</translation>
+    </message>
+    <message>
+        <source>1 face has a colour of its own, which is not shown: a body is shown in one colour.</source>
+        <translation>1 个面有自己的颜色，未予显示：一个实体只以一种颜色显示。</translation>
+    </message>
+    <message>
+        <source>%1 faces have colours of their own, which are not shown: a body is shown in one colour.</source>
+        <translation>%1 个面有自己的颜色，未予显示：一个实体只以一种颜色显示。</translation>
+    </message>
+    <message>
+        <source>The transparency of colours was not imported.</source>
+        <translation>颜色的透明度未导入。</translation>
+    </message>
+    <message>
+        <source>Layers were not imported (number of layers: %1).</source>
+        <translation>图层未导入（图层数：%1）。</translation>
+    </message>
+    <message>
+        <source>Dimensions, tolerances and other annotations (PMI) were not imported (number of entries: %1).</source>
+        <translation>尺寸、公差和其他标注（PMI）未导入（条目数：%1）。</translation>
+    </message>
+    <message>
+        <source>Assembly %1</source>
+        <translation>装配体 %1</translation>
     </message>
 </context>
 <context>
@@ -7233,6 +8555,14 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>The library &quot;%1&quot; can&apos;t be used (%2); install %3.</source>
         <translation>库“%1”不可用（%2）；安装 %3。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; would be %2 deep in the stock; move it, or change its sizes.</source>
+        <translation>“%1”会进入毛坯 %2；请移动它，或更改其尺寸。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not done, because an undo or redo is still under way; do it again in a moment.</source>
+        <translation>未执行“%1”，因为撤销或重做仍在进行；请稍后再试。</translation>
     </message>
 </context>
 <context>
@@ -7632,6 +8962,14 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>rpm</source>
         <translation>rpm</translation>
     </message>
+    <message>
+        <source>Spindle on in %1</source>
+        <translation>主轴旋转时切入 %1</translation>
+    </message>
+    <message>
+        <source>doesn&apos;t turn</source>
+        <translation>不旋转</translation>
+    </message>
 </context>
 <context>
     <name>Pass</name>
@@ -7746,6 +9084,14 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Drills the upright holes of the part that fit the drill, or at given places</source>
         <translation>钻零件上与钻头相配的竖直孔，或在给定位置钻孔</translation>
+    </message>
+    <message>
+        <source>Thread milling</source>
+        <translation>铣螺纹</translation>
+    </message>
+    <message>
+        <source>Mills internal threads in drilled holes that the part has at the thread&apos;s major diameter</source>
+        <translation>在已钻好、且零件中按螺纹大径建模的孔内铣内螺纹</translation>
     </message>
 </context>
 <context>
@@ -8544,6 +9890,34 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Lollipop mill 10 mm</source>
         <translation>球形T刀 10 mm</translation>
     </message>
+    <message>
+        <source>Thread mill M3 × 0.5</source>
+        <translation>螺纹铣刀 M3 × 0.5</translation>
+    </message>
+    <message>
+        <source>Thread mill M4 × 0.7</source>
+        <translation>螺纹铣刀 M4 × 0.7</translation>
+    </message>
+    <message>
+        <source>Thread mill M5 × 0.8</source>
+        <translation>螺纹铣刀 M5 × 0.8</translation>
+    </message>
+    <message>
+        <source>Thread mill M6 × 1</source>
+        <translation>螺纹铣刀 M6 × 1</translation>
+    </message>
+    <message>
+        <source>Thread mill M8 × 1.25</source>
+        <translation>螺纹铣刀 M8 × 1.25</translation>
+    </message>
+    <message>
+        <source>Thread mill M10 × 1.5</source>
+        <translation>螺纹铣刀 M10 × 1.5</translation>
+    </message>
+    <message>
+        <source>Thread mill M12 × 1.75</source>
+        <translation>螺纹铣刀 M12 × 1.75</translation>
+    </message>
 </context>
 <context>
     <name>RestartDialog</name>
@@ -9107,6 +10481,66 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>faces</source>
         <translation>面</translation>
     </message>
+    <message>
+        <source>fixture of the library</source>
+        <translation>夹具库中的夹具</translation>
+    </message>
+    <message>
+        <source>kind of fixture</source>
+        <translation>夹具类型</translation>
+    </message>
+    <message>
+        <source>size of a fixture</source>
+        <translation>夹具尺寸</translation>
+    </message>
+    <message>
+        <source>library</source>
+        <translation>刀具库</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>thread</source>
+        <translation>螺纹</translation>
+    </message>
+    <message>
+        <source>a computed pass with a tool that doesn&apos;t turn</source>
+        <translation>用不旋转的刀具计算走刀</translation>
+    </message>
+    <message>
+        <source>the virtual operator with a tool that doesn&apos;t turn</source>
+        <translation>使用不旋转刀具的虚拟操作员</translation>
+    </message>
+    <message>
+        <source>a program for a tool that doesn&apos;t turn</source>
+        <translation>用于不旋转刀具的程序</translation>
+    </message>
+    <message>
+        <source>a tilted axis of a tool that doesn&apos;t turn</source>
+        <translation>不旋转刀具的倾斜轴线</translation>
+    </message>
+    <message>
+        <source>gain of axis</source>
+        <translation>轴的增益</translation>
+    </message>
+    <message>
+        <source>dead zone of axis</source>
+        <translation>轴的死区</translation>
+    </message>
+    <message>
+        <source>rest of axis</source>
+        <translation>轴的静止位置</translation>
+    </message>
+    <message>
+        <source>buttons</source>
+        <translation>按钮</translation>
+    </message>
+    <message>
+        <source>a path of a program for a tool that doesn&apos;t turn</source>
+        <translation>由程序为不旋转刀具生成的刀路</translation>
+    </message>
 </context>
 <context>
     <name>Take</name>
@@ -9292,6 +10726,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>%1 N</source>
         <translation>%1 N</translation>
     </message>
+    <message>
+        <source>Deviation</source>
+        <translation>偏差</translation>
+    </message>
 </context>
 <context>
     <name>ViewCube</name>
@@ -9449,6 +10887,151 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Esc: stop painting</source>
         <translation>Esc：停止涂画</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AxisDialog</name>
+    <message>
+        <source>Axes and buttons: %1</source>
+        <translation>轴和按钮：%1</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>标定</translation>
+    </message>
+    <message>
+        <source>Stop calibrating</source>
+        <translation>停止标定</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Usual assignment</source>
+        <translation>常用分配</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>The device is not connected.</source>
+        <translation>设备未连接。</translation>
+    </message>
+    <message>
+        <source>The rest is being measured.</source>
+        <translation>正在测量静止位置。</translation>
+    </message>
+    <message>
+        <source>Every axis was at both of its ends</source>
+        <translation>每个轴都已到过两端</translation>
+    </message>
+    <message>
+        <source>Measure rest, noise and ends of the axes: two seconds at rest, then move</source>
+        <translation>测量轴的静止位置、噪声和两端：先静止两秒，再移动</translation>
+    </message>
+    <message>
+        <source>Leave the device at rest for two seconds.</source>
+        <translation>请让设备静止两秒。</translation>
+    </message>
+    <message>
+        <source>Move every axis to both of its ends, then press Finish.</source>
+        <translation>将每个轴移动到两端，然后按“完成”。</translation>
+    </message>
+    <message>
+        <source>Connecting the device…</source>
+        <translation>正在连接设备…</translation>
+    </message>
+    <message>
+        <source>Move the device: each bar shows its axis, a dot the pressed buttons.</source>
+        <translation>移动设备：每个条显示其轴，圆点表示按下的按钮。</translation>
+    </message>
+    <message>
+        <source>Axes that were not moved before the measurement keep their rest and dead zone (%1); move every axis once first, then calibrate again.</source>
+        <translation>测量前未移动过的轴保留其静止位置和死区（%1）；请先将每个轴移动一次，然后重新校准。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AxisRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>读数</translation>
+    </message>
+    <message>
+        <source>Moves</source>
+        <translation>驱动</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>增益</translation>
+    </message>
+    <message>
+        <source>Dead zone</source>
+        <translation>死区</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>按钮</translation>
+    </message>
+    <message>
+        <source>What this axis moves, as seen from the user</source>
+        <translation>此轴驱动的运动（从用户方向看）</translation>
+    </message>
+    <message>
+        <source>reversed</source>
+        <translation>反向</translation>
+    </message>
+    <message>
+        <source>The axis moves the other way</source>
+        <translation>轴向相反方向运动</translation>
+    </message>
+    <message>
+        <source>Share of the full motion at full deflection; more than 1 reaches it earlier</source>
+        <translation>满偏转时占全部运动的比例；大于 1 则更早达到</translation>
+    </message>
+    <message>
+        <source>Share of the deflection from rest that has no effect</source>
+        <translation>从静止位置起不起作用的偏转比例</translation>
+    </message>
+    <message>
+        <source>Lower end, rest and upper end of the axis, % of its nominal range</source>
+        <translation>轴的下端、静止位置和上端，占标称范围的 %</translation>
+    </message>
+    <message>
+        <source>Button %1</source>
+        <translation>按钮 %1</translation>
+    </message>
+    <message>
+        <source>What this button does while the device mills</source>
+        <translation>设备铣削时此按钮的作用</translation>
+    </message>
+    <message>
+        <source>%1 … %2 … %3 %</source>
+        <translation>%1 … %2 … %3 %</translation>
+    </message>
+</context>
+<context>
+    <name>burin::AxisTuner</name>
+    <message>
+        <source>Reading the axes of %1</source>
+        <translation>正在读取 %1 的轴</translation>
     </message>
 </context>
 <context>
@@ -9977,6 +11560,18 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Pan, zoom and rotate the view with this device, beside the stylus. Its first button fits the view. While it moves the tool, the view stays</source>
         <translation>在使用触笔的同时，用此设备平移、缩放和旋转视图。其第一个按钮使视图适合窗口。用它移动刀具时，视图不动</translation>
     </message>
+    <message>
+        <source>Axes and buttons…</source>
+        <translation>轴和按钮…</translation>
+    </message>
+    <message>
+        <source>Stop the test first.</source>
+        <translation>请先停止测试。</translation>
+    </message>
+    <message>
+        <source>What the axes and buttons of a gamepad, joystick, tablet or 3D mouse do, and their calibration</source>
+        <translation>手柄、操纵杆、数位板或 3D 鼠标的轴和按钮的作用，以及标定</translation>
+    </message>
 </context>
 <context>
     <name>burin::DeviceTester</name>
@@ -10240,6 +11835,84 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Share of the face&apos;s points where a gouge deeper than the tolerance is marked. Each position of the tool marks the point that is nearest to its deepest one, so more of the face may be cut into</source>
         <translation>这个面上标有超差过切的点所占的比例。刀具的每个位置只标出离其最深处最近的点，所以实际过切的部分可能更大</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FixtureDialog</name>
+    <message>
+        <source>Click the stock or the table in the view, or drag, to place it. In the view, the arrow keys move it by 1 mm (Shift: 0.1 mm, Ctrl: 10 mm), R rotates it by 15° (Shift: 90°), Enter accepts it.</source>
+        <translation>在视图中单击毛坯或工作台，或拖动，即可放置。在视图中，方向键每次移动 1 mm（Shift：0.1 mm，Ctrl：10 mm），R 旋转 15°（Shift：90°），回车键确认。</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>类型</translation>
+    </message>
+    <message>
+        <source>Kind of fixture of the library</source>
+        <translation>夹具库中夹具的类型</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Origin of the fixture, from program zero</source>
+        <translation>夹具的原点，相对于程序零点</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>旋转</translation>
+    </message>
+    <message>
+        <source>About Z, through its origin</source>
+        <translation>绕通过其原点的 Z 轴</translation>
+    </message>
+    <message>
+        <source>Rotate it about Z</source>
+        <translation>绕 Z 旋转</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Change nothing</source>
+        <translation>不作任何更改</translation>
+    </message>
+    <message>
+        <source>Change a fixture</source>
+        <translation>更改夹具</translation>
+    </message>
+    <message>
+        <source>Add a fixture</source>
+        <translation>添加夹具</translation>
+    </message>
+    <message>
+        <source>%1 X, Y, Z, in %2</source>
+        <translation>%1 X、Y、Z，单位 %2</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Change the fixture of the setup</source>
+        <translation>更改此装夹的夹具</translation>
+    </message>
+    <message>
+        <source>Add the fixture to the setup</source>
+        <translation>把夹具添加到此装夹</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FixturePlacer</name>
+    <message>
+        <source>Esc: cancel placing the fixture</source>
+        <translation>Esc：取消放置夹具</translation>
     </message>
 </context>
 <context>
@@ -10604,6 +12277,50 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Ends the stroke, then stops milling.</source>
         <translation>结束笔画，然后停止铣削。</translation>
     </message>
+    <message>
+        <source>Right click</source>
+        <translation>右键单击</translation>
+    </message>
+    <message>
+        <source>Opens the menu of a point of the path.</source>
+        <translation>打开刀路上一点的菜单。</translation>
+    </message>
+    <message>
+        <source>Click, left drag</source>
+        <translation>单击、左键拖动</translation>
+    </message>
+    <message>
+        <source>Places the fixture on the stock, or on the table beside it.</source>
+        <translation>把夹具放在毛坯上或旁边的工作台上。</translation>
+    </message>
+    <message>
+        <source>Move it by 1 mm; with Shift by 0.1 mm, with Ctrl by 10 mm.</source>
+        <translation>移动 1 mm；按住 Shift 为 0.1 mm，按住 Ctrl 为 10 mm。</translation>
+    </message>
+    <message>
+        <source>Raise and lower it, by the same steps.</source>
+        <translation>以同样的步长升降。</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Rotates it by 15°; with Shift by 90°.</source>
+        <translation>旋转 15°；按住 Shift 旋转 90°。</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>回车</translation>
+    </message>
+    <message>
+        <source>Adds it to the setup.</source>
+        <translation>添加到装夹中。</translation>
+    </message>
+    <message>
+        <source>Cancels placing.</source>
+        <translation>取消放置。</translation>
+    </message>
 </context>
 <context>
     <name>burin::HandPanel</name>
@@ -10749,6 +12466,42 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>No topic contains these words.</source>
         <translation>没有包含这些词的主题。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::HolePicker</name>
+    <message>
+        <source>Esc or Enter: back to the pass</source>
+        <translation>Esc 或 Enter：返回走刀</translation>
+    </message>
+</context>
+<context>
+    <name>burin::HolePresenter</name>
+    <message>
+        <source>There is no round upright hole. Click the wall of a hole, or into it.</source>
+        <translation>那里没有竖直圆孔。请单击孔壁或孔口内。</translation>
+    </message>
+    <message>
+        <source>Click the holes of the pass; a second click removes a hole. Enter or Esc goes back to the pass.</source>
+        <translation>单击走刀的孔；再次单击则移除该孔。按 Enter 或 Esc 返回走刀。</translation>
+    </message>
+    <message>
+        <source>Removed: %1.</source>
+        <translation>已移除：%1。</translation>
+    </message>
+    <message>
+        <source>Picked: %1.</source>
+        <translation>已选：%1。</translation>
+    </message>
+    <message>
+        <source>1 hole is picked.</source>
+        <translation>已选 1 个孔。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n holes are picked.</source>
+        <translation>
+            <numerusform>已选 %n 个孔。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -11781,6 +13534,22 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
             <numerusform>%n 个走刀中途改变冷却；每个走刀整体采用其第一种非关闭的冷却。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>View of part and workpiece</source>
+        <translation>零件和工件的视图</translation>
+    </message>
+    <message>
+        <source>“%1” is in use: the change was made there.</source>
+        <translation>现在使用“%1”：更改是在那里做的。</translation>
+    </message>
+    <message>
+        <source>Placing a fixture</source>
+        <translation>放置夹具</translation>
+    </message>
+    <message>
+        <source>The tool “%1” is in the library. It doesn&apos;t turn: its models cut, and their profile keeps them out of the part.</source>
+        <translation>刀具“%1”已在刀具库中。它不旋转：由其模型切削，轮廓把它们挡在零件之外。</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -12311,6 +14080,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>copy of a take</source>
         <translation>录制的副本</translation>
     </message>
+    <message>
+        <source>take without strokes</source>
+        <translation>没有笔画的录制</translation>
+    </message>
 </context>
 <context>
     <name>burin::MillPanel</name>
@@ -12516,6 +14289,34 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Depth of the hand in the part, against its push-back</source>
         <translation>手克服反推力压入零件的深度</translation>
     </message>
+    <message>
+        <source>The tool is as deep as the pressure&apos;s share of the depth of cut, or of the press into the part</source>
+        <translation>刀具深度为切深（或压入零件的深度）乘以压力比例</translation>
+    </message>
+    <message>
+        <source>The tool sinks from the surface to the depth of cut, the faster the harder the pen presses</source>
+        <translation>刀具从表面下沉到切深，笔压得越重下沉越快</translation>
+    </message>
+    <message>
+        <source>Sinking speed</source>
+        <translation>下沉速度</translation>
+    </message>
+    <message>
+        <source>Speed at which the tool sinks at full pressure of the pen</source>
+        <translation>笔的压力最大时刀具下沉的速度</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>Sinking</source>
+        <translation>下沉</translation>
+    </message>
+    <message>
+        <source>Pen</source>
+        <translation>笔</translation>
+    </message>
 </context>
 <context>
     <name>burin::MillPresenter</name>
@@ -12558,6 +14359,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Strokes are locked to their direction. Press D to unlock.</source>
         <translation>笔画已锁定到其方向。按 D 解锁。</translation>
+    </message>
+    <message>
+        <source>The tool axis is fixed, so the pen&apos;s tilt has no effect. Choose the axis “free, with the hand” in the step Stock to lean the tool.</source>
+        <translation>刀轴固定，笔的倾斜不起作用。要使刀具倾斜，请在“毛坯”步骤中选择刀轴“自由，随手”。</translation>
     </message>
 </context>
 <context>
@@ -12612,6 +14417,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>mirrored part</source>
         <translation>镜像零件</translation>
+    </message>
+    <message>
+        <source>colour of bodies</source>
+        <translation>实体的颜色</translation>
     </message>
 </context>
 <context>
@@ -12715,6 +14524,18 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>A fixture is a solid object; a keep-out volume has to stay clear of the tool</source>
         <translation>夹具是实物；禁入区是刀具不得进入的空间</translation>
     </message>
+    <message>
+        <source>Change its sizes and its position</source>
+        <translation>更改其尺寸和位置</translation>
+    </message>
+    <message>
+        <source>From the library: %1. It is %2 deep in the stock; change its position or size.</source>
+        <translation>来自夹具库：%1。它进入毛坯 %2；请更改其位置或尺寸。</translation>
+    </message>
+    <message>
+        <source>From the library: %1</source>
+        <translation>来自夹具库：%1</translation>
+    </message>
 </context>
 <context>
     <name>burin::PartPanel</name>
@@ -12813,6 +14634,18 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>The CAD solid that is to be made. STEP keeps the exact surfaces, a mesh (STL, 3MF, OBJ) has only triangles.</source>
         <translation>要加工出的 CAD 实体。STEP 保留精确曲面，网格（STL、3MF、OBJ）只有三角形。</translation>
+    </message>
+    <message>
+        <source>Size as stated</source>
+        <translation>按注明单位的尺寸</translation>
+    </message>
+    <message>
+        <source>Choosing another unit than the stated one reads the file again: the part gets another size.</source>
+        <translation>选择与注明的不同的单位会重新读取文件：零件的尺寸随之改变。</translation>
+    </message>
+    <message>
+        <source>Not imported</source>
+        <translation>未导入</translation>
     </message>
 </context>
 <context>
@@ -12963,6 +14796,38 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Upright holes of the part: %1</source>
         <translation>零件的竖直孔：%1</translation>
+    </message>
+    <message>
+        <source>Picked holes</source>
+        <translation>所选的孔</translation>
+    </message>
+    <message>
+        <source>The holes of this pass, in the coordinates of the setup; Del removes one</source>
+        <translation>此走刀的孔，采用装夹坐标；按 Del 移除</translation>
+    </message>
+    <message>
+        <source>Pick holes…</source>
+        <translation>选择孔…</translation>
+    </message>
+    <message>
+        <source>Click holes of the part in the view; a second click removes a hole</source>
+        <translation>在视图中单击零件上的孔；再次单击则移除该孔</translation>
+    </message>
+    <message>
+        <source>All that fit</source>
+        <translation>所有适合的孔</translation>
+    </message>
+    <message>
+        <source>Forget the picked holes: the pass uses every hole of the part that fits</source>
+        <translation>清除所选的孔：走刀使用零件上所有适合的孔</translation>
+    </message>
+    <message>
+        <source>Choose a thread, or enter its pitch.</source>
+        <translation>请选择螺纹，或输入螺距。</translation>
+    </message>
+    <message>
+        <source>Enter the diameter of the thread, or pick its holes.</source>
+        <translation>请输入螺纹直径，或选择孔。</translation>
     </message>
 </context>
 <context>
@@ -13131,6 +14996,70 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Cuts into the inner corners of the area, so that a part with square corners fits</source>
         <translation>切入区域的内角，使直角零件能够装入</translation>
     </message>
+    <message>
+        <source>Pitch</source>
+        <translation>螺距</translation>
+    </message>
+    <message>
+        <source>Distance between neighbouring crests of the thread; 25.4 mm divided by the threads per inch</source>
+        <translation>相邻牙顶之间的距离；等于 25.4 mm 除以每英寸牙数</translation>
+    </message>
+    <message>
+        <source>Major diameter</source>
+        <translation>大径</translation>
+    </message>
+    <message>
+        <source>Of the thread; the part&apos;s holes have to be drawn at this diameter. 0: that of each picked hole</source>
+        <translation>螺纹的大径；零件的孔须按此直径建模。0：取每个所选孔的直径</translation>
+    </message>
+    <message>
+        <source>Length of the thread below the top of its hole. 0: as far as each hole is open and drilled</source>
+        <translation>螺纹自孔口向下的长度。0：到每个孔贯通且已钻到的深度</translation>
+    </message>
+    <message>
+        <source>other thread</source>
+        <translation>其他螺纹</translation>
+    </message>
+    <message>
+        <source>Thread</source>
+        <translation>螺纹</translation>
+    </message>
+    <message>
+        <source>Metric thread of coarse pitch, ISO 261</source>
+        <translation>公制粗牙螺纹，ISO 261</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>走刀次数</translation>
+    </message>
+    <message>
+        <source>How often the tool follows the thread, deeper each time</source>
+        <translation>刀具沿螺纹走几遍，逐次加深</translation>
+    </message>
+    <message>
+        <source>Spring pass</source>
+        <translation>光刀走刀</translation>
+    </message>
+    <message>
+        <source>Follows the thread once more at full depth</source>
+        <translation>以全深再沿螺纹走一遍</translation>
+    </message>
+    <message>
+        <source>Left-handed</source>
+        <translation>左旋</translation>
+    </message>
+    <message>
+        <source>Left-handed instead of right-handed thread</source>
+        <translation>左旋螺纹而非右旋螺纹</translation>
+    </message>
+    <message>
+        <source>Conventional milling</source>
+        <translation>逆铣</translation>
+    </message>
+    <message>
+        <source>Conventional instead of climb milling: right-hand threads are cut from the top down</source>
+        <translation>逆铣而非顺铣：右旋螺纹自上而下铣削</translation>
+    </message>
 </context>
 <context>
     <name>burin::PassMeasurer</name>
@@ -13217,6 +15146,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>take out of the path</source>
         <translation>从刀路中移出录制</translation>
+    </message>
+    <message>
+        <source>inserted point</source>
+        <translation>插入的点</translation>
     </message>
 </context>
 <context>
@@ -13409,16 +15342,24 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>将此走刀移到上方走刀之前铣削</translation>
     </message>
     <message>
-        <source>Compute roughing, finishing, a pocket, a profile, drilling or engraving with the loaded tool</source>
-        <translation>用装载的刀具计算粗加工、精加工、型腔、轮廓、钻孔或雕刻</translation>
-    </message>
-    <message>
         <source>One hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
         <translation>有一个孔未钻到全深：零件挡住了，或钻头太短。</translation>
     </message>
     <message>
         <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
         <translation>%1个孔未钻到全深：被零件阻挡，或钻头太短。</translation>
+    </message>
+    <message>
+        <source>Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool</source>
+        <translation>用当前刀具计算粗加工、精加工、型腔、轮廓、钻孔、螺纹或雕刻</translation>
+    </message>
+    <message>
+        <source>One hole is left without a thread: it is not drilled deep enough, or the part is in the way.</source>
+        <translation>有一个孔未铣螺纹：孔钻得不够深，或有零件阻挡。</translation>
+    </message>
+    <message>
+        <source>%1 holes are left without a thread: they are not drilled deep enough, or the part is in the way.</source>
+        <translation>%1 个孔未铣螺纹：孔钻得不够深，或有零件阻挡。</translation>
     </message>
 </context>
 <context>
@@ -13442,6 +15383,29 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Stock left on 99 % of the reachable part: at most %1 (most: %2).</source>
         <translation>可到达的零件表面中 99 % 的残料不超过%1（最大：%2）。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PathScenePresenter</name>
+    <message>
+        <source>&amp;Insert a point here</source>
+        <translation>在此处插入点(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Insert a point into the path here. Drag it to move it; the stroke follows it smoothly.</source>
+        <translation>在刀路此处插入一点。拖动可移动它；笔画平滑地跟随。</translation>
+    </message>
+    <message>
+        <source>Show this &amp;moment</source>
+        <translation>显示此时刻(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Go to the time on the timeline at which this point was milled.</source>
+        <translation>转到时间轴上铣削该点的时间。</translation>
+    </message>
+    <message>
+        <source>Computed point</source>
+        <translation>计算得出的点</translation>
     </message>
 </context>
 <context>
@@ -13512,6 +15476,125 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Close this window.</source>
         <translation>关闭此窗口。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PresetTable</name>
+    <message>
+        <source>Add a preset</source>
+        <translation>添加预设</translation>
+    </message>
+    <message>
+        <source>Feeds and speeds for one material, or for any</source>
+        <translation>针对一种材料或任意材料的进给和转速</translation>
+    </message>
+    <message>
+        <source>any material</source>
+        <translation>任意材料</translation>
+    </message>
+    <message>
+        <source>%1 (not available)</source>
+        <translation>%1（不可用）</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Material of the stock that the preset is for</source>
+        <translation>预设适用的毛坯材料</translation>
+    </message>
+    <message>
+        <source>by material</source>
+        <translation>按材料</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>mist</source>
+        <translation>喷雾</translation>
+    </message>
+    <message>
+        <source>flood</source>
+        <translation>浇注</translation>
+    </message>
+    <message>
+        <source>Coolant</source>
+        <translation>冷却液</translation>
+    </message>
+    <message>
+        <source>Coolant that paths with this preset use</source>
+        <translation>使用此预设的刀路所用的冷却方式</translation>
+    </message>
+    <message>
+        <source>Prefer preset %1 to the one before it</source>
+        <translation>预设 %1 优先于前一个</translation>
+    </message>
+    <message>
+        <source>Delete preset %1</source>
+        <translation>删除预设 %1</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>主轴转速</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>进给</translation>
+    </message>
+    <message>
+        <source>0: by the feed per tooth</source>
+        <translation>0：按每齿进给量</translation>
+    </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>每齿进给量</translation>
+    </message>
+    <message>
+        <source>0: by the feed</source>
+        <translation>0：按进给</translation>
+    </message>
+    <message>
+        <source>Plunge feed</source>
+        <translation>下刀进给</translation>
+    </message>
+    <message>
+        <source>0: the share of the feed that the material states</source>
+        <translation>0：材料给出的进给比例</translation>
+    </message>
+    <message>
+        <source>Step-down</source>
+        <translation>每层切深</translation>
+    </message>
+    <message>
+        <source>Depth of a level, at most the deepest cut. 0: what material, tool and spindle can take</source>
+        <translation>每层的切深，至多为最大切深。0：材料、刀具和主轴所能承受的值</translation>
+    </message>
+    <message>
+        <source>Step-over</source>
+        <translation>行距</translation>
+    </message>
+    <message>
+        <source>Between the loops of a level, at most half the diameter. 0: a share of the diameter</source>
+        <translation>同层各圈之间的距离，至多为直径的一半。0：直径的一定比例</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Name of the preset, different from those of the tool&apos;s other presets</source>
+        <translation>预设的名称，不同于该刀具的其他预设</translation>
+    </message>
+    <message>
+        <source>Speed of the spindle at which the feed applies</source>
+        <translation>进给所对应的主轴转速</translation>
     </message>
 </context>
 <context>
@@ -14101,6 +16184,22 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Draw it in the view; Esc cancels</source>
         <translation>在视图中绘制；Esc 取消</translation>
     </message>
+    <message>
+        <source>Timeline: not in this path</source>
+        <translation>时间轴：不在此刀路中</translation>
+    </message>
+    <message>
+        <source>The path has no point that was milled at %1</source>
+        <translation>刀路中没有在此时刻铣削的点：%1</translation>
+    </message>
+    <message>
+        <source>Timeline: X %1, Y %2, Z %3</source>
+        <translation>时间轴：X %1，Y %2，Z %3</translation>
+    </message>
+    <message>
+        <source>Point of the path at the time on the timeline, from program zero: %1</source>
+        <translation>时间轴所示时间的刀路点，从程序零点算起：%1</translation>
+    </message>
 </context>
 <context>
     <name>burin::SetupController</name>
@@ -14155,6 +16254,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Examining the face</source>
         <translation>正在分析该面</translation>
+    </message>
+    <message>
+        <source>role of bodies</source>
+        <translation>多个实体的角色</translation>
     </message>
 </context>
 <context>
@@ -14321,6 +16424,22 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Setup %1</source>
         <translation>装夹 %1</translation>
+    </message>
+    <message>
+        <source>further setup</source>
+        <translation>新装夹</translation>
+    </message>
+    <message>
+        <source>name of a setup</source>
+        <translation>装夹的名称</translation>
+    </message>
+    <message>
+        <source>deletion of a setup</source>
+        <translation>删除装夹</translation>
+    </message>
+    <message>
+        <source>stock of another setup</source>
+        <translation>来自另一装夹的毛坯</translation>
     </message>
 </context>
 <context>
@@ -15054,6 +17173,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>machine&apos;s travel</source>
         <translation>机床行程</translation>
     </message>
+    <message>
+        <source>fixture renamed</source>
+        <translation>重命名夹具</translation>
+    </message>
 </context>
 <context>
     <name>burin::SurroundingsPanel</name>
@@ -15173,6 +17296,17 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Kind to add</source>
         <translation>要添加的类型</translation>
     </message>
+    <message>
+        <source>Fixture from the library…</source>
+        <translation>来自夹具库的夹具…</translation>
+    </message>
+</context>
+<context>
+    <name>burin::TakeDeviations</name>
+    <message>
+        <source>Computing the deviation of the takes</source>
+        <translation>正在计算录制的偏差</translation>
+    </message>
 </context>
 <context>
     <name>burin::TakeList</name>
@@ -15274,6 +17408,13 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
+    <name>burin::TimePresenter</name>
+    <message>
+        <source>Recording</source>
+        <translation>正在录制</translation>
+    </message>
+</context>
+<context>
     <name>burin::TimelinePanel</name>
     <message>
         <source>Cutting force on the tool.</source>
@@ -15339,6 +17480,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Select the curves to draw.</source>
         <translation>选择要绘制的曲线。</translation>
     </message>
+    <message>
+        <source>Distance of the tool from the part; negative: the tool is in the part. Distances above 5 mm are drawn as 5 mm.</source>
+        <translation>刀具到零件的距离；负值：刀具进入零件。大于 5 mm 的距离按 5 mm 绘制。</translation>
+    </message>
 </context>
 <context>
     <name>burin::TimelineView</name>
@@ -15386,6 +17531,15 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>%1: %2, reference: %3</source>
         <translation>%1：%2，参考：%3</translation>
     </message>
+    <message>
+        <source>The selected point was computed: no take has it</source>
+        <translation>所选的点是计算得出的：没有录制包含它</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>lowest and highest value</comment>
+        <translation>%1 到 %2</translation>
+    </message>
 </context>
 <context>
     <name>burin::ToolController</name>
@@ -15416,6 +17570,22 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>import of tools</source>
         <translation>导入刀具</translation>
+    </message>
+    <message>
+        <source>new tool library</source>
+        <translation>新建刀具库</translation>
+    </message>
+    <message>
+        <source>moving a tool to another library</source>
+        <translation>将刀具移到另一个刀具库</translation>
+    </message>
+    <message>
+        <source>name of a tool library</source>
+        <translation>刀具库的名称</translation>
+    </message>
+    <message>
+        <source>deleting a tool library</source>
+        <translation>删除刀具库</translation>
     </message>
 </context>
 <context>
@@ -15477,10 +17647,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>导出…</translation>
     </message>
     <message>
-        <source>Write this tool for FreeCAD (.fctb), or all for LinuxCNC (.tbl)</source>
-        <translation>将此刀具写出给 FreeCAD（.fctb），或将全部刀具写出给 LinuxCNC（.tbl）</translation>
-    </message>
-    <message>
         <source>Written to “%1”.</source>
         <translation>已写入“%1”。</translation>
     </message>
@@ -15492,15 +17658,63 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>A recording is running; end it first.</source>
         <translation>正在录制；先结束录制。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n tools were added.</source>
-        <translation>
-            <numerusform>已添加 %n 把刀具。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Check the stick-out, holder and limits of each tool; other programs may not store them.</source>
         <translation>检查每把刀具的伸出长度、刀柄和限值；其他程序可能不保存这些数据。</translation>
+    </message>
+    <message>
+        <source>Move or copy to…</source>
+        <translation>移动或复制到…</translation>
+    </message>
+    <message>
+        <source>Put this tool, or a copy of it, into another library</source>
+        <translation>把此刀具或其副本放入另一个刀具库</translation>
+    </message>
+    <message>
+        <source>Write this tool for FreeCAD (.fctb), or the listed library for FreeCAD (.fctl), LinuxCNC (.tbl), Fusion (.tools) or CAMotics (.ctbl)</source>
+        <translation>将此刀具写出供 FreeCAD 使用（.fctb），或将列出的刀具库写出供 FreeCAD（.fctl）、LinuxCNC（.tbl）、Fusion（.tools）或 CAMotics（.ctbl）使用</translation>
+    </message>
+    <message>
+        <source>This library is empty. Copy or move tools into it, or add them from a file.</source>
+        <translation>此刀具库为空。请复制或移入刀具，或从文件添加。</translation>
+    </message>
+    <message>
+        <source>A preset has no name; enter one.</source>
+        <translation>有一个预设没有名称；请输入名称。</translation>
+    </message>
+    <message>
+        <source>Two presets are called “%1”; rename one of them.</source>
+        <translation>有两个预设名为“%1”；请重命名其中一个。</translation>
+    </message>
+    <message>
+        <source>The preset “%1” needs a speed, and a feed or a feed per tooth.</source>
+        <translation>预设“%1”需要转速，以及进给或每齿进给量。</translation>
+    </message>
+    <message>
+        <source>Your own tool, in the library “%1”.</source>
+        <translation>您自己的刀具，在刀具库“%1”中。</translation>
+    </message>
+    <message>
+        <source>Move to “%1”</source>
+        <translation>移动到“%1”</translation>
+    </message>
+    <message>
+        <source>Copy to “%1”</source>
+        <translation>复制到“%1”</translation>
+    </message>
+    <message>
+        <source>Copy to a new library…</source>
+        <translation>复制到新刀具库…</translation>
+    </message>
+    <message>
+        <source>This library is empty: there is nothing to export.</source>
+        <translation>此刀具库为空：没有可导出的内容。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n tools were added to the library “%1”.</source>
+        <translation>
+            <numerusform>已在刀具库“%1”中添加 %n 把刀具。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -15764,6 +17978,91 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Per tooth</source>
         <translation>每齿</translation>
     </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Of a tool that doesn&apos;t turn, about its axis: from X of the setup to X of its models, counterclockwise seen from above</source>
+        <translation>不旋转刀具绕其轴线的方向：从装夹的 X 到模型的 X，从上方看为逆时针</translation>
+    </message>
+    <message>
+        <source>Feeds and speeds</source>
+        <translation>进给和转速</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>预设</translation>
+    </message>
+    <message>
+        <source>Feeds and speeds of your own. The first preset for the stock&apos;s material is used, without one the first for any material, without one the values that the material states</source>
+        <translation>您自己的进给和转速。使用毛坯材料的第一个预设；若没有，则使用任意材料的第一个预设；再没有，则使用材料给出的数值</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ToolLibraryBar</name>
+    <message>
+        <source>All tools</source>
+        <translation>所有刀具</translation>
+    </message>
+    <message>
+        <source>Starter library</source>
+        <translation>自带刀具库</translation>
+    </message>
+    <message>
+        <source>My tools</source>
+        <translation>我的刀具</translation>
+    </message>
+    <message>
+        <source>Tool library</source>
+        <translation>刀具库</translation>
+    </message>
+    <message>
+        <source>The tool library whose tools are listed</source>
+        <translation>列出其刀具的刀具库</translation>
+    </message>
+    <message>
+        <source>New tool library</source>
+        <translation>新建刀具库</translation>
+    </message>
+    <message>
+        <source>Rename this library</source>
+        <translation>重命名此刀具库</translation>
+    </message>
+    <message>
+        <source>Delete this library and its tools</source>
+        <translation>删除此刀具库及其刀具</translation>
+    </message>
+    <message>
+        <source>Choose a library that you have named yourself.</source>
+        <translation>请选择您自己命名的刀具库。</translation>
+    </message>
+    <message>
+        <source>Rename the tool library</source>
+        <translation>重命名刀具库</translation>
+    </message>
+    <message>
+        <source>Delete the empty library “%1”?</source>
+        <translation>删除空的刀具库“%1”？</translation>
+    </message>
+    <message>
+        <source>Delete the library “%1” and its tool?</source>
+        <translation>删除刀具库“%1”及其中的刀具？</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete the library “%1” and its %n tools?</source>
+        <translation>
+            <numerusform>删除刀具库“%1”及其中的 %n 把刀具？</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Undo brings them back. Projects keep the tools that they use.</source>
+        <translation>撤销可恢复它们。项目保留其使用的刀具。</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
 </context>
 <context>
     <name>burin::ToolPanel</name>
@@ -15849,16 +18148,24 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
             <numerusform>有 %n 段录制是用此刀具铣削的</numerusform>
         </translation>
     </message>
+    <message>
+        <source>This tool doesn&apos;t turn: it cuts as its model sweeps, upright and in a fixed direction. It has no feeds, passes or programs.</source>
+        <translation>此刀具不旋转：它按模型扫过的形状切削，保持竖直且方向固定。它没有进给、走刀和程序。</translation>
+    </message>
+    <message>
+        <source>By the preset “%1” of this tool.</source>
+        <translation>按此刀具的预设“%1”。</translation>
+    </message>
+    <message>
+        <source>By the preset “%1” of this tool; the plunge feed by the material.</source>
+        <translation>按此刀具的预设“%1”；下刀进给按材料。</translation>
+    </message>
 </context>
 <context>
     <name>burin::ToolShapeDialog</name>
     <message>
         <source>Tool from models</source>
         <translation>由模型生成刀具</translation>
-    </message>
-    <message>
-        <source>The tool cuts what its flutes sweep while the spindle turns. Models have their axis along +Z, through the origin, towards the holder; their lowest point becomes the tip. Teeth, limits and holder are those of “%1”.</source>
-        <translation>主轴旋转时，刀具切除其刃部扫过的区域。模型的轴线沿 +Z，通过原点，指向刀柄；模型的最低点成为刀尖。齿数、限值和刀柄取自“%1”。</translation>
     </message>
     <message>
         <source>Flutes</source>
@@ -15932,6 +18239,34 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>One or more closed bodies: STEP, IGES, BREP, or a mesh</source>
         <translation>一个或多个封闭实体：STEP、IGES、BREP 或网格</translation>
     </message>
+    <message>
+        <source>Turns with the spindle</source>
+        <translation>随主轴旋转</translation>
+    </message>
+    <message>
+        <source>Doesn&apos;t turn: scraper, planing blade</source>
+        <translation>不旋转：刮刀、刨刀</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>A tool that doesn&apos;t turn cuts as its models sweep; their profile only keeps them out of the part</source>
+        <translation>不旋转的刀具按模型扫过的形状切削；其轮廓只用来把它们挡在零件之外</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>About the axis: from X of the setup to X of the models, counterclockwise seen from above</source>
+        <translation>绕轴线：从装夹的 X 到模型的 X，从上方看为逆时针</translation>
+    </message>
+    <message>
+        <source>A tool that turns cuts what its flutes sweep with the spindle; one that doesn&apos;t turn cuts what its models sweep. Models have their axis along +Z, through the origin, towards the holder; their lowest point becomes the tip. Teeth, limits and holder are those of “%1”.</source>
+        <translation>旋转的刀具切除其刃部随主轴扫过的区域；不旋转的刀具切除其模型扫过的区域。模型的轴线沿 +Z，通过原点，指向刀柄；模型的最低点成为刀尖。齿数、限值和刀柄取自“%1”。</translation>
+    </message>
 </context>
 <context>
     <name>burin::TorqueTable</name>
@@ -15989,10 +18324,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Part</source>
         <translation>零件</translation>
-    </message>
-    <message>
-        <source>Tick: shown in the view.</source>
-        <translation>勾选：在视图中显示。</translation>
     </message>
     <message>
         <source>Fixtures and keep-out volumes</source>
@@ -16101,38 +18432,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>如果装夹中没有录制，则删除该装夹。</translation>
     </message>
     <message>
-        <source>&amp;Show</source>
-        <translation>显示(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Hide</source>
-        <translation>隐藏(&amp;H)</translation>
-    </message>
-    <message>
-        <source>Draw this body again.</source>
-        <translation>重新绘制此实体。</translation>
-    </message>
-    <message>
-        <source>Do not draw this body; nothing else changes.</source>
-        <translation>不绘制此实体；其他不变。</translation>
-    </message>
-    <message>
-        <source>Show this one &amp;alone</source>
-        <translation>仅显示此项(&amp;A)</translation>
-    </message>
-    <message>
-        <source>Hide all other bodies.</source>
-        <translation>隐藏其他所有实体。</translation>
-    </message>
-    <message>
-        <source>Show a&amp;ll</source>
-        <translation>全部显示(&amp;L)</translation>
-    </message>
-    <message>
-        <source>Draw all bodies again.</source>
-        <translation>重新绘制所有实体。</translation>
-    </message>
-    <message>
         <source>Delete it from the setup.</source>
         <translation>从装夹中删除。</translation>
     </message>
@@ -16149,8 +18448,24 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>删除此走刀。</translation>
     </message>
     <message>
-        <source>Right click: switch it off and on, move, duplicate, rename or delete it.</source>
-        <translation>右键单击：停用或启用、移动、复制、重命名或删除录制。</translation>
+        <source>Drag: move it. Right click: switch it off and on, move, duplicate, rename or delete it.</source>
+        <translation>拖动：移动录制。右键单击：停用或启用、移动、复制、重命名或删除录制。</translation>
+    </message>
+    <message>
+        <source>&amp;Change…</source>
+        <translation>更改(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Change its sizes and its position.</source>
+        <translation>更改其尺寸和位置。</translation>
+    </message>
+    <message>
+        <source>Rename it.</source>
+        <translation>重命名。</translation>
+    </message>
+    <message>
+        <source>Rename the fixture</source>
+        <translation>重命名夹具</translation>
     </message>
 </context>
 <context>
@@ -16385,6 +18700,21 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>From the sample part to a checked program: Burin shows what to press next.</source>
         <translation>从示例零件到检查通过的程序：Burin 指出下一步该按什么。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::Workbench</name>
+    <message>
+        <source>unit of the part</source>
+        <translation>零件的单位</translation>
+    </message>
+    <message>
+        <source>updated part</source>
+        <translation>更新零件</translation>
+    </message>
+    <message>
+        <source>import of a part</source>
+        <translation>导入零件</translation>
     </message>
 </context>
 <context>

@@ -174,6 +174,7 @@ int calibrateAxes(const AxesArguments& arguments, CommandContext& context) {
     if (const Result<void> good = checkAxisMap(table->map, table->mappable); !good) return context.fail(good.error());
     if (const Result<void> kept = keepAxes(*table); !kept) return context.fail(kept.error());
     json answer = answerOf(*table);
+    std::string still;
     for (std::size_t i = 0; i < table->mappable.axes.size(); ++i) {
         const AxisCalibration::Figures seen = calibration.figures(i);
         answer["measured"].push_back({{"axis", table->mappable.axes[i].name},
@@ -181,7 +182,14 @@ int calibrateAxes(const AxesArguments& arguments, CommandContext& context) {
                                       {"noise", seen.noise},
                                       {"low", seen.low},
                                       {"high", seen.high}});
+        if (table->mappable.axes[i].springs && seen.rest == 0.0 && seen.noise == 0.0)
+            still += (still.empty() ? "" : ", ") + table->mappable.axes[i].name;
     }
+    if (!still.empty())
+        context.message(worded(BURIN_TEXT("Command", "Axes that were not moved before the measurement keep their rest "
+                                                     "and dead zone (%1); move every axis once first, then calibrate "
+                                                     "again."),
+                               {still}));
     context.answer(answer, textOfAxes(*table));
     return 0;
 }

@@ -3,7 +3,7 @@
 #include "app/command.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
-#include "core/setup/fixture_kind.h"
+#include "core/setup/fixture_library.h"
 
 #include <algorithm>
 

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-struct ImportArguments {
+struct ToolImportArguments {
     std::shared_ptr<const LibraryArguments> tools;
     std::string file, like = usualTool, units = "mm";
     bool replace = false, dryRun = false;
@@ -63,9 +63,10 @@ Result<void> keepAll(const ReadTools& read) {
     return {};
 }
 
-/// Returns the library that tools of a file are put into: several tools into one that is called as the file.
-/// Errors: those of librariesWith and checkLibraryName.
-Result<std::string> targetOf(const ImportArguments& arguments, const ReadTools& read) {
+/// Returns the library that tools of a file are put into: several tools into one that has the name of the file, a
+/// single one where a tool of its id already is, else into ownLibrary. Errors: those of librariesWith and
+/// checkLibraryName.
+Result<std::string> targetOf(const ToolImportArguments& arguments, const ReadTools& read) {
     const Result<ToolLibraries> libraries = loadToolLibraries();
     if (!libraries) return libraries.error();
     if (const std::string& stated = arguments.tools->library; !stated.empty()) {
@@ -73,7 +74,7 @@ Result<std::string> targetOf(const ImportArguments& arguments, const ReadTools& 
         const Result<void> valid = checkLibraryName(stated);
         return valid ? Result<std::string>(stated) : Result<std::string>(valid.error());
     }
-    if (read.tools.size() == 1) return std::string(ownLibrary);
+    if (read.tools.size() == 1) return libraries->libraryOf(read.tools.front().tool.id); // one that is replaced stays
     const std::string stem = std::filesystem::path(arguments.file).stem().string();
     return arguments.replace && libraries->contains(stem) ? stem : freeLibraryName(*libraries, stem);
 }
@@ -95,7 +96,7 @@ Result<void> keepIn(const std::string& library, const ReadTools& read) {
     return {};
 }
 
-int importTools(const ImportArguments& arguments, CommandContext& context) {
+int importTools(const ToolImportArguments& arguments, CommandContext& context) {
     const Result<Tool> like = loadTool(arguments.like);
     if (!like) return context.fail(like.error());
     Result<ReadTools> read = toolsFromFile(arguments.file, *like, arguments.units == "inch" ? millimetresPerInch : 1.0);
@@ -126,14 +127,14 @@ int importTools(const ImportArguments& arguments, CommandContext& context) {
 
 void registerToolImport(CommandParser tools, std::shared_ptr<const LibraryArguments> chosen, CommandContext& context,
                         int& status) {
-    auto arguments = std::make_shared<ImportArguments>();
+    auto arguments = std::make_shared<ToolImportArguments>();
     arguments->tools = std::move(chosen);
     const CommandParser imports = tools.command(
         "import",
         BURIN_TEXT("Help", "Add tools of another program to your own: a Fusion library (*.tools, *.json), a "
                            "FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC "
-                           "table (*.tbl). Several tools become a library that is called as the file, or are put "
-                           "into --library, which need not exist yet. What can't be held is listed"));
+                           "table (*.tbl). Several tools become a library that has the name of the file, or are "
+                           "put into --library, which need not exist yet. What can't be held is listed"));
     imports.passOn();
     imports.positional(BURIN_TEXT("Argument", "FILE"), arguments->file, BURIN_TEXT("Help", "File to read")).required();
     imports
@@ -148,14 +149,14 @@ void registerToolImport(CommandParser tools, std::shared_ptr<const LibraryArgume
     imports.run([arguments, &context, &status] { status = importTools(*arguments, context); });
 }
 
-struct ExportArguments {
+struct ToolExportArguments {
     std::shared_ptr<const LibraryArguments> tools;
     std::vector<std::string> ids;
     std::string file;
     std::string units = "mm";
 };
 
-int exportTools(const ExportArguments& arguments, CommandContext& context) {
+int exportTools(const ToolExportArguments& arguments, CommandContext& context) {
     const std::string& library = arguments.tools->library;
     const Result<ToolLibraries> libraries = librariesWith(library);
     if (!libraries) return context.fail(libraries.error());
@@ -178,7 +179,7 @@ int exportTools(const ExportArguments& arguments, CommandContext& context) {
 
 void registerExport(CommandParser tools, std::shared_ptr<const LibraryArguments> chosen, CommandContext& context,
                     int& status) {
-    auto arguments = std::make_shared<ExportArguments>();
+    auto arguments = std::make_shared<ToolExportArguments>();
     arguments->tools = std::move(chosen);
     const CommandParser exports = tools.command(
         "export",

@@ -53,6 +53,14 @@ int renameLibrary(const ToolLibraryArguments& arguments, CommandContext& context
     return 0;
 }
 
+/// What a command had done when it failed; empty: nothing.
+QString doneBefore(const std::vector<std::string>& ids, TextId text) {
+    if (ids.empty()) return {};
+    std::string list;
+    for (const std::string& id : ids) list += (list.empty() ? "" : ", ") + id;
+    return QString::fromStdString(worded(text, {list}));
+}
+
 int removeLibrary(const ToolLibraryArguments& arguments, CommandContext& context) {
     const Result<ToolLibraries> libraries = loadToolLibraries();
     if (!libraries) return context.fail(libraries.error());
@@ -61,9 +69,15 @@ int removeLibrary(const ToolLibraryArguments& arguments, CommandContext& context
     if (!ids.empty() && !arguments.withTools)
         return context.fail({ErrorCode::argumentInvalid, "library", arguments.name,
                              worded(BURIN_TEXT("Command", "an empty library, or --with-tools to delete its tools"))});
-    for (const std::string& id : ids)
-        if (const Result<void> removed = removeTool(id); !removed) return context.fail(removed.error());
-    if (const Result<void> removed = removeToolLibrary(arguments.name); !removed) return context.fail(removed.error());
+    std::vector<std::string> done;
+    const auto fail = [&](const Error& error) {
+        return context.fail(error, doneBefore(done, BURIN_TEXT("Command", "already deleted: %1")));
+    };
+    for (const std::string& id : ids) {
+        if (const Result<void> removed = removeTool(id); !removed) return fail(removed.error());
+        done.push_back(id);
+    }
+    if (const Result<void> removed = removeToolLibrary(arguments.name); !removed) return fail(removed.error());
     context.answer({{"removed", arguments.name}, {"tools", ids}},
                    worded(ids.size(), BURIN_TEXT("Command", "library \"%2\" and %1 tool removed"),
                           BURIN_TEXT("Command", "library \"%2\" and %1 tools removed"), {arguments.name}));
@@ -76,6 +90,14 @@ Tool copyInto(const Tool& tool, std::vector<Tool>& all) {
     copy.number = freeToolNumber(all);
     all.push_back(copy);
     return copy;
+}
+
+Result<void> placeTool(const Tool& tool, const std::string& library, bool copied) {
+    if (copied)
+        if (const Result<std::filesystem::path> saved = saveTool(tool, false); !saved) return saved.error();
+    const Result<void> put = putTool(tool.id, library);
+    if (!put && copied) (void)removeTool(tool.id); // otherwise the copy would be among the user's other tools
+    return put;
 }
 
 /// Refuses to move any tool if one of them can't be moved.
@@ -98,17 +120,16 @@ int placeTools(const ToolLibraryArguments& arguments, CommandContext& context) {
                                  worded(BURIN_TEXT("Command", "a tool of your own, or --copy"))});
         placed.push_back(arguments.copy ? copyInto(*tool, all) : *tool);
     }
-    json ids = json::array();
+    std::vector<std::string> done;
     std::string text;
     for (const Tool& tool : placed) {
-        if (arguments.copy)
-            if (const auto saved = saveTool(tool, false); !saved) return context.fail(saved.error());
-        if (const Result<void> put = putTool(tool.id, library); !put) return context.fail(put.error());
-        ids.push_back(tool.id);
+        if (const Result<void> put = placeTool(tool, library, arguments.copy); !put)
+            return context.fail(put.error(), doneBefore(done, BURIN_TEXT("Command", "already in the library: %1")));
+        done.push_back(tool.id);
         text +=
             (text.empty() ? "" : "\n") + worded(BURIN_TEXT("Command", "%1: in the library \"%2\""), {tool.id, library});
     }
-    context.answer({{"library", library}, {"tools", ids}}, text);
+    context.answer({{"library", library}, {"tools", done}}, text);
     return 0;
 }
 

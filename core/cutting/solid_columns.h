@@ -34,8 +34,6 @@ public:
     /// Cost: voxelises the tool up to 16 times. @throws std::bad_alloc
     SolidColumns(const ToolSolid& solid, const Grid& grid);
 
-    /// Points of the lattice per voxel, along u and along v: 4, 2 or 1.
-    std::int32_t pointsPerVoxel() const noexcept { return points_; }
     /// Largest distance of a removed point from the tool, and of a remaining one from its surface, sideways along u
     /// and along v, in voxels: half of the lattice's spacing.
     double deviation() const noexcept { return 0.5 / points_; }
@@ -99,7 +97,7 @@ private:
     void addLayer(const TriangleMesh& flutes, const TriangleMesh& shank, const Grid& lines, std::int32_t pointU,
                   std::int32_t pointV);
 
-    std::int32_t points_ = 4;
+    std::int32_t points_ = 4; ///< of the lattice per voxel, along u and along v: 4, 2 or 1
     bool hasShank_ = false;
     std::vector<Layer> flutes_, shank_; ///< pointU + points_ * pointV
     glm::dvec3 low_{0.0}, high_{0.0};   ///< voxels from the tip, line frame: a box around the tool

@@ -57,8 +57,13 @@ AxisMap AxisCalibration::proposed() const {
             use.deadZone = 0.0;
             continue;
         }
+        if (seen.rest == 0.0 && seen.noise == 0.0) continue; // the device reports an axis only once it was moved
         use.rest = std::clamp(seen.rest, use.low, use.high);
         if (axes_[i].oneSided) use.low = use.rest;
+        if (!(use.low < use.high)) { // it was held at its end when it should have rested
+            use = before_.axes[i];
+            continue;
+        }
         const double down = use.rest - use.low, up = use.high - use.rest;
         const double range = down > 0.0 && up > 0.0 ? std::min(down, up) : std::max(down, up);
         use.deadZone =

@@ -36,7 +36,9 @@ public:
     Figures figures(std::size_t axis) const;
     /// The map with new rests, ends and dead zones. An axis that springs back gets its mean at rest and the dead zone
     /// of `sigmas` deviations of its noise, as a share of the smaller of its two ranges; one that stays where it is
-    /// rests in the middle of its range, or at its lower end, without a dead zone. An end that was not reached stays.
+    /// rests in the middle of its range, or at its lower end, without a dead zone. An end that was not reached stays;
+    /// an axis that would have no range left keeps its calibration. Rest and dead zone stay where every reading at rest
+    /// was exactly 0: many devices report an axis only once it was moved.
     AxisMap proposed() const;
 
 private:
@@ -52,8 +54,8 @@ private:
 };
 
 /// Opens a device with axes, reports its readings 200 times a second on the caller's thread, which it blocks, and
-/// closes it. @param heard gets each reading and the time since the start, s; returns false to end Errors:
-/// argumentInvalid (no axes), cancelled, those of StylusDevice::open and takeFault.
+/// closes it. Errors: argumentInvalid (no axes), cancelled, those of StylusDevice::open and takeFault.
+/// @param heard gets each reading and the time since the start, s; returns false to end
 Result<void> watchAxes(const StylusHandle& stylus, const std::function<bool(const AxisReading&, double)>& heard,
                        Progress& progress);
 

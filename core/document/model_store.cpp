@@ -43,12 +43,12 @@ void readUnit(std::string_view text, double scale, Model& model) {
     model.lengthUnit = cleanLine(text);
     model.statedUnit = model.lengthUnit == "none" ? 0.0 : scale;
     constexpr std::string_view before = " (", after = " mm)";
-    const std::size_t start = text.rfind(before);
-    if (start == std::string_view::npos || !text.ends_with(after)) return;
+    const std::size_t begin = text.rfind(before);
+    if (begin == std::string_view::npos || !text.ends_with(after)) return;
     text.remove_suffix(after.size());
-    const std::optional<double> stated = parseNumber(text.substr(start + before.size()));
+    const std::optional<double> stated = parseNumber(text.substr(begin + before.size()));
     if (!stated || !(*stated > 0.0)) return;
-    model.lengthUnit = cleanLine(text.substr(0, start));
+    model.lengthUnit = cleanLine(text.substr(0, begin));
     model.statedUnit = *stated;
 }
 

@@ -2,41 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/project_step.h"
 
-#include "core/base/file.h"
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <new>
 #include <sqlite3.h>
-#include <unistd.h>
 #include <utility>
 
 namespace burin {
 
 namespace {
-
-/// Opens a file that has no name. Returns a negative number where that is not possible.
-int openNameless(const std::filesystem::path& beside) {
-    const int file = ::open(beside.parent_path().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-    if (file >= 0) return file;
-    const std::filesystem::path named = temporaryBeside(beside); // the file system has no nameless files
-    const int other = ::open(named.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    if (other >= 0) ::unlink(named.c_str());
-    return other;
-}
-
-bool writeAt(int file, std::uint64_t at, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(at));
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        at += static_cast<std::uint64_t>(written);
-        bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
-    return true;
-}
 
 int isRecorded(void*, const char* table) noexcept {
     return std::strcmp(table, "document") != 0 && std::strcmp(table, "kept_workpiece") != 0 ? 1 : 0;
@@ -83,33 +58,51 @@ int settleConflict(void*, int kind, sqlite3_changeset_iter*) noexcept {
 ProjectStep::ProjectStep(std::filesystem::path beside) : beside_(std::move(beside)) {}
 
 ProjectStep::~ProjectStep() {
-    if (file_ >= 0) ::close(file_);
+    leaveFile();
 }
 
 void ProjectStep::append(std::string_view bytes) {
     if (inMemory() && !staysInMemory_ && memory_.size() + bytes.size() > mostInMemory) moveToFile();
-    if (!inMemory() && !writeAt(file_, size_, bytes)) moveToMemory();
+    if (!inMemory() && !store(bytes)) moveToMemory();
     if (inMemory()) memory_.append(bytes);
     size_ += bytes.size();
 }
 
+/// Appends to the file. @return whether it could be written
+bool ProjectStep::store(std::string_view bytes) {
+    parts_.reserve(parts_.size() + 1); // so that no part is lost
+    const FilePart part = file_->append(bytes);
+    if (part.size != bytes.size()) return false;
+    if (!parts_.empty() && parts_.back().at + parts_.back().size == part.at)
+        parts_.back().size += part.size;
+    else
+        parts_.push_back(part);
+    return true;
+}
+
 void ProjectStep::moveToFile() {
-    file_ = openNameless(beside_);
-    if (file_ >= 0 && writeAt(file_, 0, memory_)) {
+    file_ = StepFile::in(beside_);
+    if (file_ != nullptr && store(memory_)) {
         memory_ = {};
         return;
     }
     staysInMemory_ = true;
-    if (file_ >= 0) ::close(std::exchange(file_, -1));
+    leaveFile();
 }
 
 /// The disk is full.
 void ProjectStep::moveToMemory() {
     std::string all(size_, '\0');
-    read(0, all);
+    if (read(0, all) != size_) throw std::bad_alloc(); // a step with a gap must never be reverted
     memory_ = std::move(all);
     staysInMemory_ = true;
-    ::close(std::exchange(file_, -1));
+    leaveFile();
+}
+
+void ProjectStep::leaveFile() noexcept {
+    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) file_->release(*part);
+    parts_.clear();
+    file_.reset();
 }
 
 std::size_t ProjectStep::read(std::uint64_t from, std::span<char> into) const {
@@ -117,11 +110,16 @@ std::size_t ProjectStep::read(std::uint64_t from, std::span<char> into) const {
     const std::size_t count = std::min<std::uint64_t>(left, into.size());
     if (inMemory()) return memory_.copy(into.data(), count, from);
     std::size_t done = 0;
-    while (done < count) {
-        const ssize_t read = ::pread(file_, into.data() + done, count - done, static_cast<off_t>(from + done));
-        if (read < 0 && errno == EINTR) continue;
-        if (read <= 0) break;
-        done += static_cast<std::size_t>(read);
+    std::uint64_t start = 0; // of the part in the step
+    for (const FilePart& part : parts_) {
+        const std::uint64_t at = from + done;
+        if (done < count && at < start + part.size) {
+            const std::size_t here = std::min<std::uint64_t>(count - done, start + part.size - at);
+            const std::size_t read = file_->read(part.at + (at - start), into.subspan(done, here));
+            done += read;
+            if (read < here) break;
+        }
+        start += part.size;
     }
     return done;
 }
@@ -166,6 +164,7 @@ DELETE FROM path_source WHERE path NOT IN (SELECT path.id FROM path JOIN setup O
 DELETE FROM path WHERE setup NOT IN (SELECT id FROM setup);
 DELETE FROM generated_chunk WHERE generated IN (SELECT id FROM generated WHERE setup NOT IN (SELECT id FROM setup));
 DELETE FROM generated WHERE setup NOT IN (SELECT id FROM setup);
+DELETE FROM path_source WHERE generated IS NOT NULL AND generated NOT IN (SELECT id FROM generated);
 DELETE FROM program WHERE setup NOT IN (SELECT id FROM setup);
 DELETE FROM kept_workpiece WHERE setup NOT IN (SELECT id FROM setup);
 DELETE FROM stock_volume WHERE setup NOT IN (SELECT id FROM setup);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/document/database.h"
+#include "core/document/step_file.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct sqlite3_session;
 
@@ -18,8 +20,8 @@ namespace burin {
 
 /// What one step of the work changed in the rows of a project, so that exactly that can be reverted: a changeset of
 /// SQLite (https://www.sqlite.org/sessionintro.html). A short one is kept in memory; a longer one in a file without a
-/// name in the project's folder, which ends with the process, however that ends. It stays in memory only where no such
-/// file can be written.
+/// name in the project's folder, which all steps there share, and which ends with the last of them or with the process,
+/// however that ends. It stays in memory only where no such file can be written.
 class ProjectStep {
 public:
     static constexpr std::size_t mostInMemory = 256 * 1024; ///< bytes of one step
@@ -30,21 +32,24 @@ public:
     ProjectStep(const ProjectStep&) = delete;
     ProjectStep& operator=(const ProjectStep&) = delete;
 
-    void append(std::string_view bytes);
+    void append(std::string_view bytes); ///< @throws std::bad_alloc
     /// Returns the number of bytes read; less than `into` has room for only at the end, or if the file can't be read.
     std::size_t read(std::uint64_t from, std::span<char> into) const;
     std::uint64_t size() const noexcept { return size_; } ///< bytes
-    bool inMemory() const noexcept { return file_ < 0; }
+    bool inMemory() const noexcept { return file_ == nullptr; }
 
 private:
+    bool store(std::string_view bytes);
     void moveToFile();
     void moveToMemory();
+    void leaveFile() noexcept;
 
     std::filesystem::path beside_;
     std::string memory_;
     std::uint64_t size_ = 0;
-    int file_ = -1;              ///< negative: none
-    bool staysInMemory_ = false; ///< no file could be written
+    std::shared_ptr<StepFile> file_;
+    std::vector<FilePart> parts_; ///< of the file, in order
+    bool staysInMemory_ = false;  ///< no file could be written
 };
 
 /// Records which rows a database's connection changes, from its beginning to `end`. While it records, the former

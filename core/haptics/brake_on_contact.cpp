@@ -31,6 +31,8 @@ ShankContact BrakeOnContact::standing(const RunVolume& workpiece, const GapWindo
     if (!shank.touches) return contact;
     if (contact.volume > shank.volume) std::swap(contact, shank);
     shank.volume += contact.volume;
+    shank.touchesStock = shank.touchesStock || contact.touchesStock;
+    shank.touchesProtected = shank.touchesProtected || contact.touchesProtected;
     return shank;
 }
 

@@ -27,7 +27,7 @@ std::string whyEmpty(const PlannedPass& planned, const PassRequest& request) {
         return "the part has no concave edge for this tool there";
     if (planned.unreachedHoles > 0 && request.kind == PassKind::thread)
         return "the holes are not drilled as deep as the thread: drill them first, with the full diameter down to Z " +
-               formatFixed(planned.neededDrilling, 3) + " mm";
+               formatFixed(planned.neededDrilling, 3) + " mm in the coordinates of the setup";
     if (request.kind == PassKind::thread) return "the part has no upright hole of the thread's major diameter there";
     if (planned.unreachedHoles > 0) return "the part is in the way of the drill, or the drill is too short";
     if (request.kind == PassKind::drill && request.places.empty())
@@ -126,7 +126,7 @@ bool millsThreads(const GeneratedInfo& pass) {
 
 StoredPath withPass(StoredPath path, const GeneratedInfo& pass, std::int64_t source,
                     std::optional<std::int64_t> instead) {
-    constexpr double arcTolerance = 0.002; // mm: arcs of threads stay as near to their helix
+    constexpr double arcTolerance = 0.003; // mm: arcs of threads stay near their helix
     const bool isNew = path.sources.empty() && !instead;
     if (isNew) path.edits = computedEdits();
     if (millsThreads(pass))

@@ -22,14 +22,14 @@ using Lineage = std::vector<std::optional<std::size_t>>;
 using BodyKey = std::function<std::string(std::string_view path)>;
 
 /// Pairs bodies that have no partner yet and whose keys are equal, in their order. Bodies with an empty key stay alone.
-void pairBodies(const Model& before, const Model& after, const BodyKey& key, std::vector<bool>& replaced,
-                Lineage& lineage) {
+void pairBodies(const Model& before, const Model& after, const BodyKey& keyBefore, const BodyKey& keyAfter,
+                std::vector<bool>& replaced, Lineage& lineage) {
     std::multimap<std::string, std::size_t> waiting; // equal keys keep their order
     for (std::size_t i = 0; i < before.bodies.size(); ++i)
-        if (!replaced[i]) waiting.emplace(key(before.bodies[i].name), i);
+        if (!replaced[i]) waiting.emplace(keyBefore(before.bodies[i].name), i);
     for (std::size_t i = 0; i < after.bodies.size(); ++i) {
         if (lineage[i]) continue;
-        const std::string own = key(after.bodies[i].name);
+        const std::string own = keyAfter(after.bodies[i].name);
         const auto same = waiting.lower_bound(own);
         if (own.empty() || same == waiting.end() || same->first != own) continue;
         lineage[i] = same->second;
@@ -49,7 +49,6 @@ std::string pathBelowRoot(std::string_view path) {
     return root == std::string_view::npos ? std::string() : std::string(path.substr(root + 1));
 }
 
-/// Also for projects of earlier versions of Burin, which knew no assemblies.
 std::string ownName(std::string_view path) {
     return std::string(withoutInstance(lastElement(path)));
 }
@@ -57,8 +56,11 @@ std::string ownName(std::string_view path) {
 Lineage lineageOf(const Model& before, const Model& after) {
     Lineage lineage(after.bodies.size());
     std::vector<bool> replaced(before.bodies.size(), false);
-    for (const BodyKey& key : {BodyKey(wholePath), BodyKey(pathBelowRoot), BodyKey(ownName)})
-        pairBodies(before, after, key, replaced, lineage);
+    // Earlier versions of Burin knew no assemblies: a body had its own name alone, in which '/' was a letter.
+    for (const auto& [keyBefore, keyAfter] :
+         {std::pair<BodyKey, BodyKey>{wholePath, wholePath}, std::pair<BodyKey, BodyKey>{pathBelowRoot, pathBelowRoot},
+          std::pair<BodyKey, BodyKey>{pathElement, ownName}, std::pair<BodyKey, BodyKey>{ownName, ownName}})
+        pairBodies(before, after, keyBefore, keyAfter, replaced, lineage);
     const bool renamed = before.bodies.size() == 1 && after.bodies.size() == 1;
     if (renamed) lineage.front() = 0;
     return lineage;

@@ -95,6 +95,8 @@ private:
         if (!made_.passes.empty() && motion.tool == number_) return {};
         std::optional<Tool> tool = numbered(tools_, motion.tool);
         if (!tool) return unknownNumber(tools_.tools, motion.tool);
+        if (Result<void> turns = checkTurns(tool->cutter, "a path of a program for a tool that doesn't turn"); !turns)
+            return turns;
         number_ = motion.tool;
         moment_ = 0;
         begins_ = true;

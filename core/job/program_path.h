@@ -44,9 +44,9 @@ struct ToolChoice {
 /// Reads a program, G-code in a dialect or cutter locations, as moves in the setup frame. Thread-safe.
 /// @param milling its setup, program zero and machine are used, not its tool
 /// @param tools if the program calls no number and there is one tool, that tool is used
-/// Errors: those of parseProgram and parseCutterLocations; nameUnknown (a tool number), pathEmpty (no feed move), those
-/// of checkLength, programSyntax (several work offsets, or one that the program sets), argumentInvalid (a position
-/// beyond 1e6 mm), cancelled.
+/// Errors: those of parseProgram and parseCutterLocations; nameUnknown (a tool number), notSupported (a tool that does
+/// not turn), pathEmpty (no feed move), those of checkLength, programSyntax (several work offsets, or one that the
+/// program sets), argumentInvalid (a position beyond 1e6 mm), cancelled.
 Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& file, const std::string& dialect,
                                       const MillingContext& milling, const ToolChoice& tools, const Progress& progress);
 

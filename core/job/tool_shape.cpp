@@ -79,7 +79,7 @@ Result<ShapedTool> shapedTool(const ToolShapeRequest& request, Progress& progres
     }();
     if (!flutes) return flutes.error();
     ShapedTool shaped{request.like, 0.0 - boundingBox(*flutes).low.z, 0.0, false}; // never -0
-    shaped.tool.presets.clear(); // feeds of another shape
+    shaped.tool.presets.clear();                                                   // feeds of another shape
     lift(*flutes, shaped.lift);
     const Result<RevolutionEnvelope> envelope = profileOf(*flutes, request.tolerance);
     if (!envelope) return envelope.error();

@@ -51,7 +51,8 @@ struct PlannedPass {
     /// of `drill`: holes whose bottom cannot be reached because of the part or the length of the drill; of `thread`:
     /// holes left without a thread, as they, or their drillings, are not as deep as it
     std::size_t unreachedHoles = 0;
-    /// of `thread`: height down to which those have to be drilled with their full diameter, mm; 0 if there are none
+    /// of `thread`: height down to which those have to be drilled with their full diameter, mm, setup frame; 0 if there
+    /// are none
     double neededDrilling = 0.0;
     /// Feed of the tool's centre to each point of each stroke, as a share of the cutting feed; 0: the tool moves along
     /// its axis through air. Empty: all cutting feed.

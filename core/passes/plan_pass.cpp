@@ -33,8 +33,7 @@ Result<void> checkTool(PassKind kind, const Tool& tool) {
 
 bool mayPlan(PassKind kind, const Tool& tool) {
     // What is wider below than above mills threads, if anything.
-    return kind == PassKind::thread ? tool.cutter.type != CutterType::drill && !checkPlannable(tool)
-                                    : checkTool(kind, tool).hasValue();
+    return checkTool(kind, tool) && (kind != PassKind::thread || !checkPlannable(tool));
 }
 
 Result<PlannedPass> planPass(const PassRequest& request, const PassGround& ground, Progress& progress) {

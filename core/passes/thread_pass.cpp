@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <span>
 
 namespace burin {
 
@@ -24,8 +26,10 @@ constexpr double coarsestFacets = 0.007; // mm inside of a hole's circle: the to
 constexpr double leastRoom = 0.05;       // mm between the tool on the axis and the core hole
 constexpr double helixChord = 0.0005;    // mm
 constexpr double startsAbove = 1.0;      // mm above the standing stock
-constexpr double undrilled = 0.05;       // mm: less stock at the bottom of a hole is ignored
-constexpr double touching = 1e-3;        // mm
+constexpr double undrilled = 0.15;   // mm: less stock at the bottom of a hole is ignored, as by the check of plunges
+constexpr double touching = 1e-3;    // mm
+constexpr double pitchesAbove = 4.0; // of a stated top above its hole, at most
+constexpr double topRounding = 0.01; // mm: the limits of the top are stated in hundredths
 
 /// A hole to thread.
 struct ThreadHole {
@@ -53,11 +57,9 @@ public:
         , tooth_(tooth)
         , depth_(threadDepth(request.pitch))
         , tool_(pieces(ground.tool.cutter))
-        , heights_(ground.stock, ground.tool.cutter)
+        , flutes_(flutePieces(ground.tool.cutter))
         , up_(request.leftHand == request.conventional)
-        , anticlockwise_(!request.conventional) {
-        heights_.lowerTo(ground.standing);
-    }
+        , anticlockwise_(!request.conventional) {}
 
     Result<PlannedPass> plan() {
         const Result<std::vector<UprightHole>> holes = requestedHoles();
@@ -87,11 +89,17 @@ private:
                 if (Result<void> fit = checkFit(hole, hole.centre); !fit) return fit.error();
                 wanted.push_back(hole);
             }
+        std::vector<UprightHole> ofThread; // a narrower hole may continue below one of them
+        std::ranges::copy_if(all, std::back_inserter(ofThread), [&](const auto& hole) { return isOfThread(hole); });
         for (const glm::dvec2& place : request_.places) {
-            const UprightHole* around = holeAround(all, place);
+            const UprightHole* around = holeAround(ofThread, place);
+            if (around == nullptr) around = holeAround(all, place);
             if (around == nullptr) return wrong(place, "a round upright hole of the part");
             if (Result<void> fit = checkFit(*around, place); !fit) return fit.error();
-            wanted.push_back(*around);
+            const auto same = [&](const UprightHole& hole) {
+                return hole.centre == around->centre && hole.radius == around->radius;
+            };
+            if (std::ranges::none_of(wanted, same)) wanted.push_back(*around);
         }
         return wanted;
     }
@@ -111,7 +119,15 @@ private:
         if (2.0 * tooth_.radius > core - 2.0 * leastRoom)
             return wrong(place,
                          "a thread mill of at most " + formatFixed(core - 2.0 * leastRoom, 2) + " mm for that hole");
-        return {};
+        return checkTop(hole);
+    }
+    /// A stated top far above a hole would make a helix without end in the air.
+    Result<void> checkTop(const UprightHole& hole) const {
+        const double highest = hole.top + pitchesAbove * request_.pitch;
+        if (!request_.top || (*request_.top > hole.bottom && *request_.top < highest + topRounding)) return {};
+        return Error{ErrorCode::argumentInvalid, "top_mm", formatShortest(*request_.top),
+                     "above " + formatFixed(hole.bottom, 2) + " and at most " + formatFixed(highest, 2) +
+                         " mm for the hole at " + formatFixed(hole.centre.x, 2) + ", " + formatFixed(hole.centre.y, 2)};
     }
     double helixRadius(const UprightHole& hole) const noexcept { return hole.radius - tooth_.radius; }
 
@@ -121,14 +137,18 @@ private:
         // The lowest tip whose groove is complete at a height: behind the half turn that leads onto the helix.
         const auto tipFor = [&](double crest) { return crest - tooth_.height - lead; };
         double wanted = tipFor(hole.bottom - half), needed = tipFor(hole.bottom);
-        if (request_.depth > 0.0) wanted = needed = tipFor(top - request_.depth);
-        if (request_.bottom) wanted = needed = *request_.bottom;
-        const double part = restingTip(hole, wanted);
-        if (part > needed + touching) { // a blind hole
-            if (request_.depth > 0.0 || request_.bottom) return unreached(needed);
-            needed = part + pointHeight(hole);
+        if (request_.depth > 0.0 || request_.bottom) { // no farther than the hole
+            const double stated = request_.bottom.value_or(tipFor(top - request_.depth));
+            wanted = std::max(wanted, stated);
+            needed = std::max(needed, stated);
         }
-        const double stock = heights_.freeTip(hole.centre.x, hole.centre.y, uncertainRim());
+        const double part = restingTip(hole, wanted, tool_);
+        if (part > needed + touching) { // a blind hole, or a tool that is too short
+            const bool tooShort = part > restingTip(hole, wanted, flutes_) + touching;
+            if (request_.depth > 0.0 || request_.bottom || tooShort) return unreached(needed);
+            wanted = needed = part + pointHeight(hole);
+        }
+        const double stock = stockBelow(hole.centre);
         if (stock > needed + undrilled) return unreached(needed);
         const ThreadHole found{hole, std::max({wanted, part, std::min(stock, needed)}), top + half - tooth_.height};
         return found.high - (found.low + lead) >= half ? std::optional(found) : unreached(needed);
@@ -141,15 +161,35 @@ private:
     double pointHeight(const UprightHole& hole) const noexcept {
         return (hole.radius - depth_) / std::tan(glm::radians(59.0));
     }
-    /// The part of the radius that the raster of the stock may wrongly find blocked by the wall of the core hole, mm.
-    double uncertainRim() const noexcept {
-        const double raster = 1.5 * (ground_.standing.edge + heights_.raster());
-        return std::min(raster, 0.9 * tooth_.radius);
+    /// The lowest tip on an axis at which the flutes are clear of the stock, mm. Squares that the wall of the core hole
+    /// may cut don't count: a hole is found too narrow if its radius is two squares less than that of the tool.
+    double stockBelow(const glm::dvec2& axis) const {
+        const StandingStock& standing = ground_.standing;
+        if (standing.heights.empty()) return ground_.stock.high.z;
+        const double edge = standing.edge, reach = tooth_.radius - std::sqrt(0.5) * edge;
+        const glm::dvec2 home = glm::floor((axis - standing.low) / edge) + 0.5;
+        double lowest = standing.highestIn(axis, axis);
+        for (double v = -std::ceil(reach / edge); v * edge <= reach; v += 1.0)
+            for (double u = -std::ceil(reach / edge); u * edge <= reach; u += 1.0) {
+                const glm::dvec2 middle = standing.low + edge * (home + glm::dvec2(u, v));
+                if (const double far = glm::distance(middle, axis); far <= reach)
+                    lowest = std::max(lowest, standing.highestIn(middle, middle) - flutesAt(far));
+            }
+        return lowest;
     }
-    /// The lowest tip in the hole, at the axis and all round the helix, mm.
-    double restingTip(const UprightHole& hole, double floor) const {
+    /// The height of the flutes' lowest point above the tip at a distance from the axis, mm.
+    double flutesAt(double distance) const noexcept {
+        double lowest = tooth_.height;
+        for (const RevolvedPiece& piece : flutes_)
+            if (const std::optional<HeightRange> range = heightsAt(piece, distance))
+                lowest = std::min(lowest, range->low);
+        return lowest;
+    }
+    /// The lowest tip in the hole at which the part is clear of some pieces of the tool, at the axis and all round the
+    /// helix, mm.
+    double restingTip(const UprightHole& hole, double floor, std::span<const RevolvedPiece> pieces) const {
         constexpr int looks = 24;
-        TipDrop drop(ground_.part, tool_, 0.0, floor);
+        TipDrop drop(ground_.part, pieces, 0.0, floor);
         double lowest = drop.at(hole.centre).value_or(floor);
         const double radius = hole.clearRadius - tooth_.radius - drillFit;
         for (int i = 0; i < looks && radius > 0.0; ++i) {
@@ -162,16 +202,16 @@ private:
 
     ThreadStroke strokeIn(const ThreadHole& place) const {
         const UprightHole& hole = place.hole;
-        const double above =
+        const double clear =
             std::max(ground_.stock.high.z, place.high + 0.25 * request_.pitch + tooth_.height) + startsAbove;
         ThreadStroke stroke;
-        stroke.add({hole.centre, above}, 0.0);
+        stroke.add({hole.centre, clear}, 0.0);
         const int passes = request_.radialPasses + (request_.springPass ? 1 : 0);
         for (int pass = 1; pass <= passes; ++pass) {
             const double share = std::sqrt(std::min(1.0, static_cast<double>(pass) / request_.radialPasses));
             addHelix(stroke, place, helixRadius(hole) - depth_ * (1.0 - share));
         }
-        stroke.add({hole.centre, above}, 0.0);
+        stroke.add({hole.centre, clear}, 0.0);
         return stroke;
     }
 
@@ -227,8 +267,7 @@ private:
     Progress& progress_;
     ThreadTooth tooth_;
     double depth_; ///< mm, of the thread
-    std::vector<RevolvedPiece> tool_;
-    WorkpieceHeights heights_;
+    std::vector<RevolvedPiece> tool_, flutes_;
     bool up_, anticlockwise_; ///< direction of the tool on the helix, seen from above
     PlannedPass planned_;
 };

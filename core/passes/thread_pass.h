@@ -12,7 +12,7 @@ namespace burin {
 ///
 /// *What may be cut.* Nothing of the part: its hole has to be drawn at the major diameter of the thread (within 0.02
 /// mm), and the thread's crests are stock that stays in front of its wall. A hole that is drawn at another diameter is
-/// refused. In the stock the hole has to be drilled before, as deep as the tool goes.
+/// refused. In the stock the hole has to be drilled before, wide enough for the tool and as deep as it goes.
 ///
 /// *Path.* A helix with a turn for each pitch; its radius is that of the hole less that of the tool, so that the tooth
 /// reaches the circle of the hole exactly. The tool comes down on the axis of the hole, is led onto the helix by half a
@@ -23,9 +23,10 @@ namespace burin {
 /// mm at most.
 ///
 /// *Depth.* From half a pitch above the top of the hole (or `top`), so that the thread is complete there, to half a
-/// pitch beyond its bottom if that is open and drilled, at least to the bottom; in a blind hole as deep as the drill's
-/// point has left room for the tip; or as `depth` and `bottom` say. Holes that are not drilled as deep, or in which the
-/// part stops the tool before, are left out and counted.
+/// pitch beyond its bottom if that is open and drilled, at least to the bottom; in a blind hole to
+/// where the point of a drill of 118° that stands on its bottom ends; or as `depth` and `bottom` say, but no farther.
+/// Holes that are not drilled as deep or as wide, or in which the part stops the tool or its holder before, are left
+/// out and counted.
 ///
 /// *Feed.* Feeds of tables are those of the cutting edge. The centre of the tool moves on a smaller circle, by (D - d)
 /// / D (D: diameter cut, d: of the tool; Sandvik Coromant, "Thread milling", internal): `PlannedPass::feedShares`.

@@ -48,6 +48,30 @@ void forEachDivided(const std::vector<PathPoint>& points, const SourceStretch& s
     }
 }
 
+/// The position on a move that is nearest to a point.
+struct NearOnMove {
+    glm::dvec3 place{0.0};                                     ///< mm
+    double share = 0.0;                                        ///< of the move, 0 … 1
+    double distance = std::numeric_limits<double>::infinity(); ///< mm
+};
+NearOnMove nearestOnMove(const PathPoint& from, const PathPoint& to, const glm::dvec3& place) {
+    constexpr double chord = 0.02; // mm
+    std::vector<glm::dvec3> line{to.pose.tip};
+    if (to.arc) flatten({from.pose.tip, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise}, chord, line);
+    line.insert(line.begin(), from.pose.tip);
+    NearOnMove nearest;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+        const glm::dvec3 way = line[k] - line[k - 1];
+        const double square = glm::dot(way, way);
+        const double share = square > 0.0 ? std::clamp(glm::dot(place - line[k - 1], way) / square, 0.0, 1.0) : 0.0;
+        const glm::dvec3 at = line[k - 1] + share * way;
+        if (glm::distance(place, at) < nearest.distance)
+            nearest = {at, (static_cast<double>(k - 1) + share) / static_cast<double>(line.size() - 1),
+                       glm::distance(place, at)};
+    }
+    return nearest;
+}
+
 } // namespace
 
 bool hasMoment(const PathPoint& point) noexcept {
@@ -112,26 +136,29 @@ std::optional<PathPoint> pointAt(const Path& path, const Moment& moment) {
 }
 
 Moment momentNear(const Path& path, const glm::dvec3& place) {
-    constexpr double chord = 0.02; // mm
     Moment nearest;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         const PathPoint &from = path.points[i - 1], &to = path.points[i];
         if (to.kind == MoveKind::rapid) continue;
-        std::vector<glm::dvec3> line{to.pose.tip};
-        if (to.arc) flatten({from.pose.tip, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise}, chord, line);
-        line.insert(line.begin(), from.pose.tip);
-        for (std::size_t k = 1; k < line.size(); ++k) {
-            const glm::dvec3 way = line[k] - line[k - 1];
-            const double square = glm::dot(way, way);
-            const double share = square > 0.0 ? std::clamp(glm::dot(place - line[k - 1], way) / square, 0.0, 1.0) : 0.0;
-            const double far = glm::distance(place, line[k - 1] + share * way);
-            if (far >= least) continue;
-            least = far;
-            nearest = momentAt(from, to, (static_cast<double>(k - 1) + share) / static_cast<double>(line.size() - 1));
-        }
+        const NearOnMove near = nearestOnMove(from, to, place);
+        if (near.distance >= least) continue;
+        least = near.distance;
+        nearest = momentAt(from, to, near.share);
     }
     return nearest;
+}
+
+std::optional<glm::dvec3> placeAt(const Path& path, const Moment& moment, const std::optional<glm::dvec3>& tip) {
+    const auto madeThen = [&](const PathPoint& point) { return hasMoment(point) && point.source == moment.source; };
+    for (std::size_t i = 1; tip && i < path.points.size(); ++i) {
+        const PathPoint &from = path.points[i - 1], &to = path.points[i];
+        if (!madeThen(from) || !madeThen(to) || to.kind == MoveKind::rapid) continue;
+        const auto [low, high] = std::minmax(from.sample, to.sample);
+        if (low <= moment.tick && moment.tick <= high) return nearestOnMove(from, to, *tip).place;
+    }
+    const std::optional<PathPoint> point = pointAt(path, moment);
+    return point ? std::optional(point->pose.tip) : std::nullopt;
 }
 
 } // namespace burin

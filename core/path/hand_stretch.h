@@ -46,4 +46,9 @@ std::optional<PathPoint> pointAt(const Path& path, const Moment& moment);
 /// there is none. Arcs count as their chords in steps of 0.02 mm of deviation. Cost: linear. @param place mm
 Moment momentNear(const Path& path, const glm::dvec3& place);
 
+/// The position on the path at a moment, mm, setup frame. With the tip of the tool at that moment: the nearest position
+/// on the move that was made then; without: that of `pointAt`, by time, which may be farther along a straight move than
+/// the tool was. Empty if the path does not have the moment.
+std::optional<glm::dvec3> placeAt(const Path& path, const Moment& moment, const std::optional<glm::dvec3>& tip);
+
 } // namespace burin

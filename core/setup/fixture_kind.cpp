@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/setup/fixture_kind.h"
 
+#include "core/setup/fixture_library.h"
+
 #include "core/base/numbers.h"
 #include "core/geometry/pose.h"
 

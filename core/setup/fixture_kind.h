@@ -37,7 +37,6 @@ struct FixtureKindRow {
     TextId title, toolTip;
     std::span<const FixtureParameter> parameters;
 };
-extern const std::array<FixtureKindRow, 7> fixtureKinds; ///< in the order of FixtureKind
 
 const FixtureKindRow& rowOf(FixtureKind kind) noexcept;
 std::optional<FixtureKind> fixtureKindFromId(std::string_view id) noexcept;

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// The library of fixtures: kinds and sizes.
-#include "core/setup/fixture_kind.h"
+#include "core/setup/fixture_library.h"
 
 namespace burin {
 

@@ -161,7 +161,7 @@ FixtureDesign placedAt(FixtureDesign design, const std::set<std::string>& given,
 
 glm::dvec3 firstPoint(FixtureKind kind, const Box& stock) noexcept {
     const glm::dvec3 size = stock.size(), centre = stock.centre();
-    if (kind == FixtureKind::vise && size.x >= size.y) return {centre.x, stock.low.y, stock.high.z};
+    if (kind == FixtureKind::vise && size.x >= size.y) return {centre.x, stock.high.y, stock.high.z};
     const double inset = kind == FixtureKind::vise ? 0.0 : std::min(firstInset, 0.25 * size.x);
     return {stock.low.x + inset, centre.y, stock.high.z};
 }

@@ -29,7 +29,8 @@ FixtureSite siteOf(const Box& stock, std::span<const Obstacle> fixtures);
 FixtureDesign placedAt(FixtureDesign design, const std::set<std::string>& given, const FixtureSite& site,
                        const glm::dvec3& point);
 
-/// A point that suits a fixture of a kind: at an end of the stock; for a vise on a long side.
+/// A point that suits a fixture of a kind: at an end of the stock; for a vise on a long side, preferably the rear one,
+/// so that its spindle is in front.
 glm::dvec3 firstPoint(FixtureKind kind, const Box& stock) noexcept;
 
 /// Returns the fixture as a solid. Errors: those of checkFixture, fixtureInStock if it would enter the stock's box.

@@ -89,17 +89,22 @@ TriangleMesh roundMesh(const RoundBody& body) {
     const double widest = std::ranges::max(body.steps, {}, &RoundStep::radius).radius;
     const std::uint32_t sides = sidesAround(widest, cylinderChord);
     TriangleMesh mesh;
+    std::uint32_t rings = 0;
     const auto ring = [&](const RoundStep& step, double height) {
+        ++rings;
         for (std::uint32_t i = 0; i < sides; ++i) {
             const double angle = 2.0 * pi * i / sides, radius = cornerRadius(step.radius, sides);
             mesh.vertices.emplace_back(body.centre + radius * glm::dvec2(std::cos(angle), std::sin(angle)), height);
         }
     };
+    const RoundStep* below = nullptr;
     for (const RoundStep& step : body.steps) {
-        ring(step, step.low);
+        // Between steps of the same width there is no face.
+        if (below == nullptr || below->radius != step.radius) ring(step, step.low);
         ring(step, step.high);
+        below = &step;
     }
-    const auto rings = static_cast<std::uint32_t>(2 * body.steps.size()), bottom = rings * sides, top = bottom + 1;
+    const std::uint32_t bottom = rings * sides, top = bottom + 1;
     mesh.vertices.emplace_back(body.centre, body.steps.front().low);
     mesh.vertices.emplace_back(body.centre, body.steps.back().high);
     for (std::uint32_t i = 0; i < sides; ++i) {

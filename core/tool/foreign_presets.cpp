@@ -41,12 +41,12 @@ double numberIn(const json& preset, const char* key) {
     return found != preset.end() && found->is_number() ? found->get<double>() : 0.0;
 }
 
-std::string textIn(const json& of, const char* key) {
+} // namespace
+
+std::string textIn(const nlohmann::json& of, const char* key) {
     const auto found = of.find(key);
     return found != of.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
-
-} // namespace
 
 double surfaceSpeedOf(double spindleSpeed, double diameter) noexcept {
     return pi * diameter * spindleSpeed / millimetresPerMetre;

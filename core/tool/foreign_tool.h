@@ -14,6 +14,9 @@ namespace burin {
 /// @param like provides the limits. Errors: resourceInvalid.
 Result<ReadTool> soundTool(ReadTool read, const std::string& origin, const Tool& like);
 
+/// Returns the text that an object has for a key; empty if it has none, or something else.
+std::string textIn(const nlohmann::json& of, const char* key);
+
 // Presets of other programs.
 /// Adds a preset to a tool as it was read: its name is made unique, and its material becomes an id. What Burin can't
 /// represent is left out with a note. @param material as the other program calls it; empty: any

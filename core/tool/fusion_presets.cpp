@@ -16,11 +16,6 @@ using nlohmann::json;
 constexpr std::array ownOfFusion{"n_ramp",         "v_f_ramp",    "v_f_leadIn", "v_f_leadOut",
                                  "v_f_transition", "v_f_retract", "ramp-angle"};
 
-std::string wordIn(const json& of, const char* key) {
-    const auto found = of.find(key);
-    return found != of.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
 /// A preset as it was read, with the name of its material.
 class FusionPreset {
 public:
@@ -28,7 +23,7 @@ public:
 
     CuttingPreset preset() const {
         CuttingPreset read;
-        read.name = wordIn(json_, "name");
+        read.name = textIn(json_, "name");
         read.spindleSpeed = value("n", 1.0);
         read.feed = value("v_f", unit_);
         if (!(read.feed > 0.0)) read.chipLoad = value("f_z", unit_);
@@ -36,7 +31,7 @@ public:
         read.plungeFeed = value("v_f_plunge", unit_);
         read.stepDown = step("stepdown", "use-stepdown");
         read.stepOver = step("stepover", "use-stepover");
-        const std::string coolant = wordIn(json_, "tool-coolant");
+        const std::string coolant = textIn(json_, "tool-coolant");
         if (coolant == "disabled") read.coolant = Coolant::off;
         if (coolant == "mist") read.coolant = Coolant::mist;
         if (coolant == "flood") read.coolant = Coolant::flood;
@@ -46,13 +41,13 @@ public:
     std::string material() const {
         const auto found = json_.find("material");
         if (found == json_.end() || !found->is_object()) return {};
-        if (const std::string query = wordIn(*found, "query"); !query.empty()) return query;
-        const std::string category = wordIn(*found, "category");
+        if (const std::string query = textIn(*found, "query"); !query.empty()) return query;
+        const std::string category = textIn(*found, "category");
         return category == "all" ? std::string() : category;
     }
     /// Returns the coolant that Burin does not have; empty: none.
     std::string foreignCoolant() const {
-        const std::string coolant = wordIn(json_, "tool-coolant");
+        const std::string coolant = textIn(json_, "tool-coolant");
         return preset().coolant ? std::string() : coolant;
     }
 

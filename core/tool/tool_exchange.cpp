@@ -4,6 +4,7 @@
 
 #include "core/base/file.h"
 #include "core/base/resource_folder.h"
+#include "core/base/staged_file.h"
 #include "core/base/zip_archive.h"
 #include "core/tool/foreign_tool.h"
 
@@ -11,6 +12,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace burin {
 
@@ -48,6 +51,12 @@ Result<WrittenTools> oneTool(const std::string& suffix, const std::string& id, c
         return Error{ErrorCode::argumentInvalid, "tools", id, "one; several go into *.fctl, *.tbl, *.tools or *.ctbl"};
     if (suffix == ".fctb") return freecadBit(*tool);
     return WrittenTools{toJson(*tool), {}, {}};
+}
+
+Result<void> makeFolderOf(const std::filesystem::path& file) {
+    std::error_code failed;
+    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failed);
+    return failed ? Result<void>(writeError(file, failed.value())) : Result<void>();
 }
 
 } // namespace
@@ -106,13 +115,19 @@ Result<WrittenTools> toolsFor(const std::string& file, const std::string& id, co
 }
 
 Result<void> writeTools(const std::filesystem::path& file, const WrittenTools& written) {
-    for (const WrittenTools::File& each : written.files) {
-        std::error_code failed;
-        std::filesystem::create_directories(each.file.parent_path(), failed);
-        if (failed) return writeError(each.file, failed.value());
-        if (Result<void> done = writeFileAtomically(each.file, each.text); !done) return done;
-    }
-    return writeFileAtomically(file, written.text);
+    if (written.files.empty()) return writeFileAtomically(file, written.text);
+    std::vector<StagedFile> staged;
+    const auto add = [&](const std::filesystem::path& each, const std::string& text) -> Result<void> {
+        if (Result<void> made = makeFolderOf(each); !made) return made;
+        Result<StagedFile> output = StagedFile::containing(each, text);
+        if (!output) return std::move(output).error();
+        staged.push_back(std::move(*output));
+        return {};
+    };
+    for (const WrittenTools::File& each : written.files)
+        if (Result<void> done = add(each.file, each.text); !done) return done;
+    if (Result<void> done = add(file, written.text); !done) return done; // its folder "Library" may not exist yet
+    return putInPlace(staged);
 }
 
 } // namespace burin

@@ -51,8 +51,8 @@ Result<WrittenTools> freecadBit(const Tool& tool);
 /// Returns a library of FreeCAD (.fctl) with its bits, which lie in a folder "Bit": next to the library's folder if
 /// that is called "Library", as FreeCAD has it, otherwise in the library's folder. A bit that is there already and that
 /// the replaced library does not name is kept; the new one gets a number appended to its name. Tools whose shapes no
-/// bit has are left out and named in the notes. @param file of the library; its stem becomes the label Errors:
-/// notSupported (all of them are), argumentInvalid (two tools with the same number).
+/// bit has are left out and named in the notes. Errors: notSupported (all of them are), argumentInvalid (two tools with
+/// the same number). @param file of the library; its stem becomes the label
 Result<WrittenTools> freecadLibrary(const std::filesystem::path& file, const std::vector<Tool>& tools);
 /// Returns a tool table of LinuxCNC, sorted by number, each tool in the pocket of its number; diameters in the
 /// machine's unit. Lengths are left at 0: they are measured on the machine. @param unit machine unit in mm
@@ -66,12 +66,12 @@ Result<WrittenTools> fusionLibrary(const std::vector<Tool>& tools);
 Result<WrittenTools> camoticsTable(const std::vector<Tool>& tools);
 
 /// Returns the content for a file by its name: *.fctl, *.tbl, *.tools and *.ctbl contain all tools, *.fctb and *.json
-/// (Burin's own form) the one with the given id. @param unit machine unit in mm, for a LinuxCNC table Errors: those of
-/// each format, argumentInvalid (another name; an id that none of them has).
+/// (Burin's own form) the one with the given id. Errors: those of each format, argumentInvalid (another name; an id
+/// that none of them has). @param unit machine unit in mm, for a LinuxCNC table
 Result<WrittenTools> toolsFor(const std::string& file, const std::string& id, const std::vector<Tool>& tools,
                               double unit);
-/// Writes tools to a file, and first the further files that belong to it, creating the folders of these. Errors: those
-/// of writeFileAtomically.
+/// Writes tools to a file, together with the further files that belong to it: all of them or none. Creates their
+/// folders. Errors: those of StagedFile.
 Result<void> writeTools(const std::filesystem::path& file, const WrittenTools& written);
 
 } // namespace burin

@@ -10,14 +10,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 namespace burin {
 
 namespace {
 
 constexpr NumberRange solidCoordinate{-1000.0, 1000.0}; // mm
-constexpr NumberRange solidTurn{-360.0, 360.0};              // degrees
-constexpr double solidFit = 1e-3;                            // mm, between a model and the profile around it
+constexpr NumberRange solidTurn{-360.0, 360.0};         // degrees
+constexpr double solidFit = 1e-3;                       // mm, between a model and the profile around it
 
 Error badSolid(const char* key, std::string value, std::string allowed) {
     return {ErrorCode::argumentInvalid, std::string("cutter.") + key, std::move(value), std::move(allowed)};
@@ -33,13 +34,33 @@ Result<void> checkMesh(const char* key, const TriangleMesh& mesh) {
     return {};
 }
 
-/// Whether all vertices lie in one of the pieces.
+bool holdsPoint(const RevolvedPiece& piece, const glm::dvec3& point) {
+    return signedDistance(piece, std::hypot(point.x, point.y), point.z) <= solidFit;
+}
+
+/// Whether what an edge has between the faces of a piece lies in it. The piece is convex, so the ends of that part
+/// decide. Closer to a face than `solidFit`, the edge may belong to the adjacent piece.
+bool holdsEdge(const RevolvedPiece& piece, const glm::dvec3& one, const glm::dvec3& other) {
+    const auto& [low, high] = one.z < other.z ? std::tie(one, other) : std::tie(other, one);
+    const double from = std::max(low.z, piece.bottom + solidFit), to = std::min(high.z, piece.top - solidFit);
+    if (!(from < to)) return true;
+    const auto at = [&](double height) { return glm::mix(low, high, (height - low.z) / (high.z - low.z)); };
+    return holdsPoint(piece, at(from)) && holdsPoint(piece, at(to));
+}
+
+/// Whether a mesh lies in the pieces, which are stacked: between two faces, a triangle is the hull of its edges' parts.
 bool isWithin(const TriangleMesh& mesh, const std::vector<RevolvedPiece>& pieces) {
-    return std::ranges::all_of(mesh.vertices, [&](const glm::dvec3& vertex) {
-        const double radius = std::hypot(vertex.x, vertex.y);
-        return std::ranges::any_of(
-            pieces, [&](const RevolvedPiece& piece) { return signedDistance(piece, radius, vertex.z) <= solidFit; });
+    const bool corners = std::ranges::all_of(mesh.vertices, [&](const glm::dvec3& vertex) {
+        return std::ranges::any_of(pieces, [&](const RevolvedPiece& piece) { return holdsPoint(piece, vertex); });
     });
+    return corners && std::ranges::all_of(mesh.triangles, [&](const auto& triangle) {
+               return std::ranges::all_of(pieces, [&](const RevolvedPiece& piece) {
+                   for (std::size_t i = 0; i < 3; ++i)
+                       if (!holdsEdge(piece, mesh.vertices[triangle[i]], mesh.vertices[triangle[(i + 1) % 3]]))
+                           return false;
+                   return true;
+               });
+           });
 }
 
 /// Flat lists of numbers: [x, y, z, x, …] and [a, b, c, a, …].
@@ -50,6 +71,8 @@ void readSolidMesh(JsonObject& from, const char* key, TriangleMesh& mesh) {
             mesh.vertices.emplace_back(places[i], places[i + 1], places[i + 2]);
         const std::vector<double> corners =
             model.numbers("triangles", {0.0, static_cast<double>(3 * ToolSolid::mostTriangles)}, 3);
+        if (std::ranges::any_of(corners, [](double corner) { return corner != std::floor(corner); }))
+            model.fail("triangles", "has to be whole numbers");
         for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
             mesh.triangles.push_back({static_cast<std::uint32_t>(corners[i]),
                                       static_cast<std::uint32_t>(corners[i + 1]),
@@ -84,7 +107,9 @@ Result<void> validateSolid(const Cutter& cutter) {
     if (solid.flutes.empty() || triangles > ToolSolid::mostTriangles)
         return badSolid("flutes_mesh", std::to_string(triangles),
                         "1 to " + std::to_string(ToolSolid::mostTriangles) + " triangles");
-    if (!std::isfinite(solid.angle)) return badSolid("angle_deg", formatShortest(solid.angle), "a number");
+    // As written, in steps of 1e-9 degrees, it must be read again.
+    if (const double angle = solid.angle * 180.0 / pi; !(std::abs(angle) < solidTurn.high + 4e-10))
+        return badSolid("angle_deg", formatShortest(angle), "a number from -360 to 360");
     if (Result<void> flutes = checkMesh("flutes_mesh", solid.flutes); !flutes) return flutes;
     if (Result<void> shank = checkMesh("shank_mesh", solid.shank); !shank) return shank;
     const std::vector<RevolvedPiece> flutes = flutePieces(cutter);

@@ -48,8 +48,12 @@ ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistan
         const double across = stack[i].widestRadius() * std::sqrt(std::max(0.0, 1.0 - axis.z * axis.z));
         guardBottom = std::min(guardBottom, std::min(stack[i].bottom * axis.z, stack[i].top * axis.z) - across);
     }
-    if (hasSolidShank()) // it may begin within the flutes
-        guardBottom = std::min(guardBottom, boundingBox(cutter.solid->shank).low.z * axis.z);
+    if (hasSolidShank()) { // it may begin within the flutes, and be wider there than the pieces of the shank
+        const Box shank = boundingBox(cutter.solid->shank);
+        const double widest = glm::length(glm::max(glm::abs(glm::dvec2(shank.low)), glm::abs(glm::dvec2(shank.high))));
+        const double across = widest * std::sqrt(std::max(0.0, 1.0 - axis.z * axis.z));
+        guardBottom = std::min(guardBottom, std::min(shank.low.z * axis.z, shank.high.z * axis.z) - across);
+    }
 }
 
 std::uint32_t stepsOf(const ToolMove& move, double edge) noexcept {

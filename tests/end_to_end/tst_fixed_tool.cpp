@@ -69,8 +69,8 @@ private slots:
         QByteArray trace = "time_s,x_mm,y_mm,z_mm,qw,qx,qy,qz,buttons\n";
         for (int i = 0; i < 4000; ++i) {
             const double time = 0.001 * i;
-            const double place[] = {45.0 * std::sin(2.1 * time + 1.5), 45.0 * std::cos(2.9 * time),
-                                    45.0 * std::cos(1.7 * time)};
+            // Device frame: to and fro over the stock, from above down to the part
+            const double place[] = {28.0 * std::sin(4.2 * time), 9.0 * std::cos(2.9 * time), 30.0 - 9.0 * time};
             trace += QByteArray::number(time, 'f', 3);
             for (const double each : place) trace += ',' + QByteArray::number(each, 'f', 4);
             trace += ",1,0,0,0,0\n";
@@ -109,7 +109,9 @@ private slots:
         };
         const QJsonObject along = removed("along", ""), across = removed("across", "");
         const double narrow = along["removed_mm3"].toDouble(), wide = across["removed_mm3"].toDouble();
-        QVERIFY2(narrow > 10.0 && std::abs(wide / narrow - 4.0) < 0.01, qPrintable(QString::number(wide / narrow)));
+        // The stock is 66 voxels of 0.5 mm long: 33 mm × 1 mm × width.
+        QVERIFY2(std::abs(narrow - 66.0) < 0.01 && std::abs(wide - 264.0) < 0.01,
+                 qPrintable(QStringLiteral("%1 %2").arg(narrow).arg(wide)));
         QVERIFY(!kindsOf(along).contains("spindle_off") && !kindsOf(along).contains("spindle_on"));
         QVERIFY(!kindsOf(along).contains("gouge"));
         const QJsonObject turning = removed("along", "S1000 M3\n");
@@ -133,7 +135,8 @@ private slots:
                      refused.messages.constData());
         }
         QVERIFY(!QFile::exists(in("p.ngc")));
-        QCOMPARE(run({"path", in("p.burin"), "apply", "1", "--edit", R"({"edit": "set-feed"})"}).status, 0);
+        QCOMPARE(run({"path", in("p.burin"), "apply", "1", "--edit", R"({"edit": "set-feed"})", "--place", "6"}).status,
+                 0);
         const ProgramRun fed = run({"path", in("p.burin"), "show", "1"});
         QVERIFY2(fed.status != 0 && fed.messages.contains("set-feed") && fed.messages.contains("doesn't turn"),
                  fed.messages.constData());

@@ -3,6 +3,7 @@
 #include "program_run.h"
 
 #include "core/document/project.h"
+#include "core/setup/fixture_library.h"
 #include "core/setup/fixture_placement.h"
 #include "tests/test_program.h"
 

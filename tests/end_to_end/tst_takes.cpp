@@ -4,6 +4,7 @@
 #include "tests/test_program.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -22,16 +23,22 @@ namespace burin::tst_takes {
 class TakesTest : public QObject {
     Q_OBJECT
 private slots:
-    void init() {
-        folder_ = std::make_unique<QTemporaryDir>();
-        QCOMPARE(
-            run({"embed", BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", "-o", in("p.burin"), "--voxel", "1"})
-                .status,
-            0);
-        const ProgramRun milled = mill({"--intent", "scribble", "--seconds", "6"});
+    void initTestCase() {
+        QCOMPARE(run({"embed", BURIN_SOURCE_DIRECTORY "/resources/samples/mouse.step", "-o",
+                      milled_.filePath("p.burin"), "--voxel", "1"})
+                     .status,
+                 0);
+        const ProgramRun milled =
+            run({"mill", milled_.filePath("p.burin"), "--tool", "ball-6", "--intent", "scribble", "--seconds", "6"});
         QVERIFY2(milled.status == 0, milled.messages.constData());
         first_ = milled.json()["workpiece_hash"].toString();
         QCOMPARE(first_.size(), 16);
+    }
+    /// Each test begins with a copy of the same milled project.
+    void init() {
+        folder_ = std::make_unique<QTemporaryDir>();
+        for (const QString& name : QDir(milled_.path()).entryList(QDir::Files))
+            QVERIFY(QFile::copy(milled_.filePath(name), folder_->filePath(name)));
     }
 
     /// Repeating the same job gives the same hash, and so does opening the project or replaying it from the recordings.
@@ -119,7 +126,7 @@ private slots:
         const int samples = run({"info", in("p.burin")}).json()["takes"].toArray()[0].toObject()["samples"].toInt();
         QCOMPARE(answer["values"].toInt(), (samples + 9) / 10);
         const double least = answer["least_mm"].toDouble(), greatest = answer["greatest_mm"].toDouble();
-        QVERIFY2(least > -0.05 && least < 0.5 && greatest > least, measured.output.constData());
+        QVERIFY2(least > -0.05 && least < 2.0 && greatest > least, measured.output.constData());
         QFile file(in("deviation.csv"));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
@@ -155,7 +162,7 @@ private slots:
         QCOMPARE(run({"path", in("p.burin"), "undo", "1", "--place", "2"}).status, 0);
         QCOMPARE(apply(900000).status, 0);
         const ProgramRun refused = run({"path", in("p.burin"), "show", "1"});
-        QCOMPARE(refused.status, 3);
+        QCOMPARE(refused.status, 2);
         QVERIFY2(refused.messages.contains("take 1, tick 900000"), refused.messages.constData());
     }
 
@@ -274,6 +281,7 @@ private:
         QFile file(in("p.burin"));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
+    QTemporaryDir milled_;
     std::unique_ptr<QTemporaryDir> folder_;
     QString first_;
 };

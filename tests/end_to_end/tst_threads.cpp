@@ -13,6 +13,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <optional>
+
 namespace burin::tst_threads {
 
 using namespace burin::test;
@@ -74,12 +76,10 @@ private slots:
         for (std::size_t i = 1; i < moves->size(); ++i) {
             const glm::dvec3 from = (*moves)[i - 1].to + move, to = (*moves)[i].to + move;
             const glm::dvec2 axis(10.0, 10.0), before = glm::dvec2(from) - axis, place = glm::dvec2(to) - axis;
+            if (!(*moves)[i].rapid) fastest = std::max(fastest, (*moves)[i].feed); // up along the axis, in air
             if ((*moves)[i].rapid || glm::length(place) > 5.0 || glm::length(before) > 5.0) continue;
             QVERIFY2(glm::length(place) < radius + 0.005, qPrintable(QString::number(glm::length(place), 'f', 4)));
-            if (glm::length(before) < 0.01 || glm::length(place) < 0.01) {
-                if (to.z > from.z + 1.0) fastest = std::max(fastest, (*moves)[i].feed); // up along the axis
-                continue;
-            }
+            if (glm::length(before) < 0.01 || glm::length(place) < 0.01) continue; // from the axis and back to it
             const double angle = std::atan2(before.x * place.y - before.y * place.x, glm::dot(before, place));
             QVERIFY(angle > 0.0);
             if (points++ == 0) first = to.z - pitch * angle / (2.0 * pi);
@@ -147,9 +147,12 @@ private:
     ProgramRun run(QStringList arguments) const { return runBurin(arguments << "--json"); }
     /// The plate's corner in the setup frame.
     glm::dvec3 corner() const {
-        const QJsonObject info = run({"info", in("p.burin")}).json();
-        const QJsonArray low = info["model"].toObject()["bounding_box_mm"].toArray()[0].toArray();
-        return {low[0].toDouble(), low[1].toDouble(), low[2].toDouble()};
+        if (!corner_) {
+            const QJsonObject info = run({"info", in("p.burin")}).json();
+            const QJsonArray low = info["model"].toObject()["bounding_box_mm"].toArray()[0].toArray();
+            corner_ = {low[0].toDouble(), low[1].toDouble(), low[2].toDouble()};
+        }
+        return *corner_;
     }
     QString at(double x, double y) const { return QString("%1,%2").arg(corner().x + x).arg(corner().y + y); }
     static glm::dvec3 zeroOf(const QJsonObject& post) {
@@ -163,6 +166,7 @@ private:
         return tools;
     }
     QTemporaryDir folder_;
+    mutable std::optional<glm::dvec3> corner_;
 };
 
 BURIN_TEST(ThreadsTest, QCoreApplication)

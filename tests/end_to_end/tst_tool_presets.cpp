@@ -25,28 +25,28 @@ private slots:
         (void)answer({"tools", "copy", "flat-6", "shop-6"});
         const QJsonObject made =
             answer({"tools", "preset", "shop-6", "Rough", "--material", "aluminium-6061", "--speed", "9000", "--feed",
-                    "777", "--plunge-feed", "111", "--step-down", "0.5"});
+                    "777", "--plunge-feed", "111", "--step-down", "0.25"});
         QCOMPARE(made["presets"].toArray().size(), 1);
         (void)answer({"tools", "preset", "shop-6", "Any", "--speed", "5000", "--feed-per-tooth", "0.01", "--coolant",
                       "mist", "--first"});
         QJsonArray presets = answer({"tools", "show", "shop-6"})["presets"].toArray();
         QCOMPARE(presets.size(), 2);
-        QCOMPARE(presets[0]["name"].toString(), QString("Any"));
-        QCOMPARE(presets[0]["chip_load_mm"].toDouble(), 0.01);
-        QCOMPARE(presets[0]["coolant"].toString(), QString("mist"));
+        QCOMPARE(presets[0].toObject()["name"].toString(), QString("Any"));
+        QCOMPARE(presets[0].toObject()["chip_load_mm"].toDouble(), 0.01);
+        QCOMPARE(presets[0].toObject()["coolant"].toString(), QString("mist"));
         QVERIFY(!presets[0].toObject().contains("material"));
-        QCOMPARE(presets[1]["feed_mm_per_min"].toDouble(), 777.0);
-        QCOMPARE(presets[1]["material"].toString(), QString("aluminium-6061"));
+        QCOMPARE(presets[1].toObject()["feed_mm_per_min"].toDouble(), 777.0);
+        QCOMPARE(presets[1].toObject()["material"].toString(), QString("aluminium-6061"));
         (void)answer({"tools", "preset", "shop-6", "Any", "--feed", "400"});
         presets = answer({"tools", "show", "shop-6"})["presets"].toArray();
-        QCOMPARE(presets[0]["feed_mm_per_min"].toDouble(), 400.0);
+        QCOMPARE(presets[0].toObject()["feed_mm_per_min"].toDouble(), 400.0);
         QVERIFY(!presets[0].toObject().contains("chip_load_mm"));
         (void)answer({"tools", "preset", "shop-6", "Any", "--remove"});
         QCOMPARE(answer({"tools", "show", "shop-6"})["presets"].toArray().size(), 1);
     }
 
-    /// Levels of 0.5 mm through the 4 mm above the cube, 9,000 1/min, 777 mm/min, and 111 mm/min downwards; without the
-    /// preset other values. The machine's own limits are higher.
+    /// Levels of 0.25 mm through the 4 mm above the cube, program zero on top of the stock, 9,000 1/min, 777 mm/min,
+    /// and 111 mm/min downwards; without the preset other values. The machine's own limits are higher.
     void theProgramHasThePresetsValues() {
         QCOMPARE(runBurin({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", in("p.burin"), "--voxel", "0.5",
                            "--margin", "4", "--material", "aluminium-6061"})
@@ -66,8 +66,9 @@ private slots:
         const std::set<double> feeds = valuesOf(program, "F([\\d.]+)");
         QVERIFY2(feeds.contains(777.0) && *feeds.rbegin() == 777.0, qPrintable(program.left(1500)));
         QVERIFY(!valuesOf(table, "F([\\d.]+)").contains(777.0));
-        QVERIFY(levelsOf(program) >= 8);
-        QVERIFY2(levelsOf(table) < levelsOf(program), qPrintable(QString::number(levelsOf(table))));
+        const std::set<double> levels = levelsOf(program);
+        for (int i = 1; i <= 16; ++i) QVERIFY2(levels.contains(-0.25 * i), qPrintable(QString::number(-0.25 * i)));
+        QVERIFY(!levelsOf(table).contains(-0.25));
     }
 
     void toolsFormLibraries() {
@@ -108,10 +109,14 @@ private slots:
         const QJsonObject written = answer({"tools", "export", "--library", "fusion", "-o", file});
         QCOMPARE(written["bits"].toArray().size(), 5); // no bit is tapered
         QCOMPARE(QDir(in("cam/Bit")).entryList(QDir::Files).size(), 5);
+        const ProgramRun twice = runBurin({"tools", "import", file, "--library", "Back"});
+        QVERIFY(twice.status == 2 && twice.messages.contains("--replace")); // the tools are there, and nothing is made
+        QVERIFY(runBurin({"tools", "--library", "Back", "list"}).status == 2);
+        const QJsonObject one = answer({"tools", "show", "ball-3-mm-long"});
+        (void)answer({"tools", "remove-library", "fusion", "--with-tools"});
         (void)answer({"tools", "import", file, "--library", "Back"});
         QCOMPARE(listed("Back").size(), 5);
-        const QJsonObject one = answer({"tools", "show", "ball-3-mm-long"}),
-                          other = answer({"tools", "show", "ball-3-mm-long-2"});
+        const QJsonObject other = answer({"tools", "show", "ball-3-mm-long"});
         QCOMPARE(other["number"], one["number"]);
         for (const char* key : {"type", "diameter_mm", "corner_radius_mm", "flute_length_mm", "shank_diameter_mm"})
             QCOMPARE(other["cutter"][key], one["cutter"][key]);
@@ -132,7 +137,8 @@ private slots:
         QTest::newRow("no speed") << QStringList{"tools", "preset", "own-6", "p", "--feed", "5"} << "spindle_speed_rpm";
         QTest::newRow("no feed") << QStringList{"tools", "preset", "own-6", "p", "--speed", "9000"}
                                  << "feed_mm_per_min";
-        QTest::newRow("a speed out of range") << preset({"--speed", "-4"}) << "spindle_speed_rpm";
+        QTest::newRow("a speed out of range")
+            << QStringList{"tools", "preset", "own-6", "p", "--speed", "0.5", "--feed", "5"} << "spindle_speed_rpm";
         QTest::newRow("a deep level") << preset({"--step-down", "10"}) << "step_down_mm";
         QTest::newRow("a wide step") << preset({"--step-over", "4"}) << "step_over_mm";
         QTest::newRow("no such material") << preset({"--material", "unobtainium"}) << "unobtainium";
@@ -181,8 +187,8 @@ private:
     static QString withoutComments(QString program) {
         return program.remove(QRegularExpression("\\([^)]*\\)|;[^\\n]*"));
     }
-    /// The number of heights at which the program cuts sideways: XY moves at feed after a height was set.
-    static int levelsOf(const QString& program) {
+    /// The heights at which the program cuts sideways: XY moves at feed after a height was set.
+    static std::set<double> levelsOf(const QString& program) {
         std::set<double> levels;
         double z = 0.0;
         const QRegularExpression height("Z(-?[\\d.]+)"), motion("G0?([0-3])(?!\\d)");
@@ -193,7 +199,7 @@ private:
             if (found.hasMatch()) z = found.captured(1).toDouble();
             if (mode > 0 && !found.hasMatch() && (line.contains('X') || line.contains('Y'))) levels.insert(z);
         }
-        return static_cast<int>(levels.size());
+        return levels;
     }
 
     QTemporaryDir folder_;

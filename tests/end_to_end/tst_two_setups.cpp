@@ -193,7 +193,7 @@ private:
     QString in(const char* name) const { return folder_.filePath(name); }
 
     void mill(const QString& setup, const char* program) {
-        // Rows 1.4 mm apart leave scallops of 0.08 mm by the closed formula.
+        // Rows 2.2 mm apart leave scallops of 0.21 mm by the closed formula.
         const ProgramRun rough = runBurin({"path", in("p.burin"), "new", "--setup", setup, "--json", "--pass", "levels",
                                            "--tool", "ball-6", "--allowance", "0.3"});
         QVERIFY2(rough.status == 0, rough.messages.constData());
@@ -201,7 +201,7 @@ private:
         for (const QStringList& pass :
              {QStringList{"parallel", "--steepest", "50"}, {"waterline", "--flattest", "40"}}) {
             const ProgramRun made = runBurin(
-                QStringList{"path", in("p.burin"), "apply", path, "--setup", setup, "--step-over", "1.4", "--pass"} +
+                QStringList{"path", in("p.burin"), "apply", path, "--setup", setup, "--step-over", "2.2", "--pass"} +
                 pass);
             QVERIFY2(made.status == 0, made.messages.constData());
         }

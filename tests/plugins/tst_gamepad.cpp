@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "plugins/devices/cap/cap_mapping.h"
+#include "plugins/devices/cap/cap_stylus.h"
 #include "plugins/devices/input_events/input_devices.h"
 #include "plugins/devices/input_events/pad_reader.h"
 #include "tests/plugins/virtual_input.h"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace burin::tst_gamepad {
 
@@ -47,6 +48,27 @@ void write(const QString& file, const QByteArray& line) {
     QFile out(file);
     QVERIFY(out.open(QIODevice::WriteOnly));
     out.write(line + '\n');
+}
+
+/// A pad that nobody touches.
+class UntouchedPad final : public cap::ControlSource {
+public:
+    bool connect() noexcept override { return true; }
+    Heard receive(cap::Controls&, int) noexcept override { return Heard::nothing; }
+    void disconnect() noexcept override {}
+};
+
+/// How far the tool moves along X in 0.1 s without an event, if the calibrated rest is not that which is published.
+double driftOf(std::uint32_t silent) {
+    cap::CapStylusSettings settings;
+    settings.fullScale = PadReader::fullScale;
+    settings.silent = silent;
+    cap::CapStylus stylus(std::make_unique<UntouchedPad>(), settings);
+    AxisMap map = settings.map;
+    map.axes[0].rest = 0.3;
+    stylus.assign(map);
+    stylus.read(0.0);
+    return std::abs(stylus.read(0.1).pose.position.x);
 }
 
 struct Shown {
@@ -191,6 +213,17 @@ private slots:
         const auto readings = cap::readingsOf(reader.controls().axes, PadReader::fullScale);
         QCOMPARE(motionsOf(map, readings)[2], 1.0);
         QCOMPARE(motionsOf(reader.map(), readings)[2], 0.0);
+    }
+
+    /// Until it moves, an axis counts as at rest wherever the user has calibrated that, so that the tool stays.
+    void anAxisThatHasNotMovedIsAtRest() {
+        const auto device = twoSticks();
+        PadReader reader(*device);
+        QCOMPARE(reader.controls().silent, 0x3fU);
+        reader.take(eventOf(EV_ABS, ABS_Y, 5));
+        QCOMPARE(reader.controls().silent, 0x3dU);
+        QCOMPARE(driftOf(1U), 0.0);
+        QVERIFY(driftOf(0U) > 0.0);
     }
 
     void buttonsAreNumberedInTheirOrder() {

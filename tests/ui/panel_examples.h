@@ -88,6 +88,8 @@ inline MillState mill() {
     state.recordedSeconds = 102.3;
     state.canUndoStroke = true;
     state.alarm = QStringLiteral("The shank touches the stock.");
+    state.pen = true;
+    state.penRule = PenChoice::sink;
     state.takes = {take(1, "Take 1, roughing", 58210, 12), take(2, "Take 2, left flank", 31044, 1)};
     return state;
 }

@@ -53,8 +53,11 @@ private slots:
         history_->undo();
         history_->undo();
         QVERIFY(history_->busy() && value_ == 1);
+        QSignalSpy refused(project_.get(), &ProjectThread::failed);
         set(7);
         QCOMPARE(value_, 1);
+        QCOMPARE(refused.size(), 1);
+        QCOMPARE(refused.front().front().value<Error>().subject, std::string("7"));
         answer(true);
         QCOMPARE(value_, 0);
         QVERIFY(!history_->busy() && history_->index() == 0 && history_->count() == 3);

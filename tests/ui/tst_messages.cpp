@@ -4,6 +4,7 @@
 #include "tests/places.h"
 #include "tests/test_program.h"
 #include "ui/messages/messages.h"
+#include "ui/messages/undo_detail.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -121,6 +122,13 @@ private slots:
             sentences.insert(sentence);
         }
         QCOMPARE(sentences.size(), qsizetype{codeCount}); // no two errors have the same sentence
+    }
+
+    void aChangeDuringAnUndoIsRefused() {
+        QCOMPARE(
+            Messages::sentence({ErrorCode::cancelled, "tool axis", {}, std::string(undoUnderWayDetail)}),
+            QStringLiteral("\"tool axis\" was not done, because an undo or redo is still under way; do it again in "
+                           "a moment."));
     }
 
     /// Unknown memory figures are not mentioned.

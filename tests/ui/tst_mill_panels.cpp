@@ -209,6 +209,31 @@ private slots:
         QCOMPARE(depth.size(), 1);
     }
 
+    void aPenIsOfferedItsPressure() {
+        MillPanel panel;
+        MillState state = examples::mill();
+        state.pen = false;
+        panel.setState(state);
+        show(panel);
+        QVERIFY(!child<QPushButton>(panel, "penDepthButton").isVisible());
+        state.pen = true;
+        state.penRule = PenChoice::depth;
+        panel.setState(state);
+        QVERIFY(child<QPushButton>(panel, "penDepthButton").isChecked());
+        QVERIFY(!child<QWidget>(panel, "sinkSpeedField").isVisible());
+        QSignalSpy rule(&panel, &MillPanel::penRuleChosen), speed(&panel, &MillPanel::sinkSpeedEdited);
+        click(panel, "penDepthButton"); // is already chosen
+        QCOMPARE(rule.size(), 0);
+        click(panel, "penSinkButton");
+        QCOMPARE(rule.size(), 1);
+        QCOMPARE(rule[0][0].value<PenChoice>(), PenChoice::sink);
+        type(panel, "sinkSpeedField", "5");
+        QCOMPARE(speed[0][0].toDouble(), 5.0);
+        state.stylus = 1; // a device mills: the pen does not
+        panel.setState(state);
+        QVERIFY(!child<QPushButton>(panel, "penSinkButton").isVisible());
+    }
+
     void metersTellTheFigures() {
         Meters meters;
         QCOMPARE(valueOf(meters, "forceMeter"), QStringLiteral("–"));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fixtures of the library, placed by mouse and keys.
 #include "core/base/units.h"
+#include "tests/places.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/project_tree.h"
@@ -120,10 +121,14 @@ private slots:
         QVERIFY(driver.clickOn("fixtureTurn15"));
         QVERIFY(workbenchOf(driver).fixtures.problem());
         QCOMPARE(workbenchOf(driver).fixtures.problem()->code, ErrorCode::fixtureInStock);
-        QVERIFY(!driver.visible<QPushButton>("acceptFixtureButton")->isEnabled());
+        QTRY_VERIFY(!driver.visible<QPushButton>("acceptFixtureButton")->isEnabled());
         driver.shoot("fixtures-2-in-the-stock");
+        driver.visible("fixtureDialog")
+            ->grab()
+            .save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/fixtures-2-dialog.png"));
         QVERIFY(driver.clickOn("fixtureTurn-15"));
         QVERIFY(!workbenchOf(driver).fixtures.problem());
+        QTRY_VERIFY(driver.visible<QPushButton>("acceptFixtureButton")->isEnabled());
         driver.window().viewport().setStandardView(StandardView::isometric);
         QTest::qWait(600);
         driver.window().viewport().fit();

@@ -215,6 +215,7 @@ private slots:
         QVERIFY(open(driver));
         QVERIFY(driver.step(JobStep::part));
         auto& viewport = *driver.visible<Viewport>("viewport");
+        QTest::qWait(400); // the view turns to the model
         const auto clickAt = [&](const glm::dvec3& place) {
             QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.project(place).toPoint());
             driver.settle();
@@ -336,7 +337,7 @@ private slots:
         });
         driver.window().setFocus();
         driver.key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY2(told.contains("6 tools were added in the library") && told.contains("Dovetail 12"), qPrintable(told));
+        QVERIFY2(told.contains("6 tools were added to the library") && told.contains("Dovetail 12"), qPrintable(told));
         QCOMPARE(workbench.tool.library().size(), before + 6);
         const Tool* const ball = toolIn(workbench.tool.library(), "ball-3-mm-long");
         QVERIFY(ball && ball->number == 7 && ball->cutter.diameter == 3.0);

@@ -7,6 +7,7 @@
 #include "tests/stl_text.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
+#include "ui/panels/quantity_field.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -319,6 +320,7 @@ private slots:
         driver.whenDialogStands([&](QWidget& dialog) {
             QCOMPARE(dialog.findChild<QComboBox*>("passKind")->count(), 1);
             QCOMPARE(dialog.findChild<QComboBox*>("passThreadSize")->currentText(), QString("M8"));
+            QCOMPARE(dialog.findChild<QuantityField*>("passThreadDepth")->value(), 0.0); // not that of the drill
             QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QLabel*>("passPreview")->text().contains("about"), 30000);
             QCOMPARE(workbench.passPreview.preview()->strokes.size(), std::size_t(1));
             QTest::qWait(500);

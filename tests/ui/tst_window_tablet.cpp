@@ -106,7 +106,7 @@ void TestWindowTablet::thePressureSetsTheDepth() {
     const double shallow = removedSoFar(*table.workbench.workpiece.milling());
     table.line(9.0, 0.75);
     QVERIFY2(std::abs(table.lowest + 0.75) < 0.02, qPrintable(QString::number(table.lowest)));
-    // Both lines have the same outline, and their walls are vertical above a flat end.
+    // Lines of the same length: the deeper one removes more.
     const double deep = removedSoFar(*table.workbench.workpiece.milling()) - shallow;
     QVERIFY(shallow > 0.0 && deep > shallow);
     QCOMPARE(table.workbench.mill.takes().size(), std::size_t{1});

@@ -321,11 +321,12 @@ private slots:
         const std::uint64_t length = time().recorded()->tracks[1].strokes.front().count;
         QVERIFY(seek(secondsOfTake(1) +
                      time().recorded()->tracks[1].info.tickPeriod * static_cast<double>(sample + length / 2)));
-        const auto at = pointAt(workbench().path.evaluated()->path, *time().handMoment());
-        QVERIFY(at && driver_->waitFor([&] { return isThere(at->pose.tip); }));
+        QVERIFY(driver_->waitFor([&] { return time().handTip().has_value(); }));
+        const auto at = placeAt(workbench().path.evaluated()->path, *time().handMoment(), time().handTip());
+        QVERIFY(at && isThere(*at));
         auto* text = driver_->window().findChild<QLabel*>("pathAtTime");
         QVERIFY(driver_->waitFor([&] { return !text->isHidden() && text->text().startsWith("Timeline: X "); }));
-        const QPoint dot = viewport().mapTo(&driver_->window(), viewport().project(at->pose.tip).toPoint());
+        const QPoint dot = viewport().mapTo(&driver_->window(), viewport().project(*at).toPoint());
         QVERIFY(driver_->waitFor([&] { return driver_->window().grab().toImage().pixelColor(dot).green() > 215; }));
         driver_->shoot("timeline-point-on-path");
         driver_->key(Qt::Key_Escape);

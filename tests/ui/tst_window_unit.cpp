@@ -25,6 +25,8 @@ bool chooseByMouse(WindowDriver& driver, QComboBox& box, const QString& text) {
     QTest::mouseClick(&box, Qt::LeftButton);
     QAbstractItemView& list = *box.view();
     if (!driver.waitFor([&] { return list.isVisible(); })) return false;
+    // A release right after the press that opened the list only ends that click.
+    QTest::qWait(QApplication::doubleClickInterval() + 100);
     const int item = box.findText(text);
     if (item < 0) return false;
     const QModelIndex index = list.model()->index(item, 0);

@@ -71,12 +71,13 @@ void ActionStates::update() {
     for (const ActionId id : {ActionId::brushArea, ActionId::lassoArea, ActionId::faceArea}) enable(id, paintable);
     enable(ActionId::clearArea, !workbench.area.area().empty());
     const Tool& tool = workbench.tool.current();
-    enable(ActionId::pickHoles,
-           workbench.passes.possible() && (mayPlan(PassKind::drill, tool) || mayPlan(PassKind::thread, tool)));
+    enable(ActionId::pickHoles, workbench.passes.possible() && !workbench.mill.active() &&
+                                    (mayPlan(PassKind::drill, tool) || mayPlan(PassKind::thread, tool)));
     enable(ActionId::evaluatePath, workbench.path.stored() != nullptr && workbench.workpiece.embedded());
     enable(ActionId::comparePaths, workbench.pathComparer.possible());
     enable(ActionId::drawStretch, workbench.path.selection().has_value());
-    enable(ActionId::insertPoint, workbench.path.selection() && workbench.path.evaluated());
+    enable(ActionId::insertPoint,
+           workbench.path.selection() && workbench.path.selection()->source != 0 && workbench.path.evaluated());
     enable(ActionId::drawEdit, workbench.path.evaluated() && workbench.path.stored() != nullptr &&
                                    lastDrawn(workbench.path.stored()->edits));
     enable(ActionId::post, workbench.program.postable());

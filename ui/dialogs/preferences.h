@@ -74,7 +74,7 @@ public:
     /// Assignment and calibration of a device's axes as toJson (core/device/axis_map_json.h) wrote them; empty: the
     /// usual.
     std::string axisMap(const std::string& device) const;
-    /// @return why it could not be written; empty: it was
+    /// @return the file that could not be written; empty: it was
     QString setAxisMap(const std::string& device, const std::string& map);
     bool firstJobFinished() const; ///< whether the user has completed the guided first job
     void setFirstJobFinished(bool finished);

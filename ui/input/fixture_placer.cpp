@@ -40,6 +40,7 @@ bool FixturePlacer::press(const ViewportEvent& event) {
 
 bool FixturePlacer::move(const ViewportEvent& event) {
     lookingAlong_ = event.rayDirection;
+    if (!event.buttons.testFlag(Qt::LeftButton)) dragging_ = false; // the release was sent to another window
     if (!dragging_) return false;
     if (const std::optional<glm::dvec3> point = pointOn(sightOf(event))) emit placed(*point);
     return true;

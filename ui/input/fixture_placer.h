@@ -29,8 +29,8 @@ public:
 signals:
     /// mm, on the stock or the table; X and Y are multiples of 1 mm from the middle of the stock, except at its sides.
     void placed(const glm::dvec3& point);
-    void movedBy(const glm::dvec3& way); ///< mm
-    void turnedBy(double angle);         ///< rad
+    void movedBy(const glm::dvec3& shift); ///< mm
+    void turnedBy(double angle);           ///< rad
     void accepted();
     void cancelled();
 

@@ -5,6 +5,7 @@
 #include "core/base/available_memory.h"
 #include "ui/messages/details.h"
 #include "ui/messages/subjects.h"
+#include "ui/messages/undo_detail.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -44,6 +45,9 @@ QString Messages::sentence(const Error& error) {
     const QString detail = named ? given(error.detail) : givenDetail(error.detail);
     switch (error.code) {
     case ErrorCode::cancelled:
+        if (error.detail == undoUnderWayDetail)
+            return tr("\"%1\" was not done, because an undo or redo is still under way; do it again in a moment.")
+                .arg(subject);
         return tr("\"%1\" was cancelled; start it again to finish it.").arg(subject);
     case ErrorCode::outOfMemory:
         if (error.detail == fewerTakes)

@@ -80,6 +80,17 @@ std::vector<KeyLine> HandKeys::onThePath() {
     };
 }
 
+std::vector<KeyLine> HandKeys::ofAFixture() {
+    return {
+        {tr("Click, left drag"), tr("Places the fixture on the stock, or on the table beside it.")},
+        {tr("Arrows"), tr("Move it by 1 mm; with Shift by 0.1 mm, with Ctrl by 10 mm.")},
+        {tr("Page up, down"), tr("Raise and lower it, by the same steps.")},
+        {tr("R"), tr("Rotates it by 15°; with Shift by 90°.")},
+        {tr("Enter"), tr("Adds it to the setup.")},
+        {tr("Esc"), tr("Cancels placing.")},
+    };
+}
+
 std::vector<KeyLine> HandKeys::ofTheView() {
     return {
         {tr("Right or middle drag"), tr("Rotates the view about the point under the pointer.")},

@@ -44,6 +44,7 @@ class HandKeys final : public QObject {
 public:
     static std::vector<KeyLine> inMillMode();
     static std::vector<KeyLine> onThePath();
+    static std::vector<KeyLine> ofAFixture(); ///< while one is placed
     static std::vector<KeyLine> ofTheView();
 };
 

@@ -150,16 +150,17 @@ void MillPanel::Fields::addDepth() {
 void MillPanel::Fields::addPen() {
     penRow_ = new QWidget(panel_);
     penDepth_ = makeChoiceButton(
-        MillPanel::tr("Pen sets depth"),
+        MillPanel::tr("Depth"),
         MillPanel::tr("The tool is as deep as the pressure's share of the depth of cut, or of the press into the part"),
         QStringLiteral("penDepthButton"), penRow_);
     penSink_ = makeChoiceButton(
-        MillPanel::tr("Pen sinks tool"),
+        MillPanel::tr("Sinking"),
         MillPanel::tr("The tool sinks from the surface to the depth of cut, the faster the harder the pen presses"),
         QStringLiteral("penSinkButton"), penRow_);
     auto* choice = new QHBoxLayout(penRow_);
     choice->setContentsMargins(0, 0, 0, 0);
     choice->setSpacing(4);
+    choice->addWidget(new QLabel(MillPanel::tr("Pen"), penRow_));
     choice->addWidget(penDepth_, 1);
     choice->addWidget(penSink_, 1);
     column_->addWidget(penRow_);

@@ -119,6 +119,7 @@ void PresetTable::addCard() {
     addNumbers(card, *grid);
     auto* column = static_cast<QVBoxLayout*>(layout());
     column->insertWidget(static_cast<int>(cards_.size()), card.box);
+    card.box->show(); // now, so that its fields can get the focus
     std::vector<QWidget*> chain{cards_.empty() ? add_ : static_cast<QWidget*>(cards_.back().remove), card.name,
                                 card.material, card.coolant};
     for (QuantityField* field : card.numbers()) chain.push_back(field);
@@ -135,7 +136,8 @@ void PresetTable::addTexts(Card& card, QGridLayout& grid) {
     connect(card.name, &QLineEdit::textEdited, this, [this, at](const QString& typed) {
         change(at, [&](CuttingPreset& preset) { preset.name = typed.trimmed().toStdString(); });
     });
-    addLabelled(grid, 0, 0, card.name, tr("Name"), tr("Name of the preset; each has another one"));
+    addLabelled(grid, 0, 0, card.name, tr("Name"),
+                tr("Name of the preset, different from those of the tool's other presets"));
     card.material = new ChoiceBox(card.box);
     card.material->setObjectName(QStringLiteral("presetMaterial") + number);
     connect(card.material, &QComboBox::activated, this, [this, at](int index) {
@@ -178,9 +180,9 @@ void PresetTable::addNumbers(Card& card, QGridLayout& grid) {
         addLabelled(grid, row, column, field, label, toolTip);
         return field;
     };
-    card.speed =
-        add("presetSpeed", 1, 0, tr("Spindle speed"), tr("The feed is meant at this speed"), Quantity::rotation,
-            presetSpeed.high, [](CuttingPreset& preset, double value) { preset.spindleSpeed = value; });
+    card.speed = add("presetSpeed", 1, 0, tr("Spindle speed"), tr("Speed of the spindle at which the feed applies"),
+                     Quantity::rotation, presetSpeed.high,
+                     [](CuttingPreset& preset, double value) { preset.spindleSpeed = value; });
     card.feed = add("presetFeed", 1, 1, tr("Feed"), tr("0: by the feed per tooth"), Quantity::feed, presetFeed.high,
                     [](CuttingPreset& preset, double value) {
                         if (value > 0.0) preset.chipLoad = 0.0;

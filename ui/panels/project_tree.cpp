@@ -144,7 +144,7 @@ QMimeData* ProjectTree::mimeData(const QList<QTreeWidgetItem*>& items) const {
     if (items.isEmpty()) return nullptr;
     auto* dragged = new QMimeData; // owned by the drag
     dragged->setData(rowFormat(), QByteArray::number(static_cast<int>(kindOf(*items.front()))) + ' ' +
-                                   QByteArray::number(idOf(*items.front())));
+                                      QByteArray::number(idOf(*items.front())));
     return dragged;
 }
 

@@ -31,7 +31,7 @@ struct ProjectRow {
 
 /// The contents of a project as a tree; rows in use are bold. A double click or Enter opens a row, its check box
 /// switches it, the right button opens its menu. Movable rows are dragged among their siblings; a line shows where a
-/// row will be dropped.
+/// row will be dropped, and on their heading it is dropped at the end.
 class ProjectTree final : public QTreeWidget {
     Q_OBJECT
 public:

@@ -15,7 +15,7 @@ namespace {
 constexpr int segmentFieldWidth = 116;   // pixels
 constexpr double shortestLength = 0.001; // mm
 constexpr HolderSegment usualSegment{40.0, 40.0, 30.0};
-enum SegmentColumn { lowerColumn, upperColumn, lengthColumn, buttonColumn, segmentColumns };
+enum SegmentColumn { lowerColumn, upperColumn, lengthColumn, removeColumn, segmentColumns };
 
 } // namespace
 
@@ -24,7 +24,7 @@ SegmentTable::SegmentTable(QWidget* parent) : QWidget(parent), grid_(new QGridLa
     grid_->setContentsMargins(0, 0, 0, 0);
     grid_->setHorizontalSpacing(8);
     grid_->setVerticalSpacing(6);
-    grid_->setColumnStretch(buttonColumn, 1);
+    grid_->setColumnStretch(removeColumn, 1);
     add_ = makeButton(tr("Add a segment"), QStringLiteral("add"), QStringLiteral("addSegmentButton"), this);
     add_->setToolTip(tr("On top, as wide as the one below"));
     add_->setAutoDefault(false); // Enter is handled by the fields
@@ -86,7 +86,7 @@ void SegmentTable::addRow() {
     grid_->addWidget(row.lower, number - 1, lowerColumn);
     grid_->addWidget(row.upper, number - 1, upperColumn);
     grid_->addWidget(row.length, number - 1, lengthColumn);
-    grid_->addWidget(row.remove, number - 1, buttonColumn, Qt::AlignLeft);
+    grid_->addWidget(row.remove, number - 1, removeColumn, Qt::AlignLeft);
     connect(row.remove, &QToolButton::clicked, this, [this, at = rows_.size()] { removeSegment(at); });
     rows_.push_back(row);
 }

@@ -86,8 +86,11 @@ QString toolSummary(const Tool& tool, LengthUnit unit) {
     QStringList parts{QStringLiteral("Ø ") + shortLength(tool.cutter.diameter, unit)};
     if (tool.cutter.cornerRadius > 0.0)
         parts.append(QStringLiteral("R ") + shortLength(tool.cutter.cornerRadius, unit));
-    parts.append(tool.fluteCount == 1 ? PanelTexts::tr("1 flute")
-                                      : PanelTexts::tr("%n flutes", nullptr, tool.fluteCount));
+    if (!tool.cutter.turns())
+        parts.append(PanelTexts::tr("doesn't turn"));
+    else
+        parts.append(tool.fluteCount == 1 ? PanelTexts::tr("1 flute")
+                                          : PanelTexts::tr("%n flutes", nullptr, tool.fluteCount));
     return parts.join(QStringLiteral(", "));
 }
 

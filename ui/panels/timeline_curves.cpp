@@ -84,8 +84,9 @@ void TimelineCurves::setRecorded(std::shared_ptr<const RecordedTime> recorded) {
                 range.high = std::max(range.high, static_cast<double>(value));
             }
         if (static_cast<TrackCurve>(curve) == TrackCurve::deviation) {
+            if (range.high < range.low) continue; // not computed yet
             range.low = std::min(range.low, 0.0);
-            range.high = std::min(range.high, farthestDeviation);
+            range.high = std::clamp(range.high, 0.0, farthestDeviation);
         } else if (static_cast<TrackCurve>(curve) != TrackCurve::height) {
             range.low = 0.0;
         }

@@ -19,7 +19,7 @@ struct PenState {
     double pressure = 0.0;          ///< 0 … 1; 0: it does not touch
     glm::dvec3 axis{0.0, 0.0, 1.0}; ///< unit, setup frame, from the tip up: a pen upright on the tablet has +z, one
                                     ///< that leans to the right of the tablet leans to the right in the picture
-    bool eraser = false; ///< its other end is near the tablet
+    bool eraser = false;            ///< its other end is near the tablet
 };
 
 /// A pointer event over the viewport, in the setup frame.

@@ -29,7 +29,7 @@ AxisDialog::AxisDialog(AxisTuner& tuner, const StylusController::Choice& device,
     connect(&tuner_, &AxisTuner::connected, this, &AxisDialog::build);
     connect(&tuner_, &AxisTuner::heard, this, &AxisDialog::showState);
     connect(&tuner_, &AxisTuner::changed, this, &AxisDialog::showState);
-    connect(&tuner_, &AxisTuner::calibrated, this, &AxisDialog::change);
+    connect(&tuner_, &AxisTuner::calibrated, this, &AxisDialog::takeCalibration);
     tuner_.begin(device);
     showState();
 }
@@ -106,6 +106,28 @@ void AxisDialog::calibrateOrFinish() {
         tuner_.finish();
     else
         tuner_.calibrate(map_);
+    unmeasured_.clear();
+}
+
+/// Many devices report an axis only once it was moved; until then it reads exactly 0.
+void AxisDialog::noteMotion() {
+    if (!tuner_.device() || tuner_.phase() == AxisTuner::Phase::moving) return;
+    moved_.resize(tuner_.device()->axes.size());
+    for (std::size_t i = 0; i < moved_.size(); ++i)
+        if (tuner_.reading().values[i] != 0.0) moved_[i] = true;
+}
+
+void AxisDialog::takeCalibration(const AxisMap& map) {
+    QStringList still;
+    for (std::size_t i = 0; i < moved_.size(); ++i)
+        if (const DeviceAxis& axis = tuner_.device()->axes[i]; axis.springs && !moved_[i])
+            still << Messages::text({"Device", axis.name.c_str()});
+    change(map);
+    if (!still.isEmpty())
+        unmeasured_ = tr("Axes that were not moved before the measurement keep their rest and dead zone (%1); move "
+                         "every axis once first, then calibrate again.")
+                          .arg(still.join(QStringLiteral(", ")));
+    showState();
 }
 
 void AxisDialog::tryAccept() {
@@ -126,6 +148,7 @@ void AxisDialog::showState() {
     using Phase = AxisTuner::Phase;
     const Phase phase = tuner_.phase();
     const bool connected = rows_ != nullptr, calibrates = phase == Phase::resting || phase == Phase::moving;
+    noteMotion();
     if (connected) {
         rows_->showReading(tuner_.reading());
         rows_->setEnabled(!calibrates);
@@ -152,6 +175,8 @@ void AxisDialog::showState() {
         notice_->tell(Notice::Kind::information, tr("Move every axis to both of its ends, then press Finish."));
     else if (phase == Phase::away)
         notice_->tell(Notice::Kind::information, tr("Connecting the device…"));
+    else if (!unmeasured_.isEmpty())
+        notice_->tell(Notice::Kind::warning, unmeasured_);
     else
         notice_->tell(Notice::Kind::information,
                       tr("Move the device: each bar shows its axis, a dot the pressed buttons."));

@@ -35,6 +35,8 @@ private:
     void change(const AxisMap& map);
     void undo();
     void calibrateOrFinish();
+    void noteMotion();
+    void takeCalibration(const AxisMap& map);
     void tryAccept();
     void showState();
 
@@ -46,7 +48,9 @@ private:
     QScrollArea* area_ = nullptr;
     Notice* notice_ = nullptr;
     QPushButton *calibrate_ = nullptr, *stop_ = nullptr, *undo_ = nullptr, *usual_ = nullptr, *keep_ = nullptr;
-    QString fault_; ///< why the assignment can't be kept; empty: it can
+    QString fault_;           ///< why the assignment can't be kept; empty: it can
+    QString unmeasured_;      ///< what the last calibration left as it was; empty: nothing
+    std::vector<bool> moved_; ///< axes that were seen away from 0 before the ends were measured
 };
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #include "ui/window/fixture_dialog.h"
 
 #include "core/base/units.h"
+#include "core/setup/fixture_library.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"

@@ -37,9 +37,16 @@ FixturePresenter::FixturePresenter(Workbench& workbench, Viewport& viewport, QOb
     connect(&placer_, &FixturePlacer::accepted, &fixtures, &FixtureController::accept, Qt::QueuedConnection);
     connect(&placer_, &FixturePlacer::cancelled, &fixtures, &FixtureController::cancel, Qt::QueuedConnection);
     connect(&viewport, &Viewport::interactiveToolChanged, this, [this] {
-        if (dialog_ != nullptr && viewport_.interactiveTool() != &placer_) {
+        const InteractiveTool* tool = viewport_.interactiveTool();
+        const bool placer = tool == &placer_;
+        if (dialog_ != nullptr && tool == nullptr) { // mill mode, which placing ended, has released the pointer
+            before_ = nullptr;
+            viewport_.setInteractiveTool(&placer_);
+        } else if (dialog_ != nullptr && !placer) {
             before_ = nullptr; // another tool took the pointer
             workbench_.fixtures.cancel();
+        } else if (dialog_ == nullptr && placer) { // that tool gave the pointer back, but placing has ended
+            viewport_.setInteractiveTool(nullptr);
         }
     });
 }
@@ -63,7 +70,7 @@ void FixturePresenter::begin() {
     connect(dialog_, &FixtureDialog::turnEdited, &fixtures, &FixtureController::setTurn);
     connect(dialog_, &FixtureDialog::turnedBy, &fixtures, &FixtureController::turnBy);
     connect(dialog_, &FixtureDialog::acceptRequested, &fixtures, &FixtureController::accept, Qt::QueuedConnection);
-    before_ = viewport_.interactiveTool();
+    before_ = workbench_.mill.stylus() == nullptr ? viewport_.interactiveTool() : nullptr; // that of mill mode ends
     viewport_.setInteractiveTool(&placer_);
     present();
     // At the edge of the window, so that the stock stays visible.

@@ -39,7 +39,11 @@ HolePresenter::HolePresenter(Workbench& workbench, Viewport& viewport, QObject* 
         QTimer::singleShot(0, this, [this, wanted] { emit picked(wanted); });
     });
     connect(&viewport, &Viewport::interactiveToolChanged, this, [this] {
-        if (wanted_ && viewport_.interactiveTool() != &picker_) leave(); // another tool took the pointer
+        const bool picker = viewport_.interactiveTool() == &picker_;
+        if (wanted_ && !picker)
+            leave();                 // another tool took the pointer
+        else if (!wanted_ && picker) // that tool gave the pointer back, but picking has ended
+            viewport_.setInteractiveTool(std::exchange(before_, nullptr));
     });
 }
 
@@ -48,7 +52,7 @@ void HolePresenter::pick(const WantedPass& wanted) {
     emit pickBegins();
     milling_ = workbench_.workpiece.milling();
     picker_.setPart(milling_->partModel, uprightHoles(*milling_->partModel));
-    before_ = viewport_.interactiveTool();
+    before_ = workbench_.mill.stylus() == nullptr ? viewport_.interactiveTool() : nullptr; // that of mill mode ends
     wanted_ = wanted;
     viewport_.setInteractiveTool(&picker_);
     viewport_.setPartSeen(true);

@@ -188,9 +188,13 @@ void LibraryDialog::refreshList() {
     list_->setChosen(chosen);
 }
 
-void LibraryDialog::refresh() {
+bool LibraryDialog::lists(const std::string& id) const {
     const std::vector<Entry> all = entries();
-    if (std::ranges::find(all, id_, &Entry::id) != all.end() && edited()) {
+    return std::ranges::find(all, id, &Entry::id) != all.end();
+}
+
+void LibraryDialog::refresh() {
+    if (lists(id_) && edited()) {
         refreshList();
         follow();
     } else {
@@ -266,7 +270,9 @@ void LibraryDialog::choose(int row) {
 void LibraryDialog::copyShown() {
     if (id_.empty() || !leaveChanges()) return;
     search_->clear(); // otherwise the copy may not match the search
-    showEntry(copy(std::string(id_)));
+    const std::string original = id_, made = copy(original);
+    if (made == original) return; // as was reported
+    showEntry(made);
     auto* name = page_->findChild<QLineEdit*>(nameField_);
     name->setFocus();
     name->selectAll();
@@ -275,7 +281,11 @@ void LibraryDialog::copyShown() {
 void LibraryDialog::removeShown() {
     if (shipped_) return;
     const QString name = title_->text();
-    erase(std::string(id_));
+    const std::string id = id_;
+    erase(id);
+    const std::vector<Entry> left = entries();
+    const bool stays = std::ranges::any_of(left, [&](const Entry& one) { return one.id == id && !one.shipped; });
+    if (stays) return; // as was reported
     notice_->tell(Notice::Kind::information, tr("“%1” was deleted; Undo brings it back.").arg(name));
 }
 
@@ -288,13 +298,13 @@ void LibraryDialog::addFromFile() {
         fail(incoming.error());
         return;
     }
-    const std::vector<Entry> all = entries();
-    if (std::ranges::find(all, incoming->id, &Entry::id) != all.end()) {
+    if (lists(incoming->id)) {
         notice_->tell(Notice::Kind::error, texts_.known.arg(QString::fromStdString(incoming->id)));
         return;
     }
     search_->clear();
     incoming->keep();
+    if (!lists(incoming->id)) return; // as was reported
     showEntry(incoming->id);
     if (!incoming->notes.isEmpty()) warn(incoming->notes);
 }

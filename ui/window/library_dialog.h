@@ -92,6 +92,7 @@ private:
     QWidget* makeFoot();
     QString named(const char* before, const char* after) const;
     void refreshList();
+    bool lists(const std::string& id) const;
     std::vector<Entry> foundEntries() const; ///< those that match the search
     void choose(int row);
     void copyShown();

@@ -357,7 +357,8 @@ void MainWindow::showKeys() {
     if (list == nullptr) {
         std::vector<KeySection> sections{{tr("Mouse in the view"), HandKeys::ofTheView()},
                                          {tr("In mill mode"), HandKeys::inMillMode()},
-                                         {tr("On the path"), HandKeys::onThePath()}};
+                                         {tr("On the path"), HandKeys::onThePath()},
+                                         {tr("Placing a fixture"), HandKeys::ofAFixture()}};
         std::ranges::move(menus_->keys(), std::back_inserter(sections));
         list = new KeyList(sections, this);
         list->setAttribute(Qt::WA_DeleteOnClose);

@@ -289,6 +289,11 @@ void MainWindow::connectWorkbench() {
                                                   .arg(QString::fromStdString(formatLimit(by, 3))));
     });
     connect(&workbench_.tool, &ToolController::shaped, this, [this](const ShapedTool& made) {
+        if (!made.tool.cutter.turns())
+            return message_->tell(Notice::Kind::passed,
+                                  tr("The tool “%1” is in the library. It doesn't turn: its models cut, and their "
+                                     "profile keeps them out of the part.")
+                                      .arg(QString::fromStdString(made.tool.name)));
         message_->tell(
             made.coarser ? Notice::Kind::warning : Notice::Kind::passed,
             tr("The tool “%1” is in the library. Its profile is at most %2 mm wider than what its flutes "

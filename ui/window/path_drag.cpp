@@ -39,19 +39,19 @@ private:
         const double end = step < 0 ? 0.0 : 1.0;
         PathPlace at = place_;
         glm::dvec3 from = start_;
-        double way = 0.0;
+        double distance = 0.0;
         const auto pieces = static_cast<std::ptrdiff_t>(points_.size()) - 1;
         for (auto piece = static_cast<std::ptrdiff_t>(place_.piece); piece >= 0 && piece < pieces; piece += step) {
             at.piece = static_cast<std::size_t>(piece);
             const PathPoint& point = points_[at.piece + (step < 0 ? 0 : 1)];
-            if (way >= reach_ || !hasMoment(point) || point.source != take) return;
+            if (distance >= reach_ || !hasMoment(point) || point.source != take) return;
             const double steps = points_[at.piece + 1].arc ? draggedSteps : 1.0, begin = at.share;
             for (double i = 1.0; i <= steps; i += 1.0) {
                 at.share = glm::mix(begin, end, i / steps);
                 const glm::dvec3 place = placeOf(points_, at);
-                way += glm::distance(place, from);
+                distance += glm::distance(place, from);
                 from = place;
-                moved.push_back(place + shareAt_(way) * by_);
+                moved.push_back(place + shareAt_(distance) * by_);
             }
             at.share = 1.0 - end;
         }

@@ -15,7 +15,7 @@ namespace burin {
 Arc arcOf(const glm::dvec3& from, const PathPoint& to);
 
 /// The fraction of a displacement that a point gets at a distance along the path from the one that is dragged, mm.
-using DragShare = std::function<double(double way)>;
+using DragShare = std::function<double(double distance)>;
 
 /// The shape of a path while one of its points is dragged, mm, setup frame: the displacement decreases along the part
 /// that comes from the same source without a gap, up to `reach`, mm.

@@ -150,9 +150,11 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     , panel_(panel)
     , scene_(scene) {
     yieldWhileHidden(panel);
-    connect(&workbench.time, &Controller::changed, this, [this] {
+    const auto showTime = [this] {
         if (panel_.isVisible()) panel_.setAtTime(atTime());
-    });
+    };
+    connect(&workbench.time, &Controller::changed, this, showTime);
+    connect(&workbench.time, &TimeController::momentChanged, this, showTime);
     connect(&panel, &PathPanel::toolChosen, &workbench.tool, &ToolController::choose);
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::measureRequested, &workbench.passMeasurer, &PassMeasurer::measure);
@@ -241,8 +243,14 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
                                 free ? milling.setup.stock.low.z : part.low.z,
                                 free ? milling.setup.stock.low.z : part.high.z,
                                 threadOf(milling.tool.cutter)};
+    WantedPass begun = last;
+    if (std::ranges::find(kinds, last.request.kind) == kinds.end()) { // values for another tool do not apply
+        begun.request = {};
+        begun.request.kind = kinds.front();
+        begun.request.places = last.request.places;
+    }
     PassDialog dialog(
-        {toolName(workbench_.tool.current()), workbench_.mill.takes(), last, defaults, painted,
+        {toolName(workbench_.tool.current()), workbench_.mill.takes(), begun, defaults, painted,
          QString::fromStdString(project.parent_path().string()), kinds,
          std::ranges::any_of(kinds, isInHoles) ? uprightHoles(*milling.partModel) : std::vector<UprightHole>(), unit()},
         panel_.window());
@@ -269,8 +277,7 @@ TimelinesPlace PathPresenter::atTime() const {
     TimelinesPlace at;
     const std::shared_ptr<const EvaluatedPath> path = workbench_.path.evaluated();
     if (path) at.moment = workbench_.time.handMoment();
-    const auto point = at.moment ? pointAt(path->path, *at.moment) : std::nullopt;
-    if (point) at.place = point->pose.tip;
+    if (at.moment) at.place = placeAt(path->path, *at.moment, workbench_.time.handTip());
     return at;
 }
 

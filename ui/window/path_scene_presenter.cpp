@@ -51,12 +51,8 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
         const PassPreview* preview = workbench_.passPreview.preview();
         viewport_.setPassPreview(preview != nullptr ? preview->strokes : PlaceChains{});
     });
-    connect(&workbench.time, &Controller::changed, this, [this] {
-        const std::optional<Moment> shown = workbench_.time.handMoment();
-        if (!active_ || shown == shownMoment_) return;
-        shownMoment_ = shown;
-        markSelection();
-    });
+    connect(&workbench.time, &Controller::changed, this, &PathScenePresenter::followTime);
+    connect(&workbench.time, &TimeController::momentChanged, this, &PathScenePresenter::followTime);
     connect(&hand_, &PathHand::chosen, this, [this](const PathPlace& place, bool extend) {
         clicked_ = {momentOf(place), insertionAt(path_->path.points, place.piece, place.share)};
         extend ? workbench_.path.selectTo(momentOf(place)) : workbench_.path.select(momentOf(place));
@@ -128,6 +124,8 @@ void PathScenePresenter::startDrawing(std::optional<double> height) {
 void PathScenePresenter::addEdit(const Edit& edit) {
     if (std::holds_alternative<InsertPoint>(edit.parameters) && workbench_.path.selection()) return insertAtSelection();
     const std::size_t place = workbench_.path.addEdit(withinStock(edit));
+    const StoredPath* path = workbench_.path.stored();
+    if (path == nullptr || place >= path->edits.size()) return; // refused
     for (const EditField& field : fieldsOf(edit.parameters))
         if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&field.value); places && places->empty())
             setFieldDrawing({place, std::string(field.key)}, true);
@@ -155,10 +153,12 @@ void PathScenePresenter::showMenu(const PathPlace& place, const QPointF& positio
     if (!path_) return;
     const InsertPoint edit = insertionAt(path_->path.points, place.piece, place.share);
     const Moment moment = momentOf(place);
-    QMenu* menu = makeContextMenu("pathPointMenu", momentText(workbench_.mill.allTakes(), moment), &viewport_);
+    const QString title = moment.source == 0 ? tr("Computed point") : momentText(workbench_.mill.allTakes(), moment);
+    QMenu* menu = makeContextMenu("pathPointMenu", title, &viewport_);
     addEntry(*menu, tr("&Insert a point here"),
              tr("Insert a point into the path here. Drag it to move it; the stroke follows it smoothly."),
              "insertPointHere", [this, edit] { workbench_.path.insertPoint(edit); });
+    menu->actions().back()->setEnabled(edit.at.source != 0); // an edit finds its position by a moment
     addEntry(*menu, tr("Show this &moment"), tr("Go to the time on the timeline at which this point was milled."),
              "showMomentHere", [this, moment] { workbench_.time.goTo(moment); });
     menu->actions().back()->setEnabled(workbench_.time.possible() && workbench_.time.secondsAt(moment).has_value());
@@ -196,7 +196,7 @@ void PathScenePresenter::present() {
     }
     takePath();
     takeInserted();
-    shownMoment_ = workbench_.time.handMoment();
+    shownPlace_ = placeOnPath();
     if (!workbench_.path.pointsElsewhere()) lookedAt_.reset();
     hand_.setChosen(active_ && workbench_.path.pointed().has_value());
     if (drawing_ && (!active || !stillMeant())) setDrawing(false);
@@ -247,9 +247,22 @@ void PathScenePresenter::markSelection() {
     else
         for (const std::vector<PathPoint>& chain : chosenPoints()) marked.push_back(drawnLine(chain));
     for (const Inserted& point : inserted_) marked.push_back({point.place});
-    if (shownMoment_ && path_)
-        if (const auto point = pointAt(path_->path, *shownMoment_)) marked.push_back({point->pose.tip});
+    if (shownPlace_) marked.push_back({*shownPlace_});
     viewport_.setMoveMark(marked);
+}
+
+/// The point of the path at the time on the timeline.
+std::optional<glm::dvec3> PathScenePresenter::placeOnPath() const {
+    const std::optional<Moment> moment = workbench_.time.handMoment();
+    return moment && path_ ? placeAt(path_->path, *moment, workbench_.time.handTip()) : std::nullopt;
+}
+
+void PathScenePresenter::followTime() {
+    if (!active_) return;
+    const std::optional<glm::dvec3> place = placeOnPath();
+    if (place == shownPlace_) return;
+    shownPlace_ = place;
+    markSelection();
 }
 
 void PathScenePresenter::showHandleDrag(std::size_t handle, const std::optional<PathPlace>& place,

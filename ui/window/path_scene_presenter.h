@@ -45,6 +45,8 @@ private:
     void present() override;
     void takePath();
     void takeInserted();
+    void followTime();
+    std::optional<glm::dvec3> placeOnPath() const;
     void showMenu(const PathPlace& place, const QPointF& position);
     void showHandleDrag(std::size_t handle, const std::optional<PathPlace>& place, const glm::dvec3& by);
     void markSelection();
@@ -74,8 +76,8 @@ private:
     std::vector<Inserted> inserted_; ///< of `path_`; the handles of the pointer, in their order
     /// The moment at which the user clicked last, and the edit that inserts a point just there.
     std::pair<Moment, InsertPoint> clicked_;
-    std::optional<Moment> shownMoment_;  ///< on the timeline; empty: the present
-    std::optional<glm::dvec3> lookedAt_; ///< mm; empty: the selection is marked
+    std::optional<glm::dvec3> shownPlace_; ///< mm, of the path at the time on the timeline; empty: none
+    std::optional<glm::dvec3> lookedAt_;   ///< mm; empty: the selection is marked
     DragChoice drag_ = DragChoice::level;
     std::vector<glm::dvec3> drawn_;   ///< of the stroke under way
     std::string drawnFor_;            ///< state of the edit of `field_` when drawing began

@@ -87,7 +87,7 @@ void Presenters::setUnit(LengthUnit unit) {
              &part,    &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
              &mill,    &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
              &status,  &job,          &scene,  &guideScene, &programScene, &deviation, &area,    &time,
-             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures,   &holes})
+             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures,  &holes})
         presenter->setUnit(unit);
 }
 

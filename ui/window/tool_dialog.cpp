@@ -167,7 +167,7 @@ std::string ToolDialog::copy(const std::string& id) {
     const std::string library =
         bar_->library() == allTools && !isShippedTool(id) ? tools_.libraries().libraryOf(id) : bar_->ownTarget();
     const std::string made = tools_.copyTool(Tool(*original), tr("%1 (copy)").arg(toolName(*original)), library);
-    if (!tools_.libraries().isIn(made, bar_->library())) bar_->choose(library);
+    if (made != id && !tools_.libraries().isIn(made, bar_->library())) bar_->choose(library);
     return made;
 }
 
@@ -212,7 +212,9 @@ void ToolDialog::moveTo(std::string library) {
 void ToolDialog::copyTo(std::string library) {
     const Tool* original = tool(shownId());
     if (original == nullptr) return;
+    const std::string from = original->id;
     const std::string made = tools_.copyTool(Tool(*original), tr("%1 (copy)").arg(toolName(*original)), library);
+    if (made == from) return; // as was reported
     if (bar_->library() != allTools) bar_->choose(library);
     showEntry(made);
 }
@@ -247,7 +249,7 @@ Result<LibraryDialog::Incoming> ToolDialog::read(const std::string& file) {
     for (const ReadTool& each : read->tools) tools.push_back(each.tool);
     const std::string library =
         freeLibraryName(tools_.libraries(), std::filesystem::path(file).stem().string()); // as the file is called
-    notes << tr("%n tools were added in the library “%1”.", nullptr, static_cast<int>(tools.size()))
+    notes << tr("%n tools were added to the library “%1”.", nullptr, static_cast<int>(tools.size()))
                  .arg(toolLibraryName(library))
           << tr("Check the stick-out, holder and limits of each tool; other programs may not store them.");
     QStringList ofTools; // what several tools have in common is stated once
@@ -258,8 +260,7 @@ Result<LibraryDialog::Incoming> ToolDialog::read(const std::string& file) {
     for (const std::string& out : read->leftOut) notes << detailText(out);
     return Incoming{tools_.freeId(QString::fromStdString(tools.front().id)),
                     [this, tools, library] {
-                        tools_.addTools(tools, library);
-                        bar_->choose(library);
+                        if (!tools_.addTools(tools, library).empty()) bar_->choose(library);
                     },
                     notes.join(QLatin1Char(' '))};
 }

@@ -41,12 +41,12 @@ void ToolShapeDialog::layOut(LengthUnit unit) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 12);
     column->setSpacing(8);
-    auto* about =
-        new QLabel(tr("The tool cuts what its flutes sweep while the spindle turns. Models have their axis along +Z, "
-                      "through the origin, towards the holder; their lowest point becomes the tip. Teeth, limits and "
-                      "holder are those of “%1”.")
-                       .arg(QCoreApplication::translate("Resource", like_.name.c_str())),
-                   this);
+    auto* about = new QLabel(
+        tr("A tool that turns cuts what its flutes sweep with the spindle; one that doesn't turn cuts what its "
+           "models sweep. Models have their axis along +Z, through the origin, towards the holder; their "
+           "lowest point becomes the tip. Teeth, limits and holder are those of “%1”.")
+            .arg(QCoreApplication::translate("Resource", like_.name.c_str())),
+        this);
     about->setWordWrap(true);
     column->addWidget(about);
     flutes_ = addFile(tr("Flutes"), tr("One or more closed bodies: STEP, IGES, BREP, or a mesh"),

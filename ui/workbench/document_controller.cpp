@@ -195,8 +195,14 @@ void DocumentController::useSetup(SetupId id, Then then, const std::optional<Sha
     desk_.project.post(
         [id, step](Project& project) -> Result<ProjectContents> {
             const SetupId before = project.usedSetup();
-            if (step)
-                if (Result<void> turned = step->turn(project); !turned) return std::move(turned).error();
+            if (step) {
+                const SharedStep kept;
+                kept.join(*step);
+                if (Result<void> turned = step->turn(project); !turned) {
+                    step->join(kept); // it can be tried again
+                    return std::move(turned).error();
+                }
+            }
             Result<ProjectContents> contents = contentsIn(project, id);
             if (!contents) { // restores what the window shows
                 if (step) static_cast<void>(step->turn(project));

@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/setup/fixture_solid.h"
 #include "ui/messages/messages.h"
+#include "ui/workbench/undo_refusal.h"
 
 #include <cmath>
 #include <utility>
@@ -65,7 +66,7 @@ void FixtureController::cancel() {
 }
 
 void FixtureController::accept() {
-    if (!placing() || !possible()) return;
+    if (!placing() || !possible() || refusedDuringUndo(desk_, *this, SurroundingsController::tr("new fixture"))) return;
     refresh(); // the stock may have changed
     if (problem_) return;
     last_ = design_->kind;

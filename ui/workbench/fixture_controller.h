@@ -40,7 +40,7 @@ public:
     void placeAt(const glm::dvec3& point); ///< as by a click, mm, setup frame
     void setValue(std::size_t parameter, double value);
     void setPlace(const glm::dvec3& place);
-    void moveBy(const glm::dvec3& way) { setPlace(design_->place + way); }
+    void moveBy(const glm::dvec3& shift) { setPlace(design_->place + shift); }
     void setTurn(double turn); ///< rad, brought to -pi … pi
     void turnBy(double angle) { setTurn(design_->turn + angle); }
 

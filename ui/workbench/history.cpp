@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/history.h"
 
+#include "ui/workbench/undo_refusal.h"
+
 #include <memory>
 #include <utility>
 
@@ -59,6 +61,9 @@ public:
         else
             history_.project_.follow(step_, change);
     }
+    void noteWorkpiece(const WorkState& later) {
+        if (later.setup == after_.setup && later.embedded) after_.embedded = true;
+    }
     bool isStep() const noexcept { return kind_ == Kind::step; }
     bool needsRest() const noexcept { return kind_ == Kind::step || kind_ == Kind::forming; }
     const SharedStep& step() const noexcept { return step_; }
@@ -92,12 +97,19 @@ void History::pushForming(QUndoCommand* change) {
     add(new Entry(*this, Entry::Kind::forming, change));
 }
 
-/// While the project is being read again, a change of what is shown would be lost.
+/// While the project is being read again, a change of what is shown would be lost, and what it was made of may be about
+/// to be undone: it is refused.
 void History::add(Entry* entry) {
-    if (busy())
-        delete entry;
-    else
-        QUndoStack::push(entry);
+    if (!busy()) return put(entry);
+    const std::unique_ptr<Entry> refused(entry);
+    emit project_.failed(undoUnderWay(refused->text()));
+}
+
+/// A workpiece that was made after the newest entry belongs to the state that this one leads to.
+void History::put(Entry* entry) {
+    auto* newest = dynamic_cast<Entry*>(const_cast<QUndoCommand*>(command(index() - 1))); // it was made here
+    if (newest != nullptr) newest->noteWorkpiece(entry->from(false));
+    QUndoStack::push(entry);
 }
 
 void History::pushDone(QUndoCommand* change) {
@@ -127,7 +139,7 @@ void History::addMade(Entry* entry) {
     if (busy())
         waiting_.push_back(entry);
     else
-        QUndoStack::push(entry);
+        put(entry);
 }
 
 void History::clear() {
@@ -155,7 +167,7 @@ void History::workOff() {
     }
     working_ = false;
     if (busy()) return;
-    for (Entry* entry : std::exchange(waiting_, {})) QUndoStack::push(entry);
+    for (Entry* entry : std::exchange(waiting_, {})) put(entry);
     emit settled();
 }
 
@@ -191,7 +203,7 @@ void History::make() {
     if (!undo && hidden_.erase(entry->take) > 0) window_.hideTake(entry->take, false);
     if (!entry->isStep()) {
         entry->make(undo);
-        if (entry->needsRest() && entry->to(undo).embedded) window_.embed();
+        if (entry->to(undo).embedded) window_.embed();
         return finish();
     }
     window_.go(entry->to(undo), entry->step(), [this, generation = generation_](bool made) {

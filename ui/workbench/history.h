@@ -48,7 +48,8 @@ public:
     explicit History(ProjectThread& project, QObject* parent = nullptr) : QUndoStack(parent), project_(project) {}
     void serve(Window window) { window_ = std::move(window); } ///< call it first
 
-    /// Adds a change of values that is stored through Controller::store, and makes it. It is refused while `busy`.
+    /// Adds a change of values that is stored through Controller::store, and makes it. It is refused while `busy`,
+    /// which the failed() of the project's thread reports.
     void push(QUndoCommand* change);
     /// The same for a change that the project has stored already as `step`; making it here stores nothing new.
     void pushStored(QUndoCommand* change, const SharedStep& step);
@@ -80,6 +81,7 @@ private:
     };
     void add(Entry* entry);
     void addMade(Entry* entry);
+    void put(Entry* entry);
     void request(Entry& entry, bool undo);
     void workOff();
     void begin();

@@ -3,6 +3,7 @@
 #include "ui/workbench/material_controller.h"
 
 #include "core/cutting/material_library.h"
+#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 namespace burin {
@@ -23,6 +24,7 @@ void MaterialController::readLibrary() {
 }
 
 std::string MaterialController::copyMaterial(const Property& material, const QString& name) {
+    if (refusedDuringUndo(desk_, *this, tr("copy of a material"))) return material.id;
     const std::string id = freeId(materials_, material.id + "-copy");
     push(tr("copy of a material"), {id, copyOf(material, id, name.toStdString())});
     return id;
@@ -37,6 +39,7 @@ void MaterialController::deleteMaterial(const std::string& id) {
 }
 
 void MaterialController::push(const QString& text, const OwnFile<Property>& wanted) {
+    if (refusedDuringUndo(desk_, *this, text)) return;
     const OwnFile<Property> before{wanted.id,
                                    isShippedMaterial(wanted.id) ? std::nullopt : itemOf(materials_, wanted.id)};
     desk_.undo.push(new ValueCommand<OwnFile<Property>>(text, -1, before, wanted,

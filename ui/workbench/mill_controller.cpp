@@ -6,6 +6,7 @@
 #include "core/job/job_paths.h"
 #include "core/job/milling.h"
 #include "ui/workbench/done_command.h"
+#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -75,24 +76,26 @@ void MillController::enterWithMouse() {
 }
 
 void MillController::enterWithDevice() {
-    styluses_.connectDevice([this](std::unique_ptr<AnyStylus> stylus) {
-        if (!stylus || session_.running() || !workpiece_.ready()) { // the reason for the request may be gone
-            begun(false, nullptr);
-            return;
-        }
-        const StylusDescription description = StylusHandle(*stylus).device().description();
-        SessionRequest request;
-        request.mapping = mappingFor(*workpiece_.milling(), description);
-        request.cutsOnButton = description.buttons > 0;
-        request.forceButtons = forceButtons_;
-        request.felt = felt_;
-        device_ = description;
-        const MappableDevice mappable = mappableOf(StylusHandle(*stylus).device());
-        const Result<AxisMap> kept = axisMapFromJson(styluses_.axisMap(styluses_.choice().id), mappable);
-        axisMap_ = kept ? *kept : mappable.usual; // a wrong one did not let the device connect
-        mapping_ = request.mapping;
-        begin(std::move(*stylus), nullptr, request);
-    });
+    // Another device may be chosen until this one is connected.
+    styluses_.connectDevice(
+        [this, assignment = styluses_.axisMap(styluses_.choice().id)](std::unique_ptr<AnyStylus> stylus) {
+            if (!stylus || session_.running() || !workpiece_.ready()) { // the reason for the request may be gone
+                begun(false, nullptr);
+                return;
+            }
+            const StylusDescription description = StylusHandle(*stylus).device().description();
+            SessionRequest request;
+            request.mapping = mappingFor(*workpiece_.milling(), description);
+            request.cutsOnButton = description.buttons > 0;
+            request.forceButtons = forceButtons_;
+            request.felt = felt_;
+            device_ = description;
+            const MappableDevice mappable = mappableOf(StylusHandle(*stylus).device());
+            const Result<AxisMap> kept = axisMapFromJson(assignment, mappable);
+            axisMap_ = kept ? *kept : mappable.usual; // a wrong one did not let the device connect
+            mapping_ = request.mapping;
+            begin(std::move(*stylus), nullptr, request);
+        });
     emit changed();
 }
 
@@ -175,6 +178,7 @@ void MillController::stopRecording(Then then) {
 void MillController::setAllowance(double millimetres) {
     const double wanted = std::clamp(millimetres, 0.0, WorkpieceController::maximumAllowance);
     if (wanted == allowance_) return;
+    if (refusedDuringUndo(desk_, *this, tr("allowance"))) return emit changed();
     desk_.undo.push(new ValueCommand<double>(tr("allowance"), allowanceValue, allowance_, wanted,
                                              [this](const double& value) { applyAllowance(value); }));
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/model_controller.h"
 
+#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <QPointer>
@@ -61,18 +62,18 @@ void ModelController::adopt(const std::shared_ptr<const Model>& model) {
 }
 
 void ModelController::exchange(const QString& title, const std::shared_ptr<const Model>& other) {
+    if (refusedDuringUndo(desk_, *this, title)) return;
     preview_.reset();
     using Shared = std::shared_ptr<const Model>;
-    desk_.undo.pushForming(
-        new ValueCommand<Shared>(title, -1, model_, other, [this](const Shared& model) {
-            model_ = model;
-            store([model, colours = colours_](Project& project) {
+    desk_.undo.pushForming(new ValueCommand<Shared>(title, -1, model_, other, [this](const Shared& model) {
+        model_ = model;
+        store([model, colours = colours_](Project& project) {
             const Result<void> stored = project.setModel(*model);
             return stored ? project.setBodyColours(colours) : stored;
         });
-            emit exchanged();
-            emit changed();
-        }));
+        emit exchanged();
+        emit changed();
+    }));
 }
 
 void ModelController::mirror(int axis) {

@@ -4,6 +4,7 @@
 
 #include "core/job/computed_pass.h"
 #include "core/path/edit_step.h"
+#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -201,7 +202,7 @@ void PathController::forgetTake(std::int64_t take) {
     bool used = false;
     for (StoredPath& path : paths_) used = std::erase(path.sources, PathSource{take}) > 0 || used;
     if (!used) return;
-    selection_.reset();
+    dropChoice();
     updateJob();
     countVersion();
     emit changed();
@@ -326,6 +327,7 @@ void PathController::changeEdit(std::size_t index, const Edit& edit) {
 std::size_t PathController::addEdit(const Edit& edit) {
     const StoredPath* path = stored();
     if (path == nullptr) return 0;
+    if (refusedDuringUndo(desk_, *this, tr("new edit"))) return path->edits.size(); // none
     const std::size_t place = placeFor(path->edits, edit);
     push(tr("new edit"), withEdit(path->edits, place, selection_ ? meantFor(edit, *selection_) : edit));
     return place;
@@ -387,7 +389,7 @@ void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MoveP
 
 void PathController::insertPoint(const InsertPoint& edit) {
     const StoredPath* path = stored();
-    if (path == nullptr || edit.at.source == 0) return;
+    if (path == nullptr || edit.at.source == 0 || refusedDuringUndo(desk_, *this, tr("inserted point"))) return;
     selection_ = SourceStretch{edit.at.source, edit.at.tick, edit.at.tick};
     pointed_.reset();
     push(tr("inserted point"), withEdit(path->edits, placeFor(path->edits, {edit}), {edit}));
@@ -433,6 +435,7 @@ void PathController::moveEdit(std::size_t from, std::size_t to) {
 
 void PathController::push(const QString& text, std::vector<Edit> edits) {
     const StoredPath& path = *stored();
+    if (refusedDuringUndo(desk_, *this, text)) return emit changed();
     desk_.undo.push(new ValueCommand<std::vector<Edit>>(
         text, -1, path.edits, std::move(edits),
         [this, id = path.id](const std::vector<Edit>& value) { apply(id, value); }));

@@ -78,7 +78,7 @@ public:
     void movePassUp(std::int64_t id);
     void changeEdit(std::size_t index, const Edit& edit); ///< an entry of the undo stack; evaluates the path
     /// Entries of the undo stack; each evaluates the path. A new edit is inserted as late as the order of edits allows.
-    /// @return its index
+    /// @return its index; the number of edits if it was refused
     std::size_t addEdit(const Edit& edit);
     void removeEdit(std::size_t index);
     void moveEdit(std::size_t from, std::size_t to);

@@ -82,6 +82,15 @@ void PathController::addSources(const QString& text, std::vector<NewSource> adde
 
 /// The project has stored them already; its step belongs to the first entry.
 void PathController::keepSources(const QString& text, const AddedSources& added, const SharedStep& step) {
+    if (desk_.undo.busy()) { // a macro that begins now would delete the entry that is being undone
+        connect(
+            &desk_.undo, &History::settled, this,
+            [this, text, added, step, load = loads_] {
+                if (load == loads_) keepSources(text, added, step);
+            },
+            Qt::SingleShotConnection);
+        return;
+    }
     learn(added.sources);
     std::vector<StoredPath> made;
     std::vector<ChangedPath> changed;

@@ -20,11 +20,17 @@ void SharedStep::join(const SharedStep& later) const {
 
 Result<void> SharedStep::turn(Project& project) const {
     const Rows rows = std::exchange(*rows_, {});
+    Rows turned;
     for (auto step = rows.rbegin(); step != rows.rend(); ++step) {
-        Result<std::shared_ptr<const ProjectStep>> turned = project.revert(**step);
-        if (!turned) return std::move(turned).error();
-        if (*turned) rows_->push_back(std::move(*turned));
+        Result<std::shared_ptr<const ProjectStep>> other = project.revert(**step);
+        if (!other) { // no part of the entry may stay turned
+            for (auto done = turned.rbegin(); done != turned.rend(); ++done)
+                static_cast<void>(project.revert(**done)); // a failure is covered by the same error
+            return std::move(other).error();
+        }
+        if (*other) turned.push_back(std::move(*other));
     }
+    *rows_ = std::move(turned);
     return {};
 }
 
@@ -47,27 +53,25 @@ void ProjectThread::enqueueJob(Job job) {
         worker_, [this, job = std::move(job)] { job(place_); }, Qt::QueuedConnection);
 }
 
+/// The rows are restored first, as `change` may also ask for what the project holds then.
 void ProjectThread::follow(const SharedStep& step, const std::function<void()>& change) {
     enqueueJob([this, step](std::optional<Project>& place) {
-        restoring_ = place && !step.empty();
-        if (place && !restoring_) static_cast<void>(place->beginStep()); // if that fails, changes are stored each time
+        if (!place) return;
+        const bool known = !step.empty();
+        const Result<void> turned =
+            guarded("project", [&]() -> Result<void> { return known ? step.turn(*place) : Result<void>(); });
+        restoring_ = known && turned;                           // otherwise everything is stored again
+        if (!restoring_) static_cast<void>(place->beginStep()); // if that fails, changes are stored each time
+        if (turned) return;
+        QMetaObject::invokeMethod(
+            this, [this, error = turned.error()] { emit failed(error); }, Qt::QueuedConnection);
     });
     change();
     enqueueJob([this, step](std::optional<Project>& place) {
-        if (!place) return;
-        const Result<void> outcome = guarded("project", [&]() -> Result<void> {
-            if (std::exchange(restoring_, false)) return step.turn(*place);
-            Result<std::shared_ptr<const ProjectStep>> rows = place->endStep();
-            step.add(rows ? std::move(*rows) : nullptr);
-            return {};
-        });
+        if (place && !std::exchange(restoring_, false))
+            if (auto rows = guarded("project", [&] { return place->endStep(); }); rows) step.add(std::move(*rows));
         QMetaObject::invokeMethod(
-            this,
-            [this, outcome] {
-                if (!outcome) emit failed(outcome.error());
-                emit worked();
-            },
-            Qt::QueuedConnection);
+            this, [this] { emit worked(); }, Qt::QueuedConnection);
     });
 }
 

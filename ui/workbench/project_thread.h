@@ -113,7 +113,7 @@ public:
 
 signals:
     void worked();                          ///< the project may have changed
-    void failed(const burin::Error& error); ///< of `follow`
+    void failed(const burin::Error& error); ///< of `follow`, or a change that History refuses
 
 private:
     using Job = std::function<void(std::optional<Project>&)>;

@@ -3,6 +3,7 @@
 #include "ui/workbench/setup_controller.h"
 
 #include "core/job/left_stock.h"
+#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -147,9 +148,12 @@ void SetupController::placeAround(std::shared_ptr<const Model> model) {
 }
 
 void SetupController::exchangeModel(std::shared_ptr<const Model> model) {
+    Setup setup = setup_;
+    const bool suits = imported_ != nullptr && setup.voxel == suitableVoxel(imported_->box());
     imported_ = std::move(model);
     model_ = nullptr;
-    apply(setup_);
+    if (suits) setup.voxel = suitableVoxel(imported_->box());
+    apply(setup);
 }
 
 void SetupController::load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup,
@@ -175,6 +179,7 @@ void SetupController::edit(const Setup& edited) {
     const bool leaves = edited.leftBy && edited.form != StockForm::file;
     const Setup setup = leaves ? withoutLeft(edited) : edited;
     const ShapeChange change = changeFrom(setup_, setup);
+    if (refusedDuringUndo(desk_, *this, change.title)) return emit changed();
     desk_.undo.pushForming(new ValueCommand<Setup>(change.title, change.kind, setup_, setup,
                                                    [this](const Setup& value) { apply(value); }));
 }
@@ -232,6 +237,7 @@ void SetupController::readStock(const std::filesystem::path& file, const std::fi
 
 void SetupController::takeStock(const StockFile& stock, const QString& name) {
     if (locked_ || !model_) return; // a take was recorded or the project closed meanwhile
+    if (refusedDuringUndo(desk_, *this, tr("shape of the stock"))) return;
     Setup setup = setup_;
     setup.form = StockForm::file;
     setup.volume = stock.volume;
@@ -261,7 +267,7 @@ void SetupController::place(const Placement& by) {
         TaskKind::placing, tr("Rotating the stock"),
         [setup = setup_, by](Progress& progress) { return placedFurther(setup, by, progress); },
         [this, by](const Result<Setup>& setup) {
-            if (setup && !locked_ && model_) {
+            if (setup && !locked_ && model_ && !refusedDuringUndo(desk_, *this, tr("placement of the part"))) {
                 editPlacement(*setup);
                 if (!alongAxes(by)) emit stockTurnedAslant(std::sqrt(0.5) * setup->voxel);
             }
@@ -272,6 +278,7 @@ void SetupController::place(const Placement& by) {
 }
 
 void SetupController::editPlacement(const Setup& setup) {
+    if (refusedDuringUndo(desk_, *this, tr("placement of the part"))) return emit changed();
     desk_.undo.pushForming(new ValueCommand<Setup>(tr("placement of the part"), -1, setup_, setup,
                                                    [this](const Setup& value) { apply(value); }));
 }
@@ -298,6 +305,7 @@ void SetupController::chooseZero(const ProgramZero& zero) {
         emit failed(placed.error());
         return;
     }
+    if (refusedDuringUndo(desk_, *this, tr("program zero"))) return emit changed();
     desk_.undo.push(new ValueCommand<ProgramZero>(tr("program zero"), -1, setup_.zero, zero,
                                                   [this](const ProgramZero& value) { applyZero(value); }));
 }

@@ -42,7 +42,7 @@ public:
     void readLibrary();
     /// Sets a new part with a stock that suits its size.
     void placeAround(std::shared_ptr<const Model> model);
-    /// Replaces the part by another one with the same bodies.
+    /// Replaces the part by another one with the same bodies. Voxels of a size that suits the part still do afterwards.
     void exchangeModel(std::shared_ptr<const Model> model);
     /// Loads the setup of a project.
     void load(std::shared_ptr<const Model> model, const std::optional<Setup>& setup,

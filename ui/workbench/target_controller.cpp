@@ -3,6 +3,7 @@
 #include "ui/workbench/target_controller.h"
 
 #include "core/machine/machine_library.h"
+#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -65,6 +66,7 @@ void TargetController::deleteMachine(const std::string& id) {
 }
 
 void TargetController::pushMachine(const QString& text, const OwnFile<MachineProfile>& wanted) {
+    if (refusedDuringUndo(desk_, *this, text)) return;
     const OwnFile<MachineProfile> before{wanted.id, itemOf(machines_, wanted.id)};
     desk_.undo.push(new ValueCommand<OwnFile<MachineProfile>>(
         text, -1, before, wanted, [this](const OwnFile<MachineProfile>& own) { applyMachine(own); }));
@@ -90,6 +92,7 @@ void TargetController::chooseUnits(NcUnits units) {
 }
 
 void TargetController::push(const QString& text, const ProgramTarget& wanted) {
+    if (refusedDuringUndo(desk_, *this, text)) return emit changed();
     desk_.undo.push(new ValueCommand<ProgramTarget>(text, -1, target_, wanted,
                                                     [this](const ProgramTarget& value) { apply(value); }));
 }

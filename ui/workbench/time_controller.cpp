@@ -182,6 +182,13 @@ std::optional<Moment> TimeController::handMoment() const {
     return Moment{at.take, static_cast<std::int64_t>(tick)};
 }
 
+std::optional<glm::dvec3> TimeController::handTip() const {
+    const std::optional<Moment> moment = handMoment();
+    const bool read = moment && shown_ && shown_->sample && shown_->moment.take == moment->source &&
+                      static_cast<std::int64_t>(shown_->sample->tick) == moment->tick;
+    return read ? std::optional(shown_->sample->proxy.tip) : std::nullopt;
+}
+
 std::optional<double> TimeController::secondsAt(const Moment& moment) const {
     const TakeTrack* track = recorded_ ? recorded_->trackOf(moment.source) : nullptr;
     if (track == nullptr || moment.tick < 0) return std::nullopt;

@@ -64,6 +64,8 @@ public:
     /// The requested moment of the recordings as paths name it: the tick of the last sample before it. Empty in the
     /// present and for a program.
     std::optional<Moment> handMoment() const;
+    /// The tip of the tool at `handMoment`, mm, setup frame; empty while it is not read yet.
+    std::optional<glm::dvec3> handTip() const;
     /// The time of a moment of a path, s from the start of the first take, when its tick is over. Empty if it belongs
     /// to none of the takes that were read.
     std::optional<double> secondsAt(const Moment& moment) const;

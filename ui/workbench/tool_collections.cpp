@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The user's tool libraries, as far as ToolController changes them.
 #include "ui/workbench/tool_controller.h"
+#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 namespace burin {
 
 std::string ToolController::addTools(std::vector<Tool> tools, const std::string& library) {
     std::string first;
+    if (refusedDuringUndo(desk_, *this, tr("import of tools"))) return first;
     desk_.undo.beginMacro(tr("import of tools"));
     if (library != ownLibrary && !libraries_.contains(library)) pushRenaming(tr("new tool library"), {{}, library});
     for (Tool& tool : tools) {
@@ -26,6 +28,7 @@ void ToolController::moveTool(const std::string& id, const std::string& library)
 
 Result<void> ToolController::addLibrary(const std::string& name) {
     if (Result<void> free = checkNewLibrary(name); !free) return free;
+    if (desk_.undo.busy()) return undoUnderWay(tr("new tool library"));
     pushRenaming(tr("new tool library"), {{}, name});
     return {};
 }
@@ -33,11 +36,13 @@ Result<void> ToolController::addLibrary(const std::string& name) {
 Result<void> ToolController::renameLibrary(const std::string& from, const std::string& to) {
     if (from == to) return {};
     if (Result<void> free = checkNewLibrary(to); !free) return free;
+    if (desk_.undo.busy()) return undoUnderWay(tr("name of a tool library"));
     pushRenaming(tr("name of a tool library"), {from, to});
     return {};
 }
 
 void ToolController::deleteLibrary(const std::string& name) {
+    if (refusedDuringUndo(desk_, *this, tr("deleting a tool library"))) return;
     desk_.undo.beginMacro(tr("deleting a tool library"));
     const std::vector<Tool> tools = library_; // deleting one reads the library again
     for (const Tool& tool : tools)

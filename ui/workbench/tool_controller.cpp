@@ -4,6 +4,7 @@
 
 #include "core/base/resource_folder.h"
 #include "core/tool/tool_library.h"
+#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -59,6 +60,7 @@ std::optional<CuttingConditions> ToolController::conditionsIn(const Property& ma
 
 void ToolController::choose(const std::string& id) {
     if (locked_ || id == current().id) return;
+    if (refusedDuringUndo(desk_, *this, tr("tool"))) return emit changed();
     desk_.undo.push(new ValueCommand<std::string>(tr("tool"), -1, current().id, id,
                                                   [this](const std::string& value) { apply(value); }));
 }
@@ -96,7 +98,7 @@ void ToolController::shape(const ToolShapeRequest& request) {
         [this](const Result<ShapedTool>& made) {
             if (!made) {
                 if (made.error().code != ErrorCode::cancelled) emit failed(made.error());
-            } else if (!locked_) { // a recording may have begun meanwhile
+            } else if (!locked_ && !refusedDuringUndo(desk_, *this, tr("new tool"))) { // a recording may have begun
                 push(tr("new tool"), {made->tool.id, made->tool}, made->tool.id, std::string(ownLibrary));
                 emit shaped(*made);
             }
@@ -124,6 +126,7 @@ bool ToolController::milledWith(const std::string& id) const {
 }
 
 std::string ToolController::copyTool(const Tool& tool, const QString& name, const std::string& library) {
+    if (refusedDuringUndo(desk_, *this, tr("copy of a tool"))) return tool.id;
     const std::string id = burin::freeId(tools_, tool.id + "-copy");
     Tool copy = copyOf(tool, id, name.toStdString());
     copy.number = freeToolNumber(tools_);
@@ -146,6 +149,7 @@ void ToolController::deleteTool(const std::string& id) {
 
 void ToolController::push(const QString& text, const OwnFile<Tool>& wanted, const std::string& inSpindle,
                           const std::string& library) {
+    if (refusedDuringUndo(desk_, *this, text)) return;
     const OwnTool before{{wanted.id, itemOf(library_, wanted.id)}, current().id, libraries_.libraryOf(wanted.id)};
     desk_.undo.push(new ValueCommand<OwnTool>(text, -1, before, {wanted, inSpindle, library},
                                               [this](const OwnTool& own) { keep(own); }));

@@ -3,6 +3,7 @@
 #include "ui/workbench/workbench.h"
 
 #include "core/cad/file_unit.h"
+#include "ui/workbench/undo_refusal.h"
 
 #include <algorithm>
 
@@ -70,10 +71,11 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document, &model,        &setup,      &material,     &tool,         &target,  &workpiece,  &styluses,
-            &session,  &deviceTester, &viewDevice, &mill,         &surroundings, &guides,  &hand,       &showMe,
-            &path,     &area,         &passes,     &passMeasurer, &pathValuer,   &measure, &program,    &setups,
-            &sheet,    &time,         &keeper,     &faces,        &pathComparer, &score,   &fixtures,   &axisTuner,   &deviations, &growing};
+    return {&document,     &model,   &setup,        &material,   &tool,       &target,       &workpiece,
+            &styluses,     &session, &deviceTester, &viewDevice, &mill,       &surroundings, &guides,
+            &hand,         &showMe,  &path,         &area,       &passes,     &passMeasurer, &pathValuer,
+            &measure,      &program, &setups,       &sheet,      &time,       &keeper,       &faces,
+            &pathComparer, &score,   &fixtures,     &axisTuner,  &deviations, &growing};
 }
 
 void Workbench::wire() {
@@ -207,15 +209,13 @@ void Workbench::updatePart(const std::filesystem::path& file) {
 bool Workbench::changeUnit(const std::shared_ptr<const Model>& before, const std::shared_ptr<const Model>& part) {
     const bool sameBodies = before && std::ranges::equal(before->bodies, part->bodies, {}, &Body::name, &Body::name);
     if (before != model.model() || !sameBodies || setup.locked() || importNeedsNewProject()) return false;
-    const std::shared_ptr<const Model> other = placed(part, placementAsBefore(*part, *before));
-    const bool suits = setup.setup().voxel == suitableVoxel(before->box());
-    undo_.beginMacro(tr("unit of the part"));
-    model.exchange(tr("unit of the part"), other);
-    if (Setup edited = setup.setup(); suits) {
-        edited.voxel = suitableVoxel(other->box());
-        setup.edit(edited);
+    if (undo_.busy()) {
+        model.dropPreview();
+        emit failed(undoUnderWay(tr("unit of the part")));
+        return true;
     }
-    undo_.endMacro();
+    const std::shared_ptr<const Model> other = placed(part, placementAsBefore(*part, *before));
+    model.exchange(tr("unit of the part"), other);
     return true;
 }
 

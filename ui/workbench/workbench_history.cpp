@@ -88,6 +88,11 @@ void Workbench::hideTake(std::int64_t take, bool hidden) {
 }
 
 void Workbench::takePart(const std::shared_ptr<const Model>& part) {
+    if (undo_.busy()) { // what is being read again would replace the part in the window
+        connect(
+            &undo_, &History::settled, this, [this, part] { adoptPart(part, false); }, Qt::SingleShotConnection);
+        return;
+    }
     undo_.makeStep(tr("import of a part"), [this, part] { model.adopt(part); });
 }
 

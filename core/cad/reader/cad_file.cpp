@@ -31,6 +31,7 @@
 #include <XSControl_WorkSession.hxx>
 #include <gp_Vec.hxx>
 
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -38,6 +39,8 @@
 namespace burin {
 
 namespace {
+
+constexpr int millimetreFlag = 2; // IGES 5.3, 2.2.4.3.14
 
 Error damaged(std::string place) {
     return {ErrorCode::fileDamaged, {}, std::move(place), {}};
@@ -71,6 +74,10 @@ Handle(StepRepr_GlobalUnitAssignedContext) unitsOf(const Handle(Standard_Transie
     return without.IsNull() ? Handle(StepRepr_GlobalUnitAssignedContext)() : without->GlobalUnitAssignedContext();
 }
 
+bool isUnit(double millimetres) noexcept {
+    return std::isfinite(millimetres) && millimetres > 0.0;
+}
+
 /// Returns all length units of the file's representations, mm.
 std::set<double> stepUnits(const Handle(StepData_StepModel) & model) {
     std::set<double> units;
@@ -79,7 +86,7 @@ std::set<double> stepUnits(const Handle(StepData_StepModel) & model) {
         if (context.IsNull()) continue;
         STEPConstruct_UnitContext factors;
         factors.ComputeFactors(context);
-        if (factors.LengthDone()) units.insert(factors.LengthFactor());
+        if (factors.LengthDone() && isUnit(factors.LengthFactor())) units.insert(factors.LengthFactor());
     }
     return units;
 }
@@ -153,7 +160,12 @@ Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& repo
     if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return damaged("");
     CadFile read;
     read.format = "IGES";
-    const IGESData_GlobalSection& head = reader.IGESModel()->GlobalSection();
+    IGESData_GlobalSection& head = reader.IGESModel()->ChangeGlobalSection();
+    if (!isUnit(head.UnitValue())) { // a flag that IGES doesn't know, or a name
+        head.SetUnitFlag(millimetreFlag);
+        head.SetUnitName(nullptr);
+        read.notes.push_back({ImportNote::Kind::unit, import_notes::fill(import_notes::fileWithoutUnit, {"1"})});
+    }
     stateUnit(read, head.UnitValue(), head.UnitName().IsNull() ? "mm" : head.UnitName()->ToCString());
     Handle(TDocStd_Document) document = newDocument();
     const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.1, 0.4);

@@ -21,6 +21,7 @@ void SharedControls::publish(const Controls& controls) noexcept {
                     << (16 * i);
         axes_[word].store(bits, std::memory_order_relaxed);
     }
+    silent_.store(controls.silent, std::memory_order_relaxed);
     buttons_.store(controls.buttons, std::memory_order_relaxed);
     battery_.store(controls.batteryPercent, std::memory_order_relaxed);
     charging_.store(controls.charging, std::memory_order_relaxed);
@@ -82,13 +83,22 @@ StylusState CapStylus::read(double time) noexcept {
     state.time = time;
     maps_.take(map_);
     MotionShares motions{};
-    if (!stale) motions = motionsOf(map_, readingsOf(device_.shared().axes(), settings_.fullScale));
+    if (!stale) motions = motionsOf(map_, readings());
     const std::uint32_t pressed = device_.shared().buttons();
     if (liftPressed(map_, pressed)) motions[upwards] = 1.0;
     state.pose = mapping_.advance(motions, elapsed);
     state.buttons = sessionButtons(map_, pressed);
     state.valid = thread_.connected();
     return state;
+}
+
+/// The user may have calibrated another rest than the usual one, which is published for a silent axis.
+std::array<double, AxisMap::mostAxes> CapStylus::readings() const noexcept {
+    std::array<double, AxisMap::mostAxes> readings = readingsOf(device_.shared().axes(), settings_.fullScale);
+    const std::uint32_t silent = device_.shared().silent();
+    for (std::size_t i = 0; i < readings.size(); ++i)
+        if ((silent >> i & 1U) != 0) readings[i] = map_.axes[i].rest;
+    return readings;
 }
 
 AxisReading CapStylus::axisReading() const noexcept {
@@ -115,6 +125,7 @@ void CapStylus::Published::rest() noexcept {
     // The battery state is kept.
     for (std::size_t i = 0; i < controls_.axes.size(); ++i)
         controls_.axes[i] = static_cast<std::int16_t>(std::lround(settings_.map.axes[i].rest * settings_.fullScale));
+    controls_.silent = settings_.silent;
     controls_.buttons = 0;
     controls_.keys = {};
     shared_.publish(controls_);

@@ -36,6 +36,7 @@ public:
     void publish(const Controls& controls) noexcept; ///< called on the device's thread
     void heardMotion() noexcept { motions_.fetch_add(1, std::memory_order_release); }
     std::array<std::int16_t, AxisMap::mostAxes> axes() const noexcept;
+    std::uint32_t silent() const noexcept { return silent_.load(std::memory_order_relaxed); }
     std::uint32_t buttons() const noexcept { return buttons_.load(std::memory_order_relaxed); }
     std::uint64_t motions() const noexcept { return motions_.load(std::memory_order_acquire); }
     int batteryPercent() const noexcept { return battery_.load(std::memory_order_relaxed); }
@@ -45,7 +46,7 @@ private:
     static constexpr std::size_t perWord = 4; ///< axes of 16 bits
     std::array<std::atomic<std::uint64_t>, AxisMap::mostAxes / perWord> axes_{};
     std::atomic<std::uint64_t> motions_{0};
-    std::atomic<std::uint32_t> buttons_{0};
+    std::atomic<std::uint32_t> silent_{0}, buttons_{0};
     std::atomic<int> battery_{-1};
     std::atomic<bool> charging_{false};
 };
@@ -61,6 +62,7 @@ struct CapStylusSettings {
     std::vector<DeviceAxis> axes = capAxes(); ///< in the order of Controls::axes
     AxisMap map = capMap();
     double fullScale = CapMapping::fullScale; ///< counts at full deflection
+    std::uint32_t silent = 0;                 ///< axes that report nothing before they move, one bit each
 };
 
 /// A cap as a stylus without motors, called by the loop. A thread of its own reads the device, and finds it again after
@@ -104,6 +106,8 @@ private:
         Controls controls_;
         SharedControls shared_;
     };
+
+    std::array<double, AxisMap::mostAxes> readings() const noexcept; ///< as shares; haptic thread
 
     CapStylusSettings settings_;
     Published device_;

@@ -20,6 +20,7 @@ AnyStylus padStylus(ReopenedPort port, const InputDevice& device, const std::str
     settings.axes = source->reader().axes();
     settings.map = source->reader().map();
     settings.fullScale = PadReader::fullScale;
+    settings.silent = source->reader().controls().silent;
     settings.mode = cap::modeOf(mode);
     return std::unique_ptr<Stylus>(std::make_unique<cap::CapStylus>(std::move(source), std::move(settings)));
 }

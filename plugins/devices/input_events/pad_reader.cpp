@@ -76,6 +76,7 @@ void PadReader::addAxis(const libevdev& device, unsigned int code, AxisMotion mo
     use.deadZone = std::clamp(2.0 * info->flat / (high - low), deadZone, 0.5);
     if (oneSided) use.rest = use.low;
     controls_.axes[axes_.size()] = static_cast<std::int16_t>(std::lround(fullScale * use.rest));
+    controls_.silent |= 1U << axes_.size();
     const bool springs = code != ABS_THROTTLE && code != ABS_WHEEL;
     named_.push_back({std::ranges::find(padAxisNames, code, &AxisName::code)->name.text, springs, oneSided});
     axes_.push_back({code, low, high});
@@ -92,8 +93,9 @@ PadReader::Kind PadReader::take(const input_event& event) noexcept {
     const auto axis = std::ranges::find(axes_, event.code, &Axis::code);
     if (event.type != EV_ABS || axis == axes_.end()) return Kind::none;
     const double share = std::clamp((event.value - axis->low) / (axis->high - axis->low), 0.0, 1.0);
-    controls_.axes[static_cast<std::size_t>(axis - axes_.begin())] =
-        static_cast<std::int16_t>(std::lround(fullScale * (2.0 * share - 1.0)));
+    const auto index = static_cast<std::size_t>(axis - axes_.begin());
+    controls_.silent &= ~(1U << index);
+    controls_.axes[index] = static_cast<std::int16_t>(std::lround(fullScale * (2.0 * share - 1.0)));
     return Kind::motion;
 }
 

@@ -104,7 +104,7 @@ inline bool writeVice(const std::string& file) {
     return vice.write(file);
 }
 
-/// An assembly of rounded blocks, each with surfaces of its own: about 40 kB a block.
+/// An assembly of rounded blocks, each with surfaces of its own: about 70 kB a block.
 inline bool writeBlocks(const std::string& file, int count) {
     AssemblyFile blocks;
     const TDF_Label whole = blocks.assembly("Blocks");

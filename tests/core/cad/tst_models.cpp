@@ -196,7 +196,7 @@ private slots:
         // Part 3 is the shape of Part 2 at another location: half a ball of radius 3, minus a shaft.
         const Result<Model> model = import(modelFile("mayo-332.stp"));
         QVERIFY(model);
-        const Body &second = bodyNamed(*model, "Part 2"), &third = bodyNamed(*model, "Part 3");
+        const Body &second = bodyNamed(*model, "Root/Part 2"), &third = bodyNamed(*model, "Root/Part 3");
         QVERIFY(std::abs(second.volume - third.volume) < 1e-6);
         QVERIFY(std::abs(second.box.low.z) < 1e-6);
         QVERIFY(std::abs(third.box.high.z - 100.0) < 1e-6);

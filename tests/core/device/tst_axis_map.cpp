@@ -189,8 +189,9 @@ private slots:
         QCOMPARE(map.axes[0].motion, AxisMotion::x); // the assignment stays
         QCOMPARE(map.axes[1].low, -1.0);             // not reached
         QCOMPARE(map.axes[1].high, 0.9);
-        QCOMPARE(map.axes[1].deadZone, AxisCalibration::leastDeadZone); // no noise
-        QCOMPARE(map.axes[2].rest, -1.0);                               // a trigger
+        QCOMPARE(map.axes[1].rest, 0.0); // not reported before it was moved: rest and dead zone are those of before
+        QCOMPARE(map.axes[1].deadZone, 0.05);
+        QCOMPARE(map.axes[2].rest, -1.0); // a trigger
         QVERIFY(std::abs(map.axes[2].high - 0.8) < 1e-9 && map.axes[2].low == -1.0);
         QVERIFY(std::abs(map.axes[3].rest - 0.15) < 1e-9); // a slider, of which the middle counts
         QCOMPARE(map.axes[3].deadZone, 0.0);

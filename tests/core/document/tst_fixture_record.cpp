@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/surroundings_record.h"
+#include "core/setup/fixture_library.h"
 #include "core/setup/fixture_placement.h"
 #include "tests/test_program.h"
 

@@ -11,7 +11,10 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <filesystem>
 #include <functional>
+#include <iterator>
+#include <memory>
 #include <random>
 
 namespace burin::tst_project_step {
@@ -29,9 +32,6 @@ Result<Step> stepOf(Project& project, const std::function<Result<void>(Project&)
     return project.endStep();
 }
 
-Result<void> nothingFrom(const Result<void>& done) {
-    return done;
-}
 template <class T>
 Result<void> nothingFrom(const Result<T>& done) {
     return done ? Result<void>() : Result<void>(done.error());
@@ -184,6 +184,40 @@ private slots:
         QCOMPARE(fixture::difference(before, rows()), std::string());
         QVERIFY(project_->revert(**turned));
         QVERIFY(project_->model()->brep == model.brep);
+    }
+
+    /// Many long steps share one descriptor; what one of them holds stays as others come and go.
+    void longStepsShareADescriptor() {
+        const auto descriptors = [] {
+            return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+        };
+        const auto before = descriptors();
+        const auto byteOf = [](std::size_t step, std::uint64_t at) { return static_cast<char>(step * 31 + at / 1000); };
+        std::vector<std::unique_ptr<ProjectStep>> steps;
+        const auto append = [&](std::size_t step, std::size_t count) {
+            std::string bytes(count, '\0');
+            for (std::size_t i = 0; i < count; ++i) bytes[i] = byteOf(step, steps[step]->size() + i);
+            steps[step]->append(bytes);
+        };
+        for (std::size_t i = 0; i < 40; ++i) {
+            steps.push_back(std::make_unique<ProjectStep>(file_));
+            append(i, ProjectStep::mostInMemory + 1);
+            if (i > 0) append(i - 1, 5000); // in turns
+        }
+        QVERIFY(!steps.front()->inMemory());
+        QVERIFY(descriptors() <= before + 1);
+        for (std::size_t i = 0; i < steps.size(); i += 2) steps[i].reset();
+        append(1, 7000);
+        for (std::size_t i = 1; i < steps.size(); i += 2) {
+            std::string all(steps[i]->size(), '\0');
+            QCOMPARE(steps[i]->read(0, all), all.size());
+            for (std::size_t at = 0; at < all.size(); ++at) QVERIFY(all[at] == byteOf(i, at));
+            std::string part(9000, '\0');
+            QCOMPARE(steps[i]->read(200'000, part), part.size());
+            QVERIFY(part.front() == byteOf(i, 200'000) && part.back() == byteOf(i, 208'999));
+        }
+        steps.clear();
+        QCOMPARE(descriptors(), before);
     }
 
     /// What was changed since by other means is overwritten, or left alone where the step did not touch it.

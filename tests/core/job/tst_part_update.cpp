@@ -126,6 +126,11 @@ private slots:
                             {bolt("V/Nut", 18), bolt("V/Bolt:1", 0), bolt("V/Bolt:2", 9)}, update),
                  turned);
         QVERIFY(update.nothing());
+        // Of a project made before there were paths; a name of the file had a '/', which is another letter now.
+        QCOMPARE(rolesAfter({bolt("M6/A2", 0), bolt("M8/A2", 9), bolt("Nut", 18)}, roles,
+                            {bolt("V/Nut", 18), bolt("V/M6\u2044A2", 0), bolt("V/M8\u2044A2", 9)}, update),
+                 turned);
+        QVERIFY(update.nothing());
     }
 
     /// The part is mirrored about x = 20 mm. Read in cm, it is ten times as large, and mirrored about x = 200 mm.

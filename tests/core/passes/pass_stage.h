@@ -28,12 +28,13 @@ struct Ground {
     std::unique_ptr<const ClearanceField> field;
     PassGround ground;
 
-    /// @param standing what is left of the stock; empty: all of it
-    Ground(const TriangleMesh& mesh, const Tool& withTool, const Box& of, double allowance, StandingStock standing = {})
+    /// @param standing what is left of the stock; empty: all of it @param fieldVoxel mm
+    Ground(const TriangleMesh& mesh, const Tool& withTool, const Box& of, double allowance, StandingStock standing = {},
+           double fieldVoxel = 0.5)
         : part(mesh)
         , tool(withTool)
         , stock(of)
-        , field(fieldOf(allowance))
+        , field(fieldOf(allowance, fieldVoxel))
         , ground{part, *field, tool, stock, {}, std::move(standing), 4.0, 40.0} {}
     Ground(const Ground&) = delete; // it refers to its own members
     Ground& operator=(const Ground&) = delete;
@@ -44,12 +45,12 @@ struct Ground {
     }
 
 private:
-    std::unique_ptr<const ClearanceField> fieldOf(double allowance) const {
+    std::unique_ptr<const ClearanceField> fieldOf(double allowance, double fieldVoxel) const {
         ToolFieldRequest request;
         request.tool = pieces(tool.cutter);
         request.tips = stock.grown(tool.cutter.diameter);
         request.tips.high.z += 20.0;
-        request.voxel = 0.5;
+        request.voxel = fieldVoxel;
         request.maximumAllowance = std::max(allowance, 0.5);
         Progress progress;
         return std::make_unique<ToolField>(std::move(*ToolField::build(part, request, progress)));

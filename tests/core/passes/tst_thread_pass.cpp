@@ -28,14 +28,14 @@ Tool millOf(const std::string& size) {
     return *loadTool("thread-mill-" + size);
 }
 
-/// The stock of a plate with a hole drilled at 6.8 mm from above down to a height; below 0: through.
-StandingStock drilledStock(const Box& box, double drilledTo) {
+/// The stock of a plate with a hole drilled from above down to a height; below 0: through.
+StandingStock drilledStock(const Box& box, double drilledTo, double radius = 3.4) {
     StandingStock standing{glm::dvec2(box.low), 0.1, 200, 200, {}, {}};
     for (int row = 0; row < standing.rows; ++row)
         for (int column = 0; column < standing.columns; ++column) {
             const glm::dvec2 place = standing.low + standing.edge * glm::dvec2(column + 0.5, row + 0.5);
             const double under = drilledTo < 0.0 ? WorkpieceHeights::nothing : drilledTo;
-            standing.heights.push_back(glm::length(place) < 3.4 ? under : thickness);
+            standing.heights.push_back(glm::length(place) < radius ? under : thickness);
         }
     return standing;
 }
@@ -43,7 +43,8 @@ StandingStock drilledStock(const Box& box, double drilledTo) {
 /// A plate with a hole of M8, drilled.
 Ground plate(const Tool& tool, double drilledTo = -1.0, double radius = holeRadius) {
     const Box box{{-10.0, -10.0, 0.0}, {10.0, 10.0, thickness}};
-    return {plateWithHole({10.0, 10.0}, thickness, radius), tool, box, 0.0, drilledStock(box, drilledTo)};
+    constexpr double coarse = 2.0; // mm: threads are planned without the field
+    return {plateWithHole({10.0, 10.0}, thickness, radius), tool, box, 0.0, drilledStock(box, drilledTo), coarse};
 }
 
 PassRequest threadRequest() {
@@ -295,9 +296,23 @@ private slots:
         QVERIFY(lowest(needed + 0.2) == 1e9);
         const Result<PlannedPass> shallow = plate(mill, needed + 0.2).plan(request);
         QVERIFY(shallow && shallow->unreachedHoles == 1);
+        request.depth = 20.0; // no farther than the hole
+        QVERIFY(std::abs(lowest(-1.0) - (-0.75 * pitch - tooth)) < 1e-5);
         request.depth = 0.0; // a through hole that is not drilled through
         const Result<PlannedPass> half = plate(mill, 6.0).plan(request);
         QVERIFY(half && half->strokes.empty() && half->unreachedHoles == 1);
+    }
+
+    /// The tool of 6 mm comes down on the axis of the hole, and is no drill.
+    void aNarrowDrillingIsNoHole() {
+        for (const auto& [diameter, threads] : {std::pair{6.4, 1U}, std::pair{5.5, 0U}, std::pair{4.0, 0U}}) {
+            Ground ground = plate(millOf("m8"));
+            ground.ground.standing = drilledStock(ground.stock, -1.0, 0.5 * diameter);
+            const Result<PlannedPass> pass = ground.plan(threadRequest());
+            QVERIFY(pass);
+            QCOMPARE(pass->strokes.size(), std::size_t(threads));
+            QCOMPARE(pass->unreachedHoles, std::size_t(1 - threads));
+        }
     }
 
     void whatDoesNotFitIsRefused() {
@@ -318,6 +333,15 @@ private slots:
         const std::string wide = refusal(plate(millOf("m10")));
         QVERIFY2(wide.find("a thread mill of at most 6.28 mm for that hole") != std::string::npos, wide.c_str());
         request.pitch = pitch;
+        for (const double top : {1e5, thickness + 4.0 * pitch + 0.1, 0.0}) { // a helix in the air, or below the hole
+            request.top = top;
+            const std::string apart = refusal(plate(millOf("m8")));
+            QVERIFY2(apart.find(": above 0.00 and at most 17.00 mm for the hole at") != std::string::npos,
+                     apart.c_str());
+        }
+        request.top = thickness + 1.0;
+        QCOMPARE(refusal(plate(millOf("m8"))), std::string());
+        request.top.reset();
         request.places = {{9.0, 9.0}};
         const std::string none = refusal(plate(millOf("m8")));
         QVERIFY2(none.find("9, 9: a round upright hole") == 0, none.c_str());

@@ -223,6 +223,10 @@ private slots:
         QVERIFY(momentNear(path->path, {2.46, 3.0, 4.0}) == (Moment{1, 123}));
         QVERIFY(momentNear(path->path, {99.0, 3.0, 4.0}) == (Moment{1, 500}));
         QVERIFY(momentNear({}, {}) == Moment{});
+        QVERIFY(glm::distance(*placeAt(path->path, {1, 123}, {}), {2.46, 0, -1}) < 1e-9);
+        QVERIFY(glm::distance(*placeAt(path->path, {1, 123}, {{7.0, 0.3, 2}}), {7, 0, -1}) <
+                1e-9); // where the tool was
+        QVERIFY(!placeAt(path->path, {1, 700}, {{7.0, 0, 0}}));
     }
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/geometry/mesh_distance.h"
+#include "core/setup/fixture_library.h"
 #include "core/setup/fixture_placement.h"
 #include "core/setup/fixture_solid.h"
 #include "tests/test_program.h"

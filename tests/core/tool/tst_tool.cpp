@@ -3,6 +3,7 @@
 #include "core/base/file.h"
 #include "core/base/resource_folder.h"
 #include "core/tool/tool.h"
+#include "tests/core/tool/fixed_tools.h"
 #include "tests/test_program.h"
 
 #include <QTemporaryDir>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <vector>
 
 namespace burin::tst_tool {
 
@@ -168,6 +170,22 @@ private slots:
         QVERIFY(writeFileAtomically(folder / "renamed.json", toJson(own)).hasValue());
         QCOMPARE(loadTool("renamed").error().place, std::string("id"));
         std::filesystem::remove_all(folder);
+    }
+
+    void aSolidStaysInItsProfileBetweenItsCorners() {
+        Cutter cutter = cutters::scraper();
+        QVERIFY(validateSolid(cutter) && validateSolid(cutters::scraper(0.7, 20.0)));
+        const double wide = 0.5 * cutter.diameter;
+        const std::vector<ProfileElement> waist{{wide, 0.0, 0.0, false},  {wide, 20.0, 0.0, false},
+                                                {3.0, 20.0, 0.0, false},  {3.0, 30.0, 0.0, false},
+                                                {wide, 30.0, 0.0, false}, {wide, 60.0, 0.0, false}};
+        const std::vector<ProfileElement> dent{
+            {wide, 0.0, 0.0, false}, {wide - 0.01, 30.0, 0.0, false}, {wide, 60.0, 0.0, false}};
+        for (const std::vector<ProfileElement>& narrowed : {waist, dent}) { // the corners are at 0 and 60
+            cutter.profile = narrowed;
+            const Result<void> checked = validateSolid(cutter);
+            QVERIFY(!checked && checked.error().subject == "cutter.flutes_mesh");
+        }
     }
 
     void theStackOfPiecesHasNoGap() {
