@@ -26,6 +26,14 @@ using namespace burin::testing;
 
 namespace {
 
+/// What is cut off in the dialog of tools. Sources are lines of text that scroll in their fields.
+QStringList cutTexts(QWidget& dialog) {
+    QStringList cut;
+    for (const VisibleText& text : clippedTexts(dialog))
+        if (!text.where.contains("Source")) cut << text.where + ": " + text.text;
+    return cut;
+}
+
 /// Makes a dialog the active window, as a window manager would, and closes it even if a check failed in it, so that the
 /// test ends as well.
 class Closing {
@@ -147,8 +155,7 @@ private slots:
             QTest::keyClicks(&in<QLineEdit>(dialog, "presetName1"), "Other");
             area.ensureWidgetVisible(&in<QWidget>(dialog, "removePreset1"));
             driver.shoot("tool-libraries-01-presets");
-            for (const VisibleText& cut : clippedTexts(dialog))
-                QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(cut.where, cut.text)));
+            QCOMPARE(cutTexts(dialog).join("\n"), QString());
             click(dialog, "raisePreset1");
             QCOMPARE(in<QLineEdit>(dialog, "presetName0").text(), QString("Other"));
             click(dialog, "removePreset0");
@@ -221,8 +228,7 @@ private slots:
             nameNext(driver, "Foam");
             click(dialog, "renameLibraryButton");
             QTRY_COMPARE(in<ChoiceBox>(dialog, "toolLibrary").currentText(), QString("Foam"));
-            for (const VisibleText& cut : clippedTexts(dialog))
-                QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(cut.where, cut.text)));
+            QCOMPARE(cutTexts(dialog).join("\n"), QString());
             click(dialog, "closeToolsButton");
         });
         openTools(driver);
