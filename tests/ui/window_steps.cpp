@@ -44,22 +44,6 @@ bool makeReady(WindowDriver& driver, double voxel) {
     return driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle();
 }
 
-/// Waits until the tool has stayed in one position for a while, as it follows the pointer at a limited speed.
-static void waitForRest(WindowDriver& driver) {
-    const SessionRunner& session = driver.window().workbench().session;
-    glm::dvec3 last = session.state().sample.proxy.tip;
-    QElapsedTimer still;
-    still.start();
-    driver.waitFor(
-        [&] {
-            const glm::dvec3 tip = session.state().sample.proxy.tip;
-            if (glm::distance(tip, last) > 1e-3) still.restart(); // mm
-            last = tip;
-            return still.elapsed() >= 100;
-        },
-        2000);
-}
-
 void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to) {
     Viewport& viewport = driver.window().viewport();
     const Setup& setup = driver.window().workbench().setup.setup();
@@ -67,16 +51,16 @@ void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to
         return viewport.project(setup.workOffset + glm::dvec3(place, 0.0)).toPoint();
     };
     QTest::mouseMove(&viewport, at(from));
-    waitForRest(driver);
+    QTest::qWait(300);
     QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, at(from));
-    constexpr int steps = 20;
+    constexpr int steps = 40;
     for (int i = 0; i <= steps; ++i) {
         QTest::mouseMove(&viewport, at(glm::mix(from, to, static_cast<double>(i) / steps)));
-        QTest::qWait(10);
+        QTest::qWait(20);
     }
-    waitForRest(driver);
+    QTest::qWait(400);
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, at(to));
-    QTest::qWait(100);
+    QTest::qWait(200);
 }
 
 bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to) {
