@@ -4,6 +4,7 @@
 
 #include "core/base/progress.h"
 #include "core/cutting/line_frame.h"
+#include "core/cutting/voxel_tool.h"
 #include "core/volume/runs/run_volume.h"
 #include "core/volume/voxelisation/voxelisation.h"
 
@@ -16,18 +17,7 @@ namespace burin {
 
 namespace {
 
-constexpr PropertyIndex fluteProperty = 1, shankProperty = 2;
 constexpr double mostLines = 2'000'000; // of all layers together: 4 bytes each, and 8 for each run
-
-PropertyList sectionList() {
-    PropertyList list;
-    for (const char* id : {"flutes", "shank"}) {
-        Property property;
-        property.id = property.name = id;
-        (void)list.add(property); // an empty list has room for two
-    }
-    return list;
-}
 
 /// A result of the volume that only a lack of memory can deny: the sizes were checked before.
 template <class Value>
@@ -70,9 +60,9 @@ void SolidColumns::addLayer(const TriangleMesh& flutes, const TriangleMesh& shan
     const glm::dvec3 low = (glm::dvec3(layer.lowU, layer.lowV, along) - shift) * lines.edge();
     const glm::dvec3 count = inSetupFrame(lines, {layer.countU, layer.countV, length});
     const Grid own = allocated(Grid::make(inSetupFrame(lines, low), lines.edge(), glm::ivec3(count), lines.axis()));
-    RunVolume volume = allocated(RunVolume::make(own, sectionList()));
-    std::vector<BodyMesh> bodies{{&flutes, fluteProperty, 1}};
-    if (hasShank_) bodies.push_back({&shank, shankProperty, 0});
+    RunVolume volume = allocated(RunVolume::make(own, toolProperties()));
+    std::vector<BodyMesh> bodies{{&flutes, VoxelTool::flutes, 1}};
+    if (hasShank_) bodies.push_back({&shank, VoxelTool::shank, 0});
     Progress progress;
     (void)allocated(voxelise(bodies, volume, progress));
     Layer guarded = layer;
@@ -84,8 +74,8 @@ void SolidColumns::addLayer(const TriangleMesh& flutes, const TriangleMesh& shan
             std::int32_t from = origin;
             for (const Segment segment : volume.line(line)) {
                 const std::int32_t to = origin + static_cast<std::int32_t>(segment.end());
-                if (segment.property() == fluteProperty) layer.pieces.push_back({from, to});
-                if (segment.property() == shankProperty) guarded.pieces.push_back({from, to});
+                if (segment.property() == VoxelTool::flutes) layer.pieces.push_back({from, to});
+                if (segment.property() == VoxelTool::shank) guarded.pieces.push_back({from, to});
                 from = to;
             }
         }

@@ -26,6 +26,15 @@ double angleBetween(const glm::dquat& a, const glm::dquat& b) noexcept {
     return 2.0 * std::atan2(std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z), std::abs(turn.w));
 }
 
+PropertyIndex propertyIn(std::span<const RevolvedPiece> pieces, std::size_t fluteCount, const glm::dvec3& q) noexcept {
+    const double radius = std::hypot(q.x, q.y);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (signedDistance(pieces[i], radius, q.z) <= 0.0) return i < fluteCount ? VoxelTool::flutes : VoxelTool::shank;
+    return airProperty;
+}
+
+} // namespace
+
 PropertyList toolProperties() {
     PropertyList list;
     for (const char* id : {"flutes", "shank"}) {
@@ -35,15 +44,6 @@ PropertyList toolProperties() {
     }
     return list;
 }
-
-PropertyIndex propertyIn(std::span<const RevolvedPiece> pieces, std::size_t fluteCount, const glm::dvec3& q) noexcept {
-    const double radius = std::hypot(q.x, q.y);
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        if (signedDistance(pieces[i], radius, q.z) <= 0.0) return i < fluteCount ? VoxelTool::flutes : VoxelTool::shank;
-    return airProperty;
-}
-
-} // namespace
 
 VoxelTool::VoxelTool(RunVolume shape) noexcept : shape_(std::move(shape)) {
     const Grid& grid = shape_.grid();

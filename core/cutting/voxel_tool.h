@@ -75,6 +75,9 @@ private:
     double reach_ = 0.0; ///< mm, of the farthest of them from the tip
 };
 
+/// Returns the properties of a tool's volume, at the indices of `VoxelTool::flutes` and `VoxelTool::shank`.
+PropertyList toolProperties();
+
 /// Returns the collision area (paper, eq. 4) of a tool of any shape: surface voxels of its shank that are surface
 /// voxels of the workpiece, ordered by scanline (v, then u), then along it. Voxels belong to the shank as they do in a
 /// cut, and to a surface if one of their 26 neighbours does not belong. Empty for a pose that is not finite. Not for
