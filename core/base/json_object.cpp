@@ -17,11 +17,13 @@ using nlohmann::json;
 
 namespace {
 
-/// Finds duplicate keys, which are faults here: nlohmann::json silently keeps the last one. Its parser could call a
-/// function for each key too, but then searches a whole list after each object in it.
-class DoubledKey final : public json::json_sax_t {
+/// Finds where a text stops being JSON, and duplicate keys, which are faults here: nlohmann::json silently keeps the
+/// last one. Its parser could call a function for each key too, but then searches a whole list after each object in it.
+class TextCheck final : public json::json_sax_t {
 public:
-    const std::string& key() const noexcept { return first_; } ///< empty if there is none
+    const std::string& doubledKey() const noexcept { return first_; } ///< empty if there is none
+    /// The number of bytes read when the text was found not to be JSON; 0 if it is.
+    std::size_t brokenAfter() const noexcept { return brokenAfter_; }
 
     bool start_object(std::size_t) override {
         open_.emplace_back();
@@ -44,12 +46,24 @@ public:
     bool binary(binary_t&) override { return true; }
     bool start_array(std::size_t) override { return true; }
     bool end_array() override { return true; }
-    bool parse_error(std::size_t, const std::string&, const json::exception&) override { return false; }
+    bool parse_error(std::size_t read, const std::string&, const json::exception&) override {
+        brokenAfter_ = read;
+        return false;
+    }
 
 private:
     std::vector<std::set<std::string>> open_;
     std::string first_;
+    std::size_t brokenAfter_ = 0;
 };
+
+/// "line 3, column 5" of the last of the bytes read.
+std::string placeIn(std::string_view text, std::size_t read) {
+    const std::string_view before = text.substr(0, std::min(text.size(), read - std::min<std::size_t>(read, 1)));
+    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const std::size_t column = before.size() - (before.rfind('\n') + 1) + 1; // npos + 1 is 0
+    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
 
 std::string rangeText(NumberRange range) {
     if (std::isinf(range.low) && std::isinf(range.high)) return "a number";
@@ -74,11 +88,13 @@ Result<JsonObject> JsonObject::parse(std::string_view text, const std::string& o
     auto shared = std::make_shared<Shared>();
     shared->origin = origin;
     shared->document = json::parse(text, nullptr, /*allow_exceptions=*/false);
-    if (shared->document.is_discarded()) return Error{ErrorCode::resourceInvalid, origin, {}, "is not JSON"};
+    TextCheck check;
+    json::sax_parse(text, &check);
+    if (shared->document.is_discarded())
+        return Error{ErrorCode::resourceInvalid, origin, placeIn(text, check.brokenAfter()), "is not JSON"};
     if (!shared->document.is_object()) return Error{ErrorCode::resourceInvalid, origin, {}, "is not a JSON object"};
-    DoubledKey doubled;
-    json::sax_parse(text, &doubled);
-    if (!doubled.key().empty()) return Error{ErrorCode::resourceInvalid, origin, doubled.key(), "stands twice"};
+    if (!check.doubledKey().empty())
+        return Error{ErrorCode::resourceInvalid, origin, check.doubledKey(), "stands twice"};
     const json& top = shared->document;
     return JsonObject(std::move(shared), top, {});
 }

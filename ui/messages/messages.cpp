@@ -131,6 +131,7 @@ QString Messages::sentence(const Error& error) {
     case ErrorCode::fixtureInStock:
         return tr("\"%1\" would be %2 deep in the stock; move it, or change its sizes.").arg(subject, place);
     case ErrorCode::resourceInvalid:
+        if (error.place.empty()) return tr("\"%1\" can't be used (%2); correct the file.").arg(file, detail);
         return tr("\"%1\" can't be used because of \"%2\" (%3); correct the file.").arg(file, place, detail);
     case ErrorCode::deviceNotFound:
         return tr("The device \"%1\" was not found; check its cable and its driver.").arg(subject);

@@ -100,6 +100,14 @@ private slots:
         QCOMPARE(object.error().subject, std::string("file.json"));
     }
 
+    /// Counted by hand, from 1, in bytes.
+    void whereItStopsBeingJsonIsSaid() {
+        const auto nothing = [](JsonObject&) {};
+        QCOMPARE(faultyKey("x", nothing), std::string("line 1, column 1"));
+        QCOMPARE(faultyKey("{\"a\": 1}]", nothing), std::string("line 1, column 9"));
+        QCOMPARE(faultyKey("{\n  \"a\": 1,\n  b\n}", nothing), std::string("line 3, column 3"));
+    }
+
     void wholeNumbersAreNeverCutOff_data() {
         QTest::addColumn<QString>("number");
         QTest::addColumn<bool>("fits"); // into -5 … 5
