@@ -77,6 +77,7 @@ int changePresets(const PresetArguments& arguments, CommandContext& context) {
         return context.fail(changed.error());
     else if (arguments.first)
         std::rotate(presets.begin(), preset, preset + 1);
+    if (const Result<void> valid = validatePresets(*tool); !valid) return context.fail(valid.error());
     tool->sources["presets"] = "entered by the user";
     if (presets.empty()) tool->sources.erase("presets");
     const nlohmann::json file = nlohmann::json::parse(toJson(*tool));

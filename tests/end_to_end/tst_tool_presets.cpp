@@ -138,7 +138,8 @@ private slots:
         QTest::newRow("no feed") << QStringList{"tools", "preset", "own-6", "p", "--speed", "9000"}
                                  << "feed_mm_per_min";
         QTest::newRow("a speed out of range")
-            << QStringList{"tools", "preset", "own-6", "p", "--speed", "0.5", "--feed", "5"} << "spindle_speed_rpm";
+            << QStringList{"tools", "preset", "own-6", "p", "--speed", "0.5", "--feed", "5"}
+            << "\"0.5\" of \"presets[0].spindle_speed_rpm\"";
         QTest::newRow("a deep level") << preset({"--step-down", "10"}) << "step_down_mm";
         QTest::newRow("a wide step") << preset({"--step-over", "4"}) << "step_over_mm";
         QTest::newRow("no such material") << preset({"--material", "unobtainium"}) << "unobtainium";
