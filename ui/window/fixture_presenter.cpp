@@ -78,6 +78,7 @@ void FixturePresenter::begin() {
     const QRect window = viewport_.window()->geometry();
     dialog_->move(window.right() - dialog_->width() - fixtureDialogMargin, window.top() + fixtureDialogMargin);
     dialog_->show();
+    dialog_->adjustSize(); // its rows are styled, and higher, only now
     emit escapeChanged();
 }
 
