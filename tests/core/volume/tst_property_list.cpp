@@ -148,7 +148,7 @@ private slots:
         row("value of an unknown estimate", R"("value":1)", R"("value":1,"estimate":1)", "values.k.estimate");
         row("values as a list", R"({"k":{"value":1,"unit":"1","source":"s"}})", "[]", "values");
         row("not an object at all", good.toUtf8().constData(), "[]", "");
-        row("not JSON", R"({"id")", R"({id")", "line 1, column 2");
+        row("not JSON", R"("id":"a")", "x", "line 1, column 2");
     }
     void faultsNameTheKey() {
         QFETCH(QString, text);
