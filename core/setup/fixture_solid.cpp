@@ -3,12 +3,12 @@
 #include "core/setup/fixture_solid.h"
 
 #include "core/base/units.h"
+#include "core/geometry/mesh_parts.h"
 #include "core/setup/box_union.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/round_sides.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace burin {
@@ -120,17 +120,9 @@ TriangleMesh roundMesh(const RoundBody& body) {
     return mesh;
 }
 
-/// Cosine and sine of the turn; exact for quarter turns.
-glm::dvec2 directionOf(double turn) noexcept {
-    const double quarters = turn / (0.5 * pi), whole = std::round(quarters);
-    if (std::abs(quarters - whole) > 1e-12) return {std::cos(turn), std::sin(turn)};
-    constexpr std::array exact{glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), glm::dvec2(-1.0, 0.0),
-                               glm::dvec2(0.0, -1.0)};
-    return exact[static_cast<std::size_t>(static_cast<long>(whole) & 3)];
-}
-
-glm::dvec2 turned(const glm::dvec2& direction, const glm::dvec2& v) noexcept {
-    return {direction.x * v.x - direction.y * v.y, direction.y * v.x + direction.x * v.y};
+/// From the frame of the fixture to the setup frame; exact for quarter turns.
+Placement placementOf(const FixtureDesign& design) noexcept {
+    return {turnedAbout({0.0, 0.0, 1.0}, design.turn, glm::dvec3(0.0)).turn, design.place};
 }
 
 /// How far one interval has to move to get out of another one.
@@ -139,11 +131,11 @@ double overlap(double low, double high, double otherLow, double otherHigh) noexc
 }
 
 /// The least over the axes that may separate a turned box from an upright one.
-double boxDepth(const FixtureDesign& design, const Box& box, const Box& stock) {
-    const glm::dvec2 x = directionOf(design.turn), y(-x.y, x.x);
-    const glm::dvec2 centre(inSetup(design, box.centre())), stockCentre(stock.centre()), half(0.5 * box.size()),
+double boxDepth(const Placement& placement, const Box& box, const Box& stock) {
+    const glm::dvec2 x(placement.turn[0]), y(placement.turn[1]);
+    const glm::dvec2 centre(placement.point(box.centre())), stockCentre(stock.centre()), half(0.5 * box.size()),
         stockHalf(0.5 * stock.size());
-    double depth = overlap(box.low.z + design.place.z, box.high.z + design.place.z, stock.low.z, stock.high.z);
+    double depth = overlap(box.low.z + placement.shift.z, box.high.z + placement.shift.z, stock.low.z, stock.high.z);
     for (const glm::dvec2& axis : {glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), x, y}) {
         const double reach = half.x * std::abs(glm::dot(axis, x)) + half.y * std::abs(glm::dot(axis, y)) +
                              stockHalf.x * std::abs(axis.x) + stockHalf.y * std::abs(axis.y);
@@ -152,13 +144,13 @@ double boxDepth(const FixtureDesign& design, const Box& box, const Box& stock) {
     return depth;
 }
 
-double roundDepth(const FixtureDesign& design, const glm::dvec2& middle, const RoundStep& step, const Box& stock) {
-    const glm::dvec2 centre(inSetup(design, glm::dvec3(middle, 0.0)));
+double roundDepth(const Placement& placement, const glm::dvec2& middle, const RoundStep& step, const Box& stock) {
+    const glm::dvec2 centre(placement.point(glm::dvec3(middle, 0.0)));
     const glm::dvec2 out = glm::abs(centre - glm::dvec2(stock.centre())) - 0.5 * glm::dvec2(stock.size());
     const double away =
         std::max(out.x, out.y) <= 0.0 ? std::max(out.x, out.y) : glm::length(glm::max(out, glm::dvec2(0.0)));
     return std::min(step.radius - away,
-                    overlap(step.low + design.place.z, step.high + design.place.z, stock.low.z, stock.high.z));
+                    overlap(step.low + placement.shift.z, step.high + placement.shift.z, stock.low.z, stock.high.z));
 }
 
 } // namespace
@@ -182,26 +174,23 @@ FixtureSolids solidsOf(const FixtureDesign& design) {
     return {};
 }
 
-glm::dvec3 inSetup(const FixtureDesign& design, const glm::dvec3& place) noexcept {
-    return design.place + glm::dvec3(turned(directionOf(design.turn), glm::dvec2(place)), place.z);
-}
-
 TriangleMesh meshOf(const FixtureDesign& design) {
     const FixtureSolids solids = solidsOf(design);
     TriangleMesh mesh = boxUnion(solids.boxes, solids.cutAway);
     for (const RoundBody& body : solids.rounds) append(mesh, roundMesh(body));
-    for (glm::dvec3& vertex : mesh.vertices) vertex = inSetup(design, vertex);
+    place(mesh, placementOf(design));
     return mesh;
 }
 
 double depthIn(const FixtureDesign& design, const Box& stock) {
     constexpr double touching = 1e-6; // mm, of rounding
     const FixtureSolids solids = solidsOf(design);
+    const Placement placement = placementOf(design);
     double deepest = 0.0;
-    for (const Box& box : solids.boxes) deepest = std::max(deepest, boxDepth(design, box, stock));
+    for (const Box& box : solids.boxes) deepest = std::max(deepest, boxDepth(placement, box, stock));
     for (const RoundBody& body : solids.rounds)
         for (const RoundStep& step : body.steps)
-            if (!step.inStock) deepest = std::max(deepest, roundDepth(design, body.centre, step, stock));
+            if (!step.inStock) deepest = std::max(deepest, roundDepth(placement, body.centre, step, stock));
     return deepest > touching ? deepest : 0.0;
 }
 

@@ -34,11 +34,8 @@ inline constexpr double solidGap = 0.01; ///< mm
 /// @param design has passed checkFixture
 FixtureSolids solidsOf(const FixtureDesign& design);
 
-/// From the frame of the fixture to the setup frame; exact for quarter turns.
-glm::dvec3 inSetup(const FixtureDesign& design, const glm::dvec3& place) noexcept;
-
-/// Returns the surface of the fixture in the setup frame, closed and oriented outwards. Boxes are exact; round bodies
-/// are enclosed, and wider by `cylinderChord` (core/setup/obstacle.h) at most.
+/// Returns the surface of the fixture in the setup frame, closed and oriented outwards. Boxes are exact, quarter turns
+/// too; round bodies are enclosed, and wider by `cylinderChord` (core/setup/obstacle.h) at most.
 /// @param design has passed checkFixture
 TriangleMesh meshOf(const FixtureDesign& design);
 

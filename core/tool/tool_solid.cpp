@@ -4,6 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/units.h"
+#include "core/geometry/mesh_parts.h"
 #include "core/tool/tool.h"
 
 #include <algorithm>
@@ -93,9 +94,7 @@ nlohmann::ordered_json solidMeshJson(const TriangleMesh& mesh) {
 
 TriangleMesh turnedAboutAxis(const TriangleMesh& mesh, double angle) {
     TriangleMesh turned = mesh;
-    const double cosine = std::cos(angle), sine = std::sin(angle);
-    for (glm::dvec3& vertex : turned.vertices)
-        vertex = {cosine * vertex.x - sine * vertex.y, sine * vertex.x + cosine * vertex.y, vertex.z};
+    place(turned, turnedAbout({0.0, 0.0, 1.0}, angle, glm::dvec3(0.0)));
     return turned;
 }
 
