@@ -103,9 +103,7 @@ Result<void> keepMaterials(std::vector<Calibrated>& materials, const CalibrateAr
     std::vector<StagedFile> files;
     for (const Calibrated& entry : materials) {
         const std::filesystem::path file = entry.file;
-        std::error_code failed;
-        std::filesystem::create_directories(file.parent_path(), failed);
-        if (failed) return writeError(file, failed.value());
+        if (Result<void> made = makeFolderOf(file); !made) return std::move(made).error();
         Result<StagedFile> staged = StagedFile::containing(file, toJson(entry.made.material));
         if (!staged) return std::move(staged).error();
         files.push_back(std::move(*staged));

@@ -3,6 +3,7 @@
 #include "core/base/resource_folder.h"
 
 #include "core/base/file.h"
+#include "core/base/staged_file.h"
 
 #include <algorithm>
 #include <cctype>
@@ -152,9 +153,7 @@ Result<fs::path> userResourceFile(ResourceKind kind, const std::string& id) {
 Result<fs::path> saveUserResource(ResourceKind kind, const std::string& id, std::string_view content) {
     Result<fs::path> file = userResourceFile(kind, id);
     if (!file) return file;
-    std::error_code failed;
-    fs::create_directories(file->parent_path(), failed);
-    if (failed) return writeError(*file, failed.value());
+    if (Result<void> made = makeFolderOf(*file); !made) return made.error();
     if (Result<void> written = writeFileAtomically(*file, content); !written) return written.error();
     return file;
 }

@@ -132,6 +132,12 @@ void removeWithJournals(const fs::path& file) noexcept {
 
 } // namespace
 
+Result<void> makeFolderOf(const fs::path& file) {
+    std::error_code failed;
+    if (file.has_parent_path()) fs::create_directories(file.parent_path(), failed);
+    return failed ? Result<void>(writeError(file, failed.value())) : Result<void>();
+}
+
 std::string nameWithRoom(const std::string& name, std::size_t suffixBytes) {
     if (name.size() + suffixBytes <= longestName) return name;
     constexpr std::size_t digits = 16;

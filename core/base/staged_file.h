@@ -84,6 +84,10 @@ void abandonStagedFiles() noexcept;
 /// Puts flushed files in place, all or none. Errors: as StagedFile::putInPlace.
 Result<void> putInPlace(std::span<StagedFile> files);
 
+/// Creates the folder of a file that is to be written, and those above it, if they don't exist. Errors:
+/// fileNotWritable, diskFull; their subject is `file`.
+Result<void> makeFolderOf(const std::filesystem::path& file);
+
 /// The file name, or one made of its beginning and a checksum if `suffixBytes` more would be too many for a file system
 /// (255 bytes in total).
 std::string nameWithRoom(const std::string& name, std::size_t suffixBytes);

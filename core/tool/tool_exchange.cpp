@@ -53,12 +53,6 @@ Result<WrittenTools> oneTool(const std::string& suffix, const std::string& id, c
     return WrittenTools{toJson(*tool), {}, {}};
 }
 
-Result<void> makeFolderOf(const std::filesystem::path& file) {
-    std::error_code failed;
-    if (file.has_parent_path()) std::filesystem::create_directories(file.parent_path(), failed);
-    return failed ? Result<void>(writeError(file, failed.value())) : Result<void>();
-}
-
 } // namespace
 
 Result<ReadTool> soundTool(ReadTool read, const std::string& origin, const Tool& like) {

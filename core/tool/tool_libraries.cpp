@@ -6,6 +6,8 @@
 #include "core/base/file.h"
 #include "core/base/json_object.h"
 #include "core/base/resource_folder.h"
+#include "core/base/staged_file.h"
+#include "core/base/trimmed.h"
 #include "core/tool/tool_library.h"
 
 #include <nlohmann/json.hpp>
@@ -51,9 +53,7 @@ Result<void> save(const ToolLibraries& libraries) {
         list.push_back({{"name", name}, {"tools", std::move(tools)}});
     }
     const nlohmann::ordered_json json{{"libraries", std::move(list)}};
-    std::error_code failed;
-    fs::create_directories(file.parent_path(), failed);
-    if (failed) return writeError(file, failed.value());
+    if (Result<void> made = makeFolderOf(file); !made) return made;
     return writeFileAtomically(file, json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
@@ -105,8 +105,8 @@ Result<ToolLibraries> loadToolLibraries() {
 }
 
 Result<void> checkLibraryName(const std::string& name) {
-    if (name.find_first_not_of(' ') == std::string::npos || name.front() == ' ' || name.back() == ' ' ||
-        name.size() > longestName || cleanLine(name) != name || isReserved(name))
+    if (name.empty() || trimmed(name, " ") != name || name.size() > longestName || cleanLine(name) != name ||
+        isReserved(name))
         return Error{ErrorCode::argumentInvalid, "library", name,
                      "a short line of text other than all, starter and mine, without spaces around it"};
     return {};
@@ -121,12 +121,10 @@ Result<void> checkOwnLibrary(const ToolLibraries& libraries, const std::string& 
 
 std::string freeLibraryName(const ToolLibraries& libraries, const std::string& name) {
     constexpr std::size_t room = 6; // for the number
-    std::string wanted = cleanLine(name);
-    std::size_t end = std::min(wanted.size(), longestName - room);
-    while (end < wanted.size() && (static_cast<unsigned char>(wanted[end]) & 0xC0U) == 0x80U) --end; // whole characters
-    wanted.resize(end);
-    wanted.erase(wanted.find_last_not_of(' ') + 1);
-    wanted.erase(0, wanted.find_first_not_of(' '));
+    const std::string line = cleanLine(name);
+    std::size_t end = std::min(line.size(), longestName - room);
+    while (end < line.size() && (static_cast<unsigned char>(line[end]) & 0xC0U) == 0x80U) --end; // whole characters
+    std::string wanted(trimmed(std::string_view(line).substr(0, end), " "));
     if (wanted.empty()) wanted = "Tools";
     std::string free = wanted;
     for (int i = 2; libraries.contains(free) || isReserved(free); ++i) free = wanted + " " + std::to_string(i);
