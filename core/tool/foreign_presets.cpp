@@ -3,6 +3,7 @@
 #include "core/base/clean_text.h"
 #include "core/base/numbers.h"
 #include "core/base/resource_folder.h"
+#include "core/base/trimmed.h"
 #include "core/base/units.h"
 #include "core/tool/foreign_tool.h"
 
@@ -22,23 +23,8 @@ double tidied(double value) noexcept {
     return rounded > 0.0 ? rounded : value;
 }
 
-/// Returns the id of a material for its name in another program; empty if the name has no letters that an id can have.
-std::string materialIdFor(std::string_view name) {
-    const std::vector<std::string> known = resourceIds(materialResource);
-    if (std::ranges::find(known, name) != known.end()) return std::string(name);
-    return resourceIdFrom(name);
-}
-
-std::string trimmedLine(std::string_view text) {
-    std::string line = cleanLine(text);
-    line.erase(line.find_last_not_of(' ') + 1);
-    line.erase(0, line.find_first_not_of(' '));
-    return line;
-}
-
-double numberIn(const json& preset, const char* key) {
-    const auto found = preset.find(key);
-    return found != preset.end() && found->is_number() ? found->get<double>() : 0.0;
+std::string plainLine(std::string_view text) {
+    return cleanLine(trimmed(text));
 }
 
 } // namespace
@@ -46,6 +32,11 @@ double numberIn(const json& preset, const char* key) {
 std::string textIn(const nlohmann::json& of, const char* key) {
     const auto found = of.find(key);
     return found != of.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+double numberIn(const nlohmann::json& of, const char* key) {
+    const auto found = of.find(key);
+    return found != of.end() && found->is_number() ? found->get<double>() : 0.0;
 }
 
 double surfaceSpeedOf(double spindleSpeed, double diameter) noexcept {
@@ -57,18 +48,19 @@ double spindleSpeedOf(double surfaceSpeed, double diameter) noexcept {
 }
 
 void addForeignPreset(CuttingPreset preset, std::string_view material, ReadTool& read) {
-    preset.name = trimmedLine(preset.name);
+    preset.name = plainLine(preset.name);
     if (preset.name.empty()) preset.name = "Preset";
     preset.name = freePresetName(read.tool.presets, preset.name);
-    if (const std::string name = trimmedLine(material); !name.empty()) {
-        preset.material = materialIdFor(name);
+    if (const std::string name = plainLine(material); !name.empty()) {
+        const std::vector<std::string> known = resourceIds(materialResource);
+        const auto isKnown = [&](const std::string& id) { return std::ranges::find(known, id) != known.end(); };
+        preset.material = isKnown(name) ? name : resourceIdFrom(name);
         if (preset.material.empty()) {
             read.notes.push_back("Preset \"" + preset.name + "\" was left out: no material can be called \"" + name +
                                  "\".");
             return;
         }
-        const std::vector<std::string> known = resourceIds(materialResource);
-        if (std::ranges::find(known, preset.material) == known.end())
+        if (!isKnown(preset.material))
             read.notes.push_back("Preset \"" + preset.name + "\" is for \"" + name +
                                  "\", a material that Burin does not have: choose its material.");
     }
@@ -119,10 +111,10 @@ void readFreecadPresets(const json& bit, ReadTool& read) {
         const std::string material = hint != each.end() && hint->is_object() ? textIn(*hint, "name") : std::string();
         if (preset.name.empty()) preset.name = material;
         if (const std::string only = textIn(each, "op_type_hint"); !only.empty())
-            read.notes.push_back("Preset \"" + trimmedLine(preset.name) + "\" is for one operation (" +
-                                 trimmedLine(only) + "): Burin uses it for all passes.");
+            read.notes.push_back("Preset \"" + plainLine(preset.name) + "\" is for one operation (" + plainLine(only) +
+                                 "): Burin uses it for all passes.");
         if (!textIn(each, "notes").empty())
-            read.notes.push_back("Preset \"" + trimmedLine(preset.name) + "\": its remarks were not imported.");
+            read.notes.push_back("Preset \"" + plainLine(preset.name) + "\": its remarks were not imported.");
         addForeignPreset(std::move(preset), material, read);
     }
 }

@@ -16,6 +16,8 @@ Result<ReadTool> soundTool(ReadTool read, const std::string& origin, const Tool&
 
 /// Returns the text that an object has for a key; empty if it has none, or something else.
 std::string textIn(const nlohmann::json& of, const char* key);
+/// Returns the number that an object has for a key; 0 if it has none, or something else.
+double numberIn(const nlohmann::json& of, const char* key);
 
 // Presets of other programs.
 /// Adds a preset to a tool as it was read: its name is made unique, and its material becomes an id. What Burin can't

@@ -75,10 +75,7 @@ private:
         const auto found = of.find(key);
         return found != of.end() && found->is_object() ? *found : none;
     }
-    std::string text(const char* key) const {
-        const auto found = item_.find(key);
-        return found != item_.end() && found->is_string() ? found->get<std::string>() : std::string();
-    }
+    std::string text(const char* key) const { return textIn(item_, key); }
     std::optional<double> number(const char* key) const {
         const auto found = geometry_.find(key);
         if (found == geometry_.end() || !found->is_number()) return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // The presets of a tool in Fusion's library: "start-values.presets". Lengths and feeds are in the unit of the tool.
+#include "core/base/clean_text.h"
 #include "core/tool/foreign_tool.h"
 
 #include <algorithm>
@@ -24,11 +25,11 @@ public:
     CuttingPreset preset() const {
         CuttingPreset read;
         read.name = textIn(json_, "name");
-        read.spindleSpeed = value("n", 1.0);
-        read.feed = value("v_f", unit_);
-        if (!(read.feed > 0.0)) read.chipLoad = value("f_z", unit_);
-        if (!(read.feed > 0.0) && !(read.chipLoad > 0.0)) read.feed = value("f_n", unit_) * read.spindleSpeed;
-        read.plungeFeed = value("v_f_plunge", unit_);
+        read.spindleSpeed = numberIn(json_, "n");
+        read.feed = length("v_f");
+        if (!(read.feed > 0.0)) read.chipLoad = length("f_z");
+        if (!(read.feed > 0.0) && !(read.chipLoad > 0.0)) read.feed = length("f_n") * read.spindleSpeed;
+        read.plungeFeed = length("v_f_plunge");
         read.stepDown = step("stepdown", "use-stepdown");
         read.stepOver = step("stepover", "use-stepover");
         const std::string coolant = textIn(json_, "tool-coolant");
@@ -45,20 +46,12 @@ public:
         const std::string category = textIn(*found, "category");
         return category == "all" ? std::string() : category;
     }
-    /// Returns the coolant that Burin does not have; empty: none.
-    std::string foreignCoolant() const {
-        const std::string coolant = textIn(json_, "tool-coolant");
-        return preset().coolant ? std::string() : coolant;
-    }
 
 private:
-    double value(const char* key, double size) const {
-        const auto found = json_.find(key);
-        return found != json_.end() && found->is_number() ? found->get<double>() * size : 0.0;
-    }
+    double length(const char* key) const { return unit_ * numberIn(json_, key); }
     double step(const char* key, const char* use) const {
         const auto used = json_.find(use);
-        return used != json_.end() && used->is_boolean() && !used->get<bool>() ? 0.0 : value(key, unit_);
+        return used != json_.end() && used->is_boolean() && !used->get<bool>() ? 0.0 : length(key);
     }
 
     const json& json_;
@@ -77,8 +70,8 @@ void readFusionPresets(const json& item, double unit, ReadTool& read) {
         if (!each.is_object()) continue;
         const FusionPreset foreign(each, unit);
         const CuttingPreset preset = foreign.preset();
-        if (const std::string coolant = foreign.foreignCoolant(); !coolant.empty())
-            read.notes.push_back("Coolant \"" + coolant + "\" of a preset was not imported.");
+        if (const std::string coolant = textIn(each, "tool-coolant"); !preset.coolant && !coolant.empty())
+            read.notes.push_back("Coolant \"" + cleanLine(coolant) + "\" of a preset was not imported.");
         more = more || std::ranges::any_of(ownOfFusion, [&each](const char* key) { return each.contains(key); });
         addForeignPreset(preset, foreign.material(), read);
     }
