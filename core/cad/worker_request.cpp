@@ -3,6 +3,8 @@
 #include "core/cad/byte_stream.h"
 #include "core/cad/worker_message.h"
 
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace burin {
@@ -11,6 +13,62 @@ namespace {
 
 constexpr std::uint32_t requestMark = 0x51525542; // "BURQ"
 
+/// The fields of a request in the order of their bytes, to be written or read.
+template <class Of>
+auto fieldsOf(Of& of) {
+    using Request = std::remove_const_t<Of>;
+    if constexpr (std::is_same_v<Request, ReadRequest>)
+        return std::tie(of.file, of.meshChord, of.fileUnit, of.unitInstead, of.careful, of.preview);
+    else if constexpr (std::is_same_v<Request, DistanceRequest>)
+        return std::tie(of.brep, of.solids, of.points);
+    else if constexpr (std::is_same_v<Request, EdgeRequest>)
+        return std::tie(of.brep, of.solids, of.chord);
+    else if constexpr (std::is_same_v<Request, FaceRequest>)
+        return std::tie(of.brep, of.solids, of.place);
+    else if constexpr (std::is_same_v<Request, MeasureRequest>)
+        return std::tie(of.brep, of.solids, of.places);
+    else if constexpr (std::is_same_v<Request, PatchRequest>)
+        return std::tie(of.brep, of.solids, of.chord, of.careful);
+}
+
+void writeField(ByteWriter& to, const std::string& field) {
+    to.text(field);
+}
+void writeField(ByteWriter& to, bool field) {
+    to.value(static_cast<std::uint8_t>(field));
+}
+template <class T>
+void writeField(ByteWriter& to, const std::vector<T>& field) {
+    to.list(field);
+}
+template <class T>
+void writeField(ByteWriter& to, const T& field) {
+    to.value(field);
+}
+
+void readField(ByteReader& from, std::string& field) {
+    field = from.text();
+}
+void readField(ByteReader& from, bool& field) {
+    field = from.value<std::uint8_t>() != 0; // no byte but 0 and 1 is a bool
+}
+template <class T>
+void readField(ByteReader& from, std::vector<T>& field) {
+    field = from.list<T>();
+}
+template <class T>
+void readField(ByteReader& from, T& field) {
+    field = from.value<T>();
+}
+
+/// The request of a kind with its defaults; empty if there is no such kind.
+template <std::size_t... kinds>
+std::optional<WorkerRequest> requestOf(std::uint8_t kind, std::index_sequence<kinds...>) {
+    std::optional<WorkerRequest> request;
+    ((kind == kinds ? static_cast<void>(request.emplace(std::in_place_index<kinds>)) : void()), ...);
+    return request;
+}
+
 } // namespace
 
 std::string encodeRequest(const WorkerRequest& request) {
@@ -18,35 +76,11 @@ std::string encodeRequest(const WorkerRequest& request) {
     to.value(requestMark);
     to.value(workerMessageVersion);
     to.value(static_cast<std::uint8_t>(request.index()));
-    if (const auto* read = std::get_if<ReadRequest>(&request)) {
-        to.text(read->file);
-        to.value(read->meshChord);
-        to.value(read->fileUnit);
-        to.value(read->unitInstead);
-        to.value(static_cast<std::uint8_t>(read->careful));
-        to.value(static_cast<std::uint8_t>(read->preview));
-    } else if (const auto* distance = std::get_if<DistanceRequest>(&request)) {
-        to.text(distance->brep);
-        to.list(distance->solids);
-        to.list(distance->points);
-    } else if (const auto* edges = std::get_if<EdgeRequest>(&request)) {
-        to.text(edges->brep);
-        to.list(edges->solids);
-        to.value(edges->chord);
-    } else if (const auto* face = std::get_if<FaceRequest>(&request)) {
-        to.text(face->brep);
-        to.list(face->solids);
-        to.value(face->place);
-    } else if (const auto* measure = std::get_if<MeasureRequest>(&request)) {
-        to.text(measure->brep);
-        to.list(measure->solids);
-        to.list(measure->places);
-    } else if (const auto* patches = std::get_if<PatchRequest>(&request)) {
-        to.text(patches->brep);
-        to.list(patches->solids);
-        to.value(patches->chord);
-        to.value(static_cast<std::uint8_t>(patches->careful));
-    }
+    std::visit(
+        [&](const auto& of) {
+            std::apply([&](const auto&... fields) { (writeField(to, fields), ...); }, fieldsOf(of));
+        },
+        request);
     return to.take();
 }
 
@@ -54,51 +88,11 @@ std::optional<WorkerRequest> decodeRequest(std::string_view bytes) {
     ByteReader from(bytes);
     if (from.value<std::uint32_t>() != requestMark || from.value<std::uint32_t>() != workerMessageVersion)
         return std::nullopt;
-    WorkerRequest request;
-    const auto kind = from.value<std::uint8_t>();
-    if (kind == 0) {
-        ReadRequest read;
-        read.file = from.text();
-        read.meshChord = from.value<double>();
-        read.fileUnit = from.value<double>();
-        read.unitInstead = from.value<double>();
-        read.careful = from.value<std::uint8_t>() != 0;
-        read.preview = from.value<std::uint8_t>() != 0;
-        request = std::move(read);
-    } else if (kind == 1) {
-        DistanceRequest distance;
-        distance.brep = from.text();
-        distance.solids = from.list<std::uint32_t>();
-        distance.points = from.list<glm::dvec3>();
-        request = std::move(distance);
-    } else if (kind == 2) {
-        EdgeRequest edges;
-        edges.brep = from.text();
-        edges.solids = from.list<std::uint32_t>();
-        edges.chord = from.value<double>();
-        request = std::move(edges);
-    } else if (kind == 4) {
-        MeasureRequest measure;
-        measure.brep = from.text();
-        measure.solids = from.list<std::uint32_t>();
-        measure.places = from.list<glm::dvec3>();
-        request = std::move(measure);
-    } else if (kind == 5) {
-        PatchRequest patches;
-        patches.brep = from.text();
-        patches.solids = from.list<std::uint32_t>();
-        patches.chord = from.value<double>();
-        patches.careful = from.value<std::uint8_t>() != 0;
-        request = std::move(patches);
-    } else if (kind == 3) {
-        FaceRequest face;
-        face.brep = from.text();
-        face.solids = from.list<std::uint32_t>();
-        face.place = from.value<glm::dvec3>();
-        request = std::move(face);
-    } else {
-        return std::nullopt;
-    }
+    std::optional<WorkerRequest> request =
+        requestOf(from.value<std::uint8_t>(), std::make_index_sequence<std::variant_size_v<WorkerRequest>>());
+    if (!request) return std::nullopt;
+    std::visit([&](auto& of) { std::apply([&](auto&... fields) { (readField(from, fields), ...); }, fieldsOf(of)); },
+               *request);
     if (!from.finished()) return std::nullopt;
     return request;
 }
