@@ -47,7 +47,7 @@ void write(ByteWriter& to, const Error& error) {
     to.text(error.detail);
 }
 
-void write(ByteWriter& to, const std::optional<std::array<std::uint8_t, 3>>& colour) {
+void write(ByteWriter& to, const BodyColour& colour) {
     to.value(static_cast<std::uint8_t>(colour.has_value()));
     to.value(colour.value_or(std::array<std::uint8_t, 3>{}));
 }
@@ -128,7 +128,7 @@ Error readError(ByteReader& from) {
     return error;
 }
 
-std::optional<std::array<std::uint8_t, 3>> readColour(ByteReader& from) {
+BodyColour readColour(ByteReader& from) {
     const bool coloured = from.value<std::uint8_t>() != 0;
     const auto colour = from.value<std::array<std::uint8_t, 3>>();
     return coloured ? std::optional(colour) : std::nullopt;

@@ -22,10 +22,10 @@ struct PlacedPart {
 
 /// A shape of a file with its attributes in the file; placed in the model's frame, mm.
 struct NamedShape {
-    TopoDS_Shape shape;                                ///< one solid, or everything of one part that is not a solid
-    std::string name;                                  ///< as in body_path.h; may be empty
-    std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB
-    std::string assembly{};                            ///< path of the assemblies around it, as in body_path.h
+    TopoDS_Shape shape;     ///< one solid, or everything of one part that is not a solid
+    std::string name;       ///< as in body_path.h; may be empty
+    BodyColour colour;      ///< sRGB
+    std::string assembly{}; ///< path of the assemblies around it, as in body_path.h
     PlacedPart from{};
 };
 

@@ -26,15 +26,13 @@ namespace burin {
 
 namespace {
 
-using Colour = std::optional<std::array<std::uint8_t, 3>>;
-
 /// The data that a label passes on to the labels below it.
 struct Inherited {
     TopLoc_Location place;
     std::string assembly; ///< path of the assemblies around it
     std::string name;     ///< its own; may be empty
     std::string instance; ///< its own with its number among instances of that name
-    Colour colour;
+    BodyColour colour;
 };
 
 struct FaceColour {
@@ -46,7 +44,7 @@ std::uint8_t channel(double value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255.0));
 }
 
-Colour toColour(const Quantity_Color& colour) {
+BodyColour toColour(const Quantity_Color& colour) {
     double red = 0.0, green = 0.0, blue = 0.0;
     colour.Values(red, green, blue, Quantity_TOC_sRGB);
     return std::array<std::uint8_t, 3>{channel(red), channel(green), channel(blue)};
@@ -110,7 +108,7 @@ private:
         Inherited data;
     };
 
-    Colour colourOf(const TDF_Label& label) const {
+    BodyColour colourOf(const TDF_Label& label) const {
         Quantity_Color colour;
         if (colours_->GetColor(label, XCAFDoc_ColorSurf, colour) || colours_->GetColor(label, XCAFDoc_ColorGen, colour))
             return toColour(colour);
@@ -151,7 +149,7 @@ private:
             const std::string name = nameOf(part).empty() ? nameOf(component) : nameOf(part);
             Inherited data{from.place * XCAFDoc_ShapeTool::GetLocation(component), path, name, {}, from.colour};
             // The colour of the outermost coloured placement overrides those below it, like STEP's overriding styles.
-            if (const Colour colour = colourOf(component); colour && !from.colour) data.colour = colour;
+            if (const BodyColour colour = colourOf(component); colour && !from.colour) data.colour = colour;
             below.push_back({part, std::move(data)});
         }
         numberEntries(below);
@@ -197,15 +195,15 @@ private:
         for (const TDF_Label& label : labels) {
             const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
             if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE) continue;
-            if (const Colour colour = colourOf(label)) faces.push_back({shape, *colour});
+            if (const BodyColour colour = colourOf(label)) faces.push_back({shape, *colour});
         }
         return faces;
     }
 
     /// The colour that a solid inherits, its own, that of its part, or the most frequent one of its faces, in this
     /// order. Counts the faces of another colour.
-    Colour colourOfSolid(const Entry& entry, const TopoDS_Shape& solid, const std::vector<FaceColour>& faces) {
-        Colour colour = entry.data.colour;
+    BodyColour colourOfSolid(const Entry& entry, const TopoDS_Shape& solid, const std::vector<FaceColour>& faces) {
+        BodyColour colour = entry.data.colour;
         TDF_Label label;
         if (!colour && shapes_->FindSubShape(entry.label, solid, label)) colour = colourOf(label);
         if (!colour) colour = colourOf(entry.label);
@@ -235,8 +233,7 @@ DocumentShapes documentShapes(const Handle(TDocStd_Document) & document) {
     return DocumentReader(document).read();
 }
 
-std::vector<NamedShape> explodedShapes(const TopoDS_Shape& shape, const std::string& name,
-                                       const std::optional<std::array<std::uint8_t, 3>>& colour) {
+std::vector<NamedShape> explodedShapes(const TopoDS_Shape& shape, const std::string& name, const BodyColour& colour) {
     std::vector<NamedShape> shapes;
     for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next())
         shapes.push_back({placed(solids.Current()), name, colour});

@@ -18,7 +18,6 @@ DocumentShapes documentShapes(const Handle(TDocStd_Document) & document);
 
 /// Returns one entry for each solid of a shape and one for everything that belongs to no solid; the placement is
 /// applied to the geometry.
-std::vector<NamedShape> explodedShapes(const TopoDS_Shape& shape, const std::string& name,
-                                       const std::optional<std::array<std::uint8_t, 3>>& colour);
+std::vector<NamedShape> explodedShapes(const TopoDS_Shape& shape, const std::string& name, const BodyColour& colour);
 
 } // namespace burin

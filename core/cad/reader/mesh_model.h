@@ -15,9 +15,9 @@ namespace burin {
 
 /// One solid of a mesh file.
 struct MeshSolid {
-    std::string name;  ///< may be empty
-    TriangleMesh mesh; ///< in the file's own unit; vertices are merged where they are bit-identical
-    std::optional<std::array<std::uint8_t, 3>> colour = std::nullopt; ///< sRGB
+    std::string name;                 ///< may be empty
+    TriangleMesh mesh;                ///< in the file's own unit; vertices are merged where they are bit-identical
+    BodyColour colour = std::nullopt; ///< sRGB
 };
 
 void addNote(Model& model, ImportNote::Kind kind, std::string text);

@@ -23,7 +23,7 @@ glm::dmat4 matrixOf(const aiMatrix4x4& m) {
         glm::dmat4(m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4));
 }
 
-std::optional<std::array<std::uint8_t, 3>> colourOf(const aiScene& scene, const aiMesh& mesh) {
+BodyColour colourOf(const aiScene& scene, const aiMesh& mesh) {
     aiColor4D colour;
     if (mesh.mMaterialIndex >= scene.mNumMaterials) return std::nullopt;
     const aiMaterial& material = *scene.mMaterials[mesh.mMaterialIndex];

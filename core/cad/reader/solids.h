@@ -14,8 +14,8 @@ namespace burin {
 struct NamedSolid {
     TopoDS_Solid solid;
     std::string name;
-    std::optional<std::array<std::uint8_t, 3>> colour; ///< sRGB
-    std::string assembly{};                            ///< as NamedShape::assembly
+    BodyColour colour;      ///< sRGB
+    std::string assembly{}; ///< as NamedShape::assembly
     PlacedPart from{};
 };
 
