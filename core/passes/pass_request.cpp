@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace burin {
 
@@ -118,10 +119,14 @@ Result<void> checkThread(const PassRequest& request) {
         return Error{ErrorCode::argumentInvalid, key, formatShortest(value), std::move(allowed)};
     };
     if (request.kind != PassKind::thread) {
-        if (request.pitch == 0.0 && request.majorDiameter == 0.0 && request.radialPasses == 1 && !request.leftHand &&
-            !request.conventional && !request.springPass)
-            return {};
-        return Error{ErrorCode::argumentInvalid, "pitch_mm", std::string(rowOf(request.kind).id), "thread"};
+        for (const auto& [key, isStated] : {std::pair{"pitch_mm", request.pitch != 0.0},
+                                            {"major_diameter_mm", request.majorDiameter != 0.0},
+                                            {"radial_passes", request.radialPasses != 1},
+                                            {"left_hand", request.leftHand},
+                                            {"conventional", request.conventional},
+                                            {"spring_pass", request.springPass}})
+            if (isStated) return Error{ErrorCode::argumentInvalid, key, std::string(rowOf(request.kind).id), "thread"};
+        return {};
     }
     if (request.pitch == 0.0) return wrong("pitch_mm", 0.0, "above 0");
     if (request.allowance != 0.0) return wrong("allowance_mm", request.allowance, "0 for a thread");

@@ -72,9 +72,9 @@ struct PassRequest {
     /// between rows or loops; of `waterline` between heights; 0: by scallop, or the default of the kind
     double stepOver = 0.0;
     double scallop = 0.0; ///< height of the ridges between rows of a tool with a rounded end; 0: not requested
-    double levelDepth =
-        0.0;             ///< between levels; 0: by preset, else what spindle and tool can bear; of `drill`: of one peck
-    double stairs = 0.0; ///< of `levels`: largest height of the steps left on slopes; 0: a tenth of the diameter
+    /// between levels; 0: by preset, else what tool, spindle and material can bear; of `drill`: of one peck
+    double levelDepth = 0.0;
+    double stairs = 0.0;        ///< of `levels`: largest height of the steps left on slopes; 0: a tenth of the diameter
     double direction = 0.0;     ///< of parallel rows, anticlockwise from X
     double flattest = 0.0;      ///< smallest slope of the part from level at which rows and waterlines are kept …
     double steepest = anySlope; ///< … and the largest

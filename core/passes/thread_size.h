@@ -18,7 +18,7 @@ struct ThreadSize {
     friend bool operator==(const ThreadSize&, const ThreadSize&) = default;
 };
 
-/// Metric threads of coarse pitch from M3 to M24, by diameter (ISO 261:1998, table 2, first and second choice).
+/// The usual metric threads of coarse pitch from M3 to M24, by diameter (ISO 261:1998).
 extern const std::array<ThreadSize, 14> coarseThreads;
 
 /// The size of a designation: "M8" (coarse pitch) or "M8x1" (diameter and pitch). Errors: nameUnknown (detail: what is

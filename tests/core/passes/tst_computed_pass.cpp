@@ -830,6 +830,9 @@ private slots:
         QVERIFY(refused(R"({"pass": "thread", "pitch_mm": 1.25, "major_diameter_mm": 8, "allowance_mm": 0.1})"));
         QVERIFY(refused(R"({"pass": "drill", "pitch_mm": 1.25})"));
         QVERIFY(!refused(R"({"pass": "thread", "pitch_mm": 1.25, "major_diameter_mm": 8})"));
+        PassRequest levels;
+        levels.leftHand = true;
+        QCOMPARE(validate(levels).error().subject, std::string("left_hand"));
         QVERIFY(!refused(R"({"pass": "levels"})"));
     }
 
