@@ -131,8 +131,8 @@ CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
 
 Engagement MaterialRemoval::engagement(const RunVolume& workpiece, const ToolPose& from,
                                        const ToolPose& to) const noexcept {
+    if (solid_) return {}; // its surface is not that of the pieces
     SurfaceFlux::Flux flux;
-    if (solid_) return flux.engagement; // its surface is not that of the pieces
     const bool known = isFinite(from.tip) && isFinite(to.tip) && isFinite(from.axis) && isFinite(to.axis);
     if (known && (from.tip != to.tip || from.axis != to.axis)) surface_.measure(workpiece, window(), from, to, flux);
     return flux.engagement;

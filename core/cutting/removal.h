@@ -59,7 +59,7 @@ enum class Writing : std::uint8_t {
 
 /// Removes the volume that the flutes sweep between two poses from the machinable runs of a workpiece. A tool that
 /// doesn't turn is swept as the solid that it is (SolidCutter), upright, and written with every cut: along the runs
-/// exact to a run unit, sideways within an eighth of a voxel along each axis (SolidColumns::deviation).
+/// exact to a run unit, sideways within an eighth of a voxel along each axis (SolidColumns).
 /// Keeps the state of the smooth reported volume from tick to tick; use one object for each tool and workpiece.
 /// No allocation, lock or exception in `cut`, `approach` and `settle`. Only on the workpiece's writer thread.
 ///

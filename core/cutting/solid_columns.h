@@ -24,9 +24,10 @@ struct SolidStay {
 
 /// A tool that doesn't turn as runs on the scanlines of a workpiece (paper, eq. 3: an S-RLE of the tool). Across the
 /// runs its tip is moved to the nearest point of a lattice of a quarter of a voxel (of half a voxel or a voxel, if the
-/// tool is so large that its runs would take too much memory); along the runs it is exact to a run unit. For each of
-/// these positions within a voxel (a layer) the runs of the tool are computed in advance, so that a pose is a merge of
-/// runs, line by line. Immutable after construction; any number of threads may read it.
+/// tool is so large that its runs would take too much memory): by half of that at most along u and along v. Along the
+/// runs it is exact to a run unit. For each of these positions within a voxel (a layer) the runs of the tool are
+/// computed in advance, so that a pose is a merge of runs, line by line. Immutable after construction; any number of
+/// threads may read it.
 class SolidColumns {
 public:
     enum class Section : std::uint8_t { flutes, shank };
@@ -34,9 +35,6 @@ public:
     /// Cost: voxelises the tool up to 16 times. @throws std::bad_alloc
     SolidColumns(const ToolSolid& solid, const Grid& grid);
 
-    /// Largest distance of a removed point from the tool, and of a remaining one from its surface, sideways along u
-    /// and along v, in voxels: half of the lattice's spacing.
-    double deviation() const noexcept { return 0.5 / points_; }
     bool hasShank() const noexcept { return hasShank_; }
 
     /// Calls `visit(line, from, to)` for each run of a section over all poses of a stay, clipped to the grid, in rows

@@ -23,7 +23,6 @@ public:
     void cut(RunVolume& workpiece, const glm::dvec3& from, const glm::dvec3& to, RemovedUnits& removed) noexcept;
     /// Call after the workpiece was changed otherwise than by `cut`.
     void reset() noexcept { cleared_.reset(); }
-    const SolidColumns& columns() const noexcept { return columns_; }
 
 private:
     SolidColumns columns_;

@@ -113,7 +113,9 @@ private slots:
                 const int steps = static_cast<int>(glm::length(way) / edge * 20.0) + 1;
                 for (int k = 0; k <= steps; ++k) poses.push_back(tips[i - 1] + way * (double(k) / steps));
             }
-            const double bound = (std::numbers::sqrt2 * cutter.columns().deviation() + 1.0 / 64.0 + 1.0 / 40.0) * edge;
+            // An eighth of a voxel along each axis across the runs, rounding along them, half the distance of the
+            // poses.
+            const double bound = (std::numbers::sqrt2 / 8.0 + 1.0 / 64.0 + 1.0 / 40.0) * edge;
             std::uint64_t gone = 0;
             for (LineIndex line; line.v < side; ++line.v)
                 for (line.u = 0; line.u < side; ++line.u)
@@ -253,7 +255,7 @@ private slots:
         QCOMPARE(allocationCount.load() - before, std::size_t{0});
     }
 
-    void poseFarAwayOrNotFiniteRemoveNothing() {
+    void posesFarAwayOrNotFiniteRemoveNothing() {
         RunVolume block = solid({0.0, 0.0, 0.0}, 0.25, {40, 40, 40}, RunAxis::z);
         MaterialRemoval removal(cutters::scraper(), block.grid());
         const double huge = 1e300, none = std::nan("");
