@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/degrees.h"
 #include "core/machine/machine_library.h"
 
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <cmath>
 
 namespace burin {
 
@@ -52,9 +52,7 @@ void addSpindle(ordered_json& file, const MachineProfile& machine) {
 }
 
 void addArcs(ordered_json& file, const ArcRules& rules) {
-    // So that files contain integers or short numbers again after the conversion to radians and back.
-    const double sweep = std::round(rules.largestSweep * 180.0 / pi * 1e9) / 1e9;
-    file["arcs"] = {{"largest_sweep_deg", sweep},
+    file["arcs"] = {{"largest_sweep_deg", roundedDegrees(rules.largestSweep)},
                     {"smallest_radius_mm", rules.smallestRadius},
                     {"largest_radius_mm", rules.largestRadius},
                     {"radius_mismatch_mm", rules.radiusMismatch}};

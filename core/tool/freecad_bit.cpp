@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // FreeCAD's tool bits: src/Mod/CAM/Path/Tool/shape/models and src/Mod/CAM/Tools/Bit of its sources.
+#include "core/base/degrees.h"
 #include "core/base/numbers.h"
 #include "core/base/resource_folder.h"
 #include "core/base/units.h"
@@ -232,7 +233,7 @@ Result<WrittenTools> freecadBit(const Tool& tool) {
                             {"Flutes", tool.fluteCount},
                             {"Length", millimetres(cutter.stickOut)},
                             {"ShankDiameter", millimetres(cutter.shankDiameter)}};
-    const auto angle = [&] { return formatShortest(std::round(2.0 * cutter.taperAngle / degree * 1e9) / 1e9) + " °"; };
+    const auto angle = [&] { return formatShortest(roundedDegrees(2.0 * cutter.taperAngle)) + " °"; };
     if (cutter.type == CutterType::bullNose) parameters["CornerRadius"] = millimetres(cutter.cornerRadius);
     if (cutter.type == CutterType::drill) parameters["TipAngle"] = angle();
     if (cutter.type == CutterType::chamfer) {

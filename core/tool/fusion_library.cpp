@@ -3,6 +3,7 @@
 // Fusion's tool library: its files contain one object for each tool, with lengths in the unit that the object states.
 #include "core/base/checksum.h"
 #include "core/base/clean_text.h"
+#include "core/base/degrees.h"
 #include "core/base/units.h"
 #include "core/base/zip_archive.h"
 #include "core/tool/foreign_tool.h"
@@ -200,7 +201,7 @@ json geometryOf(const Tool& tool) {
     json geometry{
         {"DC", cutter.diameter},  {"LCF", cutter.fluteLength}, {"LB", cutter.stickOut}, {"SFDM", cutter.shankDiameter},
         {"NOF", tool.fluteCount}, {"OAL", cutter.stickOut},    {"HAND", true},          {"CSP", false}};
-    const double half = std::round(cutter.taperAngle / degree * 1e9) / 1e9;
+    const double half = roundedDegrees(cutter.taperAngle);
     switch (cutter.type) {
     case CutterType::ball:
     case CutterType::bullNose:

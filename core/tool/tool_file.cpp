@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/tool.h"
 
+#include "core/base/degrees.h"
 #include "core/base/json_object.h"
 #include "core/base/resource_folder.h"
 #include "core/base/units.h"
@@ -9,7 +10,6 @@
 #include "core/tool/segment_json.h"
 #include "core/tool/tool_solid.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace burin {
@@ -22,11 +22,6 @@ const std::vector<std::string_view>& typeNames() { // in the order of CutterType
     static const std::vector<std::string_view> names{"ball",  "flat",    "bull_nose", "taper",  "taper_ball",
                                                      "drill", "chamfer", "lollipop",  "profile"};
     return names;
-}
-
-// Angles in files are integers or short decimals; rounding restores them after a conversion to radians and back.
-double roundedDegrees(double radians) {
-    return std::round(radians * 180.0 / pi * 1e9) / 1e9;
 }
 
 void readProfile(JsonObject& from, std::vector<ProfileElement>& profile) {

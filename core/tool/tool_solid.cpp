@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/tool/tool_solid.h"
 
+#include "core/base/degrees.h"
 #include "core/base/numbers.h"
 #include "core/base/units.h"
 #include "core/geometry/mesh_parts.h"
@@ -106,8 +107,8 @@ Result<void> validateSolid(const Cutter& cutter) {
     if (solid.flutes.empty() || triangles > ToolSolid::mostTriangles)
         return badSolid("flutes_mesh", std::to_string(triangles),
                         "1 to " + std::to_string(ToolSolid::mostTriangles) + " triangles");
-    // As written, in steps of 1e-9 degrees, it must be read again.
-    if (const double angle = solid.angle * 180.0 / pi; !(std::abs(angle) < solidTurn.high + 4e-10))
+    // As it is written, so that it can be read again.
+    if (const double angle = roundedDegrees(solid.angle); !(std::abs(angle) <= solidTurn.high))
         return badSolid("angle_deg", formatShortest(angle), "a number from -360 to 360");
     if (Result<void> flutes = checkMesh("flutes_mesh", solid.flutes); !flutes) return flutes;
     if (Result<void> shank = checkMesh("shank_mesh", solid.shank); !shank) return shank;
@@ -131,7 +132,7 @@ ToolSolid readSolid(JsonObject& from) {
 
 void writeSolid(const ToolSolid& solid, nlohmann::ordered_json& cutter) {
     cutter["turns"] = false;
-    cutter["angle_deg"] = std::round(solid.angle * 180.0 / pi * 1e9) / 1e9; // as it was stated
+    cutter["angle_deg"] = roundedDegrees(solid.angle);
     cutter["flutes_mesh"] = solidMeshJson(solid.flutes);
     if (!solid.shank.empty()) cutter["shank_mesh"] = solidMeshJson(solid.shank);
 }
