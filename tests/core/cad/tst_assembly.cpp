@@ -68,11 +68,9 @@ private slots:
         const std::vector<std::string> expected{"Vice/Plate⁄Base",    "Vice/Jaws:1/Bolt:1", "Vice/Jaws:1/Bolt:2",
                                                 "Vice/Jaws:2/Bolt:1", "Vice/Jaws:2/Bolt:2", "Vice/Stops/Stops 1",
                                                 "Vice/Stops/Stops 2", "Vice/Bolt"};
-        QVERIFY2(pathsOf(*model) == expected, [&] {
-            static std::string text;
-            for (const std::string& path : pathsOf(*model)) text += path + " | ";
-            return text.c_str();
-        }());
+        std::string found;
+        for (const std::string& path : pathsOf(*model)) found += path + " | ";
+        QVERIFY2(pathsOf(*model) == expected, found.c_str());
         // Each instance is where its assemblies put it.
         for (const auto& [path, x] : {std::pair{"Vice/Jaws:1/Bolt:1", 0.0},
                                       {"Vice/Jaws:1/Bolt:2", 20.0},
