@@ -131,10 +131,8 @@ Result<Model> makeModel(CadFile file, const ReadRequest& request, const ReaderRe
     Model model;
     model.format = file.format;
     model.lengthUnit = file.lengthUnit;
-    model.statedUnit = file.unitScale;
-    model.unitScale = request.unitInstead > 0.0 ? request.unitInstead : file.unitScale;
     model.meshChord = chord;
-    if (const auto note = unitNote(model, file.statesUnit)) model.notes.push_back(*note);
+    setUnit(model, file.unitScale, file.statesUnit, request.unitInstead);
     model.notes.insert(model.notes.end(), file.notes.begin(), file.notes.end());
     TopoDS_Compound whole;
     BRep_Builder builder;

@@ -54,9 +54,7 @@ Result<void> takeUnit(Model& model, const std::string& name, const ReadRequest& 
     for (const Unit& unit : units) {
         if (unit.name != (name.empty() ? "millimeter" : name)) continue;
         model.lengthUnit = unit.shown;
-        model.statedUnit = unit.millimetres;
-        model.unitScale = request.unitInstead > 0.0 ? request.unitInstead : unit.millimetres;
-        if (const auto note = unitNote(model, true)) model.notes.push_back(*note);
+        setUnit(model, unit.millimetres, true, request.unitInstead);
         return {};
     }
     return Error{ErrorCode::fileDamaged, {}, "unit \"" + name + "\"", {}};

@@ -7,22 +7,34 @@
 #include "core/cad/import_notes.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 namespace burin {
 
 using import_notes::fill;
 
-std::optional<ImportNote> unitNote(const Model& model, bool stated) {
-    const auto note = [](std::string text) { return ImportNote{ImportNote::Kind::unit, std::move(text)}; };
+namespace {
+
+/// Empty: none is needed.
+std::string unitNote(const Model& model, bool stated) {
     const std::string used = formatShortest(model.unitScale);
     if (unitReplaced(model))
-        return note(stated
-                        ? fill(import_notes::unitReplaced, {model.lengthUnit, formatShortest(model.statedUnit), used})
-                        : fill(import_notes::fileWithoutUnit, {used}));
-    if (!stated) return note(import_notes::brepWithoutUnit.text);
+        return stated ? fill(import_notes::unitReplaced, {model.lengthUnit, formatShortest(model.statedUnit), used})
+                      : fill(import_notes::fileWithoutUnit, {used});
+    if (!stated) return import_notes::brepWithoutUnit.text;
     if (std::abs(model.unitScale - 1.0) > 1e-12)
-        return note(fill(import_notes::unitConverted, {model.lengthUnit, model.lengthUnit, used}));
-    return std::nullopt;
+        return fill(import_notes::unitConverted, {model.lengthUnit, model.lengthUnit, used});
+    return {};
+}
+
+} // namespace
+
+void setUnit(Model& model, double unit, bool stated, double instead) {
+    model.statedUnit = unit;
+    model.unitScale = instead > 0.0 ? instead : unit;
+    if (std::string note = unitNote(model, stated); !note.empty())
+        model.notes.push_back({ImportNote::Kind::unit, std::move(note)});
 }
 
 } // namespace burin

@@ -4,12 +4,12 @@
 
 #include "core/cad/model.h"
 
-#include <optional>
-
 namespace burin {
 
-/// The note on a model's unit if that needs one: not mm, not stated by the file, or not the one that it states.
-/// @param stated whether the file states it
-std::optional<ImportNote> unitNote(const Model& model, bool stated);
+/// Sets the unit of a model whose `lengthUnit` is set, and adds a note if it needs one: not mm, not stated by the file,
+/// or not the one that it states.
+/// @param unit mm, that the file states or that its format means @param stated whether the file states it
+/// @param instead as ReadRequest::unitInstead
+void setUnit(Model& model, double unit, bool stated, double instead);
 
 } // namespace burin
