@@ -164,7 +164,7 @@ Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& repo
     if (!isUnit(head.UnitValue())) { // a flag that IGES doesn't know, or a name
         head.SetUnitFlag(millimetreFlag);
         head.SetUnitName(nullptr);
-        read.notes.push_back({ImportNote::Kind::unit, import_notes::fill(import_notes::fileWithoutUnit, {"1"})});
+        read.statesUnit = false;
     }
     stateUnit(read, head.UnitValue(), head.UnitName().IsNull() ? "mm" : head.UnitName()->ToCString());
     Handle(TDocStd_Document) document = newDocument();

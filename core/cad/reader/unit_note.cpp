@@ -19,10 +19,10 @@ namespace {
 /// Empty: none is needed.
 std::string unitNote(const Model& model, bool stated) {
     const std::string used = formatShortest(model.unitScale);
-    if (unitReplaced(model))
-        return stated ? fill(import_notes::unitReplaced, {model.lengthUnit, formatShortest(model.statedUnit), used})
-                      : fill(import_notes::fileWithoutUnit, {used});
-    if (!stated) return import_notes::brepWithoutUnit.text;
+    const bool replaced = unitReplaced(model);
+    if (!stated && !replaced && model.format == "BREP") return import_notes::brepWithoutUnit.text;
+    if (!stated) return fill(import_notes::fileWithoutUnit, {used});
+    if (replaced) return fill(import_notes::unitReplaced, {model.lengthUnit, formatShortest(model.statedUnit), used});
     if (std::abs(model.unitScale - 1.0) > 1e-12)
         return fill(import_notes::unitConverted, {model.lengthUnit, model.lengthUnit, used});
     return {};
