@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
+#include "app/commands/take_command.h"
 #include "app/commands/take_deviation.h"
 #include "app/commands/take_score.h"
 #include "app/take_moment_argument.h"
@@ -131,13 +132,7 @@ using TakeAction = std::function<int(const TakeArguments& arguments, CommandCont
 /// Declares one such command.
 CommandParser addAction(CommandParser command, const char* name, TextId help, const TakeAction& action,
                         CommandContext& context, int& status, const std::shared_ptr<TakeArguments>& arguments) {
-    const CommandParser one = command.command(name, help);
-    one.passOn();
-    one.positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
-        .required();
-    one.positional(BURIN_TEXT("Argument", "TAKE"), arguments->take,
-                   BURIN_TEXT("Help", "Take, by its number in \"burin info\""))
-        .required();
+    const CommandParser one = addTakeCommand(command, name, help, arguments->project, arguments->take);
     one.run([arguments, action, &context, &status] { status = action(*arguments, context); });
     return one;
 }

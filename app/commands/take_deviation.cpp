@@ -3,7 +3,7 @@
 #include "app/commands/take_deviation.h"
 
 #include "app/chosen_setup.h"
-#include "app/report.h"
+#include "app/commands/take_command.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
 #include "core/base/file.h"
@@ -17,7 +17,8 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <optional>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace burin {
@@ -97,17 +98,11 @@ int runTakeDeviation(const TakeDeviationArguments& arguments, CommandContext& co
 
 void addTakeDeviation(CommandParser take, CommandContext& context, int& status) {
     auto arguments = std::make_shared<TakeDeviationArguments>();
-    const CommandParser deviation = take.command(
-        "deviation", BURIN_TEXT("Help", "Measure the distance of its tool from the part over time, negative where the "
-                                        "tool is in the part; nothing is changed"));
-    deviation.passOn();
-    deviation
-        .positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
-        .required();
-    deviation
-        .positional(BURIN_TEXT("Argument", "TAKE"), arguments->take,
-                    BURIN_TEXT("Help", "Take, by its number in \"burin info\""))
-        .required();
+    const CommandParser deviation = addTakeCommand(
+        take, "deviation",
+        BURIN_TEXT("Help", "Measure the distance of its tool from the part over time, negative where the "
+                           "tool is in the part; nothing is changed"),
+        arguments->project, arguments->take);
     deviation.option("-o,--output", arguments->output,
                      BURIN_TEXT("Help", "Write time and least distance of every ten samples as CSV"));
     deviation.run([arguments, &context, &status] { status = runTakeDeviation(*arguments, context); });

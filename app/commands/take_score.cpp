@@ -3,6 +3,7 @@
 #include "app/commands/take_score.h"
 
 #include "app/chosen_setup.h"
+#include "app/commands/take_command.h"
 #include "app/surroundings.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
@@ -134,16 +135,11 @@ int runTakeScore(const TakeScoreArguments& arguments, CommandContext& context) {
 
 void addTakeScore(CommandParser take, CommandContext& context, int& status) {
     auto arguments = std::make_shared<TakeScoreArguments>();
-    const CommandParser score = take.command(
-        "score", BURIN_TEXT("Help", "State how well it was milled: times, tries to gouge, smoothness, force, removal "
-                                    "and stock left, compared with a reference; nothing is changed"));
-    score.passOn();
-    score.positional(BURIN_TEXT("Argument", "PROJECT"), arguments->project, BURIN_TEXT("Help", "Project file (.burin)"))
-        .required();
-    score
-        .positional(BURIN_TEXT("Argument", "TAKE"), arguments->take,
-                    BURIN_TEXT("Help", "Take, by its number in \"burin info\""))
-        .required();
+    const CommandParser score = addTakeCommand(
+        take, "score",
+        BURIN_TEXT("Help", "State how well it was milled: times, tries to gouge, smoothness, force, removal "
+                           "and stock left, compared with a reference; nothing is changed"),
+        arguments->project, arguments->take);
     score.option("--reference", arguments->reference,
                  BURIN_TEXT("Help", "Take to compare it with, by its number; it may be switched off"));
     score.run([arguments, &context, &status] { status = runTakeScore(*arguments, context); });
