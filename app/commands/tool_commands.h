@@ -15,8 +15,8 @@ namespace burin {
 
 inline constexpr const char* usualTool = "flat-6"; ///< supplies values that a file of another program lacks
 
-/// Returns what the answers of several commands state of a tool.
-nlohmann::json briefOf(const Tool& tool, const ToolLibraries& libraries);
+/// Returns what the answers of several commands state of a tool. @param library that it is in
+nlohmann::json briefOf(const Tool& tool, const std::string& library);
 /// Returns notes as indented lines, each after a line end.
 std::string linesOf(const std::vector<std::string>& notes);
 

@@ -25,6 +25,11 @@ struct ToolImportArguments {
     bool replace = false, dryRun = false;
 };
 
+/// The unit of a LinuxCNC table, mm. @param name argument of --units, for which the parser accepts mm and inch only
+double tableUnit(const std::string& name) {
+    return name == "inch" ? millimetresPerInch : 1.0;
+}
+
 /// Shipped tools are not replaced: a tool with the id of one gets a number appended to its id.
 void keepClearOfShipped(ReadTools& read) {
     for (ReadTool& tool : read.tools)
@@ -64,7 +69,7 @@ Result<void> keepAll(const ReadTools& read) {
 }
 
 /// Returns the library that tools of a file are put into: several tools into one that has the name of the file, a
-/// single one where a tool of its id already is, else into ownLibrary. Errors: those of librariesWith and
+/// single one where a tool of its id already is, else into ownLibrary. Errors: those of loadToolLibraries and
 /// checkLibraryName.
 Result<std::string> targetOf(const ToolImportArguments& arguments, const ReadTools& read) {
     const Result<ToolLibraries> libraries = loadToolLibraries();
@@ -99,7 +104,7 @@ Result<void> keepIn(const std::string& library, const ReadTools& read) {
 int importTools(const ToolImportArguments& arguments, CommandContext& context) {
     const Result<Tool> like = loadTool(arguments.like);
     if (!like) return context.fail(like.error());
-    Result<ReadTools> read = toolsFromFile(arguments.file, *like, arguments.units == "inch" ? millimetresPerInch : 1.0);
+    Result<ReadTools> read = toolsFromFile(arguments.file, *like, tableUnit(arguments.units));
     if (!read) return context.fail(read.error());
     keepClearOfShipped(*read);
     if (const Result<void> free = mayBeKept(*read, arguments.replace); !free) return context.fail(free.error());
@@ -110,8 +115,7 @@ int importTools(const ToolImportArguments& arguments, CommandContext& context) {
     json tools = json::array();
     std::string text;
     for (const ReadTool& tool : read->tools) {
-        json brief = briefOf(tool.tool, {});
-        brief["library"] = *library;
+        json brief = briefOf(tool.tool, *library);
         brief["notes"] = tool.notes;
         tools.push_back(std::move(brief));
         text += (text.empty() ? "" : "\n") + tool.tool.id + ": T" + std::to_string(tool.tool.number) + ", " +
@@ -167,7 +171,7 @@ int exportTools(const ToolExportArguments& arguments, CommandContext& context) {
         tools.push_back(std::move(*tool));
     }
     const Result<WrittenTools> written = toolsFor(arguments.file, tools.size() == 1 ? tools.front().id : std::string(),
-                                                  tools, arguments.units == "inch" ? millimetresPerInch : 1.0);
+                                                  tools, tableUnit(arguments.units));
     if (!written) return context.fail(written.error());
     if (const Result<void> done = writeTools(arguments.file, *written); !done) return context.fail(done.error());
     json bits = json::array();

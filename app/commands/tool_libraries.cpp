@@ -106,7 +106,7 @@ int placeTools(const ToolLibraryArguments& arguments, CommandContext& context) {
     if (library.empty())
         return context.fail(
             wrongArgument("--library", library, BURIN_TEXT("Command", "mine, or a library of your own")));
-    const Result<ToolLibraries> libraries = librariesWith(library);
+    const Result<ToolLibraries> libraries = loadToolLibraries();
     if (!libraries) return context.fail(libraries.error());
     if (const Result<void> own = checkOwnLibrary(*libraries, library); !own) return context.fail(own.error());
     std::vector<Tool> all, placed;

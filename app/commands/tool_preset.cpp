@@ -3,6 +3,7 @@
 #include "app/commands/tool_commands.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
+#include "core/tool/preset_json.h"
 #include "core/volume/runs/property_list.h"
 
 #include <algorithm>
@@ -80,10 +81,7 @@ int changePresets(const PresetArguments& arguments, CommandContext& context) {
     if (const Result<void> valid = validatePresets(*tool); !valid) return context.fail(valid.error());
     tool->sources["presets"] = "entered by the user";
     if (presets.empty()) tool->sources.erase("presets");
-    const nlohmann::json file = nlohmann::json::parse(toJson(*tool));
-    const auto list = file.find("presets");
-    return keepTool(*tool, true, {}, context, {{"presets", list == file.end() ? nlohmann::json::array() : *list}},
-                    linesOfPresets(*tool));
+    return keepTool(*tool, true, {}, context, {{"presets", presetsJson(presets)}}, linesOfPresets(*tool));
 }
 
 } // namespace

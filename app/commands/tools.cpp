@@ -7,7 +7,6 @@
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/base/resource_folder.h"
-#include "core/base/units.h"
 #include "core/job/tool_shape.h"
 #include "core/tool/tool_exchange.h"
 #include "core/tool/tool_library.h"
@@ -15,19 +14,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace burin {
 
 using nlohmann::json;
 
-json briefOf(const Tool& tool, const ToolLibraries& libraries) {
+json briefOf(const Tool& tool, const std::string& library) {
     return {{"id", tool.id},
             {"name", tool.name},
             {"own", !isShippedTool(tool.id)},
-            {"library", libraries.libraryOf(tool.id)},
+            {"library", library},
             {"number", tool.number},
             {"type", cutterTypeName(tool.cutter.type)},
             {"diameter_mm", tool.cutter.diameter},
@@ -65,18 +62,16 @@ Result<Tool> listedTool(const std::string& id, const std::string& library) {
 
 int keepTool(const Tool& tool, bool replace, const std::string& library, CommandContext& context, json more,
              const std::string& notes) {
-    Result<ToolLibraries> libraries = librariesWith(library);
+    const Result<ToolLibraries> libraries = loadToolLibraries();
     if (!libraries) return context.fail(libraries.error());
-    const bool stays = library.empty() && isOfUser(toolResource, tool.id);
-    const std::string target = stays             ? libraries->libraryOf(tool.id)
-                               : library.empty() ? std::string(ownLibrary)
-                                                 : library;
+    std::string target = library;
+    if (target.empty())
+        target = isOfUser(toolResource, tool.id) ? libraries->libraryOf(tool.id) : std::string(ownLibrary);
     if (const Result<void> own = checkOwnLibrary(*libraries, target); !own) return context.fail(own.error());
     const Result<std::filesystem::path> file = saveTool(tool, replace);
     if (!file) return context.fail(file.error());
     if (const Result<void> put = putTool(tool.id, target); !put) return context.fail(put.error());
-    libraries = loadToolLibraries();
-    more.update(briefOf(tool, libraries ? *libraries : ToolLibraries{}));
+    more.update(briefOf(tool, target));
     more["file"] = file->string();
     context.answer(more, tool.id + ": " + file->string() + notes);
     return 0;
@@ -96,8 +91,8 @@ int listTools(const LibraryArguments& arguments, CommandContext& context) {
             status = context.fail(tool.error());
             continue;
         }
-        tools.push_back(briefOf(*tool, *libraries));
         const std::string library = libraries->libraryOf(id);
+        tools.push_back(briefOf(*tool, library));
         text +=
             (text.empty() ? "" : "\n") + id + std::string(id.size() < 20 ? 20 - id.size() : 1, ' ') +
             worded(isShippedTool(id) ? BURIN_TEXT("Command", "shipped  T%1  %2 mm  %3")
@@ -174,7 +169,7 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
     request.tolerance = arguments.tolerance;
     request.import.fileUnit = arguments.fileUnit;
     request.turns = !arguments.fixed;
-    request.angle = arguments.angle * pi / 180.0;
+    request.angle = glm::radians(arguments.angle);
     if (request.turns && arguments.angle != 0.0)
         return context.fail({ErrorCode::argumentInvalid, "--angle", formatShortest(arguments.angle),
                              worded(BURIN_TEXT("Command", "no value, unless --fixed states that the tool does not "
