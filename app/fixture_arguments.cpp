@@ -7,7 +7,6 @@
 #include "app/surroundings.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
-#include "core/base/units.h"
 #include "core/setup/fixture_library.h"
 
 #include <algorithm>
@@ -20,7 +19,6 @@ namespace burin {
 namespace {
 
 constexpr const char *addOption = "--add-fixture", *changeOption = "--change-fixture";
-constexpr double degreeOfTurn = pi / 180.0;
 
 /// What the user states about a fixture.
 struct StatedFixture {
@@ -61,7 +59,7 @@ Result<void> take(StatedFixture& stated, FixtureKind kind, const std::string& wo
     } else if (key == "turn") {
         const std::optional<double> angle = parseNumber(value);
         if (!angle) return wrongArgument(option, word, BURIN_TEXT("Command", "turn=DEGREES"));
-        stated.turn = *angle * degreeOfTurn;
+        stated.turn = glm::radians(*angle);
     } else if (indexOf(kind, key)) {
         const std::optional<double> length = parseNumber(value);
         if (!length) return wrongArgument(option, word, BURIN_TEXT("Command", "a size and its length in mm: SIZE=MM"));
@@ -170,7 +168,7 @@ nlohmann::json jsonOf(const FixtureDesign& design) {
     return {{"kind", row.id},
             {"values_mm", values},
             {"place_mm", jsonOf(design.place)},
-            {"turn_deg", design.turn / degreeOfTurn}};
+            {"turn_deg", glm::degrees(design.turn)}};
 }
 
 } // namespace burin

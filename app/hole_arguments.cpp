@@ -4,7 +4,6 @@
 
 #include "app/number_list.h"
 #include "app/wording.h"
-#include "core/base/numbers.h"
 #include "core/base/units.h"
 #include "core/cad/part_holes.h"
 #include "core/passes/thread_size.h"
@@ -15,28 +14,21 @@ namespace burin {
 
 namespace {
 
-/// The hole with a number, counted from 1 in the order of "info --json".
-std::optional<glm::dvec2> holeNumbered(double number, const std::vector<UprightHole>& holes) {
-    for (std::size_t i = 0; i < holes.size(); ++i)
-        if (number == static_cast<double>(i + 1)) return holes[i].centre;
-    return {};
-}
-
+/// @param texts points in plan, or numbers of holes in the order of "info --json"
 Result<void> addPlaces(const std::vector<std::string>& texts, const Model& part, PassRequest& request) {
     std::optional<std::vector<UprightHole>> holes;
     for (const std::string& text : texts) {
-        if (const std::optional<glm::dvec3> place = vectorOf(text + ",0")) {
-            request.places.emplace_back(*place);
+        if (const std::optional<std::vector<double>> place = numbersOf(text, 2)) {
+            request.places.emplace_back(place->front(), place->back());
             continue;
         }
         if (!holes) holes = uprightHoles(part);
-        const std::optional<double> number = parseNumber(text);
-        const std::optional<glm::dvec2> numbered = number ? holeNumbered(*number, *holes) : std::nullopt;
-        if (!numbered)
+        const std::optional<std::size_t> index = indexOfNumber(text, holes->size());
+        if (!index)
             return Error{ErrorCode::argumentInvalid, "--hole", text,
                          worded(BURIN_TEXT("Command", "X,Y in mm, or the number of a hole of the part, 1 to %1"),
                                 {std::to_string(holes->size())})};
-        request.places.push_back(*numbered);
+        request.places.push_back((*holes)[*index].centre);
     }
     return {};
 }
@@ -44,10 +36,7 @@ Result<void> addPlaces(const std::vector<std::string>& texts, const Model& part,
 } // namespace
 
 void addHoleOptions(CommandParser command, const Argument& pass, HoleArguments& arguments, PassRequest& request) {
-    const auto withPass = [&](const Argument& argument) {
-        argument.needs(pass);
-        return argument;
-    };
+    const auto withPass = [&](const Argument& argument) { return argument.needs(pass); };
     withPass(
         command
             .option("--hole", arguments.holes,

@@ -5,6 +5,7 @@
 #include "core/base/numbers.h"
 
 #include <algorithm>
+#include <charconv>
 
 namespace burin {
 
@@ -16,6 +17,14 @@ std::vector<std::string> partsOf(const std::string& text, char separator) {
         start = end + 1;
     }
     return parts;
+}
+
+std::optional<std::size_t> indexOfNumber(const std::string& text, std::size_t count) {
+    const char* const end = text.data() + text.size();
+    std::size_t number = 0;
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec != std::errc() || read.ptr != end || number < 1 || number > count) return std::nullopt;
+    return number - 1;
 }
 
 std::optional<std::vector<double>> numbersOf(const std::string& text, std::size_t count) {
