@@ -13,7 +13,8 @@
 
 #include <QLocale>
 
-#include <charconv>
+#include <optional>
+#include <utility>
 
 namespace burin {
 
@@ -21,8 +22,8 @@ namespace {
 
 using nlohmann::json;
 
-/// A device with axes, connected, and what the user keeps for it.
-struct AxesOnTable {
+/// A device with axes, connected, and the map that the user keeps for it.
+struct ConnectedAxes {
     FoundDevice found;
     AnyStylus stylus;
     MappableDevice mappable;
@@ -32,34 +33,29 @@ struct AxesOnTable {
 };
 
 /// @param ignoreKept for a kept map that the device refuses, which is to be replaced
-Result<AxesOnTable> connectAxes(DeviceRegistry& registry, const std::string& name, bool ignoreKept) {
+Result<ConnectedAxes> connectAxes(DeviceRegistry& registry, const std::string& name, bool ignoreKept) {
     Result<FoundDevice> found = registry.find(name);
     if (!found) return std::move(found).error();
     Result<AnyStylus> stylus = registry.make(found->id);
     if (!stylus) return std::move(stylus).error();
-    AxesOnTable table{std::move(*found), std::move(*stylus), {}, {}};
-    table.mappable = mappableOf(table.handle().device());
-    table.map = table.mappable.usual;
-    if (table.mappable.axes.empty())
-        return Error{ErrorCode::argumentInvalid, "device", table.found.id, "a device with axes to assign"};
-    const std::string kept = UserSettings().axisMap(table.found.id);
-    if (kept.empty() || ignoreKept) return table;
-    Result<AxisMap> map = axisMapFromJson(kept, table.mappable);
+    ConnectedAxes connected{std::move(*found), std::move(*stylus), {}, {}};
+    connected.mappable = mappableOf(connected.handle().device());
+    connected.map = connected.mappable.usual;
+    if (const Result<void> usable = checkAxisMap(connected.map, connected.mappable); !usable) return usable.error();
+    const std::string kept = UserSettings().axisMap(connected.found.id);
+    if (kept.empty() || ignoreKept) return connected;
+    Result<AxisMap> map = axisMapFromJson(kept, connected.mappable);
     if (!map) return std::move(map).error();
-    table.map = *map;
-    return table;
+    connected.map = *map;
+    return connected;
 }
 
 /// The index of an axis or button, from its number and `=`. @param[out] rest behind it
 std::optional<std::size_t> indexOf(const std::string& text, std::size_t count, std::string& rest) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos) return std::nullopt;
-    std::size_t number = 0;
-    const char* const end = text.data() + equals;
-    const auto read = std::from_chars(text.data(), end, number);
-    if (read.ec != std::errc() || read.ptr != end || number < 1 || number > count) return std::nullopt;
     rest = text.substr(equals + 1);
-    return number - 1;
+    return indexOfNumber(text.substr(0, equals), count);
 }
 
 bool readPart(const std::string& part, AxisUse& use) {
@@ -69,10 +65,10 @@ bool readPart(const std::string& part, AxisUse& use) {
     }
     const std::size_t equals = part.find('=');
     if (equals == std::string::npos) return false;
-    const auto value = numbersOf(part.substr(equals + 1), 1);
+    const std::optional<double> value = parseNumber(part.substr(equals + 1));
     const std::string key = part.substr(0, equals);
     if (!value || (key != "gain" && key != "dead")) return false;
-    (key == "gain" ? use.gain : use.deadZone) = value->front();
+    (key == "gain" ? use.gain : use.deadZone) = *value;
     return true;
 }
 
@@ -85,12 +81,12 @@ Error wrongAxis(const std::string& text, std::size_t count) {
 }
 
 /// "2=z,reversed,gain=0.5,dead=0.1": what is left out keeps its value, except for the direction.
-Result<void> applyAxis(const std::string& text, AxesOnTable& table) {
-    const std::size_t count = table.mappable.axes.size();
+Result<void> applyAxis(const std::string& text, ConnectedAxes& connected) {
+    const std::size_t count = connected.mappable.axes.size();
     std::string rest;
     const auto axis = indexOf(text, count, rest);
     if (!axis) return wrongAxis(text, count);
-    AxisUse& use = table.map.axes[*axis];
+    AxisUse& use = connected.map.axes[*axis];
     const std::vector<std::string> parts = partsOf(rest, ',');
     const auto motion = axisMotionOf(parts.front());
     if (!motion) return wrongAxis(text, count);
@@ -101,59 +97,61 @@ Result<void> applyAxis(const std::string& text, AxesOnTable& table) {
     return {};
 }
 
-Result<void> applyButton(const std::string& text, AxesOnTable& table) {
+Result<void> applyButton(const std::string& text, ConnectedAxes& connected) {
     std::string rest;
-    const auto button = indexOf(text, table.mappable.buttons, rest);
+    const auto button = indexOf(text, connected.mappable.buttons, rest);
     const auto action = buttonActionOf(rest);
     if (!button || !action)
         return Error{ErrorCode::argumentInvalid, "--button", text,
                      worded(BURIN_TEXT("Command", "N=ACTION with N from 1 to %1 and one of the actions %2"),
-                            {std::to_string(table.mappable.buttons), buttonActionIds()})};
-    table.map.buttons[*button] = *action;
+                            {std::to_string(connected.mappable.buttons), buttonActionIds()})};
+    connected.map.buttons[*button] = *action;
     return {};
 }
 
 /// Stores a map for the window and other commands; the usual one leaves nothing behind.
-Result<void> keepAxes(const AxesOnTable& table) {
-    const bool usual = table.map == table.mappable.usual;
-    const QString unwritten =
-        UserSettings().setAxisMap(table.found.id, usual ? std::string() : toJson(table.map, table.mappable));
+Result<void> keepAxes(const ConnectedAxes& connected) {
+    const bool usual = connected.map == connected.mappable.usual;
+    const QString unwritten = UserSettings().setAxisMap(
+        connected.found.id, usual ? std::string() : toJson(connected.map, connected.mappable));
     if (unwritten.isEmpty()) return {};
     return Error{ErrorCode::fileNotWritable, unwritten.toStdString(), {}, {}};
 }
 
-json answerOf(const AxesOnTable& table) {
-    return {{"device", table.found.id},
-            {"usual", table.map == table.mappable.usual},
-            {"map", json::parse(toJson(table.map, table.mappable))}};
+json answerOf(const ConnectedAxes& connected) {
+    return {{"device", connected.found.id},
+            {"usual", connected.map == connected.mappable.usual},
+            {"map", json::parse(toJson(connected.map, connected.mappable))}};
 }
 
-std::string textOfAxes(const AxesOnTable& table) {
-    return axisLines(table.mappable, table.map, QLocale::c()).join(QLatin1Char('\n')).toStdString();
+std::string textOfAxes(const ConnectedAxes& connected) {
+    return axisLines(connected.mappable, connected.map, QLocale::c()).join(QLatin1Char('\n')).toStdString();
 }
 
 } // namespace
 
 int mapAxes(const AxesArguments& arguments, CommandContext& context) {
     DeviceRegistry registry;
-    Result<AxesOnTable> table = connectAxes(registry, arguments.mapped, arguments.usual);
-    if (!table) return context.fail(table.error());
+    Result<ConnectedAxes> connected = connectAxes(registry, arguments.mapped, arguments.usual);
+    if (!connected) return context.fail(connected.error());
     for (const std::string& axis : arguments.axes)
-        if (const Result<void> applied = applyAxis(axis, *table); !applied) return context.fail(applied.error());
+        if (const Result<void> applied = applyAxis(axis, *connected); !applied) return context.fail(applied.error());
     for (const std::string& button : arguments.buttons)
-        if (const Result<void> applied = applyButton(button, *table); !applied) return context.fail(applied.error());
-    if (const Result<void> good = checkAxisMap(table->map, table->mappable); !good) return context.fail(good.error());
+        if (const Result<void> applied = applyButton(button, *connected); !applied)
+            return context.fail(applied.error());
+    if (const Result<void> good = checkAxisMap(connected->map, connected->mappable); !good)
+        return context.fail(good.error());
     if (arguments.usual || !arguments.axes.empty() || !arguments.buttons.empty())
-        if (const Result<void> kept = keepAxes(*table); !kept) return context.fail(kept.error());
-    context.answer(answerOf(*table), textOfAxes(*table));
+        if (const Result<void> kept = keepAxes(*connected); !kept) return context.fail(kept.error());
+    context.answer(answerOf(*connected), textOfAxes(*connected));
     return 0;
 }
 
 int calibrateAxes(const AxesArguments& arguments, CommandContext& context) {
     DeviceRegistry registry;
-    Result<AxesOnTable> table = connectAxes(registry, arguments.calibrated, false);
-    if (!table) return context.fail(table.error());
-    AxisCalibration calibration(table->mappable.axes, table->map);
+    Result<ConnectedAxes> connected = connectAxes(registry, arguments.calibrated, false);
+    if (!connected) return context.fail(connected.error());
+    AxisCalibration calibration(connected->mappable.axes, connected->map);
     const double end = AxisCalibration::restSeconds + arguments.motionSeconds;
     context.message(worded(BURIN_TEXT("Command", "Leave the device at rest.")));
     bool moves = false;
@@ -168,29 +166,30 @@ int calibrateAxes(const AxesArguments& arguments, CommandContext& context) {
         context.progress().report(seconds / end);
         return seconds < end;
     };
-    if (const Result<void> watched = watchAxes(table->handle(), hear, context.progress()); !watched)
+    if (const Result<void> watched = watchAxes(connected->handle(), hear, context.progress()); !watched)
         return context.fail(watched.error());
-    table->map = calibration.proposed();
-    if (const Result<void> good = checkAxisMap(table->map, table->mappable); !good) return context.fail(good.error());
-    if (const Result<void> kept = keepAxes(*table); !kept) return context.fail(kept.error());
-    json answer = answerOf(*table);
+    connected->map = calibration.proposed();
+    if (const Result<void> good = checkAxisMap(connected->map, connected->mappable); !good)
+        return context.fail(good.error());
+    if (const Result<void> kept = keepAxes(*connected); !kept) return context.fail(kept.error());
+    json answer = answerOf(*connected);
     std::string still;
-    for (std::size_t i = 0; i < table->mappable.axes.size(); ++i) {
-        const AxisCalibration::Figures seen = calibration.figures(i);
-        answer["measured"].push_back({{"axis", table->mappable.axes[i].name},
+    for (std::size_t i = 0; i < connected->mappable.axes.size(); ++i) {
+        const AxisCalibration::Measured seen = calibration.measured(i);
+        answer["measured"].push_back({{"axis", connected->mappable.axes[i].name},
                                       {"rest", seen.rest},
                                       {"noise", seen.noise},
                                       {"low", seen.low},
                                       {"high", seen.high}});
-        if (table->mappable.axes[i].springs && seen.rest == 0.0 && seen.noise == 0.0)
-            still += (still.empty() ? "" : ", ") + table->mappable.axes[i].name;
+        if (connected->mappable.axes[i].springs && seen.rest == 0.0 && seen.noise == 0.0)
+            still += (still.empty() ? "" : ", ") + connected->mappable.axes[i].name;
     }
     if (!still.empty())
         context.message(worded(BURIN_TEXT("Command", "Axes that were not moved before the measurement keep their rest "
                                                      "and dead zone (%1); move every axis once first, then calibrate "
                                                      "again."),
                                {still}));
-    context.answer(answer, textOfAxes(*table));
+    context.answer(answer, textOfAxes(*connected));
     return 0;
 }
 

@@ -38,7 +38,7 @@ void AxisCalibration::move(const AxisReading& reading) {
     }
 }
 
-AxisCalibration::Figures AxisCalibration::figures(std::size_t axis) const {
+AxisCalibration::Measured AxisCalibration::measured(std::size_t axis) const {
     const Sums& sums = sums_[axis];
     const double count = static_cast<double>(restCount_);
     return {sums.mean, restCount_ > 1 ? std::sqrt(sums.squares / (count - 1.0)) : 0.0, sums.low, sums.high};
@@ -49,7 +49,7 @@ AxisMap AxisCalibration::proposed() const {
     if (!complete()) return map;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         AxisUse& use = map.axes[i];
-        const Figures seen = figures(i);
+        const Measured seen = measured(i);
         if (use.rest - seen.low > leastMotion * (use.rest - use.low)) use.low = seen.low;
         if (seen.high - use.rest > leastMotion * (use.high - use.rest)) use.high = seen.high;
         if (!axes_[i].springs) {

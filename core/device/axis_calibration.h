@@ -22,7 +22,7 @@ public:
     static constexpr double leastMotion = 0.25;
 
     /// The measurements of one axis, readings.
-    struct Figures {
+    struct Measured {
         double rest = 0.0, noise = 0.0; ///< mean and standard deviation at rest
         double low = 0.0, high = 0.0;   ///< farthest readings in motion
     };
@@ -33,7 +33,7 @@ public:
     void rest(const AxisReading& reading); ///< a reading of the device at rest
     void move(const AxisReading& reading); ///< a reading while the user moves every axis to its ends
     bool complete() const noexcept { return restCount_ > 0 && moveCount_ > 0; }
-    Figures figures(std::size_t axis) const;
+    Measured measured(std::size_t axis) const;
     /// The map with new rests, ends and dead zones. An axis that springs back gets its mean at rest and the dead zone
     /// of `sigmas` deviations of its noise, as a share of the smaller of its two ranges; one that stays where it is
     /// rests in the middle of its range, or at its lower end, without a dead zone. An end that was not reached stays;
