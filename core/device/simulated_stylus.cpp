@@ -184,10 +184,11 @@ void SimulatedStylus::changePhase() noexcept {
 }
 
 void SimulatedStylus::lean(double seconds) noexcept {
-    const glm::dvec3 wanted = phase_ == Phase::follow ? trail_.axis() : uprightAxis;
-    const double share = 1.0 - std::exp(-seconds / turnLag), angle = angleBetween(axis_, wanted);
-    if (angle > 0.0)
-        axis_ = angle < sameAxis ? wanted : turnedTowards(axis_, wanted, std::min(share * angle, turnSpeed * seconds));
+    const glm::dvec3 requested = phase_ == Phase::follow ? trail_.axis() : uprightAxis;
+    if (axis_ == requested) return; // as always with the mouse
+    const double share = 1.0 - std::exp(-seconds / turnLag), angle = angleBetween(axis_, requested);
+    axis_ =
+        angle < sameAxis ? requested : turnedTowards(axis_, requested, std::min(share * angle, turnSpeed * seconds));
 }
 
 void SimulatedStylus::step(double seconds) noexcept {
