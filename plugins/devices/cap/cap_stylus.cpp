@@ -3,6 +3,7 @@
 #include "plugins/devices/cap/cap_stylus.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace burin::cap {
@@ -14,13 +15,8 @@ constexpr std::size_t upwards = 2; // in MotionShares
 } // namespace
 
 void SharedControls::publish(const Controls& controls) noexcept {
-    for (std::size_t word = 0; word < axes_.size(); ++word) {
-        std::uint64_t bits = 0;
-        for (std::size_t i = 0; i < perWord; ++i)
-            bits |= static_cast<std::uint64_t>(static_cast<std::uint16_t>(controls.axes[perWord * word + i]))
-                    << (16 * i);
-        axes_[word].store(bits, std::memory_order_relaxed);
-    }
+    const auto words = std::bit_cast<AxisWords>(controls.axes);
+    for (std::size_t i = 0; i < words.size(); ++i) axes_[i].store(words[i], std::memory_order_relaxed);
     silent_.store(controls.silent, std::memory_order_relaxed);
     buttons_.store(controls.buttons, std::memory_order_relaxed);
     battery_.store(controls.batteryPercent, std::memory_order_relaxed);
@@ -28,12 +24,9 @@ void SharedControls::publish(const Controls& controls) noexcept {
 }
 
 std::array<std::int16_t, AxisMap::mostAxes> SharedControls::axes() const noexcept {
-    std::array<std::int16_t, AxisMap::mostAxes> axes{};
-    for (std::size_t i = 0; i < axes.size(); ++i) {
-        const std::uint64_t bits = axes_[i / perWord].load(std::memory_order_relaxed);
-        axes[i] = static_cast<std::int16_t>(static_cast<std::uint16_t>(bits >> (16 * (i % perWord)) & 0xffffU));
-    }
-    return axes;
+    AxisWords words;
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = axes_[i].load(std::memory_order_relaxed);
+    return std::bit_cast<std::array<std::int16_t, AxisMap::mostAxes>>(words);
 }
 
 CapStylus::CapStylus(std::unique_ptr<ControlSource> source, CapStylusSettings settings)

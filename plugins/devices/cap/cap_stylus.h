@@ -8,6 +8,7 @@
 #include "plugins/devices/cap/controls.h"
 #include "plugins/devices/polled/polling_thread.h"
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -43,8 +44,9 @@ public:
     bool charging() const noexcept { return charging_.load(std::memory_order_relaxed); }
 
 private:
-    static constexpr std::size_t perWord = 4; ///< axes of 16 bits
-    std::array<std::atomic<std::uint64_t>, AxisMap::mostAxes / perWord> axes_{};
+    /// The axes, four in each word: those of a word are of the same reading.
+    using AxisWords = std::array<std::uint64_t, AxisMap::mostAxes / 4>;
+    std::array<std::atomic<std::uint64_t>, std::tuple_size_v<AxisWords>> axes_{};
     std::atomic<std::uint64_t> motions_{0};
     std::atomic<std::uint32_t> silent_{0}, buttons_{0};
     std::atomic<int> battery_{-1};

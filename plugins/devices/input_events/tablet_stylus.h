@@ -56,10 +56,10 @@ private:
         AxisReading newest() const noexcept; ///< any thread
 
     private:
-        ReopenedPort port_;
-        TabletReader reader_;
         void publish() noexcept;
 
+        ReopenedPort port_;
+        TabletReader reader_;
         Mailbox<Pen> pens_;
         /// For any thread, value by value: one may be of the next report.
         std::array<std::atomic<double>, AxisMap::mostAxes> values_{};
