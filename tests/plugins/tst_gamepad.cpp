@@ -215,6 +215,48 @@ private slots:
         QCOMPARE(motionsOf(reader.map(), readings)[2], 0.0);
     }
 
+    /// A pedal, or a trigger that the kernel names so, moves nothing when it is released.
+    void aPedalRestsAtItsLowEnd() {
+        const auto device =
+            virtualInput({{ABS_X, 0, 255}, {ABS_Y, 0, 255}, {ABS_GAS, 0, 1023}, {ABS_BRAKE, 0, 1023}}, {BTN_TRIGGER});
+        PadReader reader(*device);
+        AxisMap map = reader.map();
+        for (std::size_t i = 2; i < 4; ++i) {
+            QVERIFY(reader.axes()[i].oneSided && reader.axes()[i].springs);
+            map.axes[i].motion = AxisMotion::z;
+        }
+        map.axes[3].reversed = true;
+        const auto upwards = [&](unsigned int code, int value) {
+            reader.take(eventOf(EV_ABS, code, value));
+            return motionsOf(map, cap::readingsOf(reader.controls().axes, PadReader::fullScale))[2];
+        };
+        QCOMPARE(upwards(ABS_GAS, 1023), 1.0);
+        QCOMPARE(upwards(ABS_GAS, 0), 0.0);
+        QCOMPARE(upwards(ABS_BRAKE, 1023), -1.0);
+        QCOMPARE(upwards(ABS_BRAKE, 0), 0.0);
+    }
+
+    /// A device may have more axes than can be assigned.
+    void noMoreAxesThanCanBeAssigned() {
+        const auto device = virtualInput({{ABS_X, 0, 255},
+                                          {ABS_Y, 0, 255},
+                                          {ABS_Z, 0, 255},
+                                          {ABS_RX, 0, 255},
+                                          {ABS_RY, 0, 255},
+                                          {ABS_RZ, 0, 255},
+                                          {ABS_HAT0X, -1, 1},
+                                          {ABS_HAT0Y, -1, 1},
+                                          {ABS_GAS, 0, 255},
+                                          {ABS_BRAKE, 0, 255},
+                                          {ABS_THROTTLE, 0, 255},
+                                          {ABS_RUDDER, 0, 255},
+                                          {ABS_WHEEL, 0, 255}},
+                                         {BTN_TRIGGER});
+        PadReader reader(*device);
+        QCOMPARE(reader.axes().size(), AxisMap::mostAxes);
+        QCOMPARE(reader.take(eventOf(EV_ABS, ABS_WHEEL, 255)), PadReader::Kind::none);
+    }
+
     /// Until it moves, an axis counts as at rest wherever the user has calibrated that, so that the tool stays.
     void anAxisThatHasNotMovedIsAtRest() {
         const auto device = twoSticks();

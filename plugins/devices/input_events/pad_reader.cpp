@@ -13,26 +13,28 @@ namespace {
 
 constexpr std::size_t mostButtons = 32;
 
-struct AxisName {
+/// An axis that a pad or joystick may have.
+struct PadAxis {
     unsigned int code;
     TextId name;
+    bool springs = true, oneSided = false; ///< see DeviceAxis
 };
-/// Every axis that a pad or joystick may have.
-constexpr std::array padAxisNames{
-    AxisName{ABS_X, BURIN_TEXT("Device", "X")},
-    AxisName{ABS_Y, BURIN_TEXT("Device", "Y")},
-    AxisName{ABS_Z, BURIN_TEXT("Device", "Z")},
-    AxisName{ABS_RX, BURIN_TEXT("Device", "RX")},
-    AxisName{ABS_RY, BURIN_TEXT("Device", "RY")},
-    AxisName{ABS_RZ, BURIN_TEXT("Device", "RZ")},
-    AxisName{ABS_HAT0X, BURIN_TEXT("Device", "hat X")},
-    AxisName{ABS_HAT0Y, BURIN_TEXT("Device", "hat Y")},
-    AxisName{ABS_THROTTLE, BURIN_TEXT("Device", "throttle")},
-    AxisName{ABS_RUDDER, BURIN_TEXT("Device", "rudder")},
-    AxisName{ABS_WHEEL, BURIN_TEXT("Device", "wheel")},
-    AxisName{ABS_GAS, BURIN_TEXT("Device", "gas")},
+/// Of a device with more than AxisMap::mostAxes of them the last ones are left out.
+constexpr std::array padAxes{
+    PadAxis{ABS_X, BURIN_TEXT("Device", "X")},
+    PadAxis{ABS_Y, BURIN_TEXT("Device", "Y")},
+    PadAxis{ABS_Z, BURIN_TEXT("Device", "Z")},
+    PadAxis{ABS_RX, BURIN_TEXT("Device", "RX")},
+    PadAxis{ABS_RY, BURIN_TEXT("Device", "RY")},
+    PadAxis{ABS_RZ, BURIN_TEXT("Device", "RZ")},
+    PadAxis{ABS_HAT0X, BURIN_TEXT("Device", "hat X")},
+    PadAxis{ABS_HAT0Y, BURIN_TEXT("Device", "hat Y")},
+    PadAxis{ABS_GAS, BURIN_TEXT("Device", "gas"), true, true}, // a pedal, or the right trigger of some pads
+    PadAxis{ABS_BRAKE, BURIN_TEXT("Device", "brake"), true, true},
+    PadAxis{ABS_THROTTLE, BURIN_TEXT("Device", "throttle"), false},
+    PadAxis{ABS_RUDDER, BURIN_TEXT("Device", "rudder")},
+    PadAxis{ABS_WHEEL, BURIN_TEXT("Device", "wheel"), false},
 };
-static_assert(padAxisNames.size() <= AxisMap::mostAxes);
 
 bool has(const libevdev& device, unsigned int axis) {
     return libevdev_has_event_code(&device, EV_ABS, axis) != 0;
@@ -62,13 +64,14 @@ void PadReader::addAxes(const libevdev& device) {
         addAxis(device, ABS_HAT0Y, AxisMotion::z, reversed);
         addAxis(device, ABS_RZ, AxisMotion::c, reversed);
     }
-    for (const AxisName& other : padAxisNames)
-        if (std::ranges::find(axes_, other.code, &Axis::code) == axes_.end()) addAxis(device, other.code);
+    for (const PadAxis& other : padAxes)
+        if (std::ranges::find(axes_, other.code, &Axis::code) == axes_.end())
+            addAxis(device, other.code, AxisMotion::none, false, other.oneSided);
 }
 
 void PadReader::addAxis(const libevdev& device, unsigned int code, AxisMotion motion, bool reversed, bool oneSided) {
     const input_absinfo* const info = libevdev_get_abs_info(&device, code);
-    if (info == nullptr || info->maximum <= info->minimum) return;
+    if (info == nullptr || info->maximum <= info->minimum || axes_.size() == AxisMap::mostAxes) return;
     const double low = info->minimum, high = info->maximum;
     AxisUse& use = map_.axes[axes_.size()];
     use.motion = motion;
@@ -77,8 +80,8 @@ void PadReader::addAxis(const libevdev& device, unsigned int code, AxisMotion mo
     if (oneSided) use.rest = use.low;
     controls_.axes[axes_.size()] = static_cast<std::int16_t>(std::lround(fullScale * use.rest));
     controls_.silent |= 1U << axes_.size();
-    const bool springs = code != ABS_THROTTLE && code != ABS_WHEEL;
-    named_.push_back({std::ranges::find(padAxisNames, code, &AxisName::code)->name.text, springs, oneSided});
+    const PadAxis& known = *std::ranges::find(padAxes, code, &PadAxis::code);
+    named_.push_back({known.name.text, known.springs, oneSided});
     axes_.push_back({code, low, high});
 }
 

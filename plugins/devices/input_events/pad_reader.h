@@ -38,7 +38,7 @@ private:
         unsigned int code = 0;
         double low = 0.0, high = 0.0; ///< range of its values
     };
-    void addAxis(const libevdev& device, unsigned int code, AxisMotion motion = AxisMotion::none, bool reversed = false,
+    void addAxis(const libevdev& device, unsigned int code, AxisMotion motion, bool reversed = false,
                  bool oneSided = false);
     void addAxes(const libevdev& device);
 
