@@ -4,12 +4,11 @@
 
 #include "app/chosen_setup.h"
 #include "app/commands/take_command.h"
-#include "app/surroundings.h"
 #include "app/wording.h"
 #include "core/base/file.h"
 #include "core/base/numbers.h"
 #include "core/document/companions.h"
-#include "core/job/milling_context.h"
+#include "core/job/part_distance.h"
 #include "core/job/recorded_time.h"
 #include "core/job/take_deviation.h"
 
@@ -44,11 +43,10 @@ Result<MeasuredTake> measuredTake(const TakeDeviationArguments& arguments, Comma
     if (!project) return project.error();
     const Result<DeviationMatter> matter = deviationMatter(*project, arguments.take, context.progress());
     if (!matter) return matter.error();
-    const Result<MillingContext> milling =
-        makeMillingContext(*project, matter->tool, machineFor(*project, {}, context), context.progress());
-    if (!milling) return milling.error();
+    const Result<MeshDistance> part = partDistance(*project);
+    if (!part) return part.error();
     context.stage(BURIN_TEXT("Command", "Measuring"));
-    Result<std::vector<float>> deviation = takeDeviation(*matter, milling->part, context.progress());
+    Result<std::vector<float>> deviation = takeDeviation(*matter, *part, context.progress());
     if (!deviation) return std::move(deviation).error();
     return MeasuredTake{matter->info, std::move(*deviation)};
 }

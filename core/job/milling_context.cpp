@@ -3,6 +3,7 @@
 #include "core/job/milling_context.h"
 
 #include "core/job/milling_materials.h"
+#include "core/job/part_distance.h"
 #include "core/machine/machine_library.h"
 #include "core/setup/material_change.h"
 
@@ -25,12 +26,6 @@ public:
 private:
     double voxel_;
 };
-
-MeshDistance wholePart(const Model& model) {
-    TriangleMesh mesh;
-    for (const Body& body : model.bodies) append(mesh, body.mesh);
-    return MeshDistance(mesh);
-}
 
 /// Returns a function that makes the stock from copies of the request's model, setup and materials, independent of the
 /// request's lifetime.
@@ -98,7 +93,7 @@ Result<MillingContext> makeMillingContext(const MillingContextRequest& request, 
     Result<std::vector<Obstacle>> fixtures = bodyFixtures(*request.model, request.setup);
     if (!fixtures) return std::move(fixtures).error();
     std::shared_ptr<const Model> partModel = protectedPart(request.model, request.setup);
-    MeshDistance part = wholePart(*partModel);
+    MeshDistance part = distanceFrom(*partModel);
     progress.stage(0.3, 1.0);
     Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
     if (!embedded) return std::move(embedded).error();
