@@ -40,12 +40,6 @@ Result<TakenStock> add(Project& project, const SetupsArguments& arguments, Comma
     return further.leftStock ? TakenStock(*added) : std::nullopt;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
-
 /// Reads the part again, and reports what happened to its bodies.
 Result<void> updatePart(Project& project, const SetupsArguments& arguments, CommandContext& context) {
     context.stage(BURIN_TEXT("Command", "Importing"));

@@ -5,8 +5,6 @@
 #include "core/base/filled.h"
 #include "ui/messages/messages.h"
 
-#include <vector>
-
 namespace burin {
 
 std::string worded(TextId text, std::initializer_list<std::string> values) {
@@ -21,6 +19,12 @@ std::string worded(std::size_t count, TextId one, TextId many, std::initializer_
 
 std::string resourceName(const std::string& name) {
     return Messages::resourceName(name).toStdString();
+}
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
 }
 
 Error wrongArgument(const char* option, const std::string& text, TextId allowed) {

@@ -7,6 +7,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace burin {
 
@@ -19,6 +20,8 @@ std::string worded(std::size_t count, TextId one, TextId many, std::initializer_
 
 /// The name of a tool, machine or material: translated if it is shipped with Burin, otherwise unchanged.
 std::string resourceName(const std::string& name);
+/// Returns names in one line, separated by commas.
+std::string listed(const std::vector<std::string>& names);
 
 /// The error for an option with an invalid text. @param allowed what is allowed
 Error wrongArgument(const char* option, const std::string& text, TextId allowed);

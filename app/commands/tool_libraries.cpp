@@ -56,9 +56,7 @@ int renameLibrary(const ToolLibraryArguments& arguments, CommandContext& context
 /// What a command had done when it failed; empty: nothing.
 QString doneBefore(const std::vector<std::string>& ids, TextId text) {
     if (ids.empty()) return {};
-    std::string list;
-    for (const std::string& id : ids) list += (list.empty() ? "" : ", ") + id;
-    return QString::fromStdString(worded(text, {list}));
+    return QString::fromStdString(worded(text, {listed(ids)}));
 }
 
 int removeLibrary(const ToolLibraryArguments& arguments, CommandContext& context) {

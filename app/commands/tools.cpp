@@ -55,9 +55,7 @@ Result<Tool> listedTool(const std::string& id, const std::string& library) {
     if (!libraries) return libraries.error();
     Result<Tool> tool = loadTool(id);
     if (!tool || library.empty() || libraries->isIn(id, library)) return tool;
-    std::string others;
-    for (const std::string& each : listedIds(*libraries, library)) others += (others.empty() ? "" : ", ") + each;
-    return Error{ErrorCode::nameUnknown, "tool", id, others};
+    return Error{ErrorCode::nameUnknown, "tool", id, listed(listedIds(*libraries, library))};
 }
 
 int keepTool(const Tool& tool, bool replace, const std::string& library, CommandContext& context, json more,
@@ -138,8 +136,8 @@ int copyTool(const LibraryArguments& arguments, CommandContext& context) {
 
 int deleteTool(const LibraryArguments& arguments, CommandContext& context) {
     if (!arguments.library.empty())
-        if (const Result<Tool> listed = listedTool(arguments.id, arguments.library); !listed)
-            return context.fail(listed.error());
+        if (const Result<Tool> tool = listedTool(arguments.id, arguments.library); !tool)
+            return context.fail(tool.error());
     if (const Result<void> removed = removeTool(arguments.id); !removed) return context.fail(removed.error());
     if (const Result<void> put = putTool(arguments.id, std::string(ownLibrary)); !put) return context.fail(put.error());
     context.answer({{"removed", arguments.id}}, worded(BURIN_TEXT("Command", "%1: removed"), {arguments.id}));
