@@ -173,7 +173,7 @@ int calibrateAxes(const AxesArguments& arguments, CommandContext& context) {
         return context.fail(good.error());
     if (const Result<void> kept = keepAxes(*connected); !kept) return context.fail(kept.error());
     json answer = answerOf(*connected);
-    std::string still;
+    std::vector<std::string> unchanged;
     for (std::size_t i = 0; i < connected->mappable.axes.size(); ++i) {
         const AxisCalibration::Measured seen = calibration.measured(i);
         answer["measured"].push_back({{"axis", connected->mappable.axes[i].name},
@@ -181,14 +181,14 @@ int calibrateAxes(const AxesArguments& arguments, CommandContext& context) {
                                       {"noise", seen.noise},
                                       {"low", seen.low},
                                       {"high", seen.high}});
-        if (connected->mappable.axes[i].springs && seen.rest == 0.0 && seen.noise == 0.0)
-            still += (still.empty() ? "" : ", ") + connected->mappable.axes[i].name;
+        if (connected->mappable.axes[i].springs && seen.allZero())
+            unchanged.push_back(worded({"Device", connected->mappable.axes[i].name.c_str()}));
     }
-    if (!still.empty())
-        context.message(worded(BURIN_TEXT("Command", "Axes that were not moved before the measurement keep their rest "
-                                                     "and dead zone (%1); move every axis once first, then calibrate "
-                                                     "again."),
-                               {still}));
+    if (!unchanged.empty())
+        context.message(worded(BURIN_TEXT("Command", "Axes whose readings at rest were all 0 keep their rest and dead "
+                                                     "zone (%1). If the device reports an axis only once it was moved, "
+                                                     "move every axis once, then calibrate again."),
+                               {listed(unchanged)}));
     context.answer(answer, textOfAxes(*connected));
     return 0;
 }

@@ -57,7 +57,7 @@ AxisMap AxisCalibration::proposed() const {
             use.deadZone = 0.0;
             continue;
         }
-        if (seen.rest == 0.0 && seen.noise == 0.0) continue; // the device reports an axis only once it was moved
+        if (seen.allZero()) continue;
         use.rest = std::clamp(seen.rest, use.low, use.high);
         if (axes_[i].oneSided) use.low = use.rest;
         if (!(use.low < use.high)) { // it was held at its end when it should have rested

@@ -25,6 +25,8 @@ public:
     struct Measured {
         double rest = 0.0, noise = 0.0; ///< mean and standard deviation at rest
         double low = 0.0, high = 0.0;   ///< farthest readings in motion
+        /// Whether all readings at rest were 0: perhaps the device reports the axis only once it was moved.
+        bool allZero() const noexcept { return rest == 0.0 && noise == 0.0; }
     };
 
     /// @param axes of the device @param before the map in use, whose assignments are kept
