@@ -2311,7 +2311,7 @@
     </message>
     <message>
         <source>Leave the device at rest.</source>
-        <translation>Lassen Sie das Gerät in Ruhe.</translation>
+        <translation>Berühren Sie das Gerät nicht.</translation>
     </message>
     <message>
         <source>Move every axis to both of its ends.</source>
@@ -2438,16 +2438,16 @@
         <translation>mm, cm, dm, m, km, µm, inch, foot, yard, mil, stated oder mm je Einheit von 0.000001 bis 1000000</translation>
     </message>
     <message>
-        <source>Axes that were not moved before the measurement keep their rest and dead zone (%1); move every axis once first, then calibrate again.</source>
-        <translation>Achsen, die vor der Messung nicht bewegt wurden, behalten Ruhelage und Totzone (%1); bewegen Sie zuerst jede Achse einmal und kalibrieren Sie dann erneut.</translation>
-    </message>
-    <message>
         <source>already deleted: %1</source>
         <translation>bereits gelöscht: %1</translation>
     </message>
     <message>
         <source>already in the library: %1</source>
         <translation>bereits in der Bibliothek: %1</translation>
+    </message>
+    <message>
+        <source>Axes whose readings at rest were all 0 keep their rest and dead zone (%1). If the device reports an axis only once it was moved, move every axis once, then calibrate again.</source>
+        <translation>Achsen, deren Messwerte in Ruhe alle 0 waren, behalten Ruhelage und Totzone (%1). Meldet das Gerät eine Achse erst, nachdem sie bewegt wurde, bewegen Sie jede Achse einmal und kalibrieren Sie dann erneut.</translation>
     </message>
 </context>
 <context>
@@ -4353,11 +4353,11 @@
     </message>
     <message>
         <source>rudder</source>
-        <translation>Ruder</translation>
+        <translation>Seitenruder</translation>
     </message>
     <message>
         <source>wheel</source>
-        <translation>Rad</translation>
+        <translation>Lenkrad</translation>
     </message>
     <message>
         <source>gas</source>
@@ -4382,6 +4382,10 @@
     <message>
         <source>tilt away from the user</source>
         <translation>Neigung vom Benutzer weg</translation>
+    </message>
+    <message>
+        <source>brake</source>
+        <translation>Bremse</translation>
     </message>
 </context>
 <context>
@@ -6517,7 +6521,7 @@
     </message>
     <message>
         <source>Table plate</source>
-        <translation>Tischplatte</translation>
+        <translation>Aufspannplatte</translation>
     </message>
     <message>
         <source>A plate below the stock; its top is the table for clamps that are placed later</source>
@@ -7814,7 +7818,7 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
     <message>
         <source>Measure the axes of this device: two seconds at rest, then in motion; rest, ends and dead zone are kept</source>
-        <translation>Die Achsen dieses Geräts messen: zwei Sekunden in Ruhe, dann in Bewegung; Ruhe, Enden und Totzone werden behalten</translation>
+        <translation>Die Achsen dieses Geräts messen: zwei Sekunden in Ruhe, dann in Bewegung; Ruhelage, Enden und Totzone werden behalten</translation>
     </message>
     <message>
         <source>Time for moving every axis to its ends, s</source>
@@ -8565,6 +8569,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>&quot;%1&quot; was not done, because an undo or redo is still under way; do it again in a moment.</source>
         <translation>„%1“ wurde nicht ausgeführt, weil noch etwas rückgängig gemacht oder wiederholt wird; führen Sie es gleich noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; can&apos;t be used (%2); correct the file.</source>
+        <translation>„%1“ kann nicht verwendet werden (%2); die Datei muss berichtigt werden.</translation>
     </message>
 </context>
 <context>

@@ -2437,16 +2437,16 @@
         <translation>mm、cm、dm、m、km、µm、inch、foot、yard、mil、stated，或每单位的毫米数（0.000001 至 1000000）</translation>
     </message>
     <message>
-        <source>Axes that were not moved before the measurement keep their rest and dead zone (%1); move every axis once first, then calibrate again.</source>
-        <translation>测量前未移动过的轴保留其静止位置和死区（%1）；请先将每个轴移动一次，然后重新校准。</translation>
-    </message>
-    <message>
         <source>already deleted: %1</source>
         <translation>已删除：%1</translation>
     </message>
     <message>
         <source>already in the library: %1</source>
         <translation>已在库中：%1</translation>
+    </message>
+    <message>
+        <source>Axes whose readings at rest were all 0 keep their rest and dead zone (%1). If the device reports an axis only once it was moved, move every axis once, then calibrate again.</source>
+        <translation>静止时读数全为 0 的轴保留其静止位置和死区（%1）。如果设备在轴移动后才报告该轴，请先将每个轴移动一次，然后重新标定。</translation>
     </message>
 </context>
 <context>
@@ -4348,7 +4348,7 @@
     </message>
     <message>
         <source>throttle</source>
-        <translation>节流阀</translation>
+        <translation>油门杆</translation>
     </message>
     <message>
         <source>rudder</source>
@@ -4356,7 +4356,7 @@
     </message>
     <message>
         <source>wheel</source>
-        <translation>滚轮</translation>
+        <translation>方向盘</translation>
     </message>
     <message>
         <source>gas</source>
@@ -4381,6 +4381,10 @@
     <message>
         <source>tilt away from the user</source>
         <translation>倾斜（远离用户）</translation>
+    </message>
+    <message>
+        <source>brake</source>
+        <translation>刹车</translation>
     </message>
 </context>
 <context>
@@ -8563,6 +8567,10 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>&quot;%1&quot; was not done, because an undo or redo is still under way; do it again in a moment.</source>
         <translation>未执行“%1”，因为撤销或重做仍在进行；请稍后再试。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; can&apos;t be used (%2); correct the file.</source>
+        <translation>无法使用“%1”（%2）；请更正该文件。</translation>
     </message>
 </context>
 <context>
