@@ -44,7 +44,7 @@ Result<void> ToolController::renameLibrary(const std::string& from, const std::s
 void ToolController::deleteLibrary(const std::string& name) {
     if (refusedDuringUndo(desk_, *this, tr("deleting a tool library"))) return;
     desk_.undo.beginMacro(tr("deleting a tool library"));
-    const std::vector<Tool> tools = library_; // deleting one reads the library again
+    const std::vector<Tool> tools = library_; // deleting one changes it
     for (const Tool& tool : tools)
         if (libraries_.isIn(tool.id, name)) deleteTool(tool.id);
     pushRenaming(tr("deleting a tool library"), {name, {}});
