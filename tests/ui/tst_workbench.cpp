@@ -246,6 +246,31 @@ private slots:
         QTRY_VERIFY(closed);
         QVERIFY(next.document.leftWork().left.empty()); // the recovered work was declined
     }
+    /// What a user enters while an undo reads the project again is refused, and fields show the former value again.
+    void aChangeDuringAnUndoIsRefused() {
+        Workbench workbench;
+        workbench.document.createNew(false);
+        QTRY_VERIFY(workbench.document.isOpen());
+        History& history = workbench.undo();
+        history.pushStep(QStringLiteral("step"), {}, history.present());
+        const std::string before = workbench.tool.current().id;
+        QVERIFY(before != "flat-6");
+        history.undo();
+        QVERIFY(history.busy());
+        QSignalSpy failed(&workbench, &Workbench::failed), tool(&workbench.tool, &Controller::changed),
+            setup(&workbench.setup, &Controller::changed);
+        workbench.tool.choose("flat-6");
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(!tool.isEmpty() && workbench.tool.current().id == before);
+        setup.clear();
+        workbench.setup.setRegions({MaterialRegion{}});
+        QCOMPARE(failed.size(), 2);
+        QVERIFY(!setup.isEmpty() && workbench.setup.setup().regions.empty());
+        QTRY_VERIFY(!history.busy());
+        workbench.tool.choose("flat-6");
+        QCOMPARE(failed.size(), 2);
+        QCOMPARE(workbench.tool.current().id, std::string("flat-6"));
+    }
     void aFailedOpenLeavesWhatIsOpen() {
         Workbench workbench;
         workbench.document.createNew(false);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/area_controller.h"
 
-#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <utility>
@@ -23,7 +22,6 @@ void AreaController::clear() {
 
 void AreaController::become(PlanRegion area, const QString& what) {
     if (area == area_) return;
-    if (refusedDuringUndo(desk_, *this, what)) return emit changed();
     desk_.undo.push(
         new ValueCommand<PlanRegion>(what, -1, area_, std::move(area), [this](const PlanRegion& now) { apply(now); }));
 }

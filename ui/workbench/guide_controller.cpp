@@ -3,7 +3,6 @@
 #include "ui/workbench/guide_controller.h"
 
 #include "core/cad/part_edge.h"
-#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -119,7 +118,6 @@ void GuideController::remove(std::size_t place) {
 }
 
 void GuideController::set(const QString& title, std::vector<Guide> guides, int kind) {
-    if (refusedDuringUndo(desk_, *this, title)) return emit changed();
     desk_.undo.push(new ValueCommand<std::vector<Guide>>(title, kind, guides_, std::move(guides),
                                                          [this](const std::vector<Guide>& wanted) {
                                                              guides_ = wanted;

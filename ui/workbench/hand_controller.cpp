@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/hand_controller.h"
 
-#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -74,7 +73,6 @@ void HandController::change(const QString& title, const HandSettings& settings, 
     const std::size_t device = kept();
     const HandSettings before = kept_[device].settings;
     if (!hasDevice() || settings == before) return;
-    if (refusedDuringUndo(desk_, *this, title)) return emit changed();
     desk_.undo.push(
         new ValueCommand<HandSettings>(title, merged ? handValue + static_cast<int>(device) : -1, before, settings,
                                        [this, device](const HandSettings& wanted) { set(device, wanted); }));

@@ -6,7 +6,6 @@
 #include "core/job/job_paths.h"
 #include "core/job/milling.h"
 #include "ui/workbench/done_command.h"
-#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -178,7 +177,6 @@ void MillController::stopRecording(Then then) {
 void MillController::setAllowance(double millimetres) {
     const double wanted = std::clamp(millimetres, 0.0, WorkpieceController::maximumAllowance);
     if (wanted == allowance_) return;
-    if (refusedDuringUndo(desk_, *this, tr("allowance"))) return emit changed();
     desk_.undo.push(new ValueCommand<double>(tr("allowance"), allowanceValue, allowance_, wanted,
                                              [this](const double& value) { applyAllowance(value); }));
 }

@@ -179,7 +179,6 @@ void SetupController::edit(const Setup& edited) {
     const bool leaves = edited.leftBy && edited.form != StockForm::file;
     const Setup setup = leaves ? withoutLeft(edited) : edited;
     const ShapeChange change = changeFrom(setup_, setup);
-    if (refusedDuringUndo(desk_, *this, change.title)) return emit changed();
     desk_.undo.pushForming(new ValueCommand<Setup>(change.title, change.kind, setup_, setup,
                                                    [this](const Setup& value) { apply(value); }));
 }
@@ -278,7 +277,6 @@ void SetupController::place(const Placement& by) {
 }
 
 void SetupController::editPlacement(const Setup& setup) {
-    if (refusedDuringUndo(desk_, *this, tr("placement of the part"))) return emit changed();
     desk_.undo.pushForming(new ValueCommand<Setup>(tr("placement of the part"), -1, setup_, setup,
                                                    [this](const Setup& value) { apply(value); }));
 }
@@ -305,7 +303,6 @@ void SetupController::chooseZero(const ProgramZero& zero) {
         emit failed(placed.error());
         return;
     }
-    if (refusedDuringUndo(desk_, *this, tr("program zero"))) return emit changed();
     desk_.undo.push(new ValueCommand<ProgramZero>(tr("program zero"), -1, setup_.zero, zero,
                                                   [this](const ProgramZero& value) { applyZero(value); }));
 }

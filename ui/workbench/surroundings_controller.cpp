@@ -3,7 +3,6 @@
 #include "ui/workbench/surroundings_controller.h"
 
 #include "core/cad/import.h"
-#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <algorithm>
@@ -147,7 +146,6 @@ void SurroundingsController::setOn(std::size_t place, bool on) {
 }
 
 void SurroundingsController::setObstacles(const QString& title, std::vector<PlacedObstacle> obstacles, int kind) {
-    if (refusedDuringUndo(desk_, *this, title)) return emit changed();
     desk_.undo.push(new ValueCommand<std::vector<PlacedObstacle>>(
         title, kind, wanted_.obstacles, std::move(obstacles),
         [this](const std::vector<PlacedObstacle>& value) { apply(value); }));
@@ -166,7 +164,6 @@ void SurroundingsController::setAxis(const AxisMode& axis) {
     AxisMode wanted{axis.free, axis.direction / length};
     if (wanted.direction.z > 1.0 - sameAxis) wanted.direction = {0.0, 0.0, 1.0}; // a view from above means exactly +Z
     if (wanted.free == wanted_.axis.free && wanted.direction == wanted_.axis.direction) return;
-    if (refusedDuringUndo(desk_, *this, tr("tool axis"))) return emit changed();
     desk_.undo.push(
         new ValueCommand<AxisMode>(tr("tool axis"), axisValue, wanted_.axis, wanted, [this](const AxisMode& value) {
             wanted_.axis = value;
@@ -179,7 +176,6 @@ void SurroundingsController::setTravelOn(bool on) {
     if (on == wanted_.travel.on) return;
     TravelPlacement wanted = wanted_.travel;
     wanted.on = on;
-    if (refusedDuringUndo(desk_, *this, tr("machine's travel"))) return emit changed();
     desk_.undo.push(new ValueCommand<TravelPlacement>(
         tr("machine's travel"), -1, wanted_.travel, wanted, [this](const TravelPlacement& value) {
             wanted_.travel = value;

@@ -92,7 +92,6 @@ void TargetController::chooseUnits(NcUnits units) {
 }
 
 void TargetController::push(const QString& text, const ProgramTarget& wanted) {
-    if (refusedDuringUndo(desk_, *this, text)) return emit changed();
     desk_.undo.push(new ValueCommand<ProgramTarget>(text, -1, target_, wanted,
                                                     [this](const ProgramTarget& value) { apply(value); }));
 }

@@ -71,7 +71,6 @@ std::optional<CuttingConditions> ToolController::conditionsIn(const Property& ma
 
 void ToolController::choose(const std::string& id) {
     if (locked_ || id == current().id) return;
-    if (refusedDuringUndo(desk_, *this, tr("tool"))) return emit changed();
     desk_.undo.push(new ValueCommand<std::string>(tr("tool"), -1, current().id, id,
                                                   [this](const std::string& value) { apply(value); }));
 }

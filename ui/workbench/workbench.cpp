@@ -6,6 +6,7 @@
 #include "ui/workbench/undo_refusal.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace burin {
 
@@ -82,6 +83,11 @@ void Workbench::wire() {
     for (Controller* controller : controllers()) connect(controller, &Controller::failed, this, &Workbench::failed);
     serveHistory();
     connect(&project_, &ProjectThread::failed, this, &Workbench::failed);
+    // Fields show what was refused, until they show the state again. Not those of materials: the setup would store
+    // them.
+    for (Controller* controller : std::initializer_list<Controller*>{&model, &setup, &tool, &target, &mill,
+                                                                     &surroundings, &guides, &hand, &path, &area})
+        connect(&project_, &ProjectThread::failed, controller, &Controller::changed);
     connect(&document, &DocumentController::opened, this, [this](const ProjectContents& contents) {
         undo_.clear();
         load(contents);
