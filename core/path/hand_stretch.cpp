@@ -3,6 +3,7 @@
 #include "core/path/hand_stretch.h"
 
 #include "core/geometry/arc.h"
+#include "core/geometry/segment.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,13 +62,11 @@ NearOnMove nearestOnMove(const PathPoint& from, const PathPoint& to, const glm::
     line.insert(line.begin(), from.pose.tip);
     NearOnMove nearest;
     for (std::size_t k = 1; k < line.size(); ++k) {
-        const glm::dvec3 way = line[k] - line[k - 1];
-        const double square = glm::dot(way, way);
-        const double share = square > 0.0 ? std::clamp(glm::dot(place - line[k - 1], way) / square, 0.0, 1.0) : 0.0;
-        const glm::dvec3 at = line[k - 1] + share * way;
-        if (glm::distance(place, at) < nearest.distance)
-            nearest = {at, (static_cast<double>(k - 1) + share) / static_cast<double>(line.size() - 1),
-                       glm::distance(place, at)};
+        const glm::dvec3 at = nearestOnSegment(place, line[k - 1], line[k]);
+        const double distance = glm::distance(place, at), chordLength = glm::distance(line[k - 1], line[k]);
+        if (distance >= nearest.distance) continue;
+        const double share = chordLength > 0.0 ? glm::distance(line[k - 1], at) / chordLength : 0.0;
+        nearest = {at, (static_cast<double>(k - 1) + share) / static_cast<double>(line.size() - 1), distance};
     }
     return nearest;
 }
