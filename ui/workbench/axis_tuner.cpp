@@ -83,8 +83,8 @@ void AxisTuner::begin(const StylusController::Choice& device) {
     };
     desk_.tasks.start(
         TaskKind::axes, tr("Reading the axes of %1").arg(device.name),
-        [this, registry = styluses_.registry(), device, requests = requests_, inWindow,
-         run = run_](Progress& progress) -> Result<bool> {
+        [this, registry = styluses_.registry(), device, requests = requests_,
+         inWindow](Progress& progress) -> Result<bool> {
             // Not with the kept assignment, which may be what is wrong: readings are the same.
             const Result<AnyStylus> stylus = StylusController::make(registry, device.id, device.mode, {});
             if (!stylus) return stylus.error();
@@ -100,10 +100,7 @@ void AxisTuner::begin(const StylusController::Choice& device) {
             const auto hearAxes = [&](const AxisReading& reading, double seconds) {
                 if (const std::optional<AxisMap> proposed = watch.take(reading, seconds))
                     inWindow([this, map = *proposed] { emit calibrated(map); });
-                if (watch.isDue(seconds))
-                    QMetaObject::invokeMethod(
-                        this, [this, run, reading, phase = watch.phase()] { hear(run, reading, phase); },
-                        Qt::QueuedConnection);
+                if (watch.isDue(seconds)) inWindow([this, reading, phase = watch.phase()] { hear(reading, phase); });
                 return true;
             };
             const Result<void> watched = watchAxes(handle, hearAxes, progress);
@@ -129,8 +126,7 @@ void AxisTuner::end() {
     phase_ = Phase::away;
 }
 
-void AxisTuner::hear(quint64 run, const AxisReading& reading, Phase phase) {
-    if (run != run_) return;
+void AxisTuner::hear(const AxisReading& reading, Phase phase) {
     reading_ = reading;
     phase_ = phase;
     emit heard();

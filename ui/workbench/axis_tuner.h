@@ -46,7 +46,7 @@ signals:
 private:
     struct Requests;
     class Watch;
-    void hear(quint64 run, const AxisReading& reading, Phase phase);
+    void hear(const AxisReading& reading, Phase phase);
 
     const StylusController& styluses_;
     std::shared_ptr<Requests> requests_; ///< of the device that is being read
