@@ -134,10 +134,7 @@ std::vector<std::string> PathController::toolsThatMilled() const {
 
 std::vector<std::string> PathController::toolsWithoutPath() const {
     std::vector<std::string> tools = toolsOf(sourcesOf(standing_, {}));
-    std::erase_if(tools, [&](const std::string& tool) {
-        return std::ranges::any_of(paths_,
-                                   [&](const StoredPath& path) { return burin::toolOf(path, sources_) == tool; });
-    });
+    std::erase_if(tools, [this](const std::string& tool) { return pathOf(tool) != nullptr; });
     return tools;
 }
 
@@ -218,9 +215,8 @@ void PathController::workpieceRemade() {
 
 void PathController::makeNew() {
     if (stored() != nullptr) {
-        const Tool& tool = workpiece_.milling() ? workpiece_.milling()->tool : Tool{};
-        const bool fixed = tool.id == tool_ && !tool.cutter.turns();
-        push(tr("new path"), fixed ? forFixedTool(standardEdits()) : standardEdits());
+        const bool turns = tools_.current().cutter.turns();
+        push(tr("new path"), turns ? standardEdits() : forFixedTool(standardEdits()));
         return;
     }
     if (!workpiece_.milling() || making_ || toolsWithoutPath().empty()) return;
