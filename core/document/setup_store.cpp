@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/clean_text.h"
+#include "core/document/project_step.h"
 #include "core/document/setup_record.h"
 #include "core/document/stores.h"
 
@@ -179,12 +180,10 @@ Result<void> eraseSetup(Database& database, SetupId id) {
     if (Result<void> known = requireSetup(database, id); !known) return known;
     if (Result<void> unused = requireEmpty(database, id); !unused) return unused;
     if (Result<void> erased = eraseHiddenTakes(database, id); !erased) return erased;
-    for (const char* erase : {"DELETE FROM stock_volume WHERE setup = ?", "DELETE FROM kept_workpiece WHERE setup = ?",
-                              "DELETE FROM marker WHERE setup = ?", "DELETE FROM obstacle WHERE setup = ?",
-                              "DELETE FROM guide WHERE setup = ?", "DELETE FROM setup_setting WHERE setup = ?",
-                              "DELETE FROM setup WHERE id = ?"})
-        if (Result<void> done = run(database, erase, numberOf(id)); !done) return done;
-    return {};
+    // Until the transaction ends, rows may belong to a setup that is gone.
+    if (Result<void> deferred = database.execute("PRAGMA defer_foreign_keys = ON"); !deferred) return deferred;
+    if (Result<void> done = run(database, "DELETE FROM setup WHERE id = ?", numberOf(id)); !done) return done;
+    return removeOrphans(database);
 }
 
 Result<void> storeMaterials(Database& database, SetupId id, const std::vector<Property>& materials) {
