@@ -23,8 +23,8 @@ struct RecordWithBlob {
     std::string blob;
 };
 
-/// A box or cylinder is stored in the JSON, a mesh in the blob; what a fixture of the library was made of, beside its
-/// mesh in the JSON.
+/// A box or cylinder is stored in the JSON, a mesh in the blob. Of a fixture of the library, the JSON also states kind,
+/// sizes and position.
 RecordWithBlob recordOf(const Obstacle& obstacle);
 std::optional<Obstacle> obstacleFrom(std::string_view json, std::string_view blob);
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/model_controller.h"
 
-#include "ui/workbench/undo_refusal.h"
 #include "ui/workbench/value_command.h"
 
 #include <QPointer>
@@ -62,7 +61,6 @@ void ModelController::adopt(const std::shared_ptr<const Model>& model) {
 }
 
 void ModelController::exchange(const QString& title, const std::shared_ptr<const Model>& other) {
-    if (refusedDuringUndo(desk_, *this, title)) return;
     preview_.reset();
     using Shared = std::shared_ptr<const Model>;
     desk_.undo.pushForming(new ValueCommand<Shared>(title, -1, model_, other, [this](const Shared& model) {

@@ -3,7 +3,6 @@
 #include "ui/workbench/workbench.h"
 
 #include "core/cad/file_unit.h"
-#include "ui/workbench/undo_refusal.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -215,13 +214,7 @@ void Workbench::updatePart(const std::filesystem::path& file) {
 bool Workbench::changeUnit(const std::shared_ptr<const Model>& before, const std::shared_ptr<const Model>& part) {
     const bool sameBodies = before && std::ranges::equal(before->bodies, part->bodies, {}, &Body::name, &Body::name);
     if (before != model.model() || !sameBodies || setup.locked() || importNeedsNewProject()) return false;
-    if (undo_.busy()) {
-        model.dropPreview();
-        emit failed(undoUnderWay(tr("unit of the part")));
-        return true;
-    }
-    const std::shared_ptr<const Model> other = placed(part, placementAsBefore(*part, *before));
-    model.exchange(tr("unit of the part"), other);
+    model.exchange(tr("unit of the part"), placed(part, placementAsBefore(*part, *before)));
     return true;
 }
 
