@@ -40,11 +40,8 @@ void stateFeeds(const PlannedPass& planned, const CuttingConditions& conditions,
     if (planned.feedShares.empty()) return;
     for (std::size_t s = 0; s < moves.strokes.size(); ++s)
         for (std::size_t i = 0; i < moves.strokes[s].size(); ++i) {
-            GeneratedPoint& point = moves.strokes[s][i];
-            const double share = planned.feedShares[s][i];
-            const bool down = i > 0 && point.pose.tip.z < moves.strokes[s][i - 1].pose.tip.z;
-            point.feed = share > 0.0 ? share * conditions.feed : down ? conditions.plungeFeed : conditions.feed;
-            point.spindleSpeed = conditions.spindleSpeed;
+            moves.strokes[s][i].feed = plannedFeed(planned, s, i, conditions);
+            moves.strokes[s][i].spindleSpeed = conditions.spindleSpeed;
         }
 }
 
@@ -93,6 +90,14 @@ Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling
                             coarseness,
                             steps.stepOver};
     return planPass(request, ground, progress);
+}
+
+double plannedFeed(const PlannedPass& planned, std::size_t stroke, std::size_t point,
+                   const CuttingConditions& conditions) {
+    const double share = planned.feedShares.empty() ? 1.0 : planned.feedShares[stroke][point];
+    if (share > 0.0) return share * conditions.feed;
+    const TipLine& tips = planned.strokes[stroke];
+    return point > 0 && tips[point].z < tips[point - 1].z ? conditions.plungeFeed : conditions.feed;
 }
 
 Result<ComputedPass> computePass(const MillingContext& milling, std::vector<PathMatter> before,

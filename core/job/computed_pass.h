@@ -46,6 +46,11 @@ Result<PassBasis> passBasis(const MillingContext& milling, std::vector<PathMatte
 Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling, const PassRequest& request,
                            double coarseness, Progress& progress);
 
+/// The feed of the tool's centre to a point of a stroke, mm/min: a share of the cutting feed; down through air, where
+/// the share is 0, the plunge feed.
+double plannedFeed(const PlannedPass& planned, std::size_t stroke, std::size_t point,
+                   const CuttingConditions& conditions);
+
 /// Computes a pass on the stock left by the preceding paths. Thread-safe.
 /// @param milling with the pass's tool
 /// Errors: those of passBasis and planOn; pathEmpty (nothing is left to do, or all of it had to be left out).

@@ -46,16 +46,16 @@ bool isOfRows(PassKind kind) noexcept {
     return (kind >= PassKind::parallel && kind <= PassKind::scallop) || kind == PassKind::rest;
 }
 
-/// The length of a path that takes as long at the full cutting feed, mm.
-double lengthAtFullFeed(const PlannedPass& planned) {
-    if (planned.feedShares.empty()) return lengthOf(planned);
-    double length = 0.0;
+/// The time that strokes take, s; 0 if a feed is not known.
+double durationOf(const PlannedPass& planned, const CuttingConditions& conditions) {
+    double minutes = 0.0;
     for (std::size_t s = 0; s < planned.strokes.size(); ++s)
         for (std::size_t i = 1; i < planned.strokes[s].size(); ++i) {
-            const double share = planned.feedShares[s][i];
-            length += glm::distance(planned.strokes[s][i - 1], planned.strokes[s][i]) / (share > 0.0 ? share : 1.0);
+            const double feed = plannedFeed(planned, s, i, conditions);
+            if (!(feed > 0.0)) return 0.0;
+            minutes += glm::distance(planned.strokes[s][i - 1], planned.strokes[s][i]) / feed;
         }
-    return length;
+    return 60.0 * minutes;
 }
 
 } // namespace
@@ -68,9 +68,9 @@ Result<PassPreview> previewPass(const PassBasis& basis, const MillingContext& mi
     PassPreview preview;
     preview.every = isOfRows(request.kind) ? coarseness : 1.0;
     preview.length = preview.every * lengthOf(*planned);
-    const CuttingConditions& conditions = milling.conditions;
-    const double feed = request.kind == PassKind::drill ? conditions.plungeFeed : conditions.feed; // mm/min
-    preview.duration = feed > 0.0 ? 60.0 * preview.every * lengthAtFullFeed(*planned) / feed : 0.0;
+    CuttingConditions conditions = milling.conditions;
+    if (request.kind == PassKind::drill) conditions.feed = conditions.plungeFeed;
+    preview.duration = preview.every * durationOf(*planned, conditions);
     preview.leftOut = preview.every * planned->leftOut;
     preview.inTheWay = preview.every * planned->inTheWay;
     preview.unreachedHoles = planned->unreachedHoles;
