@@ -8,7 +8,6 @@
 #include "core/job/recorded_time.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <span>

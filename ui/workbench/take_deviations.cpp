@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/take_deviations.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace burin {

@@ -3,8 +3,6 @@
 // What the undo stack needs from the workbench.
 #include "ui/workbench/workbench.h"
 
-#include <algorithm>
-
 namespace burin {
 
 namespace {
