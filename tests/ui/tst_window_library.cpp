@@ -417,6 +417,7 @@ private slots:
         driver.shoot("library-13-it-does-not-turn");
         for (const VisibleText& cut : clippedTexts(driver.window()))
             QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(cut.where, cut.text)));
+        QVERIFY(workbench.passes.possible() && !menuAction(driver, "newPassAction")->isEnabled()); // it has no passes
         const RunVolume& workpiece = workbench.workpiece.milling()->embedded.workpiece;
         const Grid& grid = workpiece.grid();
         QCOMPARE(grid.axis(), RunAxis::z);

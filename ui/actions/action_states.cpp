@@ -64,13 +64,13 @@ void ActionStates::update() {
     enable(ActionId::rateControl, workbench.hand.canRate());
     enable(ActionId::newPath,
            (workbench.path.hasTakes() || !workbench.path.toolsWithoutPath().empty()) && workbench.workpiece.embedded());
-    enable(ActionId::newPass, workbench.passes.possible());
     enable(ActionId::programPath, workbench.passes.possible());
     enable(ActionId::measurePasses, workbench.passMeasurer.possible());
     const bool paintable = workbench.workpiece.milling() && !workbench.workpiece.milling()->part.bounds().empty();
     for (const ActionId id : {ActionId::brushArea, ActionId::lassoArea, ActionId::faceArea}) enable(id, paintable);
     enable(ActionId::clearArea, !workbench.area.area().empty());
     const Tool& tool = workbench.tool.current();
+    enable(ActionId::newPass, workbench.passes.possible() && tool.cutter.turns());
     enable(ActionId::pickHoles, workbench.passes.possible() && !workbench.mill.active() &&
                                     (mayPlan(PassKind::drill, tool) || mayPlan(PassKind::thread, tool)));
     enable(ActionId::evaluatePath, workbench.path.stored() != nullptr && workbench.workpiece.embedded());

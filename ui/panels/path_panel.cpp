@@ -187,8 +187,9 @@ void PathPanel::Fields::refreshButtons() {
     enableUnless(add_, busy, PathPanel::tr("Adds an edit, at the position that the order of edits allows"));
     enableUnless(
         pass_,
-        state.passPossible ? QString()
-                           : PathPanel::tr("Wait until the workpiece is ready and no pass is being computed."),
+        !state.toolTurns     ? PathPanel::tr("The loaded tool doesn't turn: it has no passes.")
+        : state.passPossible ? QString()
+                             : PathPanel::tr("Wait until the workpiece is ready and no pass is being computed."),
         PathPanel::tr(
             "Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool"));
     measure_->setVisible(!state.passes.empty());

@@ -48,6 +48,7 @@ struct PathState {
     bool threads = false;                         ///< whether the newest pass mills threads
     bool measurePossible = false;                 ///< whether the passes can be measured now
     bool passPossible = false;                    ///< whether a pass can be computed now
+    bool toolTurns = true;                        ///< whether the loaded tool turns; one that doesn't has no passes
     bool hasTakes = false;                        ///< whether the current tool has takes
     bool someWithoutPath = false;                 ///< whether some tools with takes have no path
     bool exists = false;

@@ -234,6 +234,7 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
     const Box part = milling.partModel->box();
     const bool free = milling.partModel->bodies.empty();
     const std::vector<PassKind> kinds = kindsFor(milling.tool);
+    if (kinds.empty()) return std::nullopt; // a tool that does not turn
     const ClearingSteps steps = clearingSteps(milling);
     const PassDefaults defaults{steps.stepOver,
                                 usualFineStep * diameter,
@@ -292,6 +293,7 @@ void PathPresenter::present() {
         state.threads = millsThreads(newest->moves.info);
     }
     state.passPossible = workbench_.passes.possible();
+    state.toolTurns = workbench_.tool.current().cutter.turns();
     for (const std::string& tool : path.toolsThatMilled())
         state.milled.push_back({tool, toolName(workbench_.tool.tools(), tool)});
     state.tool = {workbench_.tool.current().id, toolName(workbench_.tool.current())};
