@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// What readers of tools and programs of other systems say.
+// What readers of the files of other systems say: tools, programs, models, drawings.
 #include "ui/messages/foreign_details.h"
 
 #include <array>
@@ -10,7 +10,7 @@ namespace burin {
 namespace {
 
 constexpr std::array foreignTexts{
-    // Tools of other programs
+    // tools of other programs
     BURIN_TEXT("Detail", "FlatRadius was read as the radius of the flat: a corner radius of %1 mm."),
     BURIN_TEXT("Detail", "The bit has no TipAngle; 118° is used."),
     BURIN_TEXT("Detail", "The bit has no length of the flutes: %1 mm of %2 were taken."),
@@ -65,7 +65,7 @@ constexpr std::array foreignTexts{
     BURIN_TEXT("Detail", "has to be there, above 0"),
     BURIN_TEXT("Detail", "has to be there, above 0 and below half the diameter"),
     BURIN_TEXT("Detail", "*.fctl, *.fctb, *.tbl, *.tools, *.ctbl or *.json"),
-    // Programs of other systems
+    // programs of other systems
     BURIN_TEXT("Detail", "it has no move at feed"),
     BURIN_TEXT("Detail", "a path has one work offset, and the program uses another one from here on"),
     BURIN_TEXT("Detail", "a record that Burin can't follow: %1"),
@@ -85,31 +85,35 @@ constexpr std::array foreignTexts{
     BURIN_TEXT("Detail", "a unit other than MM and INCHES"),
     BURIN_TEXT("Detail", "a tool number that is not whole"),
     BURIN_TEXT("Detail", "a finite feed and speed"),
-    BURIN_TEXT("Detail", "at most the cutter's radius, %1 mm"),
-    BURIN_TEXT("Detail", "below the top of what is to be taken away, %1 mm"),
-    BURIN_TEXT("Detail", "below the top, %1"),
-    BURIN_TEXT("Detail", "above 0"),
-    BURIN_TEXT("Detail", "a part to lay rows on; there is none"),
-    BURIN_TEXT("Detail", "a part to go along; there is none"),
-    BURIN_TEXT("Detail", "a part with edges to follow; there is none"),
-    BURIN_TEXT("Detail", "a point on the part, within 1 mm"),
-    BURIN_TEXT("Detail", "a face that is visible from above"),
-    BURIN_TEXT("Detail", "less than the rounding of the tool's end, %1 mm"),
-    BURIN_TEXT("Detail", "a tool with a rounded end; give a step-over for this one"),
-    BURIN_TEXT("Detail", "rings of 3 corners at least"),
-    BURIN_TEXT("Detail", "places within 1e5 mm"),
-    BURIN_TEXT("Detail", "%1 mm or more, with the other sizes of this fixture"),
-    BURIN_TEXT("Detail", "a value for each parameter"),
-    BURIN_TEXT("Detail", "a finite angle"),
-    BURIN_TEXT("Detail", "a length of %1 to %2 mm"),
-    BURIN_TEXT("Detail", "an area: there is no pocket without one"),
-    BURIN_TEXT("Detail", "lines of 2 places at least"),
-    BURIN_TEXT("Detail", "a line at least: a stroke or curves of a file"),
+    // models
+    BURIN_TEXT("Detail", "the end of the file is missing"),
+    BURIN_TEXT("Detail", "it refers to itself"),
+    BURIN_TEXT("Detail", "parts in other folders"),
+    BURIN_TEXT("Detail", "a tessellation alone"),
+    BURIN_TEXT("Detail", "no shape"),
+    BURIN_TEXT("Detail", "no faces"),
+    BURIN_TEXT("Detail", "no triangles"),
+    BURIN_TEXT("Detail", "triangle %1 of %2"),
+    BURIN_TEXT("Detail", "triangle %1"),
+    BURIN_TEXT("Detail", "%1 of %2 faces of \"%3\""),
+    BURIN_TEXT("Detail", "%1 triangles with %2 open edges"),
+    BURIN_TEXT("Detail", "1 face with %1"),
+    BURIN_TEXT("Detail", "%1 faces with %2"),
+    BURIN_TEXT("Detail", "1 open edge"),
+    BURIN_TEXT("Detail", "%1 open edges"),
+    BURIN_TEXT("Detail", "1 edge"),
+    BURIN_TEXT("Detail", "%1 edges"),
+    BURIN_TEXT("Detail", "it answered something else"),
+    BURIN_TEXT("Detail", "its answer is damaged"),
+    BURIN_TEXT("Detail", "its answer has no end"),
+    BURIN_TEXT("Detail", "signal %1 (%2)"),
+    BURIN_TEXT("Detail", "exit status %1 without an answer"),
+    BURIN_TEXT("Detail", "its end was lost"),
+    // drawings
     BURIN_TEXT("Detail", "it is a binary DXF; save it as ASCII"),
     BURIN_TEXT("Detail", "it is neither a DXF nor an SVG drawing"),
     BURIN_TEXT("Detail", "there is no curve in it"),
     BURIN_TEXT("Detail", "it is larger than 64 MB"),
-    BURIN_TEXT("Detail", "a closed curve at least, as border of an area"),
     BURIN_TEXT("Detail", "its curves"),
     BURIN_TEXT("Detail", "its beginning"),
     BURIN_TEXT("Detail", "ends before its EOF"),

@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// Details and notes of core about tools and programs of other systems, as in its sources; see `detailText`.
+/// Details and notes of core about tools, programs, models and drawings of other systems, as in its sources; see
+/// `detailText`.
 std::span<const TextId> foreignDetails();
 
 } // namespace burin
