@@ -17,6 +17,7 @@
 #include "ui/panels/row_list.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/value_row.h"
+#include "ui/theme/colour.h"
 
 #include <QFileInfo>
 
@@ -25,13 +26,7 @@
 
 namespace burin {
 
-namespace {
-
-QColor swatchOf(const BodyColour& colour) {
-    return colour ? QColor((*colour)[0], (*colour)[1], (*colour)[2]) : QColor();
-}
-
-} // namespace
+namespace {} // namespace
 
 class PartPanel::Fields : public QObject {
 public:
@@ -254,7 +249,7 @@ std::vector<ListRow> PartPanel::Fields::bodyRows() const {
             row.icon = QStringLiteral("warning");
             row.iconRole = &Palette::accent;
         } else {
-            row.swatch = swatchOf(rows.size() < state.colours.size() ? state.colours[rows.size()] : body.colour);
+            row.swatch = colourFrom(rows.size() < state.colours.size() ? state.colours[rows.size()] : body.colour);
         }
         rows.push_back(row);
     }
@@ -267,7 +262,7 @@ std::vector<ListRow> PartPanel::Fields::previewRows() const {
         ListRow row;
         row.title = bodyName(std::string(lastElement(body.name)));
         row.toolTip = bodyName(body.name);
-        row.swatch = swatchOf(body.colour);
+        row.swatch = colourFrom(body.colour);
         rows.push_back(row);
     }
     return rows;

@@ -7,6 +7,7 @@
 #include "ui/scene/coarse_mesh.h"
 #include "ui/scene/film_actor.h"
 #include "ui/scene/shaded_polydata.h"
+#include "ui/theme/colour.h"
 
 #include <vtkMapper.h>
 #include <vtkProperty.h>
@@ -29,7 +30,7 @@ constexpr double edgeHeight = 0.3; // just above their own faces, so that coveri
 ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour,
                       double crease) {
     ShadedBody body{std::make_shared<const ShadedMesh>(shaded(mesh, crease)), std::nullopt};
-    if (colour) body.colour = QColor((*colour)[0], (*colour)[1], (*colour)[2]);
+    if (colour) body.colour = colourFrom(colour);
     return body;
 }
 

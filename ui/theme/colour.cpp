@@ -38,4 +38,8 @@ QColor readableOn(const QColor& ground) {
     return contrast(ground, dark) >= contrast(ground, light) ? dark : light;
 }
 
+QColor colourFrom(const std::optional<std::array<std::uint8_t, 3>>& rgb) {
+    return rgb ? QColor((*rgb)[0], (*rgb)[1], (*rgb)[2]) : QColor();
+}
+
 } // namespace burin

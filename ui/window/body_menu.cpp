@@ -3,6 +3,7 @@
 #include "ui/window/body_menu.h"
 
 #include "ui/panels/role_words.h"
+#include "ui/theme/colour.h"
 #include "ui/window/context_menu.h"
 
 #include <QColorDialog>
@@ -66,10 +67,10 @@ void addRoles(QMenu& menu, SetupController& setup, const std::vector<std::size_t
 }
 
 void askColour(ModelController& model, const ChosenBodies& chosen, QWidget* parent) {
-    const BodyColour& before = model.colours()[chosen.bodies.front()];
-    const QColor start = before ? QColor((*before)[0], (*before)[1], (*before)[2]) : QColor(Qt::lightGray);
-    const QColor colour = QColorDialog::getColor(start, parent, BodyMenu::tr("Colour of %1").arg(chosen.title),
-                                                 QColorDialog::DontUseNativeDialog);
+    const QColor before = colourFrom(model.colours()[chosen.bodies.front()]);
+    const QColor colour =
+        QColorDialog::getColor(before.isValid() ? before : QColor(Qt::lightGray), parent,
+                               BodyMenu::tr("Colour of %1").arg(chosen.title), QColorDialog::DontUseNativeDialog);
     if (!colour.isValid()) return;
     const auto channel = [](int value) { return static_cast<std::uint8_t>(value); };
     model.chooseColour(chosen.bodies,

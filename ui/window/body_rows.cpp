@@ -4,6 +4,7 @@
 
 #include "ui/panels/model_words.h"
 #include "ui/panels/role_words.h"
+#include "ui/theme/colour.h"
 
 #include <QCoreApplication>
 
@@ -25,10 +26,6 @@ qint64 rowIdOf(const BodyNode& node, qint64 level) {
     return static_cast<qint64>(bodiesOf(node).front()) * levels + level;
 }
 
-QColor swatchOf(const BodyColour& colour) {
-    return colour ? QColor((*colour)[0], (*colour)[1], (*colour)[2]) : QColor();
-}
-
 ProjectRow rowOfBody(const ShownBodies& shown, const BodyNode& node) {
     const std::size_t body = *node.body;
     const BodyRole role = roleOf(shown.setup, body);
@@ -36,7 +33,7 @@ ProjectRow rowOfBody(const ShownBodies& shown, const BodyNode& node) {
                    BodyRows::tr("Tick: shown in the view.")};
     row.on = !shown.hidden.contains(body);
     row.dimmed = role == BodyRole::ignored;
-    if (body < shown.colours.size()) row.swatch = swatchOf(shown.colours[body]);
+    if (body < shown.colours.size()) row.swatch = colourFrom(shown.colours[body]);
     return row;
 }
 
@@ -62,7 +59,7 @@ ProjectRow rowOfAssembly(const ShownBodies& shown, const BodyNode& node, qint64 
     row.partly = !*row.on && !std::ranges::all_of(bodies, isHidden);
     row.dimmed = std::ranges::all_of(bodies, [&](std::size_t body) { return roleOfBody(body) == BodyRole::ignored; });
     row.folded = bodies.size() > mostOpen;
-    if (isAlike(colourOf)) row.swatch = swatchOf(colourOf(first));
+    if (isAlike(colourOf)) row.swatch = colourFrom(colourOf(first));
     row.children = rowsOf(shown, node.children, level + 1);
     return row;
 }

@@ -23,7 +23,6 @@ namespace {
 constexpr int fixtureDialogWidth = 400, sizesHeight = 250; // pixels
 constexpr double farthestPlace = 1e4;                      // mm
 constexpr int smallAngle = 15, largeAngle = 90;            // degrees
-constexpr double degreeOfTurn = pi / 180.0;
 
 } // namespace
 
@@ -119,7 +118,8 @@ void FixtureDialog::addTurns(QVBoxLayout& column) {
         button->setToolTip(tr("Rotate it about Z"));
         button->setAutoDefault(false);
         row->addWidget(button, 1);
-        connect(button, &QPushButton::clicked, this, [this, angle] { emit turnedBy(angle * degreeOfTurn); });
+        connect(button, &QPushButton::clicked, this,
+                [this, angle] { emit turnedBy(glm::radians(static_cast<double>(angle))); });
     }
     column.addLayout(row);
 }

@@ -66,9 +66,8 @@ protected:
     bool leaveChanges(); ///< true if nothing is unsaved or the user discards it
 
     virtual std::vector<Entry> entries() const = 0;
-    virtual bool listed(const Entry&) const {
-        return true;
-    } ///< whether it is in the part of the library that is listed
+    /// Whether it is in the part of the library that is listed.
+    virtual bool listed(const Entry&) const { return true; }
     virtual void fill(const std::string& id, bool shipped) = 0; ///< shows that item in the form
     virtual bool edited() const = 0;               ///< whether the values in the form differ from those of `shownId`
     virtual QString problem() const { return {}; } ///< why the form's values can't be saved

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/scene_presenter.h"
 
+#include "ui/theme/colour.h"
+
 namespace burin {
 
 ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const Actions& actions, QObject* parent)
@@ -139,8 +141,8 @@ std::vector<std::optional<QColor>> ScenePresenter::coloursOfPart() const {
     std::vector<std::optional<QColor>> drawn;
     for (const std::size_t body : bodiesOfPart()) {
         if (body >= colours.size()) break;
-        const BodyColour& colour = colours[body];
-        drawn.push_back(colour ? std::optional(QColor((*colour)[0], (*colour)[1], (*colour)[2])) : std::nullopt);
+        const QColor colour = colourFrom(colours[body]);
+        drawn.push_back(colour.isValid() ? std::optional(colour) : std::nullopt);
     }
     return drawn;
 }
