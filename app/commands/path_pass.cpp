@@ -7,6 +7,7 @@
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/job/pass_preview.h"
+#include "ui/panels/omission_words.h"
 
 #include <algorithm>
 #include <array>
@@ -14,22 +15,6 @@
 namespace burin {
 
 namespace {
-
-std::string textOfUnreached(std::size_t holes, bool threads) {
-    if (threads)
-        return worded(holes,
-                      BURIN_TEXT("Command", "%1 hole is left without a thread: it is not drilled deep enough, or the "
-                                            "part is in the way. Drill it first."),
-                      BURIN_TEXT("Command", "%1 holes are left without a thread: they are not drilled deep enough, or "
-                                            "the part is in the way. Drill them first."),
-                      {});
-    return worded(holes,
-                  BURIN_TEXT("Command", "%1 hole is not drilled to full depth: the part is in the way, or "
-                                        "the drill is too short."),
-                  BURIN_TEXT("Command", "%1 holes are not drilled to full depth: the part is in the way, "
-                                        "or the drill is too short."),
-                  {});
-}
 
 /// What was left out and why; lines to append to others, empty if nothing was. @param pass computed or a preview
 template <class Pass>
@@ -41,7 +26,7 @@ std::string textOfOmissions(const Pass& pass, bool threads) {
     add(pass.leftOut, BURIN_TEXT("Command", "%1 mm were skipped: too much stock is in the way of the tool. Rough it "
                                             "first, or use a longer tool."));
     add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were skipped: fixtures or keep-out volumes are in the way."));
-    if (pass.unreachedHoles > 0) text += "\n" + textOfUnreached(pass.unreachedHoles, threads);
+    if (pass.unreachedHoles > 0) text += "\n" + unreachedHolesText(pass.unreachedHoles, threads).toStdString();
     return text;
 }
 

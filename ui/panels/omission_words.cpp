@@ -49,4 +49,19 @@ QString omissionNotice(const std::vector<EditReport>& reports, const glm::dvec3&
     return all + QLatin1Char(' ') + omissionLine(*longestFirst(parts).front(), zero, unit);
 }
 
+QString unreachedHolesText(std::size_t holes, bool threads) {
+    const bool one = holes == 1;
+    const QString text =
+        threads
+            ? one ? OmissionTexts::tr("One hole was not threaded: it is not drilled deep enough, or the part is in the "
+                                      "way. Drill it deeper first.")
+                  : OmissionTexts::tr("%1 holes were not threaded: they are not drilled deep enough, or the part is in "
+                                      "the way. Drill them deeper first.")
+        : one ? OmissionTexts::tr("One hole is not drilled to full depth: the part is in the way, or the drill is too "
+                                  "short.")
+              : OmissionTexts::tr("%1 holes are not drilled to full depth: the part is in the way, or the drill is too "
+                                  "short.");
+    return one ? text : text.arg(countText(holes));
+}
+
 } // namespace burin

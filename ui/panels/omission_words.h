@@ -11,8 +11,8 @@
 
 namespace burin {
 
-// Texts of the panels for the parts of a path that edits left out. For display only; positions are relative to program
-// zero.
+// Texts for the parts of a path that edits left out, and for the holes that a pass did not finish. For display only;
+// positions are relative to program zero.
 // @param zero program zero, mm, setup frame
 
 /// "12.345 mm left out"; empty if nothing was left out.
@@ -23,5 +23,7 @@ QString omissionLines(const EditReport& report, const glm::dvec3& zero, LengthUn
 /// A sentence for all edits together, then the position of the longest omitted part and the remedy. Empty if nothing
 /// was left out.
 QString omissionNotice(const std::vector<EditReport>& reports, const glm::dvec3& zero, LengthUnit unit);
+/// How many holes a pass did not drill or thread to the requested depth, and why. @param holes at least 1
+QString unreachedHolesText(std::size_t holes, bool threads);
 
 } // namespace burin

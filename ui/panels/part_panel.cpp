@@ -21,12 +21,9 @@
 
 #include <QFileInfo>
 
-#include <array>
 #include <utility>
 
 namespace burin {
-
-namespace {} // namespace
 
 class PartPanel::Fields : public QObject {
 public:

@@ -277,24 +277,8 @@ void PathPanel::Fields::tell() {
         notice_->tell(Notice::Kind::warning,
                       PathPanel::tr("%1 of the pass were skipped: fixtures or keep-out volumes are in the way.")
                           .arg(lengthText(state.passInTheWay, unit)));
-    else if (state.unreachedHoles > 0 && state.threads)
-        notice_->tell(
-            Notice::Kind::warning,
-            state.unreachedHoles == 1
-                ? PathPanel::tr("One hole is left without a thread: it is not drilled deep enough, or the part "
-                                "is in the way.")
-                : PathPanel::tr("%1 holes are left without a thread: they are not drilled deep enough, or the "
-                                "part is in the way.")
-                      .arg(countText(state.unreachedHoles)));
     else if (state.unreachedHoles > 0)
-        notice_->tell(
-            Notice::Kind::warning,
-            state.unreachedHoles == 1
-                ? PathPanel::tr(
-                      "One hole is not drilled to full depth: the part is in the way, or the drill is too short.")
-                : PathPanel::tr(
-                      "%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.")
-                      .arg(countText(state.unreachedHoles)));
+        notice_->tell(Notice::Kind::warning, unreachedHolesText(state.unreachedHoles, state.threads));
     else if (const QString omitted = omissionNotice(state.reports, state.zero, unit); !omitted.isEmpty())
         notice_->tell(Notice::Kind::warning, omitted);
     else
