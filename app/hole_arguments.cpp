@@ -44,10 +44,10 @@ void addHoleOptions(CommandParser command, const Argument& pass, HoleArguments& 
                                        "be given several times (default: every upright hole of the part that fits "
                                        "the drill, or has the diameter of the thread)"))
             .oneAtATime());
-    const Argument thread = withPass(command.option(
-        "--thread", arguments.thread,
-        BURIN_TEXT("Help", "thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part's holes have to be "
-                           "drawn at this diameter")));
+    const Argument thread =
+        withPass(command.option("--thread", arguments.thread,
+                                BURIN_TEXT("Help", "thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the "
+                                                   "part's holes must be modelled with this diameter")));
     const Argument pitch =
         withPass(command.option("--pitch", request.pitch, BURIN_TEXT("Help", "thread: pitch, mm"))).excludes(thread);
     withPass(command
@@ -59,10 +59,11 @@ void addHoleOptions(CommandParser command, const Argument& pass, HoleArguments& 
     withPass(command.option("--major-diameter", request.majorDiameter,
                             BURIN_TEXT("Help", "thread: major diameter, mm (default: that of each --hole)")))
         .excludes(thread);
-    withPass(command
-                 .option("--radial-passes", request.radialPasses,
-                         BURIN_TEXT("Help", "thread: how often the tool follows the thread, deeper each time"))
-                 .range(1, mostRadialPasses));
+    withPass(
+        command
+            .option("--radial-passes", request.radialPasses,
+                    BURIN_TEXT("Help", "thread: number of passes along the thread, each deeper than the one before"))
+            .range(1, mostRadialPasses));
     withPass(command.flag("--spring-pass", request.springPass, BURIN_TEXT("Help", "thread: once more at full depth")));
     withPass(command.flag("--left-hand", request.leftHand, BURIN_TEXT("Help", "thread: left-handed")));
     withPass(command.flag("--conventional", request.conventional,

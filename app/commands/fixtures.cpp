@@ -33,7 +33,7 @@ std::string padded(std::string text, std::size_t width) {
 
 std::string textOf(const FixtureParameter& parameter) {
     const TextId form = parameter.followsStock
-                            ? BURIN_TEXT("Command", "%1: %2 mm (%3 to %4; %5), or as the stock needs it")
+                            ? BURIN_TEXT("Command", "%1: %2 mm, or fitted to the stock (%3 to %4; %5)")
                             : BURIN_TEXT("Command", "%1: %2 mm (%3 to %4; %5)");
     return worded(form,
                   {worded(parameter.toolTip), formatShortest(parameter.standard), formatShortest(parameter.range.low),

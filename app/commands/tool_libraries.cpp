@@ -49,7 +49,7 @@ int renameLibrary(const ToolLibraryArguments& arguments, CommandContext& context
         return context.fail(renamed.error());
     context.answer(
         {{"library", arguments.newName}, {"before", arguments.name}},
-        worded(BURIN_TEXT("Command", "library \"%1\" is called \"%2\" now"), {arguments.name, arguments.newName}));
+        worded(BURIN_TEXT("Command", "library \"%1\" renamed to \"%2\""), {arguments.name, arguments.newName}));
     return 0;
 }
 
@@ -159,10 +159,10 @@ void registerToolLibraries(CommandParser tools, std::shared_ptr<const LibraryArg
     addName(removed);
     removed.flag("--with-tools", arguments->withTools, BURIN_TEXT("Help", "Delete its tools as well"));
     const CommandParser moved =
-        add("move", BURIN_TEXT("Help", "Put tools of your own into the library of --library"), &placeTools);
+        add("move", BURIN_TEXT("Help", "Move your own tools to the library given by --library"), &placeTools);
     moved.positional(BURIN_TEXT("Argument", "ID"), arguments->ids, BURIN_TEXT("Help", "Tools")).required();
     moved.flag("--copy", arguments->copy,
-               BURIN_TEXT("Help", "Put copies there, also of tools that Burin is shipped with"));
+               BURIN_TEXT("Help", "Copy them instead; tools that Burin is shipped with can be copied, too"));
 }
 
 } // namespace burin

@@ -64,10 +64,10 @@ inline constexpr TextId partsMissing =
     BURIN_TEXT("ImportNote", "Parts are missing because they are in other files: %1. Copy those files into the folder "
                              "of the model and import it again.");
 /// The data of a file that a body does not keep.
-inline constexpr TextId faceColourLeftOut =
-    BURIN_TEXT("ImportNote", "1 face has a colour of its own, which is not shown: a body is shown in one colour.");
-inline constexpr TextId faceColoursLeftOut =
-    BURIN_TEXT("ImportNote", "%1 faces have colours of their own, which are not shown: a body is shown in one colour.");
+inline constexpr TextId faceColourLeftOut = BURIN_TEXT(
+    "ImportNote", "1 face has a colour of its own, which is not shown; Burin shows each body in one colour.");
+inline constexpr TextId faceColoursLeftOut = BURIN_TEXT(
+    "ImportNote", "%1 faces have colours of their own, which are not shown; Burin shows each body in one colour.");
 inline constexpr TextId transparencyLeftOut = BURIN_TEXT("ImportNote", "The transparency of colours was not imported.");
 inline constexpr TextId layersLeftOut = BURIN_TEXT("ImportNote", "Layers were not imported (number of layers: %1).");
 inline constexpr TextId annotationsLeftOut = BURIN_TEXT(

@@ -109,7 +109,7 @@ Result<void> checkAxisMap(const AxisMap& map, const MappableDevice& device) {
         if (Result<void> good = checkUse(map.axes[i], i + 1); !good) return good;
     const auto end = map.buttons.begin() + static_cast<std::ptrdiff_t>(device.buttons);
     if (device.buttons > 0 && std::find(map.buttons.begin(), end, ButtonAction::mill) == end)
-        return Error{ErrorCode::argumentInvalid, "buttons", {}, "one button or more that mills"};
+        return Error{ErrorCode::argumentInvalid, "buttons", {}, "at least one button that mills"};
     return {};
 }
 

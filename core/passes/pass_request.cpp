@@ -41,7 +41,7 @@ const std::array<PassKindRow, 15> passKinds{{
     {PassKind::drill, "drill", BURIN_TEXT("Pass", "Drilling"),
      BURIN_TEXT("Pass", "Drills the upright holes of the part that fit the drill, or at given places")},
     {PassKind::thread, "thread", BURIN_TEXT("Pass", "Thread milling"),
-     BURIN_TEXT("Pass", "Mills internal threads in drilled holes that the part has at the thread's major diameter")},
+     BURIN_TEXT("Pass", "Mills internal threads in drilled holes that are modelled with the thread's major diameter")},
 }};
 
 namespace {

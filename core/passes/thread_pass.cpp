@@ -110,9 +110,8 @@ private:
     Result<void> checkFit(const UprightHole& hole, const glm::dvec2& place) const {
         const double diameter = 2.0 * hole.radius, core = diameter - 2.0 * depth_;
         if (request_.majorDiameter > 0.0 && !isOfThread(hole))
-            return wrong(place, "a hole that the part has at the major diameter, " +
-                                    formatFixed(request_.majorDiameter, 2) + " mm, and not at " +
-                                    formatFixed(diameter, 2) + " mm");
+            return wrong(place, "a hole modelled with the major diameter, " + formatFixed(request_.majorDiameter, 2) +
+                                    " mm, not with " + formatFixed(diameter, 2) + " mm");
         if (hole.radius - hole.clearRadius > coarsestFacets)
             return wrong(place, "a model whose facets are at most " + formatFixed(coarsestFacets, 3) +
                                     " mm inside of that hole's circle");

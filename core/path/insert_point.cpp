@@ -107,7 +107,7 @@ Result<Deviation> apply(const InsertPoint& edit, PathUnderEdit& state, const Pat
     if (state.inserted.empty())
         return Error{ErrorCode::argumentInvalid, "at",
                      nameOf(PathSource{edit.at.source}) + ", tick " + std::to_string(edit.at.tick),
-                     "a moment that the path still has"};
+                     "a moment that is still in the path"};
     return Deviation{}; // changed on purpose
 }
 

@@ -98,7 +98,7 @@ Result<void> checkFixture(const FixtureDesign& design) {
         const double value = valueOf(design, limit.key), least = limit.least(design);
         if (value < least - 1e-9)
             return Error{ErrorCode::argumentInvalid, limit.key, formatShortest(value),
-                         formatLimit(least, 3) + " mm or more, with the other sizes of this fixture"};
+                         formatLimit(least, 3) + " mm or more for the other sizes of this fixture"};
     }
     if (!isFinite(design.place) || glm::length(design.place) > farthestFixture)
         return Error{ErrorCode::argumentInvalid, "place", {}, "places within 1e5 mm"};

@@ -35,7 +35,7 @@ Result<void> validateNumbers(const CuttingPreset& preset, const std::string& pat
         return outside("spindle_speed_rpm", preset.spindleSpeed, presetSpeed);
     if ((preset.feed != 0.0) == (preset.chipLoad != 0.0))
         return invalidPreset(path + "feed_mm_per_min", formatShortest(preset.feed),
-                             "there if chip_load_mm is not, and left out if it is");
+                             "required without chip_load_mm, not allowed with it");
     const std::array optional{std::tuple{"feed_mm_per_min", preset.feed, presetFeed},
                               std::tuple{"chip_load_mm", preset.chipLoad, presetChipLoad},
                               std::tuple{"plunge_feed_mm_per_min", preset.plungeFeed, presetFeed},

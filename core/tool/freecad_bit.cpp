@@ -250,7 +250,8 @@ Result<WrittenTools> freecadBit(const Tool& tool) {
     written.notes = {"Length is the stick-out, as far as Burin knows the tool.", lostInBit};
     if (!tool.presets.empty()) bit["presets"] = freecadPresets(tool);
     if (std::ranges::any_of(tool.presets, hasSteps))
-        written.notes.emplace_back("Step-down, step-over and coolant of presets have no place in a bit.");
+        written.notes.emplace_back(
+            "Step-down, step-over and coolant of presets can't be stored in a FreeCAD tool bit.");
     written.text = bit.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
     return written;
 }

@@ -127,7 +127,7 @@ Result<WrittenTools> freecadLibrary(const fs::path& file, const std::vector<Tool
     written.text = library.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
     notes.erase(lostInBit); // the library has the numbers
     written.notes.insert(written.notes.end(), notes.begin(), notes.end());
-    written.notes.emplace_back("Holder and limits have no place in a FreeCAD library and were left out.");
+    written.notes.emplace_back("Holders and limits can't be stored in a FreeCAD library and were left out.");
     if (!isInLibraryFolder(whole))
         written.notes.emplace_back("The bits are in the folder Bit next to the library. FreeCAD finds them if the "
                                    "library itself is in a folder Library next to that folder.");

@@ -114,9 +114,9 @@ Result<void> validateSolid(const Cutter& cutter) {
     if (Result<void> shank = checkMesh("shank_mesh", solid.shank); !shank) return shank;
     const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
     if (!isWithin(solid.flutes, flutes))
-        return badSolid("flutes_mesh", {}, "inside the profile: make the tool from its models anew");
+        return badSolid("flutes_mesh", {}, "inside the profile: make the tool from its models again");
     if (!isWithin(solid.shank, pieces(cutter)))
-        return badSolid("shank_mesh", {}, "inside the shank: make the tool from its models anew");
+        return badSolid("shank_mesh", {}, "inside the shank: make the tool from its models again");
     if (!solid.shank.empty() && std::abs(boundingBox(solid.shank).high.z - cutter.stickOut) > solidFit)
         return badSolid("stick_out_mm", formatShortest(cutter.stickOut), "the height of the model of the shank");
     return {};

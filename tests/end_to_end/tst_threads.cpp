@@ -108,7 +108,7 @@ private slots:
         };
         const QStringList m8{"--tool", "thread-mill-m8"};
         const QByteArray core = refusal(m8 + QStringList{"--thread", "M8", "--hole", at(40.0, 10.0)});
-        QVERIFY2(core.contains("8.00 mm, and not at 6.80 mm"), core.constData());
+        QVERIFY2(core.contains("8.00 mm, not with 6.80 mm"), core.constData());
         const QByteArray other = refusal(m8 + QStringList{"--thread", "M6"});
         QVERIFY2(other.contains("pitch of 1 mm"), other.constData());
         const QByteArray wide = refusal({"--tool", "thread-mill-m10", "--pitch", "1.5", "--hole", at(10.0, 10.0)});

@@ -182,7 +182,7 @@ private slots:
         QTest::keyClick(&viewport, Qt::Key_Escape);
         QVERIFY(isClosed(driver));
         QVERIFY(lastOf(driver) == nullptr && viewport.interactiveTool() == before);
-        QVERIFY(beginFixture(driver, "Table plate"));
+        QVERIFY(beginFixture(driver, "Base plate"));
         QVERIFY(driver.step(JobStep::mill));
         QVERIFY(isClosed(driver));
         QVERIFY(lastOf(driver) == nullptr);

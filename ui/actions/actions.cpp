@@ -149,8 +149,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Make a tool of models of its flutes and its shank: a form tool, a worn cutter."),
         "Ctrl+Shift+L"},
     Row{ActionId::libraryFixture, "libraryFixtureAction", QT_TRANSLATE_NOOP("Actions", "A&dd a fixture…"),
-        QT_TRANSLATE_NOOP("Actions", "Place a vise, clamp, screw, parallels or plate of the library by the mouse; the "
-                                     "tool keeps clear of it."),
+        QT_TRANSLATE_NOOP("Actions", "Place a vise, clamp, screw, parallels or plate of the library with the mouse; "
+                                     "the tool keeps clear of it."),
         "Ctrl+Alt+W"},
     Row{ActionId::addFixtureFile, "addFixtureAction", QT_TRANSLATE_NOOP("Actions", "Fixture from a &file…"),
         QT_TRANSLATE_NOOP("Actions", "Import a fixture in the coordinates of the setup; the tool keeps clear of it."),

@@ -36,9 +36,9 @@ constexpr std::array foreignTexts{
     BURIN_TEXT("Detail", "Coolant \"%1\" of a preset was not imported."),
     BURIN_TEXT("Detail", "Feeds of presets for ramps, leads and transitions were not imported."),
     BURIN_TEXT("Detail", "Presets of feeds and speeds can't be stored in this format."),
-    BURIN_TEXT("Detail", "Step-down, step-over and coolant of presets have no place in a bit."),
+    BURIN_TEXT("Detail", "Step-down, step-over and coolant of presets can't be stored in a FreeCAD tool bit."),
     BURIN_TEXT("Detail", "%1: FreeCAD does not support this shape."),
-    BURIN_TEXT("Detail", "Holder and limits have no place in a FreeCAD library and were left out."),
+    BURIN_TEXT("Detail", "Holders and limits can't be stored in a FreeCAD library and were left out."),
     BURIN_TEXT("Detail", "The bits are in the folder Bit next to the library. FreeCAD finds them if the library itself "
                          "is in a folder Library next to that folder."),
     BURIN_TEXT("Detail", "Expressions were not imported, only the numbers."),

@@ -49,11 +49,11 @@ QString percentText(double share, const QLocale& locale) {
 QString lineOf(std::size_t number, const DeviceAxis& axis, const AxisUse& use, const QLocale& locale) {
     const QString name = QStringLiteral("%1 %2").arg(number).arg(Messages::text({"Device", axis.name.c_str()}));
     if (use.motion == AxisMotion::none) return QStringLiteral("%1: %2").arg(name, motionName(use.motion));
-    const QString line = use.reversed
-                             ? words(QT_TRANSLATE_NOOP("DeviceWords", "%1: %2, reversed; gain %3; dead zone %4 %; "
-                                                                      "range %5 … %6 … %7 %"))
-                             : words(QT_TRANSLATE_NOOP("DeviceWords", "%1: %2; gain %3; dead zone %4 %; range %5 … %6 "
-                                                                      "… %7 %"));
+    const QString line =
+        use.reversed
+            ? words(QT_TRANSLATE_NOOP("DeviceWords",
+                                      "%1: %2, reversed; gain %3; dead zone %4 %; range %5 to %7 %, rest %6 %"))
+            : words(QT_TRANSLATE_NOOP("DeviceWords", "%1: %2; gain %3; dead zone %4 %; range %5 to %7 %, rest %6 %"));
     return line.arg(name, motionName(use.motion), locale.toString(use.gain, 'f', 2), percentText(use.deadZone, locale),
                     percentText(use.low, locale), percentText(use.rest, locale), percentText(use.high, locale));
 }

@@ -151,11 +151,13 @@ void MillPanel::Fields::addPen() {
     penRow_ = new QWidget(panel_);
     penDepth_ = makeChoiceButton(
         MillPanel::tr("Depth"),
-        MillPanel::tr("The tool is as deep as the pressure's share of the depth of cut, or of the press into the part"),
+        MillPanel::tr(
+            "The pressure sets the depth; at full pressure it is the depth of cut, or the press into the part"),
         QStringLiteral("penDepthButton"), penRow_);
     penSink_ = makeChoiceButton(
         MillPanel::tr("Sinking"),
-        MillPanel::tr("The tool sinks from the surface to the depth of cut, the faster the harder the pen presses"),
+        MillPanel::tr(
+            "The tool sinks from the surface to the depth of cut; it sinks faster the harder the pen presses"),
         QStringLiteral("penSinkButton"), penRow_);
     auto* choice = new QHBoxLayout(penRow_);
     choice->setContentsMargins(0, 0, 0, 0);

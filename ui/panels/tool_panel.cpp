@@ -106,10 +106,9 @@ void ToolPanel::Fields::showConditions(bool turns) {
     plunge_->setValue(feedText(turns ? state.plungeFeed : 0.0, unit));
     speed_->setValue(spindleSpeedText(turns ? state.spindleSpeed : 0.0));
     if (!turns)
-        return estimate_->tell(
-            Notice::Kind::information,
-            ToolPanel::tr("This tool doesn't turn: it cuts as its model sweeps, upright and in a fixed "
-                          "direction. It has no feeds, passes or programs."));
+        return estimate_->tell(Notice::Kind::information,
+                               ToolPanel::tr("This tool doesn't turn: it cuts what its model sweeps, upright and in a "
+                                             "fixed direction. It has no feeds, passes or programs."));
     if (state.preset.empty())
         estimate_->tell(Notice::Kind::warning,
                         state.conditionsEstimated && state.feed > 0.0

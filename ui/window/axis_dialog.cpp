@@ -16,7 +16,7 @@ namespace burin {
 
 namespace {
 
-constexpr QSize axisDialogSize(920, 620); // pixels
+constexpr QSize axisDialogSize(980, 620); // pixels
 
 } // namespace
 
@@ -156,11 +156,11 @@ void AxisDialog::showState() {
     calibrate_->setText(phase == Phase::moving ? tr("Finish") : tr("Calibrate"));
     enableUnless(calibrate_,
                  phase == Phase::away      ? tr("The device is not connected.")
-                 : phase == Phase::resting ? tr("The rest is being measured.")
+                 : phase == Phase::resting ? tr("The rest position is being measured.")
                                            : QString(),
                  phase == Phase::moving
-                     ? tr("Every axis was at both of its ends")
-                     : tr("Measure rest, noise and ends of the axes: two seconds at rest, then move"));
+                     ? tr("Press this when every axis has been at both of its ends")
+                     : tr("Measure rest position, noise and ends of the axes: two seconds at rest, then move them"));
     stop_->setVisible(calibrates);
     undo_->setEnabled(!earlier_.empty() && !calibrates);
     usual_->setEnabled(connected && !calibrates);

@@ -132,7 +132,8 @@ void AxisRows::showMap(const AxisMap& map) {
         axes_[i].reversed->setChecked(use.reversed);
         axes_[i].gain->showValue(use.gain);
         axes_[i].deadZone->showValue(use.deadZone);
-        axes_[i].range->setText(tr("%1 … %2 … %3 %").arg(percent(use.low), percent(use.rest), percent(use.high)));
+        axes_[i].range->setText(
+            tr("%1 to %3 %, rest %2 %").arg(percent(use.low), percent(use.rest), percent(use.high)));
     }
     for (std::size_t i = 0; i < buttons_.size(); ++i)
         buttons_[i].action->setCurrentIndex(static_cast<int>(map.buttons[i]));

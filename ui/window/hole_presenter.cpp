@@ -31,7 +31,7 @@ HolePresenter::HolePresenter(Workbench& workbench, Viewport& viewport, QObject* 
     : Presenter(workbench, {&workbench.workpiece, &workbench.tool}, parent), viewport_(viewport) {
     connect(&picker_, &HolePicker::chosen, this, &HolePresenter::toggle);
     connect(&picker_, &HolePicker::missed, this,
-            [this] { emit told(tr("There is no round upright hole. Click the wall of a hole, or into it.")); });
+            [this] { emit told(tr("There is no round upright hole here. Click the wall of a hole, or inside it.")); });
     connect(&picker_, &HolePicker::finished, this, [this] {
         const WantedPass wanted = *wanted_;
         leave();

@@ -212,7 +212,7 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_, &Workbench::partUpdated, this,
             [this](const PartUpdate& update) { message_->tell(Notice::Kind::information, updateText(update)); });
     connect(&workbench_, &Workbench::setupShown, this, [this](const QString& title) {
-        message_->tell(Notice::Kind::information, tr("“%1” is in use: the change was made there.").arg(title));
+        message_->tell(Notice::Kind::information, tr("Switched to “%1”, where the change was made.").arg(title));
     });
     connect(&workbench_.hand, &HandController::batteryLow, this, &MainWindow::tellAboutBattery);
     const auto [device, mode] = settings_.chosenDevice();

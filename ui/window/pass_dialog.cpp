@@ -125,7 +125,7 @@ void PassDialog::addHoles() {
     enableUnless(pick, holes_.empty() ? tr("The part has no round upright holes.") : QString(),
                  tr("Click holes of the part in the view; a second click removes a hole"));
     allHoles_ = makeButton(tr("All that fit"), {}, QStringLiteral("allHolesButton"), holesBox_);
-    allHoles_->setToolTip(tr("Forget the picked holes: the pass uses every hole of the part that fits"));
+    allHoles_->setToolTip(tr("Clear the selection: the pass uses every hole of the part that fits"));
     auto* row = new QHBoxLayout;
     row->addWidget(pick);
     row->addWidget(allHoles_);

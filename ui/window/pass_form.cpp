@@ -124,9 +124,10 @@ void PassForm::addFigures() {
     addFigure(figure(&PassRequest::pitch, {PassKind::thread}), "passPitch", tr("Pitch"),
               tr("Distance between neighbouring crests of the thread; 25.4 mm divided by the threads per inch"),
               Quantity::length, 0.0, widestStep);
-    addFigure(figure(&PassRequest::majorDiameter, {PassKind::thread}), "passMajorDiameter", tr("Major diameter"),
-              tr("Of the thread; the part's holes have to be drawn at this diameter. 0: that of each picked hole"),
-              Quantity::length, 0.0, widestStep);
+    addFigure(
+        figure(&PassRequest::majorDiameter, {PassKind::thread}), "passMajorDiameter", tr("Major diameter"),
+        tr("Of the thread. The part's holes must be modelled with this diameter. 0: the diameter of each picked hole"),
+        Quantity::length, 0.0, widestStep);
     addFigure(figure(&PassRequest::depth, {PassKind::thread}), "passThreadDepth", tr("Depth"),
               tr("Length of the thread below the top of its hole. 0: as far as each hole is open and drilled"),
               Quantity::length, 0.0, widestStep);
@@ -179,8 +180,8 @@ void PassForm::addThread(int radialPasses) {
     radialPasses_->setObjectName(QStringLiteral("passRadialPasses"));
     radialPasses_->setRange(1, mostRadialPasses);
     radialPasses_->setValue(radialPasses);
-    radialPassesRow_ =
-        new FieldRow(tr("Passes"), radialPasses_, tr("How often the tool follows the thread, deeper each time"), this);
+    radialPassesRow_ = new FieldRow(tr("Passes"), radialPasses_,
+                                    tr("Number of passes along the thread, each deeper than the one before"), this);
     layout()->addWidget(radialPassesRow_);
     connect(radialPasses_, &QSpinBox::valueChanged, this, &PassForm::changed);
 }

@@ -71,7 +71,7 @@ void ToolShapeDialog::layOut(LengthUnit unit) {
     motion_->addItems({tr("Turns with the spindle"), tr("Doesn't turn: scraper, planing blade")});
     column->addWidget(new FieldRow(
         tr("Motion"), motion_,
-        tr("A tool that doesn't turn cuts as its models sweep; their profile only keeps them out of the part"), this,
+        tr("A tool that doesn't turn cuts what its models sweep; their profile only keeps them out of the part"), this,
         FieldRow::choiceWidth));
     direction_ = new QuantityField(Quantity::angle, this);
     direction_->setObjectName(QStringLiteral("toolDirection"));

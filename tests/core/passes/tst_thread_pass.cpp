@@ -325,7 +325,7 @@ private slots:
         QCOMPARE(refusal(plate(millOf("m8"))), std::string());
         // The part has its core hole instead.
         const std::string drawn = refusal(plate(millOf("m8"), -1.0, 3.4));
-        QVERIFY2(drawn.find("1, 1: a hole that the part has at the major diameter, 8.00 mm, and not at 6.80 mm") == 0,
+        QVERIFY2(drawn.find("1, 1: a hole modelled with the major diameter, 8.00 mm, not with 6.80 mm") == 0,
                  drawn.c_str());
         const std::string pitchOfOther = refusal(plate(millOf("m6")));
         QVERIFY2(pitchOfOther.find("one tooth for a pitch of 1.25 mm") != std::string::npos, pitchOfOther.c_str());
