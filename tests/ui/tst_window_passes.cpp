@@ -308,6 +308,11 @@ private slots:
         QVERIFY(workbench.path.stored() == nullptr);
 
         pickInView();
+        QVERIFY(driver.step(JobStep::stock)); // another step ends picking
+        QVERIFY(driver.window().viewport().interactiveTool() == nullptr);
+        QVERIFY(driver.step(JobStep::path));
+
+        pickInView();
         driver.whenDialogStands([&](QWidget& dialog) {
             QVERIFY(enter(dialog, "passHoleDepth", "20")); // also through the stock below
             QVERIFY(press(dialog, "computePassButton"));

@@ -61,6 +61,10 @@ void HolePresenter::pick(const WantedPass& wanted) {
     emit told(tr("Click the holes of the pass; a second click removes a hole. Enter or Esc goes back to the pass."));
 }
 
+void HolePresenter::setShown(JobStep step) {
+    if (wanted_ && step != JobStep::path) leave();
+}
+
 void HolePresenter::toggle(std::size_t index) {
     const std::vector<UprightHole>& holes = picker_.holes();
     std::vector<glm::dvec2>& places = wanted_->request.places;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/input/hole_picker.h"
+#include "ui/panels/job_states.h"
 #include "ui/scene/viewport.h"
 #include "ui/window/presenter.h"
 
@@ -11,13 +12,14 @@
 namespace burin {
 
 /// Picks the holes of a pass in the view, between two appearances of the pass dialog. Ends without a pass if another
-/// tool takes the pointer, or the part changes.
+/// tool takes the pointer, another step is shown, or the part changes.
 class HolePresenter final : public Presenter {
     Q_OBJECT
 public:
     HolePresenter(Workbench& workbench, Viewport& viewport, QObject* parent);
     /// Begins with the holes of a request. Does nothing without a part.
     void pick(const WantedPass& wanted);
+    void setShown(JobStep step); ///< picking ends when another step than the path's is shown
 
 signals:
     void pickBegins();                              ///< the path step must be shown

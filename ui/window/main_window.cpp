@@ -243,6 +243,7 @@ void MainWindow::showStep(JobStep step) {
     }
     presenters_->zero.setShown(step);
     presenters_->fixtures.setShown(step);
+    presenters_->holes.setShown(step);
     if (step != JobStep::path) presenters_->area.setShown(step);
     if (step == JobStep::program) presenters_->pathScene.setShown(step);
     presenters_->programScene.setShown(step);
