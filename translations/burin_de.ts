@@ -884,10 +884,6 @@
         <translation>Vorrichtung hinzu&amp;fügen…</translation>
     </message>
     <message>
-        <source>Place a vise, clamp, screw, parallels or plate of the library by the mouse; the tool keeps clear of it.</source>
-        <translation>Schraubstock, Spanneisen, Schraube, Parallelen oder Platte der Bibliothek mit der Maus platzieren; das Werkzeug hält Abstand.</translation>
-    </message>
-    <message>
         <source>Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool.</source>
         <translation>Schruppen, Schlichten, eine Tasche, eine Kontur, Bohren, Gewinde oder Gravieren mit dem geladenen Werkzeug berechnen.</translation>
     </message>
@@ -906,6 +902,10 @@
     <message>
         <source>Insert a point where the path is selected. Drag it in the view to move it; the stroke follows it smoothly.</source>
         <translation>Einen Punkt einfügen, wo die Bahn ausgewählt ist. Ziehen Sie ihn in der Ansicht, um ihn zu verschieben; der Zug folgt ihm glatt.</translation>
+    </message>
+    <message>
+        <source>Place a vise, clamp, screw, parallels or plate of the library with the mouse; the tool keeps clear of it.</source>
+        <translation>Schraubstock, Spanneisen, Schraube, Parallelunterlagen oder Platte der Bibliothek mit der Maus platzieren; das Werkzeug hält Abstand.</translation>
     </message>
 </context>
 <context>
@@ -2046,14 +2046,6 @@
         <translation>; auf 99 % des erreichbaren Teils bleibt höchstens %1 mm Material (größter Wert: %2 mm)</translation>
     </message>
     <message>
-        <source>%1 hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
-        <translation>%1 Bohrung wird nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
-    </message>
-    <message>
-        <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
-        <translation>%1 Bohrungen werden nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
-    </message>
-    <message>
         <source>about %1 mm in %2 s at the feed of tool and material, without links</source>
         <translation>etwa %1 mm in %2 s mit dem Vorschub von Werkzeug und Werkstoff, ohne Verbindungen</translation>
     </message>
@@ -2318,20 +2310,8 @@
         <translation>Bewegen Sie jede Achse bis an ihre beiden Enden.</translation>
     </message>
     <message>
-        <source>%1: %2 mm (%3 to %4; %5), or as the stock needs it</source>
-        <translation>%1: %2 mm (%3 bis %4; %5), oder wie das Rohteil es braucht</translation>
-    </message>
-    <message>
         <source>%1: %2 mm (%3 to %4; %5)</source>
         <translation>%1: %2 mm (%3 bis %4; %5)</translation>
-    </message>
-    <message>
-        <source>%1 hole is left without a thread: it is not drilled deep enough, or the part is in the way. Drill it first.</source>
-        <translation>%1 Bohrung bleibt ohne Gewinde: Sie ist nicht tief genug vorgebohrt, oder das Teil ist im Weg. Bohren Sie sie zuerst.</translation>
-    </message>
-    <message>
-        <source>%1 holes are left without a thread: they are not drilled deep enough, or the part is in the way. Drill them first.</source>
-        <translation>%1 Bohrungen bleiben ohne Gewinde: Sie sind nicht tief genug vorgebohrt, oder das Teil ist im Weg. Bohren Sie sie zuerst.</translation>
     </message>
     <message>
         <source>Measuring</source>
@@ -2360,10 +2340,6 @@
     <message>
         <source>library &quot;%1&quot; added</source>
         <translation>Bibliothek „%1“ angelegt</translation>
-    </message>
-    <message>
-        <source>library &quot;%1&quot; is called &quot;%2&quot; now</source>
-        <translation>Bibliothek „%1“ heißt jetzt „%2“</translation>
     </message>
     <message>
         <source>an empty library, or --with-tools to delete its tools</source>
@@ -2448,6 +2424,14 @@
     <message>
         <source>Axes whose readings at rest were all 0 keep their rest and dead zone (%1). If the device reports an axis only once it was moved, move every axis once, then calibrate again.</source>
         <translation>Achsen, deren Messwerte in Ruhe alle 0 waren, behalten Ruhelage und Totzone (%1). Meldet das Gerät eine Achse erst, nachdem sie bewegt wurde, bewegen Sie jede Achse einmal und kalibrieren Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm, or fitted to the stock (%3 to %4; %5)</source>
+        <translation>%1: %2 mm, oder dem Rohteil angepasst (%3 bis %4; %5)</translation>
+    </message>
+    <message>
+        <source>library &quot;%1&quot; renamed to &quot;%2&quot;</source>
+        <translation>Bibliothek „%1“ in „%2“ umbenannt</translation>
     </message>
 </context>
 <context>
@@ -4033,14 +4017,6 @@
         <translation>Dreiecke aus den vorhandenen Eckpunkten</translation>
     </message>
     <message>
-        <source>inside the profile: make the tool from its models anew</source>
-        <translation>innerhalb des Profils: machen Sie das Werkzeug neu aus seinen Modellen</translation>
-    </message>
-    <message>
-        <source>inside the shank: make the tool from its models anew</source>
-        <translation>innerhalb des Schafts: machen Sie das Werkzeug neu aus seinen Modellen</translation>
-    </message>
-    <message>
         <source>the height of the model of the shank</source>
         <translation>die Höhe des Modells des Schafts</translation>
     </message>
@@ -4085,16 +4061,8 @@
         <translation>Vorgaben von Schnittwerten können in diesem Format nicht gespeichert werden.</translation>
     </message>
     <message>
-        <source>Step-down, step-over and coolant of presets have no place in a bit.</source>
-        <translation>Zustellung, Zeilenabstand und Kühlmittel von Vorgaben haben in einem FreeCAD-Werkzeug keinen Platz.</translation>
-    </message>
-    <message>
         <source>%1: FreeCAD does not support this shape.</source>
         <translation>%1: FreeCAD kennt diese Form nicht.</translation>
-    </message>
-    <message>
-        <source>Holder and limits have no place in a FreeCAD library and were left out.</source>
-        <translation>Halter und Grenzen haben in einer FreeCAD-Bibliothek keinen Platz und wurden weggelassen.</translation>
     </message>
     <message>
         <source>The bits are in the folder Bit next to the library. FreeCAD finds them if the library itself is in a folder Library next to that folder.</source>
@@ -4121,10 +4089,6 @@
         <translation>ein Name, den noch keine Bibliothek hat</translation>
     </message>
     <message>
-        <source>there if chip_load_mm is not, and left out if it is</source>
-        <translation>da, wenn chip_load_mm fehlt, und weggelassen, wenn es da ist</translation>
-    </message>
-    <message>
         <source>at most maximum_depth_of_cut_mm (%1)</source>
         <translation>höchstens maximum_depth_of_cut_mm (%1)</translation>
     </message>
@@ -4141,10 +4105,6 @@
         <translation>ein Name, den keine andere Vorgabe des Werkzeugs hat</translation>
     </message>
     <message>
-        <source>a moment that the path still has</source>
-        <translation>ein Zeitpunkt, den die Bahn noch hat</translation>
-    </message>
-    <message>
         <source>take %1, tick %2</source>
         <translation>Aufnahme %1, Takt %2</translation>
     </message>
@@ -4159,10 +4119,6 @@
     <message>
         <source>a round upright hole of the part</source>
         <translation>eine runde senkrechte Bohrung des Teils</translation>
-    </message>
-    <message>
-        <source>a hole that the part has at the major diameter, %1 mm, and not at %2 mm</source>
-        <translation>eine Bohrung, die das Teil mit dem Nenndurchmesser %1 mm hat und nicht mit %2 mm</translation>
     </message>
     <message>
         <source>a model whose facets are at most %1 mm inside of that hole&apos;s circle</source>
@@ -4201,10 +4157,6 @@
         <translation>unter dem halben Durchmesser</translation>
     </message>
     <message>
-        <source>%1 mm or more, with the other sizes of this fixture</source>
-        <translation>%1 mm oder mehr bei den anderen Maßen dieser Vorrichtung</translation>
-    </message>
-    <message>
         <source>a value for each parameter</source>
         <translation>ein Wert für jeden Parameter</translation>
     </message>
@@ -4221,10 +4173,6 @@
         <translation>ein Gerät, dessen Achsen sich belegen lassen</translation>
     </message>
     <message>
-        <source>one button or more that mills</source>
-        <translation>mindestens eine Taste, die fräst</translation>
-    </message>
-    <message>
         <source>low end, rest and high end in ascending order, from -4 to 4</source>
         <translation>unteres Ende, Ruhe und oberes Ende in aufsteigender Reihenfolge, von -4 bis 4</translation>
     </message>
@@ -4235,6 +4183,42 @@
     <message>
         <source>above %1 and at most %2 mm for the hole at %3, %4</source>
         <translation>über %1 und höchstens %2 mm für die Bohrung bei %3, %4</translation>
+    </message>
+    <message>
+        <source>inside the profile: make the tool from its models again</source>
+        <translation>innerhalb des Profils: Erzeugen Sie das Werkzeug noch einmal aus seinen Modellen</translation>
+    </message>
+    <message>
+        <source>inside the shank: make the tool from its models again</source>
+        <translation>innerhalb des Schafts: Erzeugen Sie das Werkzeug noch einmal aus seinen Modellen</translation>
+    </message>
+    <message>
+        <source>required without chip_load_mm, not allowed with it</source>
+        <translation>nötig ohne chip_load_mm, nicht erlaubt mit chip_load_mm</translation>
+    </message>
+    <message>
+        <source>%1 mm or more for the other sizes of this fixture</source>
+        <translation>%1 mm oder mehr bei den übrigen Maßen dieser Vorrichtung</translation>
+    </message>
+    <message>
+        <source>a moment that is still in the path</source>
+        <translation>ein Zeitpunkt, den die Bahn noch hat</translation>
+    </message>
+    <message>
+        <source>a hole modelled with the major diameter, %1 mm, not with %2 mm</source>
+        <translation>eine Bohrung, die mit dem Nenndurchmesser %1 mm modelliert ist, nicht mit %2 mm</translation>
+    </message>
+    <message>
+        <source>at least one button that mills</source>
+        <translation>mindestens eine Taste, die fräst</translation>
+    </message>
+    <message>
+        <source>Step-down, step-over and coolant of presets can&apos;t be stored in a FreeCAD tool bit.</source>
+        <translation>Zustellung, Zeilenabstand und Kühlmittel von Vorgaben können in einem FreeCAD-Werkzeug nicht gespeichert werden.</translation>
+    </message>
+    <message>
+        <source>Holders and limits can&apos;t be stored in a FreeCAD library and were left out.</source>
+        <translation>Halter und Grenzen können in einer FreeCAD-Bibliothek nicht gespeichert werden und wurden weggelassen.</translation>
     </message>
 </context>
 <context>
@@ -4638,16 +4622,16 @@
         <translation>alles zeigen</translation>
     </message>
     <message>
-        <source>%1: %2, reversed; gain %3; dead zone %4 %; range %5 … %6 … %7 %</source>
-        <translation>%1: %2, umgekehrt; Verstärkung %3; Totzone %4 %; Bereich %5 … %6 … %7 %</translation>
-    </message>
-    <message>
-        <source>%1: %2; gain %3; dead zone %4 %; range %5 … %6 … %7 %</source>
-        <translation>%1: %2; Verstärkung %3; Totzone %4 %; Bereich %5 … %6 … %7 %</translation>
-    </message>
-    <message>
         <source>button %1: %2</source>
         <translation>Taste %1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, reversed; gain %3; dead zone %4 %; range %5 to %7 %, rest %6 %</source>
+        <translation>%1: %2, umgekehrt; Verstärkung %3; Totzone %4 %; Bereich %5 bis %7 %, Ruhe %6 %</translation>
+    </message>
+    <message>
+        <source>%1: %2; gain %3; dead zone %4 %; range %5 to %7 %, rest %6 %</source>
+        <translation>%1: %2; Verstärkung %3; Totzone %4 %; Bereich %5 bis %7 %, Ruhe %6 %</translation>
     </message>
 </context>
 <context>
@@ -6212,14 +6196,6 @@
         <translation>Vom Tisch bis zum Bett des Schraubstocks</translation>
     </message>
     <message>
-        <source>Spindle length</source>
-        <translation>Spindellänge</translation>
-    </message>
-    <message>
-        <source>How far body and spindle reach out behind the movable jaw</source>
-        <translation>Wie weit Körper und Spindel hinter der beweglichen Backe vorstehen</translation>
-    </message>
-    <message>
         <source>Clamping height</source>
         <translation>Spannhöhe</translation>
     </message>
@@ -6264,10 +6240,6 @@
         <translation>Abstand der Stiftschraube</translation>
     </message>
     <message>
-        <source>From the pressed point to the axis of the stud</source>
-        <translation>Vom gedrückten Punkt bis zur Achse der Stiftschraube</translation>
-    </message>
-    <message>
         <source>Stud diameter</source>
         <translation>Stiftschraubendurchmesser</translation>
     </message>
@@ -6302,10 +6274,6 @@
     <message>
         <source>Nut width</source>
         <translation>Schlüsselweite der Mutter</translation>
-    </message>
-    <message>
-        <source>Across flats; kept clear across its corners, however the nut stands</source>
-        <translation>Schlüsselweite; freigehalten wird das Eckenmaß, wie die Mutter auch steht</translation>
     </message>
     <message>
         <source>Nut height</source>
@@ -6350,10 +6318,6 @@
     <message>
         <source>Nose length</source>
         <translation>Nasenlänge</translation>
-    </message>
-    <message>
-        <source>How far the nose reaches out of the body</source>
-        <translation>Wie weit die Nase aus dem Körper vorsteht</translation>
     </message>
     <message>
         <source>Nose width</source>
@@ -6410,10 +6374,6 @@
     <message>
         <source>Head width</source>
         <translation>Schlüsselweite</translation>
-    </message>
-    <message>
-        <source>Across flats; kept clear across its corners, however the head stands</source>
-        <translation>Schlüsselweite; freigehalten wird das Eckenmaß, wie der Kopf auch steht</translation>
     </message>
     <message>
         <source>Head diameter</source>
@@ -6512,20 +6472,44 @@
         <translation>Eine Schraube durch das Rohteil mit Innensechskant und Scheibe</translation>
     </message>
     <message>
-        <source>Pair of parallels</source>
-        <translation>Parallelen (Paar)</translation>
-    </message>
-    <message>
         <source>Two bars below the stock</source>
         <translation>Zwei Leisten unter dem Rohteil</translation>
     </message>
     <message>
-        <source>Table plate</source>
-        <translation>Aufspannplatte</translation>
-    </message>
-    <message>
         <source>A plate below the stock; its top is the table for clamps that are placed later</source>
         <translation>Eine Platte unter dem Rohteil; ihre Oberseite ist der Tisch für Spannmittel, die später platziert werden</translation>
+    </message>
+    <message>
+        <source>Rear overhang</source>
+        <translation>Überstand hinten</translation>
+    </message>
+    <message>
+        <source>How far the body and the screw of the vise extend behind the movable jaw</source>
+        <translation>Wie weit Körper und Spindel des Schraubstocks hinter der beweglichen Backe vorstehen</translation>
+    </message>
+    <message>
+        <source>From the clamping point to the axis of the stud</source>
+        <translation>Vom Spannpunkt bis zur Achse der Stiftschraube</translation>
+    </message>
+    <message>
+        <source>Width across flats; the tool keeps clear of the width across corners, in any position of the nut</source>
+        <translation>Schlüsselweite; das Werkzeug hält Abstand vom Eckenmaß, in jeder Stellung der Mutter</translation>
+    </message>
+    <message>
+        <source>How far the nose extends from the body</source>
+        <translation>Wie weit die Nase aus dem Körper vorsteht</translation>
+    </message>
+    <message>
+        <source>Width across flats; the tool keeps clear of the width across corners, in any position of the head</source>
+        <translation>Schlüsselweite; das Werkzeug hält Abstand vom Eckenmaß, in jeder Stellung des Kopfes</translation>
+    </message>
+    <message>
+        <source>Parallels (pair)</source>
+        <translation>Parallelunterlagen (Paar)</translation>
+    </message>
+    <message>
+        <source>Base plate</source>
+        <translation>Grundplatte</translation>
     </message>
 </context>
 <context>
@@ -7877,16 +7861,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Auch ihre Werkzeuge löschen</translation>
     </message>
     <message>
-        <source>Put tools of your own into the library of --library</source>
-        <translation>Eigene Werkzeuge in die Bibliothek von --library legen</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Put copies there, also of tools that Burin is shipped with</source>
-        <translation>Kopien dorthin legen, auch von mitgelieferten Werkzeugen</translation>
     </message>
     <message>
         <source>Add or change a preset of feeds and speeds of one of your own tools. Paths use the first preset for the material of the stock, without one the first for any material, without one the values that the material states</source>
@@ -7965,10 +7941,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>drill, thread: eine Bohrung bei X,Y, mm, oder nach ihrer Nummer in „info --json“; mehrmals möglich (Vorgabe: jede senkrechte Bohrung des Teils, die zum Bohrer passt oder den Durchmesser des Gewindes hat)</translation>
     </message>
     <message>
-        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes have to be drawn at this diameter</source>
-        <translation>thread: metrische Größe, M3 bis M24 oder Durchmesser und Steigung, M8x1; die Bohrungen des Teils müssen mit diesem Durchmesser gezeichnet sein</translation>
-    </message>
-    <message>
         <source>thread: pitch, mm</source>
         <translation>thread: Steigung, mm</translation>
     </message>
@@ -7979,10 +7951,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>thread: major diameter, mm (default: that of each --hole)</source>
         <translation>thread: Nenndurchmesser, mm (Vorgabe: der jeder --hole)</translation>
-    </message>
-    <message>
-        <source>thread: how often the tool follows the thread, deeper each time</source>
-        <translation>thread: wie oft das Werkzeug dem Gewinde folgt, jedes Mal tiefer</translation>
     </message>
     <message>
         <source>thread: once more at full depth</source>
@@ -8019,6 +7987,22 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Add tools of another program to your own: a Fusion library (*.tools, *.json), a FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC table (*.tbl). Several tools become a library that has the name of the file, or are put into --library, which need not exist yet. What can&apos;t be held is listed</source>
         <translation>Werkzeuge eines anderen Programms zu Ihren eigenen hinzufügen: eine Fusion-Bibliothek (*.tools, *.json), eine FreeCAD-Bibliothek oder ein Werkzeug daraus (*.fctl, *.fctb), eine CAMotics-Tabelle (*.ctbl), eine LinuxCNC-Tabelle (*.tbl). Mehrere Werkzeuge werden zu einer Bibliothek, die wie die Datei heißt, oder kommen in die von --library, die es noch nicht geben muss. Was nicht übernommen werden kann, wird aufgezählt</translation>
+    </message>
+    <message>
+        <source>Move your own tools to the library given by --library</source>
+        <translation>Eigene Werkzeuge in die mit --library angegebene Bibliothek verschieben</translation>
+    </message>
+    <message>
+        <source>Copy them instead; tools that Burin is shipped with can be copied, too</source>
+        <translation>Sie stattdessen kopieren; auch mitgelieferte Werkzeuge lassen sich kopieren</translation>
+    </message>
+    <message>
+        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes must be modelled with this diameter</source>
+        <translation>thread: metrische Größe, M3 bis M24 oder Durchmesser und Steigung, M8x1; die Bohrungen des Teils müssen mit diesem Durchmesser modelliert sein</translation>
+    </message>
+    <message>
+        <source>thread: number of passes along the thread, each deeper than the one before</source>
+        <translation>thread: Anzahl der Durchgänge entlang des Gewindes, jeder tiefer als der vorige</translation>
     </message>
 </context>
 <context>
@@ -8174,14 +8158,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Die Datei gibt die Einheit %1 (%2 mm) an; stattdessen wurde 1 Einheit = %3 mm verwendet.</translation>
     </message>
     <message>
-        <source>1 face has a colour of its own, which is not shown: a body is shown in one colour.</source>
-        <translation>1 Fläche hat eine eigene Farbe, die nicht gezeigt wird: Ein Körper wird in einer Farbe gezeigt.</translation>
-    </message>
-    <message>
-        <source>%1 faces have colours of their own, which are not shown: a body is shown in one colour.</source>
-        <translation>%1 Flächen haben eigene Farben, die nicht gezeigt werden: Ein Körper wird in einer Farbe gezeigt.</translation>
-    </message>
-    <message>
         <source>The transparency of colours was not imported.</source>
         <translation>Die Durchsichtigkeit von Farben wurde nicht importiert.</translation>
     </message>
@@ -8196,6 +8172,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Assembly %1</source>
         <translation>Baugruppe %1</translation>
+    </message>
+    <message>
+        <source>1 face has a colour of its own, which is not shown; Burin shows each body in one colour.</source>
+        <translation>1 Fläche hat eine eigene Farbe, die nicht gezeigt wird; Burin zeigt jeden Körper in einer Farbe.</translation>
+    </message>
+    <message>
+        <source>%1 faces have colours of their own, which are not shown; Burin shows each body in one colour.</source>
+        <translation>%1 Flächen haben eigene Farben, die nicht gezeigt werden; Burin zeigt jeden Körper in einer Farbe.</translation>
     </message>
 </context>
 <context>
@@ -8738,6 +8722,22 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>%1 of the path are left out (red in the view).</source>
         <translation>%1 der Bahn sind ausgelassen (rot in der Ansicht).</translation>
     </message>
+    <message>
+        <source>One hole was not threaded: it is not drilled deep enough, or the part is in the way. Drill it deeper first.</source>
+        <translation>Eine Bohrung erhielt kein Gewinde: Sie ist nicht tief genug vorgebohrt, oder das Teil ist im Weg. Bohren Sie sie zuerst tiefer.</translation>
+    </message>
+    <message>
+        <source>%1 holes were not threaded: they are not drilled deep enough, or the part is in the way. Drill them deeper first.</source>
+        <translation>%1 Bohrungen erhielten kein Gewinde: Sie sind nicht tief genug vorgebohrt, oder das Teil ist im Weg. Bohren Sie sie zuerst tiefer.</translation>
+    </message>
+    <message>
+        <source>One hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
+        <translation>Eine Bohrung wird nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
+    </message>
+    <message>
+        <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
+        <translation>%1 Bohrungen werden nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
+    </message>
 </context>
 <context>
     <name>PanelTexts</name>
@@ -9103,8 +9103,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Gewindefräsen</translation>
     </message>
     <message>
-        <source>Mills internal threads in drilled holes that the part has at the thread&apos;s major diameter</source>
-        <translation>Fräst Innengewinde in vorgebohrte Bohrungen, die das Teil mit dem Nenndurchmesser des Gewindes hat</translation>
+        <source>Mills internal threads in drilled holes that are modelled with the thread&apos;s major diameter</source>
+        <translation>Fräst Innengewinde in vorgebohrte Bohrungen, die mit dem Nenndurchmesser des Gewindes modelliert sind</translation>
     </message>
 </context>
 <context>
@@ -10944,18 +10944,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Gerät ist nicht verbunden.</translation>
     </message>
     <message>
-        <source>The rest is being measured.</source>
-        <translation>Die Ruhe wird gemessen.</translation>
-    </message>
-    <message>
-        <source>Every axis was at both of its ends</source>
-        <translation>Jede Achse war an ihren beiden Enden</translation>
-    </message>
-    <message>
-        <source>Measure rest, noise and ends of the axes: two seconds at rest, then move</source>
-        <translation>Ruhe, Rauschen und Enden der Achsen messen: zwei Sekunden in Ruhe, dann bewegen</translation>
-    </message>
-    <message>
         <source>Leave the device at rest for two seconds.</source>
         <translation>Lassen Sie das Gerät zwei Sekunden in Ruhe.</translation>
     </message>
@@ -10974,6 +10962,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Axes that were not moved before the measurement keep their rest and dead zone (%1); move every axis once first, then calibrate again.</source>
         <translation>Achsen, die vor der Messung nicht bewegt wurden, behalten Ruhelage und Totzone (%1); bewegen Sie zuerst jede Achse einmal und kalibrieren Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>The rest position is being measured.</source>
+        <translation>Die Ruhelage wird gemessen.</translation>
+    </message>
+    <message>
+        <source>Press this when every axis has been at both of its ends</source>
+        <translation>Drücken, wenn jede Achse an ihren beiden Enden war</translation>
+    </message>
+    <message>
+        <source>Measure rest position, noise and ends of the axes: two seconds at rest, then move them</source>
+        <translation>Ruhelage, Rauschen und Enden der Achsen messen: zwei Sekunden in Ruhe, dann bewegen</translation>
     </message>
 </context>
 <context>
@@ -11039,8 +11039,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Was diese Taste tut, während das Gerät fräst</translation>
     </message>
     <message>
-        <source>%1 … %2 … %3 %</source>
-        <translation>%1 … %2 … %3 %</translation>
+        <source>%1 to %3 %, rest %2 %</source>
+        <translation>%1 bis %3 %, Ruhe %2 %</translation>
     </message>
 </context>
 <context>
@@ -12494,10 +12494,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::HolePresenter</name>
     <message>
-        <source>There is no round upright hole. Click the wall of a hole, or into it.</source>
-        <translation>Dort ist keine runde senkrechte Bohrung. Klicken Sie die Wand einer Bohrung an, oder hinein.</translation>
-    </message>
-    <message>
         <source>Click the holes of the pass; a second click removes a hole. Enter or Esc goes back to the pass.</source>
         <translation>Klicken Sie die Bohrungen des Durchgangs an; ein zweiter Klick entfernt eine. Eingabe oder Esc führt zum Durchgang zurück.</translation>
     </message>
@@ -12519,6 +12515,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
             <numerusform>%n Bohrung ist gewählt.</numerusform>
             <numerusform>%n Bohrungen sind gewählt.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>There is no round upright hole here. Click the wall of a hole, or inside it.</source>
+        <translation>Hier ist keine runde senkrechte Bohrung. Klicken Sie auf die Wand einer Bohrung oder in sie hinein.</translation>
     </message>
 </context>
 <context>
@@ -13563,16 +13563,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ansicht von Teil und Werkstück</translation>
     </message>
     <message>
-        <source>“%1” is in use: the change was made there.</source>
-        <translation>„%1“ ist in Gebrauch: Die Änderung wurde dort gemacht.</translation>
-    </message>
-    <message>
         <source>Placing a fixture</source>
         <translation>Vorrichtung platzieren</translation>
     </message>
     <message>
         <source>The tool “%1” is in the library. It doesn&apos;t turn: its models cut, and their profile keeps them out of the part.</source>
         <translation>Das Werkzeug „%1“ ist in der Bibliothek. Es dreht sich nicht: seine Modelle schneiden, und ihr Profil hält sie vom Teil ab.</translation>
+    </message>
+    <message>
+        <source>Switched to “%1”, where the change was made.</source>
+        <translation>Zu „%1“ gewechselt, wo die Änderung gemacht wurde.</translation>
     </message>
 </context>
 <context>
@@ -14316,14 +14316,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Tiefe der Hand im Teil, gegen die Gegenkraft</translation>
     </message>
     <message>
-        <source>The tool is as deep as the pressure&apos;s share of the depth of cut, or of the press into the part</source>
-        <translation>Das Werkzeug ist so tief wie der Anteil des Drucks an der Zustellung oder am Eindrücken in das Teil</translation>
-    </message>
-    <message>
-        <source>The tool sinks from the surface to the depth of cut, the faster the harder the pen presses</source>
-        <translation>Das Werkzeug sinkt von der Oberfläche auf die Zustellung, umso schneller, je stärker der Stift drückt</translation>
-    </message>
-    <message>
         <source>Sinking speed</source>
         <translation>Sinkgeschwindigkeit</translation>
     </message>
@@ -14342,6 +14334,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Pen</source>
         <translation>Stift</translation>
+    </message>
+    <message>
+        <source>The pressure sets the depth; at full pressure it is the depth of cut, or the press into the part</source>
+        <translation>Der Druck bestimmt die Tiefe; bei vollem Druck ist es die Zustellung oder das Eindrücken in das Teil</translation>
+    </message>
+    <message>
+        <source>The tool sinks from the surface to the depth of cut; it sinks faster the harder the pen presses</source>
+        <translation>Das Werkzeug sinkt von der Oberfläche auf die Zustellung, umso schneller, je stärker der Stift drückt</translation>
     </message>
 </context>
 <context>
@@ -14846,16 +14846,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Alle passenden</translation>
     </message>
     <message>
-        <source>Forget the picked holes: the pass uses every hole of the part that fits</source>
-        <translation>Die gewählten Bohrungen vergessen: Der Durchgang nimmt jede passende Bohrung des Teils</translation>
-    </message>
-    <message>
         <source>Choose a thread, or enter its pitch.</source>
         <translation>Wählen Sie ein Gewinde, oder geben Sie seine Steigung ein.</translation>
     </message>
     <message>
         <source>Enter the diameter of the thread, or pick its holes.</source>
         <translation>Geben Sie den Durchmesser des Gewindes ein, oder wählen Sie seine Bohrungen.</translation>
+    </message>
+    <message>
+        <source>Clear the selection: the pass uses every hole of the part that fits</source>
+        <translation>Die Auswahl aufheben: Der Durchgang nimmt jede passende Bohrung des Teils</translation>
     </message>
 </context>
 <context>
@@ -15037,10 +15037,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Nenndurchmesser</translation>
     </message>
     <message>
-        <source>Of the thread; the part&apos;s holes have to be drawn at this diameter. 0: that of each picked hole</source>
-        <translation>Des Gewindes; die Bohrungen des Teils müssen mit diesem Durchmesser gezeichnet sein. 0: der jeder gewählten Bohrung</translation>
-    </message>
-    <message>
         <source>Length of the thread below the top of its hole. 0: as far as each hole is open and drilled</source>
         <translation>Länge des Gewindes unter der Oberkante seiner Bohrung. 0: so weit jede Bohrung offen und vorgebohrt ist</translation>
     </message>
@@ -15059,10 +15055,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Passes</source>
         <translation>Durchgänge</translation>
-    </message>
-    <message>
-        <source>How often the tool follows the thread, deeper each time</source>
-        <translation>Wie oft das Werkzeug dem Gewinde folgt, jedes Mal tiefer</translation>
     </message>
     <message>
         <source>Spring pass</source>
@@ -15087,6 +15079,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Conventional instead of climb milling: right-hand threads are cut from the top down</source>
         <translation>Gegenlauf statt Gleichlauf: Rechtsgewinde werden von oben nach unten geschnitten</translation>
+    </message>
+    <message>
+        <source>Of the thread. The part&apos;s holes must be modelled with this diameter. 0: the diameter of each picked hole</source>
+        <translation>Des Gewindes. Die Bohrungen des Teils müssen mit diesem Durchmesser modelliert sein. 0: der Durchmesser jeder gewählten Bohrung</translation>
+    </message>
+    <message>
+        <source>Number of passes along the thread, each deeper than the one before</source>
+        <translation>Anzahl der Durchgänge entlang des Gewindes, jeder tiefer als der vorige</translation>
     </message>
 </context>
 <context>
@@ -15370,24 +15370,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Diesen Durchgang vor dem darüber fräsen</translation>
     </message>
     <message>
-        <source>One hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
-        <translation>Eine Bohrung wird nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
-    </message>
-    <message>
-        <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
-        <translation>%1 Bohrungen werden nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
-    </message>
-    <message>
         <source>Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool</source>
         <translation>Schruppen, Schlichten, eine Tasche, eine Kontur, Bohren, Gewinde oder Gravieren mit dem geladenen Werkzeug berechnen</translation>
     </message>
     <message>
-        <source>One hole is left without a thread: it is not drilled deep enough, or the part is in the way.</source>
-        <translation>Eine Bohrung bleibt ohne Gewinde: Sie ist nicht tief genug vorgebohrt, oder das Teil ist im Weg.</translation>
-    </message>
-    <message>
-        <source>%1 holes are left without a thread: they are not drilled deep enough, or the part is in the way.</source>
-        <translation>%1 Bohrungen bleiben ohne Gewinde: Sie sind nicht tief genug vorgebohrt, oder das Teil ist im Weg.</translation>
+        <source>The loaded tool doesn&apos;t turn: it has no passes.</source>
+        <translation>Das geladene Werkzeug dreht sich nicht: Es hat keine Durchgänge.</translation>
     </message>
 </context>
 <context>
@@ -18186,16 +18174,16 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         </translation>
     </message>
     <message>
-        <source>This tool doesn&apos;t turn: it cuts as its model sweeps, upright and in a fixed direction. It has no feeds, passes or programs.</source>
-        <translation>Dieses Werkzeug dreht sich nicht: es schneidet, was sein Modell überstreicht, aufrecht und in fester Richtung. Es hat keine Vorschübe, Durchgänge oder Programme.</translation>
-    </message>
-    <message>
         <source>By the preset “%1” of this tool.</source>
         <translation>Nach der Vorgabe „%1“ dieses Werkzeugs.</translation>
     </message>
     <message>
         <source>By the preset “%1” of this tool; the plunge feed by the material.</source>
         <translation>Nach der Vorgabe „%1“ dieses Werkzeugs; der Eintauchvorschub nach dem Werkstoff.</translation>
+    </message>
+    <message>
+        <source>This tool doesn&apos;t turn: it cuts what its model sweeps, upright and in a fixed direction. It has no feeds, passes or programs.</source>
+        <translation>Dieses Werkzeug dreht sich nicht: Es schneidet, was sein Modell überstreicht, aufrecht und in fester Richtung. Es hat keine Vorschübe, Durchgänge oder Programme.</translation>
     </message>
 </context>
 <context>
@@ -18289,10 +18277,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Bewegung</translation>
     </message>
     <message>
-        <source>A tool that doesn&apos;t turn cuts as its models sweep; their profile only keeps them out of the part</source>
-        <translation>Ein Werkzeug, das sich nicht dreht, schneidet, was seine Modelle überstreichen; ihr Profil hält sie nur vom Teil ab</translation>
-    </message>
-    <message>
         <source>Direction</source>
         <translation>Richtung</translation>
     </message>
@@ -18303,6 +18287,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>A tool that turns cuts what its flutes sweep with the spindle; one that doesn&apos;t turn cuts what its models sweep. Models have their axis along +Z, through the origin, towards the holder; their lowest point becomes the tip. Teeth, limits and holder are those of “%1”.</source>
         <translation>Ein drehendes Werkzeug schneidet, was seine Schneiden mit der Spindel überstreichen; eines, das nicht dreht, was seine Modelle überstreichen. Die Achse der Modelle liegt längs +Z, durch den Ursprung, zum Halter hin; ihr tiefster Punkt wird die Spitze. Zähne, Grenzen und Halter sind die von „%1“.</translation>
+    </message>
+    <message>
+        <source>A tool that doesn&apos;t turn cuts what its models sweep; their profile only keeps them out of the part</source>
+        <translation>Ein Werkzeug, das sich nicht dreht, schneidet, was seine Modelle überstreichen; ihr Profil hält sie nur vom Teil ab</translation>
     </message>
 </context>
 <context>

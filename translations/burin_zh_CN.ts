@@ -884,10 +884,6 @@
         <translation>添加夹具(&amp;D)…</translation>
     </message>
     <message>
-        <source>Place a vise, clamp, screw, parallels or plate of the library by the mouse; the tool keeps clear of it.</source>
-        <translation>用鼠标放置夹具库中的虎钳、压板、螺钉、平行垫铁或底板；刀具会避开它。</translation>
-    </message>
-    <message>
         <source>Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool.</source>
         <translation>用当前刀具计算粗加工、精加工、型腔、轮廓、钻孔、螺纹或雕刻。</translation>
     </message>
@@ -906,6 +902,10 @@
     <message>
         <source>Insert a point where the path is selected. Drag it in the view to move it; the stroke follows it smoothly.</source>
         <translation>在刀路所选处插入一点。在视图中拖动可移动它；笔画平滑地跟随。</translation>
+    </message>
+    <message>
+        <source>Place a vise, clamp, screw, parallels or plate of the library with the mouse; the tool keeps clear of it.</source>
+        <translation>用鼠标放置夹具库中的虎钳、压板、螺钉、平行垫铁或底板；刀具会避开它。</translation>
     </message>
 </context>
 <context>
@@ -2045,14 +2045,6 @@
         <translation>；零件可到达部分的 99 % 上残料最多%1 mm（最大值：%2 mm）</translation>
     </message>
     <message>
-        <source>%1 hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
-        <translation>%1个孔未钻到全深：被零件阻挡，或钻头太短。</translation>
-    </message>
-    <message>
-        <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
-        <translation>%1个孔未钻到全深：被零件阻挡，或钻头太短。</translation>
-    </message>
-    <message>
         <source>about %1 mm in %2 s at the feed of tool and material, without links</source>
         <translation>约%1 mm，用时%2 s，按刀具和材料的进给，不含连接</translation>
     </message>
@@ -2317,20 +2309,8 @@
         <translation>将每个轴移动到两端。</translation>
     </message>
     <message>
-        <source>%1: %2 mm (%3 to %4; %5), or as the stock needs it</source>
-        <translation>%1：%2 mm（%3 至 %4；%5），或随毛坯而定</translation>
-    </message>
-    <message>
         <source>%1: %2 mm (%3 to %4; %5)</source>
         <translation>%1：%2 mm（%3 至 %4；%5）</translation>
-    </message>
-    <message>
-        <source>%1 hole is left without a thread: it is not drilled deep enough, or the part is in the way. Drill it first.</source>
-        <translation>%1 个孔未铣螺纹：孔钻得不够深，或有零件阻挡。请先钻孔。</translation>
-    </message>
-    <message>
-        <source>%1 holes are left without a thread: they are not drilled deep enough, or the part is in the way. Drill them first.</source>
-        <translation>%1 个孔未铣螺纹：孔钻得不够深，或有零件阻挡。请先钻孔。</translation>
     </message>
     <message>
         <source>Measuring</source>
@@ -2359,10 +2339,6 @@
     <message>
         <source>library &quot;%1&quot; added</source>
         <translation>已新建刀具库“%1”</translation>
-    </message>
-    <message>
-        <source>library &quot;%1&quot; is called &quot;%2&quot; now</source>
-        <translation>刀具库“%1”现名为“%2”</translation>
     </message>
     <message>
         <source>an empty library, or --with-tools to delete its tools</source>
@@ -2447,6 +2423,14 @@
     <message>
         <source>Axes whose readings at rest were all 0 keep their rest and dead zone (%1). If the device reports an axis only once it was moved, move every axis once, then calibrate again.</source>
         <translation>静止时读数全为 0 的轴保留其静止位置和死区（%1）。如果设备在轴移动后才报告该轴，请先将每个轴移动一次，然后重新标定。</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm, or fitted to the stock (%3 to %4; %5)</source>
+        <translation>%1：%2 mm，或与毛坯相适应（%3 至 %4；%5）</translation>
+    </message>
+    <message>
+        <source>library &quot;%1&quot; renamed to &quot;%2&quot;</source>
+        <translation>已将刀具库“%1”重命名为“%2”</translation>
     </message>
 </context>
 <context>
@@ -4032,14 +4016,6 @@
         <translation>由已有顶点构成的三角形</translation>
     </message>
     <message>
-        <source>inside the profile: make the tool from its models anew</source>
-        <translation>在轮廓之内：请由模型重新生成刀具</translation>
-    </message>
-    <message>
-        <source>inside the shank: make the tool from its models anew</source>
-        <translation>在刀杆之内：请由模型重新生成刀具</translation>
-    </message>
-    <message>
         <source>the height of the model of the shank</source>
         <translation>刀杆模型的高度</translation>
     </message>
@@ -4084,16 +4060,8 @@
         <translation>此格式无法保存进给和转速预设。</translation>
     </message>
     <message>
-        <source>Step-down, step-over and coolant of presets have no place in a bit.</source>
-        <translation>FreeCAD 刀头无法保存预设的每层切深、行距和冷却方式。</translation>
-    </message>
-    <message>
         <source>%1: FreeCAD does not support this shape.</source>
         <translation>%1：FreeCAD 不支持此形状。</translation>
-    </message>
-    <message>
-        <source>Holder and limits have no place in a FreeCAD library and were left out.</source>
-        <translation>FreeCAD 刀具库无法保存刀柄和限值，已略去。</translation>
     </message>
     <message>
         <source>The bits are in the folder Bit next to the library. FreeCAD finds them if the library itself is in a folder Library next to that folder.</source>
@@ -4120,10 +4088,6 @@
         <translation>尚无刀具库使用的名称</translation>
     </message>
     <message>
-        <source>there if chip_load_mm is not, and left out if it is</source>
-        <translation>若无 chip_load_mm 则必须有，若有则须略去</translation>
-    </message>
-    <message>
         <source>at most maximum_depth_of_cut_mm (%1)</source>
         <translation>至多为 maximum_depth_of_cut_mm（%1）</translation>
     </message>
@@ -4140,10 +4104,6 @@
         <translation>该刀具的其他预设未使用的名称</translation>
     </message>
     <message>
-        <source>a moment that the path still has</source>
-        <translation>刀路中仍存在的时刻</translation>
-    </message>
-    <message>
         <source>take %1, tick %2</source>
         <translation>录制%1，周期%2</translation>
     </message>
@@ -4158,10 +4118,6 @@
     <message>
         <source>a round upright hole of the part</source>
         <translation>零件上的竖直圆孔</translation>
-    </message>
-    <message>
-        <source>a hole that the part has at the major diameter, %1 mm, and not at %2 mm</source>
-        <translation>零件中按大径 %1 mm（而非 %2 mm）建模的孔</translation>
     </message>
     <message>
         <source>a model whose facets are at most %1 mm inside of that hole&apos;s circle</source>
@@ -4200,10 +4156,6 @@
         <translation>小于直径的一半</translation>
     </message>
     <message>
-        <source>%1 mm or more, with the other sizes of this fixture</source>
-        <translation>在此夹具的其他尺寸下不小于 %1 mm</translation>
-    </message>
-    <message>
         <source>a value for each parameter</source>
         <translation>每个参数一个值</translation>
     </message>
@@ -4220,10 +4172,6 @@
         <translation>轴可以分配的设备</translation>
     </message>
     <message>
-        <source>one button or more that mills</source>
-        <translation>至少有一个按钮用于铣削</translation>
-    </message>
-    <message>
         <source>low end, rest and high end in ascending order, from -4 to 4</source>
         <translation>下端、静止位置和上端按升序排列，范围为 -4 至 4</translation>
     </message>
@@ -4234,6 +4182,42 @@
     <message>
         <source>above %1 and at most %2 mm for the hole at %3, %4</source>
         <translation>对于位于 %3, %4 的孔，须大于 %1 mm 且不超过 %2 mm</translation>
+    </message>
+    <message>
+        <source>inside the profile: make the tool from its models again</source>
+        <translation>在轮廓之内：请由模型重新生成刀具</translation>
+    </message>
+    <message>
+        <source>inside the shank: make the tool from its models again</source>
+        <translation>在刀杆之内：请由模型重新生成刀具</translation>
+    </message>
+    <message>
+        <source>required without chip_load_mm, not allowed with it</source>
+        <translation>没有 chip_load_mm 时必须有，有 chip_load_mm 时不得有</translation>
+    </message>
+    <message>
+        <source>%1 mm or more for the other sizes of this fixture</source>
+        <translation>在此夹具的其他尺寸下不小于 %1 mm</translation>
+    </message>
+    <message>
+        <source>a moment that is still in the path</source>
+        <translation>刀路中仍存在的时刻</translation>
+    </message>
+    <message>
+        <source>a hole modelled with the major diameter, %1 mm, not with %2 mm</source>
+        <translation>按大径 %1 mm（而非 %2 mm）建模的孔</translation>
+    </message>
+    <message>
+        <source>at least one button that mills</source>
+        <translation>至少有一个按钮用于铣削</translation>
+    </message>
+    <message>
+        <source>Step-down, step-over and coolant of presets can&apos;t be stored in a FreeCAD tool bit.</source>
+        <translation>FreeCAD 刀头无法保存预设的每层切深、行距和冷却方式。</translation>
+    </message>
+    <message>
+        <source>Holders and limits can&apos;t be stored in a FreeCAD library and were left out.</source>
+        <translation>FreeCAD 刀具库无法保存刀柄和限值，已略去。</translation>
     </message>
 </context>
 <context>
@@ -4637,16 +4621,16 @@
         <translation>显示全部</translation>
     </message>
     <message>
-        <source>%1: %2, reversed; gain %3; dead zone %4 %; range %5 … %6 … %7 %</source>
-        <translation>%1：%2，反向；增益 %3；死区 %4 %；范围 %5 … %6 … %7 %</translation>
-    </message>
-    <message>
-        <source>%1: %2; gain %3; dead zone %4 %; range %5 … %6 … %7 %</source>
-        <translation>%1：%2；增益 %3；死区 %4 %；范围 %5 … %6 … %7 %</translation>
-    </message>
-    <message>
         <source>button %1: %2</source>
         <translation>按钮 %1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2, reversed; gain %3; dead zone %4 %; range %5 to %7 %, rest %6 %</source>
+        <translation>%1：%2，反向；增益 %3；死区 %4 %；范围 %5 至 %7 %，静止 %6 %</translation>
+    </message>
+    <message>
+        <source>%1: %2; gain %3; dead zone %4 %; range %5 to %7 %, rest %6 %</source>
+        <translation>%1：%2；增益 %3；死区 %4 %；范围 %5 至 %7 %，静止 %6 %</translation>
     </message>
 </context>
 <context>
@@ -6210,14 +6194,6 @@
         <translation>从工作台到虎钳导轨面</translation>
     </message>
     <message>
-        <source>Spindle length</source>
-        <translation>丝杠长度</translation>
-    </message>
-    <message>
-        <source>How far body and spindle reach out behind the movable jaw</source>
-        <translation>本体和丝杠在活动钳口后方伸出的长度</translation>
-    </message>
-    <message>
         <source>Clamping height</source>
         <translation>夹紧高度</translation>
     </message>
@@ -6262,10 +6238,6 @@
         <translation>螺柱距离</translation>
     </message>
     <message>
-        <source>From the pressed point to the axis of the stud</source>
-        <translation>从压紧点到螺柱轴线</translation>
-    </message>
-    <message>
         <source>Stud diameter</source>
         <translation>螺柱直径</translation>
     </message>
@@ -6300,10 +6272,6 @@
     <message>
         <source>Nut width</source>
         <translation>螺母对边宽度</translation>
-    </message>
-    <message>
-        <source>Across flats; kept clear across its corners, however the nut stands</source>
-        <translation>对边宽度；无论螺母朝向如何，均按对角宽度避让</translation>
     </message>
     <message>
         <source>Nut height</source>
@@ -6348,10 +6316,6 @@
     <message>
         <source>Nose length</source>
         <translation>压头长度</translation>
-    </message>
-    <message>
-        <source>How far the nose reaches out of the body</source>
-        <translation>压头从本体伸出的长度</translation>
     </message>
     <message>
         <source>Nose width</source>
@@ -6408,10 +6372,6 @@
     <message>
         <source>Head width</source>
         <translation>头部对边宽度</translation>
-    </message>
-    <message>
-        <source>Across flats; kept clear across its corners, however the head stands</source>
-        <translation>对边宽度；无论头部朝向如何，均按对角宽度避让</translation>
     </message>
     <message>
         <source>Head diameter</source>
@@ -6510,20 +6470,44 @@
         <translation>穿过毛坯的螺钉，带内六角圆柱头和垫圈</translation>
     </message>
     <message>
-        <source>Pair of parallels</source>
-        <translation>平行垫铁（一对）</translation>
-    </message>
-    <message>
         <source>Two bars below the stock</source>
         <translation>毛坯下方的两条垫铁</translation>
     </message>
     <message>
-        <source>Table plate</source>
-        <translation>底板</translation>
-    </message>
-    <message>
         <source>A plate below the stock; its top is the table for clamps that are placed later</source>
         <translation>毛坯下方的底板；其顶面是之后放置的压板所用的工作台</translation>
+    </message>
+    <message>
+        <source>Rear overhang</source>
+        <translation>后方伸出长度</translation>
+    </message>
+    <message>
+        <source>How far the body and the screw of the vise extend behind the movable jaw</source>
+        <translation>虎钳本体和丝杠在活动钳口后方伸出的长度</translation>
+    </message>
+    <message>
+        <source>From the clamping point to the axis of the stud</source>
+        <translation>从压紧点到螺柱轴线</translation>
+    </message>
+    <message>
+        <source>Width across flats; the tool keeps clear of the width across corners, in any position of the nut</source>
+        <translation>对边宽度；无论螺母朝向如何，刀具均按对角宽度避让</translation>
+    </message>
+    <message>
+        <source>How far the nose extends from the body</source>
+        <translation>压头从本体伸出的长度</translation>
+    </message>
+    <message>
+        <source>Width across flats; the tool keeps clear of the width across corners, in any position of the head</source>
+        <translation>对边宽度；无论头部朝向如何，刀具均按对角宽度避让</translation>
+    </message>
+    <message>
+        <source>Parallels (pair)</source>
+        <translation>平行垫铁（一对）</translation>
+    </message>
+    <message>
+        <source>Base plate</source>
+        <translation>底板</translation>
     </message>
 </context>
 <context>
@@ -7875,16 +7859,8 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>同时删除其中的刀具</translation>
     </message>
     <message>
-        <source>Put tools of your own into the library of --library</source>
-        <translation>把您自己的刀具放入 --library 指定的刀具库</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>刀具</translation>
-    </message>
-    <message>
-        <source>Put copies there, also of tools that Burin is shipped with</source>
-        <translation>放入副本，也可用于 Burin 自带的刀具</translation>
     </message>
     <message>
         <source>Add or change a preset of feeds and speeds of one of your own tools. Paths use the first preset for the material of the stock, without one the first for any material, without one the values that the material states</source>
@@ -7963,10 +7939,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>drill、thread：位于 X,Y（mm）的孔，或其在“info --json”中的编号；可给出多次（默认：零件上所有适合该钻头、或直径等于螺纹大径的竖直孔）</translation>
     </message>
     <message>
-        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes have to be drawn at this diameter</source>
-        <translation>thread：公制规格，M3 至 M24，或直径与螺距 M8x1；零件的孔须按此直径建模</translation>
-    </message>
-    <message>
         <source>thread: pitch, mm</source>
         <translation>thread：螺距，mm</translation>
     </message>
@@ -7977,10 +7949,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>thread: major diameter, mm (default: that of each --hole)</source>
         <translation>thread：大径，mm（默认：每个 --hole 的直径）</translation>
-    </message>
-    <message>
-        <source>thread: how often the tool follows the thread, deeper each time</source>
-        <translation>thread：刀具沿螺纹走几遍，逐次加深</translation>
     </message>
     <message>
         <source>thread: once more at full depth</source>
@@ -8017,6 +7985,22 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Add tools of another program to your own: a Fusion library (*.tools, *.json), a FreeCAD library or bit (*.fctl, *.fctb), a CAMotics table (*.ctbl), a LinuxCNC table (*.tbl). Several tools become a library that has the name of the file, or are put into --library, which need not exist yet. What can&apos;t be held is listed</source>
         <translation>把其他程序的刀具加入您自己的刀具：Fusion 刀具库（*.tools、*.json）、FreeCAD 刀具库或刀头（*.fctl、*.fctb）、CAMotics 刀具表（*.ctbl）、LinuxCNC 刀具表（*.tbl）。多把刀具成为与文件同名的刀具库，或放入 --library 指定的刀具库（可尚不存在）。无法保存的内容会列出</translation>
+    </message>
+    <message>
+        <source>Move your own tools to the library given by --library</source>
+        <translation>把您自己的刀具移到 --library 指定的刀具库</translation>
+    </message>
+    <message>
+        <source>Copy them instead; tools that Burin is shipped with can be copied, too</source>
+        <translation>改为复制；Burin 自带的刀具也可以复制</translation>
+    </message>
+    <message>
+        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes must be modelled with this diameter</source>
+        <translation>thread：公制规格，M3 至 M24，或直径与螺距 M8x1；零件的孔须按此直径建模</translation>
+    </message>
+    <message>
+        <source>thread: number of passes along the thread, each deeper than the one before</source>
+        <translation>thread：沿螺纹走刀的次数，逐次加深</translation>
     </message>
 </context>
 <context>
@@ -8172,14 +8156,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>文件注明的单位是 %1（%2 mm）；已改用 1 单位 = %3 mm。</translation>
     </message>
     <message>
-        <source>1 face has a colour of its own, which is not shown: a body is shown in one colour.</source>
-        <translation>1 个面有自己的颜色，未予显示：一个实体只以一种颜色显示。</translation>
-    </message>
-    <message>
-        <source>%1 faces have colours of their own, which are not shown: a body is shown in one colour.</source>
-        <translation>%1 个面有自己的颜色，未予显示：一个实体只以一种颜色显示。</translation>
-    </message>
-    <message>
         <source>The transparency of colours was not imported.</source>
         <translation>颜色的透明度未导入。</translation>
     </message>
@@ -8194,6 +8170,14 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Assembly %1</source>
         <translation>装配体 %1</translation>
+    </message>
+    <message>
+        <source>1 face has a colour of its own, which is not shown; Burin shows each body in one colour.</source>
+        <translation>1 个面有自己的颜色，未予显示；Burin 以一种颜色显示每个实体。</translation>
+    </message>
+    <message>
+        <source>%1 faces have colours of their own, which are not shown; Burin shows each body in one colour.</source>
+        <translation>%1 个面有自己的颜色，未予显示；Burin 以一种颜色显示每个实体。</translation>
     </message>
 </context>
 <context>
@@ -8736,6 +8720,22 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>%1 of the path are left out (red in the view).</source>
         <translation>刀路已略去 %1（视图中为红色）。</translation>
     </message>
+    <message>
+        <source>One hole was not threaded: it is not drilled deep enough, or the part is in the way. Drill it deeper first.</source>
+        <translation>有一个孔未铣螺纹：孔钻得不够深，或零件挡住了。请先钻得更深。</translation>
+    </message>
+    <message>
+        <source>%1 holes were not threaded: they are not drilled deep enough, or the part is in the way. Drill them deeper first.</source>
+        <translation>有 %1 个孔未铣螺纹：孔钻得不够深，或零件挡住了。请先钻得更深。</translation>
+    </message>
+    <message>
+        <source>One hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
+        <translation>有一个孔未钻到全深：零件挡住了，或钻头太短。</translation>
+    </message>
+    <message>
+        <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
+        <translation>有 %1 个孔未钻到全深：零件挡住了，或钻头太短。</translation>
+    </message>
 </context>
 <context>
     <name>PanelTexts</name>
@@ -9098,8 +9098,8 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>铣螺纹</translation>
     </message>
     <message>
-        <source>Mills internal threads in drilled holes that the part has at the thread&apos;s major diameter</source>
-        <translation>在已钻好、且零件中按螺纹大径建模的孔内铣内螺纹</translation>
+        <source>Mills internal threads in drilled holes that are modelled with the thread&apos;s major diameter</source>
+        <translation>在已钻好、且按螺纹大径建模的孔内铣内螺纹</translation>
     </message>
 </context>
 <context>
@@ -10936,18 +10936,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>设备未连接。</translation>
     </message>
     <message>
-        <source>The rest is being measured.</source>
-        <translation>正在测量静止位置。</translation>
-    </message>
-    <message>
-        <source>Every axis was at both of its ends</source>
-        <translation>每个轴都已到过两端</translation>
-    </message>
-    <message>
-        <source>Measure rest, noise and ends of the axes: two seconds at rest, then move</source>
-        <translation>测量轴的静止位置、噪声和两端：先静止两秒，再移动</translation>
-    </message>
-    <message>
         <source>Leave the device at rest for two seconds.</source>
         <translation>请让设备静止两秒。</translation>
     </message>
@@ -10966,6 +10954,18 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Axes that were not moved before the measurement keep their rest and dead zone (%1); move every axis once first, then calibrate again.</source>
         <translation>测量前未移动过的轴保留其静止位置和死区（%1）；请先将每个轴移动一次，然后重新校准。</translation>
+    </message>
+    <message>
+        <source>The rest position is being measured.</source>
+        <translation>正在测量静止位置。</translation>
+    </message>
+    <message>
+        <source>Press this when every axis has been at both of its ends</source>
+        <translation>每个轴都到过两端后按下</translation>
+    </message>
+    <message>
+        <source>Measure rest position, noise and ends of the axes: two seconds at rest, then move them</source>
+        <translation>测量轴的静止位置、噪声和两端：先静止两秒，再移动</translation>
     </message>
 </context>
 <context>
@@ -11031,8 +11031,8 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>设备铣削时此按钮的作用</translation>
     </message>
     <message>
-        <source>%1 … %2 … %3 %</source>
-        <translation>%1 … %2 … %3 %</translation>
+        <source>%1 to %3 %, rest %2 %</source>
+        <translation>%1 至 %3 %，静止 %2 %</translation>
     </message>
 </context>
 <context>
@@ -12486,10 +12486,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
 <context>
     <name>burin::HolePresenter</name>
     <message>
-        <source>There is no round upright hole. Click the wall of a hole, or into it.</source>
-        <translation>那里没有竖直圆孔。请单击孔壁或孔口内。</translation>
-    </message>
-    <message>
         <source>Click the holes of the pass; a second click removes a hole. Enter or Esc goes back to the pass.</source>
         <translation>单击走刀的孔；再次单击则移除该孔。按 Enter 或 Esc 返回走刀。</translation>
     </message>
@@ -12510,6 +12506,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>
             <numerusform>已选 %n 个孔。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>There is no round upright hole here. Click the wall of a hole, or inside it.</source>
+        <translation>此处没有竖直圆孔。请单击孔壁或孔内。</translation>
     </message>
 </context>
 <context>
@@ -13547,16 +13547,16 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>零件和工件的视图</translation>
     </message>
     <message>
-        <source>“%1” is in use: the change was made there.</source>
-        <translation>现在使用“%1”：更改是在那里做的。</translation>
-    </message>
-    <message>
         <source>Placing a fixture</source>
         <translation>放置夹具</translation>
     </message>
     <message>
         <source>The tool “%1” is in the library. It doesn&apos;t turn: its models cut, and their profile keeps them out of the part.</source>
         <translation>刀具“%1”已在刀具库中。它不旋转：由其模型切削，轮廓把它们挡在零件之外。</translation>
+    </message>
+    <message>
+        <source>Switched to “%1”, where the change was made.</source>
+        <translation>已切换到“%1”，更改是在那里做的。</translation>
     </message>
 </context>
 <context>
@@ -14298,14 +14298,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>手克服反推力压入零件的深度</translation>
     </message>
     <message>
-        <source>The tool is as deep as the pressure&apos;s share of the depth of cut, or of the press into the part</source>
-        <translation>刀具深度为切深（或压入零件的深度）乘以压力比例</translation>
-    </message>
-    <message>
-        <source>The tool sinks from the surface to the depth of cut, the faster the harder the pen presses</source>
-        <translation>刀具从表面下沉到切深，笔压得越重下沉越快</translation>
-    </message>
-    <message>
         <source>Sinking speed</source>
         <translation>下沉速度</translation>
     </message>
@@ -14324,6 +14316,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Pen</source>
         <translation>笔</translation>
+    </message>
+    <message>
+        <source>The pressure sets the depth; at full pressure it is the depth of cut, or the press into the part</source>
+        <translation>压力决定深度；压力最大时为切深，或压入零件的深度</translation>
+    </message>
+    <message>
+        <source>The tool sinks from the surface to the depth of cut; it sinks faster the harder the pen presses</source>
+        <translation>刀具从表面下沉到切深，笔压得越重下沉越快</translation>
     </message>
 </context>
 <context>
@@ -14826,16 +14826,16 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>所有适合的孔</translation>
     </message>
     <message>
-        <source>Forget the picked holes: the pass uses every hole of the part that fits</source>
-        <translation>清除所选的孔：走刀使用零件上所有适合的孔</translation>
-    </message>
-    <message>
         <source>Choose a thread, or enter its pitch.</source>
         <translation>请选择螺纹，或输入螺距。</translation>
     </message>
     <message>
         <source>Enter the diameter of the thread, or pick its holes.</source>
         <translation>请输入螺纹直径，或选择孔。</translation>
+    </message>
+    <message>
+        <source>Clear the selection: the pass uses every hole of the part that fits</source>
+        <translation>清除选择：走刀使用零件上所有适合的孔</translation>
     </message>
 </context>
 <context>
@@ -15017,10 +15017,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>大径</translation>
     </message>
     <message>
-        <source>Of the thread; the part&apos;s holes have to be drawn at this diameter. 0: that of each picked hole</source>
-        <translation>螺纹的大径；零件的孔须按此直径建模。0：取每个所选孔的直径</translation>
-    </message>
-    <message>
         <source>Length of the thread below the top of its hole. 0: as far as each hole is open and drilled</source>
         <translation>螺纹自孔口向下的长度。0：到每个孔贯通且已钻到的深度</translation>
     </message>
@@ -15039,10 +15035,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Passes</source>
         <translation>走刀次数</translation>
-    </message>
-    <message>
-        <source>How often the tool follows the thread, deeper each time</source>
-        <translation>刀具沿螺纹走几遍，逐次加深</translation>
     </message>
     <message>
         <source>Spring pass</source>
@@ -15067,6 +15059,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Conventional instead of climb milling: right-hand threads are cut from the top down</source>
         <translation>逆铣而非顺铣：右旋螺纹自上而下铣削</translation>
+    </message>
+    <message>
+        <source>Of the thread. The part&apos;s holes must be modelled with this diameter. 0: the diameter of each picked hole</source>
+        <translation>螺纹的大径。零件的孔须按此直径建模。0：取每个所选孔的直径</translation>
+    </message>
+    <message>
+        <source>Number of passes along the thread, each deeper than the one before</source>
+        <translation>沿螺纹走刀的次数，逐次加深</translation>
     </message>
 </context>
 <context>
@@ -15350,24 +15350,12 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>将此走刀移到上方走刀之前铣削</translation>
     </message>
     <message>
-        <source>One hole is not drilled to full depth: the part is in the way, or the drill is too short.</source>
-        <translation>有一个孔未钻到全深：零件挡住了，或钻头太短。</translation>
-    </message>
-    <message>
-        <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
-        <translation>%1个孔未钻到全深：被零件阻挡，或钻头太短。</translation>
-    </message>
-    <message>
         <source>Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool</source>
         <translation>用当前刀具计算粗加工、精加工、型腔、轮廓、钻孔、螺纹或雕刻</translation>
     </message>
     <message>
-        <source>One hole is left without a thread: it is not drilled deep enough, or the part is in the way.</source>
-        <translation>有一个孔未铣螺纹：孔钻得不够深，或有零件阻挡。</translation>
-    </message>
-    <message>
-        <source>%1 holes are left without a thread: they are not drilled deep enough, or the part is in the way.</source>
-        <translation>%1 个孔未铣螺纹：孔钻得不够深，或有零件阻挡。</translation>
+        <source>The loaded tool doesn&apos;t turn: it has no passes.</source>
+        <translation>当前刀具不旋转：没有走刀。</translation>
     </message>
 </context>
 <context>
@@ -18157,16 +18145,16 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         </translation>
     </message>
     <message>
-        <source>This tool doesn&apos;t turn: it cuts as its model sweeps, upright and in a fixed direction. It has no feeds, passes or programs.</source>
-        <translation>此刀具不旋转：它按模型扫过的形状切削，保持竖直且方向固定。它没有进给、走刀和程序。</translation>
-    </message>
-    <message>
         <source>By the preset “%1” of this tool.</source>
         <translation>按此刀具的预设“%1”。</translation>
     </message>
     <message>
         <source>By the preset “%1” of this tool; the plunge feed by the material.</source>
         <translation>按此刀具的预设“%1”；下刀进给按材料。</translation>
+    </message>
+    <message>
+        <source>This tool doesn&apos;t turn: it cuts what its model sweeps, upright and in a fixed direction. It has no feeds, passes or programs.</source>
+        <translation>此刀具不旋转：它按模型扫过的形状切削，保持竖直且方向固定。它没有进给、走刀和程序。</translation>
     </message>
 </context>
 <context>
@@ -18260,10 +18248,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>运动</translation>
     </message>
     <message>
-        <source>A tool that doesn&apos;t turn cuts as its models sweep; their profile only keeps them out of the part</source>
-        <translation>不旋转的刀具按模型扫过的形状切削；其轮廓只用来把它们挡在零件之外</translation>
-    </message>
-    <message>
         <source>Direction</source>
         <translation>方向</translation>
     </message>
@@ -18274,6 +18258,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>A tool that turns cuts what its flutes sweep with the spindle; one that doesn&apos;t turn cuts what its models sweep. Models have their axis along +Z, through the origin, towards the holder; their lowest point becomes the tip. Teeth, limits and holder are those of “%1”.</source>
         <translation>旋转的刀具切除其刃部随主轴扫过的区域；不旋转的刀具切除其模型扫过的区域。模型的轴线沿 +Z，通过原点，指向刀柄；模型的最低点成为刀尖。齿数、限值和刀柄取自“%1”。</translation>
+    </message>
+    <message>
+        <source>A tool that doesn&apos;t turn cuts what its models sweep; their profile only keeps them out of the part</source>
+        <translation>不旋转的刀具按模型扫过的形状切削；其轮廓只用来把它们挡在零件之外</translation>
     </message>
 </context>
 <context>
