@@ -37,7 +37,7 @@ class FixtureDialog final : public QDialog {
     Q_OBJECT
 public:
     explicit FixtureDialog(QWidget* parent);
-    void fit(); ///< gives it the height that its content needs
+    void fit();                                     ///< gives it the height that its content needs
     void setState(const FixtureDialogState& state); ///< never emits
 
 signals:
