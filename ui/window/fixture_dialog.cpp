@@ -190,7 +190,12 @@ void FixtureDialog::setState(const FixtureDialogState& state) {
     enableUnless(accept_, state.problem,
                  state.changing ? tr("Change the fixture of the setup") : tr("Add the fixture to the setup"));
     notice_->tell(Notice::Kind::error, state.problem);
-    if (isVisible()) adjustSize(); // what is said about a kind takes one line or two
+    if (isVisible()) fit(); // what is said about a kind takes one line or two
+}
+
+/// adjustSize would stop at two thirds of the screen.
+void FixtureDialog::fit() {
+    resize(width(), layout()->totalHeightForWidth(width()));
 }
 
 } // namespace burin

@@ -74,11 +74,11 @@ void FixturePresenter::begin() {
     viewport_.setInteractiveTool(&placer_);
     present();
     // At the edge of the window, so that the stock stays visible.
-    dialog_->adjustSize();
+    dialog_->fit();
     const QRect window = viewport_.window()->geometry();
     dialog_->move(window.right() - dialog_->width() - fixtureDialogMargin, window.top() + fixtureDialogMargin);
     dialog_->show();
-    dialog_->adjustSize(); // its rows are styled, and higher, only now
+    dialog_->fit(); // its rows are styled, and higher, only now
     emit escapeChanged();
 }
 
