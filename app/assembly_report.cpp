@@ -4,7 +4,7 @@
 
 #include "app/wording.h"
 #include "core/base/numbers.h"
-#include "ui/panels/model_words.h"
+#include "ui/panels/model_labels.h"
 
 namespace burin {
 

@@ -5,7 +5,7 @@
 #include "app/report.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
-#include "ui/panels/measure_words.h"
+#include "ui/panels/measure_labels.h"
 
 namespace burin {
 

@@ -7,7 +7,7 @@
 #include "core/machine/machine_library.h"
 #include "core/verify/findings.h"
 #include "core/verify/report_json.h"
-#include "ui/panels/embedding_words.h"
+#include "ui/panels/embedding_labels.h"
 
 namespace burin {
 

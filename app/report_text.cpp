@@ -10,8 +10,8 @@
 #include "core/verify/findings.h"
 #include "core/verify/load_chart.h"
 #include "ui/messages/messages.h"
-#include "ui/panels/embedding_words.h"
-#include "ui/panels/model_words.h"
+#include "ui/panels/embedding_labels.h"
+#include "ui/panels/model_labels.h"
 #include "ui/panels/texts.h"
 
 #include <algorithm>

@@ -38,8 +38,8 @@ Result<TakeMoment> momentOf(const Project& project, const std::string& text) {
     return TakeMoment{info.id, sampleAt(info, seconds->front())};
 }
 
-Result<SampleRange> stretchOf(const Project& project, std::int64_t take, std::optional<double> from,
-                              std::optional<double> to) {
+Result<SampleRange> intervalOf(const Project& project, std::int64_t take, std::optional<double> from,
+                               std::optional<double> to) {
     const Result<TakeOutline> outline = project.takeOutline(take);
     if (!outline) return outline.error();
     const std::uint64_t first = sampleAt(outline->info, from.value_or(0.0));

@@ -15,7 +15,7 @@ Result<TakeMoment> momentOf(const Project& project, const std::string& text);
 
 /// An interval of a take. @param from, to s since its start; empty: its start, its end
 /// Errors: nameUnknown, argumentInvalid (the interval is empty).
-Result<SampleRange> stretchOf(const Project& project, std::int64_t take, std::optional<double> from,
-                              std::optional<double> to);
+Result<SampleRange> intervalOf(const Project& project, std::int64_t take, std::optional<double> from,
+                               std::optional<double> to);
 
 } // namespace burin

@@ -40,9 +40,9 @@ bool hasDisplay() {
         return value != nullptr && *value != '\0';
     };
     const char* platform = std::getenv("QT_QPA_PLATFORM");
-    const std::string_view wished = platform != nullptr ? platform : "";
-    if (wished == "offscreen" || wished == "minimal") return false; // these cannot draw with OpenGL
-    return set("DISPLAY") || set("WAYLAND_DISPLAY") || !wished.empty();
+    const std::string_view requested = platform != nullptr ? platform : "";
+    if (requested == "offscreen" || requested == "minimal") return false; // these cannot draw with OpenGL
+    return set("DISPLAY") || set("WAYLAND_DISPLAY") || !requested.empty();
 }
 
 void installLanguage() {

@@ -4782,7 +4782,7 @@
     </message>
 </context>
 <context>
-    <name>EditParameterTexts</name>
+    <name>EditParameterLabels</name>
     <message>
         <source>Shortest</source>
         <translation>Mindestlänge</translation>
@@ -5540,7 +5540,7 @@
     </message>
 </context>
 <context>
-    <name>EmbeddingWords</name>
+    <name>EmbeddingLabels</name>
     <message>
         <source>scanlines: %1</source>
         <translation>Abtastlinien: %1</translation>
@@ -5584,7 +5584,7 @@
     </message>
 </context>
 <context>
-    <name>EntryTexts</name>
+    <name>EntryLabels</name>
     <message>
         <source>plunges %1</source>
         <translation>Eintauchen %1</translation>
@@ -6513,7 +6513,7 @@
     </message>
 </context>
 <context>
-    <name>GuideWords</name>
+    <name>GuideLabels</name>
     <message>
         <source>%1 apart</source>
         <translation>Abstand %1</translation>
@@ -6548,7 +6548,7 @@
     </message>
 </context>
 <context>
-    <name>HandTimeTexts</name>
+    <name>HandTimeLabels</name>
     <message>
         <source>take %1</source>
         <translation>Aufnahme %1</translation>
@@ -8006,7 +8006,7 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
 </context>
 <context>
-    <name>HoleWords</name>
+    <name>HoleLabels</name>
     <message>
         <source>⌀ %1, %2 deep</source>
         <translation>⌀ %1, %2 tief</translation>
@@ -8202,7 +8202,7 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
 </context>
 <context>
-    <name>MeasureWords</name>
+    <name>MeasureLabels</name>
     <message>
         <source>X %1, Y %2, Z %3</source>
         <translation>X %1, Y %2, Z %3</translation>
@@ -8603,7 +8603,7 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
 </context>
 <context>
-    <name>MillTexts</name>
+    <name>MillLabels</name>
     <message>
         <source>the workpiece</source>
         <translation>das Werkstück</translation>
@@ -8705,7 +8705,7 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
 </context>
 <context>
-    <name>OmissionTexts</name>
+    <name>OmissionLabels</name>
     <message>
         <source>%1 from X %2, Y %3, Z %4: %5</source>
         <translation>%1 ab X %2, Y %3, Z %4: %5</translation>
@@ -8740,7 +8740,7 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
 </context>
 <context>
-    <name>PanelTexts</name>
+    <name>PanelLabels</name>
     <message>
         <source>1 flute</source>
         <translation>1 Schneide</translation>
@@ -9135,7 +9135,7 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     </message>
 </context>
 <context>
-    <name>PlacementWords</name>
+    <name>PlacementLabels</name>
     <message>
         <source>As in the file.</source>
         <translation>Wie in der Datei.</translation>
@@ -10110,7 +10110,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
-    <name>ScoreWords</name>
+    <name>ScoreLabels</name>
     <message>
         <source>the same</source>
         <translation>gleich</translation>
@@ -10713,7 +10713,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
-    <name>TimelineCurveWords</name>
+    <name>TimelineCurveLabels</name>
     <message>
         <source>Force</source>
         <translation>Kraft</translation>
@@ -12529,7 +12529,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
-    <name>burin::JobLine</name>
+    <name>burin::StepBar</name>
     <message>
         <source>Part</source>
         <translation>Teil</translation>
@@ -18851,7 +18851,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
-    <name>burin::ZeroWords</name>
+    <name>burin::ZeroLabels</name>
     <message>
         <source>left</source>
         <translation>links</translation>

@@ -4781,7 +4781,7 @@
     </message>
 </context>
 <context>
-    <name>EditParameterTexts</name>
+    <name>EditParameterLabels</name>
     <message>
         <source>Shortest</source>
         <translation>最短长度</translation>
@@ -5538,7 +5538,7 @@
     </message>
 </context>
 <context>
-    <name>EmbeddingWords</name>
+    <name>EmbeddingLabels</name>
     <message>
         <source>scanlines: %1</source>
         <translation>扫描线：%1</translation>
@@ -5582,7 +5582,7 @@
     </message>
 </context>
 <context>
-    <name>EntryTexts</name>
+    <name>EntryLabels</name>
     <message>
         <source>plunges %1</source>
         <translation>垂直下刀 %1</translation>
@@ -6511,7 +6511,7 @@
     </message>
 </context>
 <context>
-    <name>GuideWords</name>
+    <name>GuideLabels</name>
     <message>
         <source>%1 apart</source>
         <translation>间隔%1</translation>
@@ -6546,7 +6546,7 @@
     </message>
 </context>
 <context>
-    <name>HandTimeTexts</name>
+    <name>HandTimeLabels</name>
     <message>
         <source>take %1</source>
         <translation>录制%1</translation>
@@ -8004,7 +8004,7 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     </message>
 </context>
 <context>
-    <name>HoleWords</name>
+    <name>HoleLabels</name>
     <message>
         <source>⌀ %1, %2 deep</source>
         <translation>⌀ %1，深 %2</translation>
@@ -8200,7 +8200,7 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     </message>
 </context>
 <context>
-    <name>MeasureWords</name>
+    <name>MeasureLabels</name>
     <message>
         <source>X %1, Y %2, Z %3</source>
         <translation>X %1, Y %2, Z %3</translation>
@@ -8601,7 +8601,7 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     </message>
 </context>
 <context>
-    <name>MillTexts</name>
+    <name>MillLabels</name>
     <message>
         <source>the workpiece</source>
         <translation>工件</translation>
@@ -8703,7 +8703,7 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     </message>
 </context>
 <context>
-    <name>OmissionTexts</name>
+    <name>OmissionLabels</name>
     <message>
         <source>%1 from X %2, Y %3, Z %4: %5</source>
         <translation>%1，自 X %2，Y %3，Z %4 起：%5</translation>
@@ -8738,7 +8738,7 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     </message>
 </context>
 <context>
-    <name>PanelTexts</name>
+    <name>PanelLabels</name>
     <message>
         <source>1 flute</source>
         <translation>1 刃</translation>
@@ -9130,7 +9130,7 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     </message>
 </context>
 <context>
-    <name>PlacementWords</name>
+    <name>PlacementLabels</name>
     <message>
         <source>As in the file.</source>
         <translation>与文件中相同。</translation>
@@ -10102,7 +10102,7 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
-    <name>ScoreWords</name>
+    <name>ScoreLabels</name>
     <message>
         <source>the same</source>
         <translation>相同</translation>
@@ -10705,7 +10705,7 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
-    <name>TimelineCurveWords</name>
+    <name>TimelineCurveLabels</name>
     <message>
         <source>Force</source>
         <translation>力</translation>
@@ -12520,7 +12520,7 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
-    <name>burin::JobLine</name>
+    <name>burin::StepBar</name>
     <message>
         <source>Part</source>
         <translation>零件</translation>
@@ -18821,7 +18821,7 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
-    <name>burin::ZeroWords</name>
+    <name>burin::ZeroLabels</name>
     <message>
         <source>left</source>
         <translation>左侧</translation>

@@ -9,7 +9,7 @@
 #include "core/device/axis_map_json.h"
 #include "core/device/device_registry.h"
 #include "ui/dialogs/preferences.h"
-#include "ui/panels/device_words.h"
+#include "ui/panels/device_labels.h"
 
 #include <QLocale>
 

@@ -7,7 +7,7 @@
 #include "core/device/device_trial.h"
 #include "core/device/stylus_handle.h"
 #include "ui/messages/messages.h"
-#include "ui/panels/device_words.h"
+#include "ui/panels/device_labels.h"
 
 #include <QLocale>
 

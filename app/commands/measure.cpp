@@ -5,7 +5,7 @@
 #include "app/number_list.h"
 #include "app/wording.h"
 #include "core/cad/part_measure.h"
-#include "ui/panels/measure_words.h"
+#include "ui/panels/measure_labels.h"
 
 #include <nlohmann/json.hpp>
 

@@ -7,7 +7,7 @@
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/job/pass_preview.h"
-#include "ui/panels/omission_words.h"
+#include "ui/panels/omission_labels.h"
 
 #include <algorithm>
 #include <array>

@@ -30,10 +30,10 @@ struct TakeArguments {
 using Change = Result<void> (*)(Project& project, const TakeArguments& arguments);
 
 template <bool off>
-Result<void> switchStretch(Project& project, const TakeArguments& arguments) {
-    const Result<SampleRange> stretch = stretchOf(project, arguments.take, arguments.from, arguments.to);
-    if (!stretch) return stretch.error();
-    const Result<SwitchedOff> wanted = withStretch(project, arguments.take, *stretch, off);
+Result<void> switchInterval(Project& project, const TakeArguments& arguments) {
+    const Result<SampleRange> interval = intervalOf(project, arguments.take, arguments.from, arguments.to);
+    if (!interval) return interval.error();
+    const Result<SwitchedOff> wanted = withInterval(project, arguments.take, *interval, off);
     if (!wanted) return wanted.error();
     return setSwitchedOff(project, *wanted);
 }
@@ -55,13 +55,13 @@ int runChange(const TakeArguments& arguments, Change change, CommandContext& con
     context.stage(BURIN_TEXT("Command", "Saving"));
     if (const Result<void> saved = project->save(); !saved) return context.fail(saved.error());
     tellKeptEarlier(context, **project);
-    json stretches = json::array();
+    json intervals = json::array();
     double seconds = 0.0;
     for (const SampleRange& range : *off) {
-        stretches.push_back({{"first_sample", range.first}, {"samples", range.count}});
+        intervals.push_back({{"first_sample", range.first}, {"samples", range.count}});
         seconds += static_cast<double>(range.count) * take->info.tickPeriod;
     }
-    context.answer({{"take", arguments.take}, {"name", take->info.name}, {"switched_off", stretches}},
+    context.answer({{"take", arguments.take}, {"name", take->info.name}, {"switched_off", intervals}},
                    worded(BURIN_TEXT("Command", "take %1 %2: %3 s switched off"),
                           {std::to_string(arguments.take), take->info.name, formatFixed(seconds, 3)}));
     return 0;
@@ -156,9 +156,9 @@ void registerTake(CommandParser program, CommandContext& context, int& status) {
     const CommandParser off = addAction(
         command, "off",
         BURIN_TEXT("Help", "Workpiece and paths are made without it, until it is switched on again; nothing is erased"),
-        changing(&switchStretch<true>), context, status, arguments);
+        changing(&switchInterval<true>), context, status, arguments);
     const CommandParser on = addAction(command, "on", BURIN_TEXT("Help", "It counts again"),
-                                       changing(&switchStretch<false>), context, status, arguments);
+                                       changing(&switchInterval<false>), context, status, arguments);
     for (const CommandParser& one : {off, on}) {
         one.option("--from", arguments->from,
                    BURIN_TEXT("Help", "Beginning of the part, s from the start of the take (default: its start)"));

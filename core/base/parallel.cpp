@@ -7,11 +7,11 @@
 
 namespace burin {
 
-void runStretches(std::size_t count, std::size_t grain, void* work,
-                  void (*stretch)(void* work, std::size_t from, std::size_t to)) {
+void runIntervals(std::size_t count, std::size_t grain, void* work,
+                  void (*interval)(void* work, std::size_t from, std::size_t to)) {
     using Range = oneapi::tbb::blocked_range<std::size_t>;
     oneapi::tbb::parallel_for(Range(0, count, grain),
-                              [=](const Range& range) { stretch(work, range.begin(), range.end()); });
+                              [=](const Range& range) { interval(work, range.begin(), range.end()); });
 }
 
 } // namespace burin

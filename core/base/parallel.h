@@ -30,18 +30,18 @@ private:
     char token_ = 0;
 };
 
-/// Interface of `parallelStretches` to oneTBB: calls `stretch(work, from, to)` for intervals of 0 … count - 1. Only its
-/// source file contains code of oneTBB and is not built for the thread sanitizer, so that all other code can be
+/// Interface of `parallelIntervals` to oneTBB: calls `interval(work, from, to)` for intervals of 0 … count - 1. Only
+/// its source file contains code of oneTBB and is not built for the thread sanitizer, so that all other code can be
 /// checked.
-void runStretches(std::size_t count, std::size_t grain, void* work,
-                  void (*stretch)(void* work, std::size_t from, std::size_t to));
+void runIntervals(std::size_t count, std::size_t grain, void* work,
+                  void (*interval)(void* work, std::size_t from, std::size_t to));
 
 /// Calls `body(from, to)` for intervals that together make up first … end - 1, shared among all cores (oneTBB). Returns
 /// when all are done and their results are visible. Intervals run concurrently: they must not write the same data.
 /// @param grain intervals are not split below this size. An exception of `body` ends the work and is rethrown to the
 /// caller.
 template <class Index, class Body>
-void parallelStretches(Index first, Index end, std::size_t grain, const Body& body) {
+void parallelIntervals(Index first, Index end, std::size_t grain, const Body& body) {
     if (!(first < end)) return;
     struct Work {
         const Body& body;
@@ -49,7 +49,7 @@ void parallelStretches(Index first, Index end, std::size_t grain, const Body& bo
         SanitizerOrder started, done;
     } work{body, first, {}, {}};
     work.started.give();
-    runStretches(static_cast<std::size_t>(end - first), grain, &work,
+    runIntervals(static_cast<std::size_t>(end - first), grain, &work,
                  [](void* shared, std::size_t from, std::size_t to) {
                      Work& mine = *static_cast<Work*>(shared);
                      mine.started.take();
@@ -60,10 +60,10 @@ void parallelStretches(Index first, Index end, std::size_t grain, const Body& bo
     work.done.take();
 }
 
-/// Calls `body(i)` for i from first to end - 1. Otherwise as parallelStretches.
+/// Calls `body(i)` for i from first to end - 1. Otherwise as parallelIntervals.
 template <class Index, class Body>
 void parallelFor(Index first, Index end, const Body& body) {
-    parallelStretches(first, end, 1, [&](Index from, Index to) {
+    parallelIntervals(first, end, 1, [&](Index from, Index to) {
         for (Index i = from; i != to; ++i) body(i);
     });
 }

@@ -66,13 +66,13 @@ std::vector<VoxelIndex> commonSurface(const VolumeSnapshot& workpiece, const Gua
     std::vector<VoxelIndex> area;
     const Grid& grid = workpiece.grid();
     const glm::dvec3 low = inLineFrame(grid, grid.low());
-    const LineStretch us = linesWithin({reach.low.x, reach.high.x}, low.x, grid.edge(), grid.lineCountU());
-    const LineStretch vs = linesWithin({reach.low.y, reach.high.y}, low.y, grid.edge(), grid.lineCountV());
-    const LineStretch along = linesWithin({reach.low.z, reach.high.z}, low.z, grid.edge(), grid.voxelsPerLine());
+    const LineInterval us = linesWithin({reach.low.x, reach.high.x}, low.x, grid.edge(), grid.lineCountU());
+    const LineInterval vs = linesWithin({reach.low.y, reach.high.y}, low.y, grid.edge(), grid.lineCountV());
+    const LineInterval along = linesWithin({reach.low.z, reach.high.z}, low.z, grid.edge(), grid.voxelsPerLine());
     for (LineIndex line{us.first, vs.first}; line.v <= vs.last; ++line.v)
         for (line.u = us.first; line.u <= us.last; ++line.u)
-            for (const VoxelStretch& stretch : boundaryOfLine(workpiece, line))
-                for (std::int32_t k = std::max(stretch.first, along.first); k <= std::min(stretch.last, along.last);
+            for (const VoxelInterval& interval : boundaryOfLine(workpiece, line))
+                for (std::int32_t k = std::max(interval.first, along.first); k <= std::min(interval.last, along.last);
                      ++k) {
                     const VoxelIndex voxel = grid.voxel(line, k);
                     if (onSurface(guarded, grid, voxel)) area.push_back(voxel);

@@ -32,7 +32,7 @@ RevolvedPiece grown(const RevolvedPiece& piece, double margin) noexcept {
 class GuardedPiece {
 public:
     /// @param window  pending writes to the workpiece, or null
-    GuardedPiece(const RunVolume& workpiece, const GapWindow* window, const RevolvedPiece& piece,
+    GuardedPiece(const RunVolume& workpiece, const CutCache* window, const RevolvedPiece& piece,
                  const ToolPose& pose) noexcept
         : workpiece_(workpiece)
         , window_(window)
@@ -62,30 +62,31 @@ public:
         if (columns_.last < columns_.first || rows_.last < rows_.first) return;
         const auto& [lowCorner, highCorner] = grid_.box();
         if (reach_.high.z <= alongLow_ || reach_.low.z >= inLineFrame(grid_, highCorner).z) return;
-        forEachSquare(OccupiedBricks::blockSide, columns_, rows_, [&](LineIndex block, LineStretch us, LineStretch vs) {
-            if (bricks != nullptr && !mayTouch(nearBlock_, bricks->block(block), block, OccupiedBricks::blockSide))
-                return;
-            forEachSquare(OccupiedBricks::brickSide, us, vs,
-                          [&](LineIndex brick, LineStretch inner, LineStretch outer) {
-                              if (bricks != nullptr) {
-                                  constexpr std::int32_t side = OccupiedBricks::brickSide;
-                                  if (!mayTouch(nearBrick_, bricks->brick(brick), brick, side)) return;
-                                  if (!mayTouch(nearBrick_, bricks->lookAt(workpiece_, brick), brick, side)) return;
-                              }
-                              addBrick(inner, outer, overlap);
-                          });
-        });
+        forEachSquare(
+            OccupiedBricks::blockSide, columns_, rows_, [&](LineIndex block, LineInterval us, LineInterval vs) {
+                if (bricks != nullptr && !mayTouch(nearBlock_, bricks->block(block), block, OccupiedBricks::blockSide))
+                    return;
+                forEachSquare(OccupiedBricks::brickSide, us, vs,
+                              [&](LineIndex brick, LineInterval inner, LineInterval outer) {
+                                  if (bricks != nullptr) {
+                                      constexpr std::int32_t side = OccupiedBricks::brickSide;
+                                      if (!mayTouch(nearBrick_, bricks->brick(brick), brick, side)) return;
+                                      if (!mayTouch(nearBrick_, bricks->lookAt(workpiece_, brick), brick, side)) return;
+                                  }
+                                  addBrick(inner, outer, overlap);
+                              });
+            });
     }
 
 private:
     double halfDiagonal(std::int32_t side) const noexcept { return 0.5 * std::numbers::sqrt2 * side * grid_.edge(); }
     /// Calls `visit(low corner, u range, v range)` for each square of a raster that overlaps two ranges of lines.
     template <class Visit>
-    static void forEachSquare(std::int32_t side, LineStretch us, LineStretch vs, Visit&& visit) noexcept {
+    static void forEachSquare(std::int32_t side, LineInterval us, LineInterval vs, Visit&& visit) noexcept {
         for (std::int32_t v = vs.first - vs.first % side; v <= vs.last; v += side)
             for (std::int32_t u = us.first - us.first % side; u <= us.last; u += side)
-                visit(LineIndex{u, v}, LineStretch{std::max(u, us.first), std::min(u + side - 1, us.last)},
-                      LineStretch{std::max(v, vs.first), std::min(v + side - 1, vs.last)});
+                visit(LineIndex{u, v}, LineInterval{std::max(u, us.first), std::min(u + side - 1, us.last)},
+                      LineInterval{std::max(v, vs.first), std::min(v + side - 1, vs.last)});
     }
     /// Whether the grown piece, above the middle of a square of scanlines, reaches into their occupied extent.
     bool mayTouch(const PieceChord& grownPiece, OccupiedBricks::Extent extent, LineIndex corner,
@@ -97,7 +98,7 @@ private:
         const std::optional<Span> span = grownPiece.along(middle.x, middle.y);
         return span && pose_.tip.z + span->low < high && pose_.tip.z + span->high > low;
     }
-    void addBrick(LineStretch us, LineStretch vs, ContactOverlap& overlap) noexcept {
+    void addBrick(LineInterval us, LineInterval vs, ContactOverlap& overlap) noexcept {
         if (!swept_) swept_.emplace(piece_, pose_.tip, pose_.tip, pose_.axis);
         for (LineIndex line{us.first, vs.first}; line.v <= vs.last; ++line.v)
             for (line.u = us.first; line.u <= us.last; ++line.u) {
@@ -119,7 +120,7 @@ private:
     }
 
     const RunVolume& workpiece_;
-    const GapWindow* window_;
+    const CutCache* window_;
     const Grid& grid_;
     const RevolvedPiece& piece_;
     const ToolPose& pose_;
@@ -127,11 +128,11 @@ private:
     PieceChord nearBrick_, nearBlock_;
     Box reach_;
     double alongLow_ = 0.0;
-    LineStretch columns_, rows_;
+    LineInterval columns_, rows_;
     std::optional<SweptPiece> swept_; ///< only made when a brick may overlap the piece
 };
 
-ShankContact contactAt(const RunVolume& workpiece, const GapWindow* window, std::span<const RevolvedPiece> tool,
+ShankContact contactAt(const RunVolume& workpiece, const CutCache* window, std::span<const RevolvedPiece> tool,
                        std::size_t fluteCount, const ToolPose& setupPose, OccupiedBricks* bricks) noexcept {
     ShankContact contact;
     if (!isFinite(setupPose.tip) || !isFinite(setupPose.axis)) return contact;
@@ -153,7 +154,7 @@ ShankContact contactAt(const RunVolume& workpiece, const GapWindow* window, std:
 } // namespace
 
 ShankContact ContactCheck::at(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
-                              const ToolPose& pose, const GapWindow* window) noexcept {
+                              const ToolPose& pose, const CutCache* window) noexcept {
     return contactAt(workpiece, window, tool, fluteCount, pose, &bricks_);
 }
 

@@ -14,7 +14,7 @@
 
 namespace burin {
 
-class GapWindow;
+class CutCache;
 
 /// A touched material and the volume of overlap.
 struct TouchedProperty {
@@ -54,7 +54,7 @@ public:
     /// @param window pending writes of deferred cuts (MaterialRemoval::window), which count as removed; null: none
     /// A pose that is not finite touches nothing.
     ShankContact at(const RunVolume& workpiece, std::span<const RevolvedPiece> tool, std::size_t fluteCount,
-                    const ToolPose& pose, const GapWindow* window = nullptr) noexcept;
+                    const ToolPose& pose, const CutCache* window = nullptr) noexcept;
     /// Call after the volume changed in any other way than by cutting.
     void forget() noexcept { bricks_.forget(); }
 

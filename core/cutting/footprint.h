@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/cutting/gap_window.h"
+#include "core/cutting/cut_cache.h"
 #include "core/cutting/line_frame.h"
-#include "core/tool/line_stretch.h"
+#include "core/tool/line_interval.h"
 #include "core/tool/swept_span.h"
 #include "core/volume/runs/run_volume.h"
 
@@ -17,12 +17,12 @@
 
 namespace burin {
 
-/// Returns the scanlines whose centres lie in the interval `stretch` (mm along an axis that starts at `low`), at most
+/// Returns the scanlines whose centres lie in the interval `interval` (mm along an axis that starts at `low`), at most
 /// `count` of them. Where rounding is ambiguous it includes one more at either end: the exact span decides.
-inline LineStretch linesWithin(const Span& stretch, double low, double edge, std::int32_t count) noexcept {
+inline LineInterval linesWithin(const Span& interval, double low, double edge, std::int32_t count) noexcept {
     constexpr double slack = 1e-6; // voxels
-    const double first = std::ceil((stretch.low - low) / edge - 0.5 - slack);
-    const double last = std::floor((stretch.high - low) / edge - 0.5 + slack);
+    const double first = std::ceil((interval.low - low) / edge - 0.5 - slack);
+    const double last = std::floor((interval.high - low) / edge - 0.5 + slack);
     return {static_cast<std::int32_t>(std::clamp(first, 0.0, static_cast<double>(count))),
             static_cast<std::int32_t>(std::clamp(last, -1.0, static_cast<double>(count) - 1.0))};
 }
@@ -39,21 +39,21 @@ inline RunPosition contactTolerance(const RevolvedPiece& piece, const Grid& grid
 /// @param swept in the frame of the grid's lines (inLineFrame)
 /// @param wanted  (line, from, to): whether anything between these positions, the whole range that the piece may reach,
 /// matters to `visit`; it is asked first because a span takes more time than this check
-template <class Visit, class Wanted>
-void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch within, Visit&& visit,
-                       Wanted&& wanted) noexcept {
+template <class Visit, class Requested>
+void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineInterval within, Visit&& visit,
+                       Requested&& wanted) noexcept {
     const Box reach = swept.bounds(), box = inLineFrame(grid, grid.box());
     if (reach.high.z <= box.low.z || reach.low.z >= box.high.z) return;
     const RunPosition lowest = grid.toRunPosition(reach.low.z), highest = grid.toRunPosition(reach.high.z);
     double top = std::numeric_limits<double>::quiet_NaN(); // mm, of the line before: most lines end at the same height
     RunPosition to = 0;
-    const LineStretch rows = linesWithin({reach.low.y, reach.high.y}, box.low.y, grid.edge(), grid.lineCountV());
+    const LineInterval rows = linesWithin({reach.low.y, reach.high.y}, box.low.y, grid.edge(), grid.lineCountV());
     const std::int32_t last = std::min(rows.last, within.last);
     for (std::int32_t v = std::max(rows.first, within.first); v <= last; ++v) {
         const double y = grid.lineCentre({0, v}).y;
         const std::optional<Span> shadow = swept.shadow(y);
         if (!shadow) continue;
-        const LineStretch row = linesWithin(*shadow, box.low.x, grid.edge(), grid.lineCountU());
+        const LineInterval row = linesWithin(*shadow, box.low.x, grid.edge(), grid.lineCountU());
         for (std::int32_t u = row.first; u <= row.last; ++u) {
             const LineIndex line{u, v};
             if (!wanted(line, lowest, highest)) continue;
@@ -70,16 +70,16 @@ void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch wi
 
 /// The same without a filter of lines.
 template <class Visit>
-void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineStretch within, Visit&& visit) noexcept {
+void forEachSpanInRows(const SweptPiece& swept, const Grid& grid, LineInterval within, Visit&& visit) noexcept {
     forEachSpanInRows(swept, grid, within, std::forward<Visit>(visit),
                       [](LineIndex, RunPosition, RunPosition) { return true; });
 }
 
 /// The same for every scanline of the grid.
-template <class Visit, class... Wanted>
-void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit, Wanted&&... wanted) noexcept {
+template <class Visit, class... Requested>
+void forEachSpan(const SweptPiece& swept, const Grid& grid, Visit&& visit, Requested&&... wanted) noexcept {
     forEachSpanInRows(swept, grid, {0, grid.lineCountV() - 1}, std::forward<Visit>(visit),
-                      std::forward<Wanted>(wanted)...);
+                      std::forward<Requested>(wanted)...);
 }
 
 /// Calls `visit(property, start, end)` for every piece of a line's segments between `from` and `to` that is not air.
@@ -96,9 +96,9 @@ void forEachPiece(std::span<const Segment> segments, RunPosition from, RunPositi
 
 /// The same for a line that may have pending writes.
 template <class Visit>
-void forEachPieceNotOwed(const RunVolume& workpiece, const GapWindow* window, LineIndex line, RunPosition from,
+void forEachPieceNotOwed(const RunVolume& workpiece, const CutCache* window, LineIndex line, RunPosition from,
                          RunPosition to, Visit&& visit) noexcept {
-    const GapWindow::Owed owed = window != nullptr ? window->owed(line) : GapWindow::Owed{};
+    const CutCache::Owed owed = window != nullptr ? window->owed(line) : CutCache::Owed{};
     forEachPiece(workpiece.line(line), from, to, [&](PropertyIndex property, RunPosition start, RunPosition end) {
         if (owed.from >= owed.to || workpiece.properties().isProtected(property)) {
             visit(property, start, end);
@@ -111,7 +111,7 @@ void forEachPieceNotOwed(const RunVolume& workpiece, const GapWindow* window, Li
 
 /// The same for the remaining material. Protected pieces may be left out.
 template <class Visit>
-void forEachPieceLeft(const RunVolume& workpiece, const GapWindow* window, LineIndex line, RunPosition from,
+void forEachPieceLeft(const RunVolume& workpiece, const CutCache* window, LineIndex line, RunPosition from,
                       RunPosition to, Visit&& visit) noexcept {
     if (window != nullptr && window->visitAround(line, from, to, visit)) return;
     forEachPieceNotOwed(workpiece, window, line, from, to, std::forward<Visit>(visit));

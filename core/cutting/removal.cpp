@@ -150,7 +150,7 @@ Engagement MaterialRemoval::recentEngagement(const RunVolume& workpiece, const T
     return lastLook_;
 }
 
-const GapWindow* MaterialRemoval::window() const noexcept {
+const CutCache* MaterialRemoval::window() const noexcept {
     return cutter_ ? &cutter_->window() : nullptr;
 }
 

@@ -101,7 +101,7 @@ public:
     Engagement engagement(const RunVolume& workpiece, const ToolPose& from, const ToolPose& to) const noexcept;
 
     /// The pending writes to the workpiece, for contact checks between cuts; null if cuts are always written at once.
-    const GapWindow* window() const noexcept;
+    const CutCache* window() const noexcept;
 
 private:
     CutResult account(const RunVolume& workpiece, const RemovedUnits& removed) const noexcept;

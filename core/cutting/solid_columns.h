@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/tool/line_stretch.h"
+#include "core/tool/line_interval.h"
 #include "core/tool/tool_solid.h"
 #include "core/volume/runs/grid.h"
 
@@ -42,7 +42,7 @@ public:
     /// @param covered may be null
     template <class Visit>
     void forEachSpan(Section section, const Grid& grid, const SolidStay& stay, const SolidStay* covered,
-                     LineStretch rows, Visit&& visit) const noexcept {
+                     LineInterval rows, Visit&& visit) const noexcept {
         const Layer& layer = layerOf(section, stay);
         const Layer* before = covered != nullptr ? &layerOf(section, *covered) : nullptr;
         const std::int64_t end = grid.lineEnd();

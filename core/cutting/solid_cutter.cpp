@@ -16,7 +16,7 @@ void SolidCutter::cut(RunVolume& workpiece, const glm::dvec3& from, const glm::d
     }
     cleared_.reset();
     RunAmounts taken;
-    const LineStretch rows{0, grid.lineCountV() - 1};
+    const LineInterval rows{0, grid.lineCountV() - 1};
     SolidTrack track(columns_, grid, from, to);
     while (const std::optional<SolidStay> stay = track.next()) {
         columns_.forEachSpan(SolidColumns::Section::flutes, grid, *stay, before ? &*before : nullptr, rows,

@@ -46,7 +46,7 @@ glm::dmat3 turnTo(const glm::dvec3& axis) noexcept {
 /// The sums over the patches.
 struct SurfaceFlux::Sum {
     const RunVolume& workpiece;
-    const GapWindow* window;
+    const CutCache* window;
     Flux& flux;
     Directions directions{};
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest; ///< mm above the tip
@@ -178,7 +178,7 @@ void SurfaceFlux::addRing(const Ring& ring, int sectors, std::vector<Patch>& pat
     }
 }
 
-void SurfaceFlux::measure(const RunVolume& workpiece, const GapWindow* window, const ToolPose& from, const ToolPose& to,
+void SurfaceFlux::measure(const RunVolume& workpiece, const CutCache* window, const ToolPose& from, const ToolPose& to,
                           Flux& flux) const noexcept {
     const Grid& grid = workpiece.grid();
     const ToolPose start = inLineFrame(grid, from), end = inLineFrame(grid, to);

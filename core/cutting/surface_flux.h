@@ -14,7 +14,7 @@
 
 namespace burin {
 
-class GapWindow;
+class CutCache;
 
 /// The engagement of the flutes with the machinable material ahead of them: only the surface that a tick's motion
 /// pushes into material, not that which slides along it. All 0 if there is no engagement.
@@ -60,7 +60,7 @@ public:
     /// @param from, to poses at the ends of the move, mm, setup frame; any axes, which may rotate slightly during the
     /// move
     /// @param window pending writes of the workpiece; may be null
-    void measure(const RunVolume& workpiece, const GapWindow* window, const ToolPose& from, const ToolPose& to,
+    void measure(const RunVolume& workpiece, const CutCache* window, const ToolPose& from, const ToolPose& to,
                  Flux& flux) const noexcept;
 
 private:

@@ -154,9 +154,9 @@ bool VoxelTool::cutAt(RunVolume& workpiece, const Pose& pose, VoxelCut& cut, Rem
     const Grid& grid = workpiece.grid();
     const Box reach = inLineFrame(grid, boundsAt(pose));
     const glm::dvec3 low = inLineFrame(grid, grid.low());
-    const LineStretch us = linesWithin({reach.low.x, reach.high.x}, low.x, grid.edge(), grid.lineCountU());
-    const LineStretch vs = linesWithin({reach.low.y, reach.high.y}, low.y, grid.edge(), grid.lineCountV());
-    const LineStretch along = linesWithin({reach.low.z, reach.high.z}, low.z, grid.edge(), grid.voxelsPerLine());
+    const LineInterval us = linesWithin({reach.low.x, reach.high.x}, low.x, grid.edge(), grid.lineCountU());
+    const LineInterval vs = linesWithin({reach.low.y, reach.high.y}, low.y, grid.edge(), grid.lineCountV());
+    const LineInterval along = linesWithin({reach.low.z, reach.high.z}, low.z, grid.edge(), grid.voxelsPerLine());
     const glm::dquat back = glm::conjugate(pose.rotation);
     const glm::dvec3 step = back * inSetupFrame(grid, {0.0, 0.0, grid.edge()});
     for (LineIndex line{us.first, vs.first}; line.v <= vs.last; ++line.v)

@@ -56,25 +56,25 @@ LinePose WindowCutter::inLines(const ToolPose& pose) const noexcept {
     return {{place[u] - 0.5, place[v] - 0.5, place[along]}, {pose.axis[u], pose.axis[v], pose.axis[along]}};
 }
 
-LineStretch WindowCutter::rowsOf(const LineStretch& rows) const noexcept {
+LineInterval WindowCutter::rowsOf(const LineInterval& rows) const noexcept {
     return {std::max(rows.first, 0), std::min(rows.last, grid_.lineCountV() - 1)};
 }
 
-LineStretch WindowCutter::groupsOf(const LineStretch& lines) const noexcept {
+LineInterval WindowCutter::groupsOf(const LineInterval& lines) const noexcept {
     const std::int32_t first = std::max(lines.first, 0), last = std::min(lines.last, grid_.lineCountU() - 1);
-    return last < first ? LineStretch{} : LineStretch{first >> 3, last >> 3};
+    return last < first ? LineInterval{} : LineInterval{first >> 3, last >> 3};
 }
 
 /// Returns false if the leaning piece is larger than the cache, which must then be moved along row by row.
-bool WindowCutter::fits(const LineStretch& rows, const LineStretch& groups) const noexcept {
+bool WindowCutter::fits(const LineInterval& rows, const LineInterval& groups) const noexcept {
     return (rows.last >> 3) - (rows.first >> 3) < window_.side() && groups.last - groups.first < window_.side();
 }
 
 /// Takes some rows of one brick for the current move. @return their cost, in groups
-double WindowCutter::takeRows(RunVolume& workpiece, std::int32_t first, std::int32_t end, const LineStretch& groups,
+double WindowCutter::takeRows(RunVolume& workpiece, std::int32_t first, std::int32_t end, const LineInterval& groups,
                               RemovedUnits& removed) noexcept {
     const auto count =
-        static_cast<std::size_t>(spans_.stretches(first, end - first, groups, brickSpans_.data(), rowSpans_.data()));
+        static_cast<std::size_t>(spans_.intervals(first, end - first, groups, brickSpans_.data(), rowSpans_.data()));
     const std::span<const RowSpans> rows = std::span(rowSpans_).first(count);
     spans_.spans(rows);
     double cost = costOfReading * window_.take(workpiece, rows, removed);
@@ -83,7 +83,7 @@ double WindowCutter::takeRows(RunVolume& workpiece, std::int32_t first, std::int
 }
 
 /// Takes one row that is wider than the cache, which is moved along it. @return its cost, in groups
-double WindowCutter::takeWideRow(RunVolume& workpiece, std::int32_t v, LineStretch groups,
+double WindowCutter::takeWideRow(RunVolume& workpiece, std::int32_t v, LineInterval groups,
                                  RemovedUnits& removed) noexcept {
     double cost = 0.0;
     for (; groups.first <= groups.last && !removed.outOfMemory; groups.first += window_.side()) {
@@ -101,7 +101,7 @@ double WindowCutter::takeWideRow(RunVolume& workpiece, std::int32_t v, LineStret
 double WindowCutter::advance(RunVolume& workpiece, double budget, RemovedUnits& removed) noexcept {
     Step& step = steps_[firstStep_];
     spans_.begin(step.from, step.to, step.withStart);
-    const LineStretch rows = rowsOf(spans_.rows()), groups = groupsOf(spans_.columns());
+    const LineInterval rows = rowsOf(spans_.rows()), groups = groupsOf(spans_.columns());
     if (rows.first <= rows.last && groups.first <= groups.last) {
         const bool covered = fits(rows, groups);
         if (covered) {
@@ -143,7 +143,7 @@ bool WindowCutter::add(RunVolume& workpiece, const Step& step, RemovedUnits& rem
 
 /// Returns the interval of a move in which the piece may reach the grid, as fractions of the move: a jump over miles
 /// must not cost more than one over the stock.
-glm::dvec2 WindowCutter::stretchNearGrid(const glm::dvec3& from, const glm::dvec3& to) const noexcept {
+glm::dvec2 WindowCutter::intervalNearGrid(const glm::dvec3& from, const glm::dvec3& to) const noexcept {
     const double reach = spans_.reach() + 1.0;
     const glm::dvec3 size(grid_.lineCountU(), grid_.lineCountV(), grid_.voxelsPerLine());
     double first = 0.0, last = 1.0;
@@ -164,7 +164,7 @@ std::size_t WindowCutter::addWay(RunVolume& workpiece, const LinePose& from, con
                                  RemovedUnits& removed) noexcept {
     const double ways = glm::length(to - from.tip) / spans_.longestWay(from.axis);
     if (ways <= mostSteps) return addParts(workpiece, from, to, withStart, removed);
-    const glm::dvec2 near = stretchNearGrid(from.tip, to);
+    const glm::dvec2 near = intervalNearGrid(from.tip, to);
     if (near[0] > near[1]) return 0;
     const LinePose first{glm::mix(from.tip, to, near[0]), from.axis};
     return addParts(workpiece, first, glm::mix(from.tip, to, near[1]), withStart, removed);
@@ -240,13 +240,13 @@ void WindowCutter::approach(RunVolume& workpiece, const ToolPose& pose) noexcept
 void WindowCutter::lookAround(RunVolume& workpiece, const ToolPose& pose) noexcept {
     const LinePose place = inLines(pose);
     spans_.begin(place, place.tip, true);
-    const LineStretch rows = rowsOf(spans_.rows()), all = groupsOf(spans_.columns());
+    const LineInterval rows = rowsOf(spans_.rows()), all = groupsOf(spans_.columns());
     if (rows.first > rows.last || all.first > all.last || !fits(rows, all)) return;
     const std::optional<int> claimed = window_.cover(workpiece, rows.first, rows.last, all.first, all.last);
     if (!claimed) return;
     double budget = tickBudget - costOfBrick * *claimed - costOfWriting * window_.writesDue();
     for (std::int32_t v = rows.first; v <= rows.last && budget > 0.0; ++v) {
-        if (spans_.stretches(v, 1, all, brickSpans_.data(), rowSpans_.data()) == 0) continue;
+        if (spans_.intervals(v, 1, all, brickSpans_.data(), rowSpans_.data()) == 0) continue;
         spans_.spans({rowSpans_.data(), 1});
         budget -= rowSpans_[0].groups + costOfReading * window_.look(workpiece, rowSpans_[0]);
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/cutting/gap_window.h"
+#include "core/cutting/cut_cache.h"
 #include "core/geometry/pose.h"
 #include "core/tool/span_rows.h"
 
@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// Removes the volume that one convex piece sweeps from a workpiece through a GapWindow, within the bounds of a tick:
+/// Removes the volume that one convex piece sweeps from a workpiece through a CutCache, within the bounds of a tick:
 /// work that exceeds a tick (a large tool's first contact) is put off to the next ones and done oldest first. The
 /// bounds hold as long as no more than 64 moves are put off (`SpanRows::longestWay`); a tick that adds more, as a
 /// leaning bull nose with a corner of a tenth of a voxel does at 6 voxels a tick, executes the oldest at once.
@@ -33,7 +33,7 @@ public:
     bool settled() const noexcept { return stepCount_ == 0 && window_.owesNothing(); }
     /// Forgets the workpiece and everything that is pending.
     void reset() noexcept;
-    const GapWindow& window() const noexcept { return window_; }
+    const CutCache& window() const noexcept { return window_; }
 
 private:
     /// A move with a fixed axis.
@@ -46,7 +46,7 @@ private:
     static constexpr std::size_t mostSteps = 64; ///< largest number that is put off at once
 
     LinePose inLines(const ToolPose& pose) const noexcept;
-    glm::dvec2 stretchNearGrid(const glm::dvec3& from, const glm::dvec3& to) const noexcept;
+    glm::dvec2 intervalNearGrid(const glm::dvec3& from, const glm::dvec3& to) const noexcept;
     std::size_t addParts(RunVolume& workpiece, const LinePose& from, const glm::dvec3& to, bool withStart,
                          RemovedUnits& removed) noexcept;
     void lookAround(RunVolume& workpiece, const ToolPose& pose) noexcept;
@@ -56,17 +56,17 @@ private:
                         RemovedUnits& removed) noexcept;
     bool add(RunVolume& workpiece, const Step& step, RemovedUnits& removed) noexcept;
     double advance(RunVolume& workpiece, double budget, RemovedUnits& removed) noexcept;
-    LineStretch groupsOf(const LineStretch& lines) const noexcept;
-    LineStretch rowsOf(const LineStretch& rows) const noexcept;
-    bool fits(const LineStretch& rows, const LineStretch& groups) const noexcept;
-    double takeRows(RunVolume& workpiece, std::int32_t first, std::int32_t end, const LineStretch& groups,
+    LineInterval groupsOf(const LineInterval& lines) const noexcept;
+    LineInterval rowsOf(const LineInterval& rows) const noexcept;
+    bool fits(const LineInterval& rows, const LineInterval& groups) const noexcept;
+    double takeRows(RunVolume& workpiece, std::int32_t first, std::int32_t end, const LineInterval& groups,
                     RemovedUnits& removed) noexcept;
-    double takeWideRow(RunVolume& workpiece, std::int32_t v, LineStretch groups, RemovedUnits& removed) noexcept;
+    double takeWideRow(RunVolume& workpiece, std::int32_t v, LineInterval groups, RemovedUnits& removed) noexcept;
 
     Grid grid_;
     double radius_;
     SpanRows spans_;
-    GapWindow window_;
+    CutCache window_;
     std::vector<BrickOfSpans> brickSpans_; ///< of the rows that are taken at once
     std::array<RowSpans, SpanRows::rowsAtOnce> rowSpans_;
 

@@ -46,11 +46,11 @@ SimulatedStylus::SimulatedStylus(const glm::dvec3& start) : shown_{.tip = start}
     target_.tip = start;
 }
 
-bool SimulatedStylus::wish(const StylusTarget& target) noexcept {
-    if (target.cutting && wishes_.size() + roomToEnd >= wishes_.capacity()) return false;
+bool SimulatedStylus::request(const StylusTarget& target) noexcept {
+    if (target.cutting && requests_.size() + roomToEnd >= requests_.capacity()) return false;
     if (!target.cutting && !target.finishStroke) givenUp_.fetch_add(1, std::memory_order_relaxed);
-    const bool taken = wishes_.push({target, givenUp_.load(std::memory_order_relaxed)});
-    if (taken && target.cutting) ++wished_;
+    const bool taken = requests_.push({target, givenUp_.load(std::memory_order_relaxed)});
+    if (taken && target.cutting) ++requested_;
     return taken;
 }
 
@@ -71,7 +71,7 @@ std::uint64_t SimulatedStylus::strokesBegun() noexcept {
 
 std::size_t SimulatedStylus::targetsAhead() noexcept {
     places_.take(shown_);
-    return shown_.targetsAhead + static_cast<std::size_t>(wished_ - shown_.taken);
+    return shown_.targetsAhead + static_cast<std::size_t>(requested_ - shown_.taken);
 }
 
 StylusDescription SimulatedStylus::description() const {
@@ -102,14 +102,14 @@ Result<void> SimulatedStylus::open() {
     return {};
 }
 
-void SimulatedStylus::takeWishes() noexcept {
+void SimulatedStylus::takeRequests() noexcept {
     const std::uint32_t givenUp = givenUp_.load(std::memory_order_relaxed);
     // it was requested before the stroke was given up
     if (std::exchange(givenUpSeen_, givenUp) != givenUp) waiting_.reset();
     for (int taken = 0; taken < mostTaken; ++taken) {
         if (!waiting_) {
-            Wish next;
-            if (wishes_.pop({&next, 1}) == 0) return;
+            Request next;
+            if (requests_.pop({&next, 1}) == 0) return;
             if (next.target.cutting) ++taken_;
             // Compared by difference: the counter may have wrapped, and newer requests may arrive in the meantime.
             if (static_cast<std::int32_t>(next.givenUp - givenUp) < 0) {
@@ -214,7 +214,7 @@ void SimulatedStylus::step(double seconds) noexcept {
 }
 
 StylusState SimulatedStylus::read(double time) noexcept {
-    takeWishes();
+    takeRequests();
     double gap = lastTime_ ? std::clamp(time - *lastTime_, 0.0, longestGap) : 0.0;
     lastTime_ = time;
     for (; gap > 0.0; gap -= longestStep) step(std::min(gap, longestStep));

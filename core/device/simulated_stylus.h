@@ -63,7 +63,7 @@ public:
     /// Requests a target. While hovering, only the newest target counts; a stroke passes through all of its targets. A
     /// target that gives a stroke up takes effect before all earlier ones, which are dropped.
     /// @return false if the queue is full and the target is lost; room to end a stroke is always reserved
-    bool wish(const StylusTarget& target) noexcept;
+    bool request(const StylusTarget& target) noexcept;
     /// Position of the tip at the newest reading, mm, setup frame.
     glm::dvec3 tip() noexcept;
     /// Whether a stroke was in progress at the newest reading. The trail that is still followed after the button's
@@ -98,7 +98,7 @@ private:
         std::uint64_t taken = 0; // cutting requests, since the beginning
         std::uint64_t begun = 0; // strokes, since the beginning
     };
-    void takeWishes() noexcept;
+    void takeRequests() noexcept;
     bool apply(const StylusTarget& target) noexcept;
     void hoverOver(const StylusTarget& target) noexcept;
     glm::dvec3 goal() const noexcept;
@@ -107,19 +107,19 @@ private:
     void lean(double seconds) noexcept;
     void changePhase() noexcept;
 
-    static constexpr std::size_t mostWishes = 4096, roomToEnd = 64;
+    static constexpr std::size_t mostRequests = 4096, roomToEnd = 64;
     static constexpr int mostTaken = 64; // requests per reading, so that a long stroke never delays the loop
-    struct Wish {
+    struct Request {
         StylusTarget target;
         std::uint32_t givenUp = 0; // number of strokes given up before this request was made
     };
 
-    Ring<Wish> wishes_{mostWishes};
+    Ring<Request> requests_{mostRequests};
     std::atomic<std::uint32_t> givenUp_{0}; ///< written by the user interface
     std::uint32_t givenUpSeen_ = 0;
-    std::uint64_t wished_ = 0; ///< cutting requests, counted by the user interface
-    std::uint64_t taken_ = 0;  ///< cutting requests taken from the queue, counted by the loop
-    std::uint64_t begun_ = 0;  ///< strokes that turned the spindle on, counted by the loop
+    std::uint64_t requested_ = 0; ///< cutting requests, counted by the user interface
+    std::uint64_t taken_ = 0;     ///< cutting requests taken from the queue, counted by the loop
+    std::uint64_t begun_ = 0;     ///< strokes that turned the spindle on, counted by the loop
     Mailbox<Shown> places_;
     Shown shown_; ///< the user interface's copy
     StylusTarget target_;

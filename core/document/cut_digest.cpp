@@ -9,20 +9,20 @@
 
 namespace burin {
 
-Result<std::vector<CutDigest::Stretch>> CutDigest::stretchesOf(Database& database, const char* table,
-                                                               std::int64_t take) {
+Result<std::vector<CutDigest::Interval>> CutDigest::intervalsOf(Database& database, const char* table,
+                                                                std::int64_t take) {
     Result<Statement> rows = Statement::prepare(database, std::string("SELECT first, count FROM ") + table +
                                                               " WHERE take = ? ORDER BY first");
     if (!rows) return std::move(rows).error();
     if (Result<void> bound = rows->bind(take); !bound) return std::move(bound).error();
-    std::vector<Stretch> stretches;
+    std::vector<Interval> intervals;
     Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
         const auto first = static_cast<std::uint64_t>(rows->integer(0));
-        stretches.push_back({first, first + static_cast<std::uint64_t>(rows->integer(1))});
+        intervals.push_back({first, first + static_cast<std::uint64_t>(rows->integer(1))});
         return {};
     });
     if (!read) return std::move(read).error();
-    return stretches;
+    return intervals;
 }
 
 Result<CutDigest> CutDigest::of(Database& database, SetupId setup) {
@@ -49,9 +49,9 @@ Result<CutDigest> CutDigest::of(Database& database, SetupId setup) {
     });
     if (!read) return std::move(read).error();
     for (Take& take : made.takes_) {
-        Result<std::vector<Stretch>> undone = stretchesOf(database, "undone_stretch", take.id);
+        Result<std::vector<Interval>> undone = intervalsOf(database, "undone_stretch", take.id);
         if (!undone) return std::move(undone).error();
-        Result<std::vector<Stretch>> off = stretchesOf(database, "switched_off_stretch", take.id);
+        Result<std::vector<Interval>> off = intervalsOf(database, "switched_off_stretch", take.id);
         if (!off) return std::move(off).error();
         take.undone = std::move(*undone);
         take.off = std::move(*off);
@@ -72,11 +72,11 @@ std::int64_t CutDigest::at(const TakeMoment& moment) const noexcept {
         digest.add(static_cast<std::uint64_t>(take.id));
         digest.add(static_cast<std::uint64_t>(take.tool));
         digest.add(until);
-        for (const std::vector<Stretch>* stretches : {&take.undone, &take.off}) {
-            for (const Stretch& stretch : *stretches) {
-                if (stretch.first >= until) break;
-                digest.add(stretch.first);
-                digest.add(std::min(stretch.end, until));
+        for (const std::vector<Interval>* intervals : {&take.undone, &take.off}) {
+            for (const Interval& interval : *intervals) {
+                if (interval.first >= until) break;
+                digest.add(interval.first);
+                digest.add(std::min(interval.end, until));
             }
             digest.add(~std::uint64_t{0}); // not a valid sample: separates the lists
         }

@@ -26,16 +26,16 @@ public:
     const TakeOrder& order() const noexcept { return order_; }
 
 private:
-    struct Stretch {
+    struct Interval {
         std::uint64_t first = 0, end = 0; ///< samples
     };
     struct Take {
         std::int64_t id = 0;
         std::int64_t tool = 0; ///< digest of its id and its data
         std::uint64_t samples = 0;
-        std::vector<Stretch> undone, off;
+        std::vector<Interval> undone, off;
     };
-    static Result<std::vector<Stretch>> stretchesOf(Database& database, const char* table, std::int64_t take);
+    static Result<std::vector<Interval>> intervalsOf(Database& database, const char* table, std::int64_t take);
 
     std::int64_t stock_ = 0;  ///< before any cut
     std::vector<Take> takes_; ///< in the order of recording

@@ -179,11 +179,11 @@ Result<void> Project::restoreTake(std::int64_t id) {
     return impl_->change([id](Database& database) { return showTake(database, id); });
 }
 
-Result<void> Project::undoStretch(std::int64_t take, const SampleRange& stretch) {
-    return impl_->change([&](Database& database) { return storeUndone(database, take, stretch); });
+Result<void> Project::undoInterval(std::int64_t take, const SampleRange& interval) {
+    return impl_->change([&](Database& database) { return storeUndone(database, take, interval); });
 }
-Result<void> Project::redoStretch(std::int64_t take, const SampleRange& stretch) {
-    return impl_->change([&](Database& database) { return eraseUndone(database, take, stretch); });
+Result<void> Project::redoInterval(std::int64_t take, const SampleRange& interval) {
+    return impl_->change([&](Database& database) { return eraseUndone(database, take, interval); });
 }
 
 Result<Project::TakeWriter> Project::beginTake(const TakeInfo& info) {

@@ -226,9 +226,9 @@ public:
     /// Notes that an interval of a take was undone: its samples stay, but no longer count. The take may still be
     /// recording, and the interval may extend beyond what the recorder has written. Errors: nameUnknown (the take),
     /// argumentInvalid (an empty interval, or one that overlaps another).
-    Result<void> undoStretch(std::int64_t take, const SampleRange& stretch);
+    Result<void> undoInterval(std::int64_t take, const SampleRange& interval);
     /// Removes such a note. Errors: argumentInvalid (there is no note of exactly this interval).
-    Result<void> redoStretch(std::int64_t take, const SampleRange& stretch);
+    Result<void> redoInterval(std::int64_t take, const SampleRange& interval);
     /// Switches samples of a take off until they are switched on again: like undone samples they do not count, whether
     /// or not they were also undone. @param off all intervals of the take that are to be off; ascending, disjoint,
     /// within its samples

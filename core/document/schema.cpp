@@ -92,7 +92,7 @@ CREATE TABLE program(
     report_json TEXT NOT NULL);
 )sql";
 
-constexpr const char* undoneStretch = R"sql(
+constexpr const char* undoneInterval = R"sql(
 CREATE TABLE undone_stretch(
     id INTEGER PRIMARY KEY,
     take INTEGER NOT NULL REFERENCES take(id),
@@ -279,8 +279,8 @@ Result<void> createSchema(Database& file) {
     return whole->commit();
 }
 
-Result<void> addUndoneStretches(Database& file) {
-    return file.execute(undoneStretch);
+Result<void> addUndoneIntervals(Database& file) {
+    return file.execute(undoneInterval);
 }
 
 Result<void> addSurroundings(Database& file) {
@@ -341,7 +341,7 @@ Result<void> checkSchema(Database& file) {
     const Result<std::int64_t> version = file.integer("PRAGMA user_version");
     if (!version) return version.error();
     std::map<std::string, std::string> expected = statementsOf(tables);
-    if (*version >= 2) expected.merge(statementsOf(undoneStretch));
+    if (*version >= 2) expected.merge(statementsOf(undoneInterval));
     if (*version >= 3) expected.merge(statementsOf(surroundings));
     if (*version >= 4) addSetupsTo(expected);
     if (*version >= 6) expected.merge(statementsOf(stockVolumes));

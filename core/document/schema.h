@@ -21,7 +21,7 @@ struct Migration {
 };
 
 /// In order; the first starts from version 1. Every released version has a test project in tests/fixtures/projects.
-Result<void> addUndoneStretches(Database& file); // schema.cpp
+Result<void> addUndoneIntervals(Database& file); // schema.cpp
 Result<void> addSurroundings(Database& file);
 Result<void> addSetups(Database& file);
 Result<void> addRoles(Database& file);
@@ -32,7 +32,7 @@ Result<void> addPassRequests(Database& file);
 Result<void> addTime(Database& file);
 Result<void> addStatedFeeds(Database& file);
 inline constexpr std::array projectMigrations{
-    Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneStretches},
+    Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneIntervals},
     Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool axis and guides are kept."), addSurroundings},
     Migration{3, BURIN_TEXT("Migration", "A job may have several setups."), addSetups},
     Migration{4, BURIN_TEXT("Migration", "Bodies have roles, and the stock a form and layers."), addRoles},

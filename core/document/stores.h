@@ -66,8 +66,8 @@ Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id);
 Result<void> visitSamples(Database& database, std::int64_t id, const SampleVisitor& visit);
 Result<Sample> loadSample(Database& database, std::int64_t take, std::uint64_t index);
 Result<void> eraseTake(Database& database, std::int64_t id);
-Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch);
-Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch);
+Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& interval);
+Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& interval);
 /// Returns the intervals within the first `samples` samples.
 Result<std::vector<SampleRange>> loadTakenBack(Database& database, std::int64_t take, std::uint64_t samples);
 Result<std::vector<SampleRange>> loadSwitchedOff(Database& database, std::int64_t take, std::uint64_t samples);

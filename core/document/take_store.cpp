@@ -345,14 +345,14 @@ Result<void> eraseTake(Database& database, std::int64_t id) {
     return run(database, "DELETE FROM take WHERE id = ?", id);
 }
 
-Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& stretch) {
+Result<void> storeUndone(Database& database, std::int64_t take, const SampleRange& interval) {
     const auto refused = [&] {
         return Error{ErrorCode::argumentInvalid, "stretch",
-                     std::to_string(stretch.first) + " + " + std::to_string(stretch.count),
+                     std::to_string(interval.first) + " + " + std::to_string(interval.count),
                      "samples of take " + std::to_string(take) + " that were not taken back yet"};
     };
-    if (stretch.count == 0 || std::cmp_greater(stretch.first, mostSamples) ||
-        std::cmp_greater(stretch.count, mostSamples))
+    if (interval.count == 0 || std::cmp_greater(interval.first, mostSamples) ||
+        std::cmp_greater(interval.count, mostSamples))
         return refused();
     const Result<std::vector<TakeInfo>> takes = loadTakes(database);
     if (!takes) return takes.error();
@@ -362,9 +362,9 @@ Result<void> storeUndone(Database& database, std::int64_t take, const SampleRang
     const Result<std::vector<SampleRange>> undone = loadTakenBack(database, take, ~std::uint64_t{0});
     if (!undone) return undone.error();
     for (const SampleRange& other : *undone)
-        if (other.contains(stretch.first) || stretch.contains(other.first)) return refused();
-    return run(database, "INSERT INTO undone_stretch(take, first, count) VALUES(?, ?, ?)", take, stretch.first,
-               stretch.count);
+        if (other.contains(interval.first) || interval.contains(other.first)) return refused();
+    return run(database, "INSERT INTO undone_stretch(take, first, count) VALUES(?, ?, ?)", take, interval.first,
+               interval.count);
 }
 
 Result<std::vector<SampleRange>> loadTakenBack(Database& database, std::int64_t take, std::uint64_t samples) {
@@ -410,16 +410,16 @@ Result<void> renameTake(Database& database, std::int64_t take, const std::string
     return run(database, "UPDATE take SET name = ? WHERE id = ?", name, take);
 }
 
-Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& stretch) {
+Result<void> eraseUndone(Database& database, std::int64_t take, const SampleRange& interval) {
     if (Result<void> done = run(database, "DELETE FROM undone_stretch WHERE take = ? AND first = ? AND count = ?", take,
-                                stretch.first, stretch.count);
+                                interval.first, interval.count);
         !done)
         return done;
     const Result<std::int64_t> erased = database.integer("SELECT changes()");
     if (!erased) return erased.error();
     if (*erased == 0)
         return Error{ErrorCode::argumentInvalid, "stretch",
-                     std::to_string(stretch.first) + " + " + std::to_string(stretch.count),
+                     std::to_string(interval.first) + " + " + std::to_string(interval.count),
                      "samples of take " + std::to_string(take) + " that are undone"};
     return {};
 }

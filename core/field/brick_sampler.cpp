@@ -60,7 +60,7 @@ void BrickSampler::fill(Progress& progress, double from, double to) {
     const auto at = [&](double share) { return from + share * (to - from); };
     std::vector<std::uint8_t> left(fine_.size(), 1); // not filled yet
     const auto bricks = [&](double begin, double end, const auto& work) {
-        spreadStretches(fine_.size(), at(begin), at(end), progress, [&](std::size_t first, std::size_t last) {
+        spreadIntervals(fine_.size(), at(begin), at(end), progress, [&](std::size_t first, std::size_t last) {
             TipAsker ask = asker();
             Grids grids;
             for (std::size_t order = first; order < last && !progress.cancelled(); ++order)

@@ -77,7 +77,7 @@ private:
     /// By brick; 1 or 0.
     std::vector<std::uint8_t> bricksInBand(const TipCorners& corners, double from, double to) {
         std::vector<std::uint8_t> band(field_.brickCount(), 0);
-        spreadStretches(field_.brickCount(), from, to, progress_, [&](std::size_t first, std::size_t end) {
+        spreadIntervals(field_.brickCount(), from, to, progress_, [&](std::size_t first, std::size_t end) {
             TipAsker asker(part_, request_, {1e-4 * request_.voxel, -field_.brickEdge(), 0.1 * request_.voxel});
             for (std::size_t number = first; number < end; ++number)
                 band[number] = corners.mayHoldBand(field_.brickOf(number), asker) ? 1 : 0;

@@ -14,13 +14,13 @@ namespace burin {
 /// pieces are skipped after cancellation. @param work  called with the first number and the end of an interval of
 /// numbers  @param length  maximum length of an interval
 template <class Work>
-void spreadStretches(std::size_t count, double from, double to, Progress& progress, const Work& work,
+void spreadIntervals(std::size_t count, double from, double to, Progress& progress, const Work& work,
                      std::size_t length = 16) {
-    const std::size_t stretches = (count + length - 1) / length;
-    ParallelProgress done(progress, stretches, from, to);
-    parallelFor(std::size_t{0}, stretches, [&](std::size_t stretch) {
+    const std::size_t intervals = (count + length - 1) / length;
+    ParallelProgress done(progress, intervals, from, to);
+    parallelFor(std::size_t{0}, intervals, [&](std::size_t interval) {
         if (progress.cancelled()) return;
-        work(stretch * length, std::min(count, (stretch + 1) * length));
+        work(interval * length, std::min(count, (interval + 1) * length));
         done.add();
     });
 }
@@ -28,7 +28,7 @@ void spreadStretches(std::size_t count, double from, double to, Progress& progre
 /// The same, with one number at a time.
 template <class Work>
 void spread(std::size_t count, double from, double to, Progress& progress, const Work& work) {
-    spreadStretches(count, from, to, progress, [&](std::size_t first, std::size_t end) {
+    spreadIntervals(count, from, to, progress, [&](std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end && !progress.cancelled(); ++i) work(i);
     });
 }

@@ -62,7 +62,7 @@ void TipCorners::sampleAt(int step, int above, Progress& progress, double from, 
     const int rows = field_.bricks.y + 1;
     const auto count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(field_.bricks.z + 1);
     const double deep = -1.5 * field_.brickEdge(); // below any band: an error of a voxel is acceptable there
-    spreadStretches(count, from, to, progress, [&](std::size_t first, std::size_t end) {
+    spreadIntervals(count, from, to, progress, [&](std::size_t first, std::size_t end) {
         TipAsker asker(part_, request_, {tolerance * request_.voxel, deep, request_.voxel});
         for (std::size_t row = first; row < end && !progress.cancelled(); ++row)
             for (int i = 0; i <= field_.bricks.x; ++i) {

@@ -179,7 +179,7 @@ public:
         if (empty() || tool.empty() || !isFinite(axis)) return std::vector<std::uint8_t>(tips.size());
         axis = unitOr(axis, {0.0, 0.0, 1.0});
         std::vector<std::uint8_t> entered = enteredTips(tree_, tool, axis, tips, depth, progress);
-        parallelStretches(std::size_t{0}, tips.size(), 1024, [&](std::size_t from, std::size_t to) {
+        parallelIntervals(std::size_t{0}, tips.size(), 1024, [&](std::size_t from, std::size_t to) {
             if (progress.cancelled()) return;
             for (std::size_t i = from; i != to; ++i)
                 if (entered[i] == 0 && isFinite(tips[i]) && !reachesOutside(tool, {tips[i], axis})) entered[i] = 1;

@@ -118,7 +118,7 @@ SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::ui
         const auto& [a, b, c] = corners_[slot];
         return Triangle{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
     };
-    parallelStretches(std::size_t{0}, order.size(), grain, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, order.size(), grain, [&](std::size_t from, std::size_t to) {
         for (std::size_t slot = from; slot < to; ++slot) {
             const auto& [a, b, c] = mesh.triangles[order[slot]];
             corners_[slot] = {merged[a], merged[b], merged[c]};
@@ -128,7 +128,7 @@ SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::ui
     });
     const Fans fans(corners_, mesh.vertices.size());
     // A triangle's edges belong to the vertices at which they begin, so that no two threads write to the same element.
-    parallelStretches(std::size_t{0}, mesh.vertices.size(), grain, [&](std::size_t first, std::size_t end) {
+    parallelIntervals(std::size_t{0}, mesh.vertices.size(), grain, [&](std::size_t first, std::size_t end) {
         std::vector<FanCorner> around;
         for (std::size_t vertex = first; vertex < end; ++vertex) {
             cornersAround(corners_, fans.around(vertex), static_cast<std::uint32_t>(vertex), around);
@@ -139,7 +139,7 @@ SurfaceNormals::SurfaceNormals(const TriangleMesh& mesh, std::span<const std::ui
             }
         }
     });
-    parallelStretches(std::size_t{0}, mesh.vertices.size(), grain, [&](std::size_t first, std::size_t end) {
+    parallelIntervals(std::size_t{0}, mesh.vertices.size(), grain, [&](std::size_t first, std::size_t end) {
         for (std::size_t vertex = first; vertex < end; ++vertex) {
             bool doubtful = false;
             for (const std::uint32_t slot : fans.around(vertex))

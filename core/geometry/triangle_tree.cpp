@@ -323,7 +323,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh, std::span<const std::uint32
     if (places.empty()) return;
     constexpr std::size_t grain = 4096;
     std::mutex mutex;
-    parallelStretches(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
         Box box;
         for (std::size_t i = from; i < to; ++i)
             for (const glm::dvec3& corner : cornersOf(mesh, places[i])) box.include(corner);
@@ -332,14 +332,14 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh, std::span<const std::uint32
     });
     origin_ = bounds_.centre();
     std::vector<Entry> entries(places.size());
-    parallelStretches(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) entries[i] = {boxOf(cornersOf(mesh, places[i]), origin_), places[i]};
     });
     Builder builder(mesh, origin_, entries);
     builder.build(builder.whole(), 0, nodes_);
 
     triangles_ = std::make_unique_for_overwrite<Triangle[]>(places.size());
-    parallelStretches(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, places.size(), grain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             order_[i] = entries[i].triangle();
             triangles_[i] = cornersOf(mesh, order_[i]);

@@ -23,7 +23,7 @@ BrakeOnContact::BrakeOnContact(const Cutter& cutter, const Grid& grid)
 }
 
 /// @param mayTouch number of pieces, from the tip, that may touch; 0: a tool that can't cut, by the pieces around it
-ShankContact BrakeOnContact::standing(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch,
+ShankContact BrakeOnContact::standing(const RunVolume& workpiece, const CutCache* owed, std::size_t mayTouch,
                                       const ToolPose& pose) noexcept {
     ShankContact contact = check_.at(workpiece, tool_, mayTouch, pose, owed);
     if (!solid_ || mayTouch == 0) return contact;
@@ -36,21 +36,21 @@ ShankContact BrakeOnContact::standing(const RunVolume& workpiece, const GapWindo
     return shank;
 }
 
-ShankContact BrakeOnContact::at(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& pose) noexcept {
+ShankContact BrakeOnContact::at(const RunVolume& workpiece, const CutCache* owed, const ToolPose& pose) noexcept {
     return standing(workpiece, owed, fluteCount_, pose);
 }
 
-ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
+ShankContact BrakeOnContact::onTheWay(const RunVolume& workpiece, const CutCache* owed, const ToolPose& from,
                                       const ToolPose& to) noexcept {
     return barred(workpiece, owed, fluteCount_, from, to);
 }
 
-ShankContact BrakeOnContact::onTheWayWithFlutes(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
+ShankContact BrakeOnContact::onTheWayWithFlutes(const RunVolume& workpiece, const CutCache* owed, const ToolPose& from,
                                                 const ToolPose& to) noexcept {
     return barred(workpiece, owed, 0, from, to);
 }
 
-ShankContact BrakeOnContact::barred(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch,
+ShankContact BrakeOnContact::barred(const RunVolume& workpiece, const CutCache* owed, std::size_t mayTouch,
                                     const ToolPose& from, const ToolPose& to) noexcept {
     const double way = glm::length(to.tip - from.tip) + reach_ * glm::length(to.axis - from.axis);
     const int steps = std::clamp(static_cast<int>(std::ceil(way / stride_)), 1, 16);

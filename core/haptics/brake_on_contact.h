@@ -21,14 +21,14 @@ public:
     /// @param owed pending cuts that the workpiece does not show yet (MaterialRemoval::window), or null
     /// @param from current pose of the tool; @param to requested pose; the axis rotates uniformly in between. No
     /// allocation.
-    ShankContact onTheWay(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
+    ShankContact onTheWay(const RunVolume& workpiece, const CutCache* owed, const ToolPose& from,
                           const ToolPose& to) noexcept;
     /// The same including the flutes, for a tool that can't cut: it must not move into stock that would stay.
-    ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& from,
+    ShankContact onTheWayWithFlutes(const RunVolume& workpiece, const CutCache* owed, const ToolPose& from,
                                     const ToolPose& to) noexcept;
     /// What shank and holder touch at a pose of the tool.
     /// @param owed pending cuts that the workpiece does not show yet; nullptr: none
-    ShankContact at(const RunVolume& workpiece, const GapWindow* owed, const ToolPose& pose) noexcept;
+    ShankContact at(const RunVolume& workpiece, const CutCache* owed, const ToolPose& pose) noexcept;
     /// Must be called after the workpiece was changed otherwise than by cutting.
     void workpieceChanged() noexcept {
         check_.forget();
@@ -36,9 +36,9 @@ public:
     }
 
 private:
-    ShankContact standing(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch,
+    ShankContact standing(const RunVolume& workpiece, const CutCache* owed, std::size_t mayTouch,
                           const ToolPose& pose) noexcept;
-    ShankContact barred(const RunVolume& workpiece, const GapWindow* owed, std::size_t mayTouch, const ToolPose& from,
+    ShankContact barred(const RunVolume& workpiece, const CutCache* owed, std::size_t mayTouch, const ToolPose& from,
                         const ToolPose& to) noexcept;
 
     std::vector<RevolvedPiece> tool_;   ///< flutes, shank, holder

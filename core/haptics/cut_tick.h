@@ -44,7 +44,7 @@ public:
     /// The material around the flutes after the last tick; its area fades out where they meet none.
     MetMaterial met() const noexcept { return {engagement_, area_.value(), felt_.energy}; }
     /// Pending cuts: material that is removed although the workpiece may still show it.
-    const GapWindow* owed() const noexcept { return removal_.window(); }
+    const CutCache* owed() const noexcept { return removal_.window(); }
 
 private:
     CutResult take(const ToolPose& from, const ToolPose& to) noexcept;

@@ -15,7 +15,7 @@ namespace burin {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Wish = SessionLoop::Wish;
+using Request = SessionLoop::Request;
 
 /// How long the owner waits for a view; a view takes one tick, unless the loop is paused.
 constexpr std::chrono::milliseconds viewPatience{3};
@@ -104,9 +104,9 @@ bool MillingSession::fulfilled() {
 }
 
 /// Makes a request after any previous one is fulfilled; when this returns, the request is fulfilled.
-void MillingSession::ask(Wish wish) {
+void MillingSession::ask(Request request) {
     fulfilled();
-    loop_.wish(wish);
+    loop_.request(request);
     fulfilled();
 }
 
@@ -146,13 +146,13 @@ Result<void> MillingSession::beginTake(const std::string& name) {
     if (!writer) return std::move(writer).error();
     recorder_ = std::make_unique<Recorder>(loop_.samples(), std::move(*writer));
     take_ = recorder_->take();
-    loop_.wishTake({take_, recorder_.get()});
+    loop_.requestTake({take_, recorder_.get()});
     return {};
 }
 
 Result<void> MillingSession::stopRecording() {
     if (!recorder_) return nothingToDo("recording", "one under way");
-    ask(Wish::finish);
+    ask(Request::finish);
     collectStrokes();
     const std::unique_ptr<Recorder> recorder = std::exchange(recorder_, nullptr);
     const Result<std::uint64_t> kept = recorder->finish();
@@ -165,13 +165,13 @@ Result<void> MillingSession::stopRecording() {
 /// @param change called while nobody else uses the workpiece
 template <class Change>
 Result<void> MillingSession::changeWorkpiece(Change change) {
-    ask(Wish::stand);
+    ask(Request::stand);
     collectStrokes();
     loop_.endStroke();
     collectStrokes();
     Result<void> changed = change();
     if (changed) loop_.workpieceChanged();
-    ask(Wish::goOn);
+    ask(Request::goOn);
     return changed;
 }
 
@@ -255,7 +255,7 @@ bool MillingSession::newestView(WorkpieceView& view) {
     if (!thread_.joinable()) {
         newest = loop_.finalView();
     } else {
-        loop_.wishView();
+        loop_.requestView();
         const Clock::time_point end = Clock::now() + viewPatience;
         while (!loop_.takeView(newest)) {
             if (ended() || Clock::now() >= end) return false;

@@ -106,7 +106,7 @@ private:
     void tell(const StepChange& change);
     void tellWhatWaits();
     bool fulfilled();
-    void ask(SessionLoop::Wish wish);
+    void ask(SessionLoop::Request request);
     void settle();
     void collectStrokes();
     void makeRoom(const TickNews& news);

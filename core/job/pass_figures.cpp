@@ -22,16 +22,16 @@ constexpr double sampling = 0.5; // mm, resolution
 /// Adds up the intervals of one pass.
 class Sum {
 public:
-    void add(const MetStretch& stretch, double feed) {
-        figures_.length += stretch.length;
-        if (feed > 0.0) figures_.duration += 60.0 * stretch.length / feed; // mm/min
-        const double removed = std::accumulate(stretch.removed.begin(), stretch.removed.end(), 0.0,
+    void add(const MetInterval& interval, double feed) {
+        figures_.length += interval.length;
+        if (feed > 0.0) figures_.duration += 60.0 * interval.length / feed; // mm/min
+        const double removed = std::accumulate(interval.removed.begin(), interval.removed.end(), 0.0,
                                                [](double sum, const MaterialVolume& one) { return sum + one.volume; });
         figures_.removed += removed;
         if (removed > 0.0)
-            met_.emplace_back(stretch.engagement.arc, stretch.length);
+            met_.emplace_back(interval.engagement.arc, interval.length);
         else
-            air_ += stretch.length;
+            air_ += interval.length;
     }
     PassFigures figures(std::int64_t pass) {
         figures_.pass = pass;
@@ -112,9 +112,9 @@ Result<std::vector<PassFigures>> passFigures(const FigureMatter& matter, const M
     std::vector<PathSource> passes = path.sources;
     std::erase_if(passes, [](const PathSource& source) { return !source.isGenerated(); });
     if (passes.empty()) return std::vector<PassFigures>{};
-    std::vector<MetStretch> record;
+    std::vector<MetInterval> record;
     const auto cut = [&](RunVolume& stock) -> Result<void> {
-        Result<std::vector<MetStretch>> met =
+        Result<std::vector<MetInterval>> met =
             recordEngagement(evaluated.path.points, milling.tool, stock, sampling, progress);
         if (!met) return std::move(met).error();
         record = std::move(*met);
@@ -124,9 +124,9 @@ Result<std::vector<PassFigures>> passFigures(const FigureMatter& matter, const M
     std::vector<PassFigures> figures;
     for (const PathSource& pass : passes) {
         Sum sum;
-        for (const MetStretch& stretch : record)
-            if (const PathPoint& point = evaluated.path.points[stretch.move]; point.source == pass.id)
-                sum.add(stretch, point.feed);
+        for (const MetInterval& interval : record)
+            if (const PathPoint& point = evaluated.path.points[interval.move]; point.source == pass.id)
+                sum.add(interval, point.feed);
         figures.push_back(sum.figures(pass.id));
     }
     addStockLeft(figures, matter, evaluated.path.points, milling, progress);

@@ -7,7 +7,7 @@
 #include "core/geometry/arc.h"
 #include "core/geometry/segment.h"
 #include "core/path/engagement_record.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "core/path/hand_trail.h"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ private:
     HandTrail trail_;
 };
 
-double loadOf(PathQuantity quantity, const MetStretch& met, const Path& path, const Tool& tool,
+double loadOf(PathQuantity quantity, const MetInterval& met, const Path& path, const Tool& tool,
               const CuttingCoefficients& coefficients) {
     const PathPoint& point = path.points[met.move];
     if (!(met.length > 0.0) || !(met.reported > 0.0) || !(point.feed > 0.0)) return 0.0;
@@ -129,11 +129,11 @@ Result<std::vector<ValuedPiece>> loads(PathQuantity quantity, const MilledPath& 
     const Path& path = milled.evaluated->path;
     std::vector<ValuedPiece> pieces;
     const auto cut = [&](RunVolume& stock) -> Result<void> {
-        Result<std::vector<MetStretch>> record = recordEngagement(path.points, milled.tool, stock, interval, progress);
+        Result<std::vector<MetInterval>> record = recordEngagement(path.points, milled.tool, stock, interval, progress);
         if (!record) return std::move(record).error();
         const CuttingCoefficients coefficients = cuttingCoefficients(stock.properties(), milled.tool.cutter.diameter);
         pieces.clear();
-        for (const MetStretch& met : *record)
+        for (const MetInterval& met : *record)
             pieces.push_back({met.from, met.to, loadOf(quantity, met, path, milled.tool, coefficients)});
         return {};
     };

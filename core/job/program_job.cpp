@@ -349,7 +349,7 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const M
     const ProgressPart part(progress, editing, 1.0);
     Result<MilledSides> sides = millingSides(evaluated->path, context, progress);
     if (!sides) return std::move(sides).error();
-    evaluated->sides = std::move(sides->stretches);
+    evaluated->sides = std::move(sides->intervals);
     evaluated->cleared = std::move(sides->cleared);
     for (const MilledPath& earlier : before) evaluated->after.push_back(earlier.evaluated);
     return evaluated;

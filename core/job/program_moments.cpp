@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/job/program_moments.h"
 
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 
 #include <algorithm>
 

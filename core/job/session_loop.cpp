@@ -11,35 +11,35 @@ SessionLoop::SessionLoop(HapticStep& step, RunVolume& workpiece, bool undoable, 
     step_.releaseSpindle(false);
 }
 
-void SessionLoop::wishTake(const Recording& recording) noexcept {
-    wished_ = recording;
-    wish(Wish::begin);
+void SessionLoop::requestTake(const Recording& recording) noexcept {
+    requested_ = recording;
+    request(Request::begin);
 }
 
 void SessionLoop::fulfil() noexcept {
-    switch (wish_.load(std::memory_order_acquire)) {
-    case Wish::none:
+    switch (request_.load(std::memory_order_acquire)) {
+    case Request::none:
         return;
-    case Wish::begin:
+    case Request::begin:
         begin();
         break;
-    case Wish::finish:
+    case Request::finish:
         if (!endStroke()) return; // the owner will take some shortly
         step_.releaseSpindle(false);
         recording_ = {};
         break;
-    case Wish::stand:
+    case Request::stand:
         standing_ = true;
         break;
-    case Wish::goOn:
+    case Request::goOn:
         standing_ = false;
         break;
     }
-    wish_.store(Wish::none, std::memory_order_release);
+    request_.store(Request::none, std::memory_order_release);
 }
 
 void SessionLoop::begin() noexcept {
-    recording_ = wished_;
+    recording_ = requested_;
     recorded_ = 0;
     layers_.ticksHeld = {};
     recentCut_.beginTake();
@@ -159,8 +159,8 @@ WorkpieceView SessionLoop::view() {
 }
 
 void SessionLoop::giveView() {
-    if (!viewWish_.load(std::memory_order_relaxed) || views_.full()) return;
-    viewWish_.store(false, std::memory_order_relaxed);
+    if (!viewRequest_.load(std::memory_order_relaxed) || views_.full()) return;
+    viewRequest_.store(false, std::memory_order_relaxed);
     views_.put(view());
 }
 

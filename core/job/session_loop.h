@@ -60,7 +60,7 @@ public:
         std::int64_t take = 0;
         const Recorder* recorder = nullptr;
     };
-    enum class Wish : std::uint8_t { none, begin, finish, stand, goOn };
+    enum class Request : std::uint8_t { none, begin, finish, stand, goOn };
 
     /// @param step its spindle stays off until a take begins. @param stop set when the recorder fails
     SessionLoop(HapticStep& step, RunVolume& workpiece, bool undoable, std::atomic<bool>& stop);
@@ -72,10 +72,10 @@ public:
     // ---- Owner's thread, at any time
     Ring<Sample>& samples() noexcept { return samples_; }
     /// Makes a request, which the loop fulfils at one of its next edges; one at a time.
-    void wish(Wish what) noexcept { wish_.store(what, std::memory_order_release); }
-    void wishTake(const Recording& recording) noexcept;
+    void request(Request what) noexcept { request_.store(what, std::memory_order_release); }
+    void requestTake(const Recording& recording) noexcept;
     /// Whether the last request is fulfilled: its changes to the workpiece and the step are then visible to the owner.
-    bool fulfilled() const noexcept { return wish_.load(std::memory_order_acquire) == Wish::none; }
+    bool fulfilled() const noexcept { return request_.load(std::memory_order_acquire) == Request::none; }
     /// Queues a change for the step before the next tick; changes are applied in order. Returns false, and queues
     /// nothing, if the queue is full because the loop is paused; try again later.
     bool tell(const StepChange& change) noexcept { return changes_.push(change); }
@@ -92,7 +92,7 @@ public:
     bool takeStroke(Stroke& stroke) noexcept { return strokes_.take(stroke); }
     std::size_t takeTrace(std::span<TracePoint> points) noexcept { return trace_.pop(points); }
     /// Requests a view of the workpiece, which is made at one of the next edges; `takeView` gets it, with ownership.
-    void wishView() noexcept { viewWish_.store(true, std::memory_order_release); }
+    void requestView() noexcept { viewRequest_.store(true, std::memory_order_release); }
     bool takeView(WorkpieceView& view) noexcept { return views_.take(view); }
 
     // ---- Owner's thread, while the loop is paused or after it has ended
@@ -122,9 +122,9 @@ private:
     const bool undoable_;
     std::atomic<bool>& stop_;
 
-    std::atomic<Wish> wish_{Wish::none};
-    Recording wished_;
-    std::atomic<bool> viewWish_{false}, heated_{false}, gaveUp_{false};
+    std::atomic<Request> request_{Request::none};
+    Recording requested_;
+    std::atomic<bool> viewRequest_{false}, heated_{false}, gaveUp_{false};
     Ring<StepChange> changes_{changeCapacity};
 
     Ring<Sample> samples_{sampleCapacity};

@@ -37,7 +37,7 @@ Result<void> StrokeHistory::undo(Project& project, RunVolume& workpiece) {
     if (!canUndo()) return Error{ErrorCode::argumentInvalid, "undo", "0", "a stroke that can be taken back"};
     Stroke& stroke = done_.back();
     if (Result<void> undone = workpiece_.undo(workpiece); !undone) return undone;
-    if (Result<void> noted = project.undoStretch(stroke.take, {stroke.first, stroke.count}); !noted) {
+    if (Result<void> noted = project.undoInterval(stroke.take, {stroke.first, stroke.count}); !noted) {
         static_cast<void>(workpiece_.redo(workpiece));
         return noted;
     }
@@ -50,7 +50,7 @@ Result<void> StrokeHistory::redo(Project& project, RunVolume& workpiece) {
     if (!canRedo()) return Error{ErrorCode::argumentInvalid, "redo", "0", "a stroke that was taken back"};
     Stroke& stroke = undone_.back();
     if (Result<void> redone = workpiece_.redo(workpiece); !redone) return redone;
-    if (Result<void> noted = project.redoStretch(stroke.take, {stroke.first, stroke.count}); !noted) {
+    if (Result<void> noted = project.redoInterval(stroke.take, {stroke.first, stroke.count}); !noted) {
         static_cast<void>(workpiece_.undo(workpiece));
         return noted;
     }

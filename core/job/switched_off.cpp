@@ -20,16 +20,16 @@ Result<SwitchedOff> switchedOff(const Project& project, const SwitchedOff& of) {
     return now;
 }
 
-Result<SwitchedOff> withStretch(const Project& project, std::int64_t take, const SampleRange& stretch, bool off) {
+Result<SwitchedOff> withInterval(const Project& project, std::int64_t take, const SampleRange& interval, bool off) {
     const Result<TakeOutline> outline = project.takeOutline(take);
     if (!outline) return outline.error();
     const std::uint64_t all = outline->info.sampleCount;
-    if (stretch.first >= all || stretch.count == 0)
-        return Error{ErrorCode::argumentInvalid, "stretch", std::to_string(stretch.first),
+    if (interval.first >= all || interval.count == 0)
+        return Error{ErrorCode::argumentInvalid, "stretch", std::to_string(interval.first),
                      "samples of take " + std::to_string(take) + ", which has " + std::to_string(all)};
     Result<std::vector<SampleRange>> now = project.switchedOff(take);
     if (!now) return std::move(now).error();
-    const SampleRange within{stretch.first, std::min(stretch.count, all - stretch.first)};
+    const SampleRange within{interval.first, std::min(interval.count, all - interval.first)};
     if (!off) return SwitchedOff{{take, without(*now, within)}};
     now->push_back(within);
     return SwitchedOff{{take, joined(std::move(*now))}};
@@ -44,7 +44,7 @@ Result<SwitchedOff> offAfter(const Project& project, const TakeMoment& moment) {
     for (const TakeInfo& info : *takes) {
         const std::uint64_t first = info.id == moment.take ? moment.samples : 0;
         if (order->placeOf(info.id) < order->placeOf(moment.take) || first >= info.sampleCount) continue;
-        Result<SwitchedOff> one = withStretch(project, info.id, {first, info.sampleCount - first}, true);
+        Result<SwitchedOff> one = withInterval(project, info.id, {first, info.sampleCount - first}, true);
         if (!one) return one;
         off.merge(*one);
     }

@@ -16,7 +16,7 @@ using SwitchedOff = std::map<std::int64_t, std::vector<SampleRange>>;
 Result<SwitchedOff> switchedOff(const Project& project, const SwitchedOff& of);
 /// Returns the state with an interval of a take switched off or on. Errors: nameUnknown, argumentInvalid (no part of it
 /// lies within the take).
-Result<SwitchedOff> withStretch(const Project& project, std::int64_t take, const SampleRange& stretch, bool off);
+Result<SwitchedOff> withInterval(const Project& project, std::int64_t take, const SampleRange& interval, bool off);
 /// Returns the state with everything switched off that was recorded after a moment, in the setup in use: for continuing
 /// to mill from there (punch-in). Empty if nothing was recorded after it. Errors: those of Project.
 Result<SwitchedOff> offAfter(const Project& project, const TakeMoment& moment);

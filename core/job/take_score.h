@@ -18,7 +18,7 @@ namespace burin {
 /// the spindle turning, "cutting" a tick in which material was removed.
 enum class ScoreValue : std::uint8_t {
     duration,    ///< s: TakeInfo::seconds, so undone and missed ticks count
-    milling,     ///< s: from the first to the last tick of each uninterrupted stretch of milling; missed ticks count
+    milling,     ///< s: from the first to the last tick of each uninterrupted interval of milling; missed ticks count
     gougeTries,  ///< intervals of milling in which the hand pushed into the part, see `PushLimit`
     largestPush, ///< mm: greatest distance in these intervals from the tip commanded by the hand to the tip of the tool
     smoothness,  ///< spectral arc length of the tip's speed while milling, without pauses (tip_smoothness.h); negative

@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 constexpr double steepSlope = 1.0;          // 45 degrees across the rows
-constexpr double shortestStretch = 1.0;     // mm: shorter intervals lie between two rows
+constexpr double shortestInterval = 1.0;    // mm: shorter intervals lie between two rows
 constexpr double longestCrosswiseGap = 1.0; // mm along a pass that is milled through rather than around
 
 /// The aim of the hand, and the position at which the part then holds the tip.
@@ -21,7 +21,7 @@ struct CrosswiseTouch {
 };
 
 /// The interval that a pass mills in one go: a wall from its foot to its rim, or the reverse.
-struct Stretch {
+struct Interval {
     std::vector<CrosswiseTouch> touches;
     bool done = false;
 };
@@ -38,19 +38,19 @@ public:
 
     std::vector<IntentPoint> plan() {
         const EvenPlaces passes = passesOver(request_, tool_.cutter, 0, request_.crosswiseStepOver);
-        for (int i = 0; i <= passes.intervals; ++i) passes_.push_back(steepStretches(passes.at(i)));
+        for (int i = 0; i <= passes.intervals; ++i) passes_.push_back(steepIntervals(passes.at(i)));
         for (std::size_t i = 0; i < passes_.size(); ++i)
-            for (Stretch& stretch : passes_[i])
-                if (!stretch.done) millFrom(i, stretch);
+            for (Interval& interval : passes_[i])
+                if (!interval.done) millFrom(i, interval);
         writer_.finish();
         return writer_.take();
     }
 
 private:
     /// The intervals of the pass at x on which neighbouring rows lie far apart.
-    std::vector<Stretch> steepStretches(double x) const {
+    std::vector<Interval> steepIntervals(double x) const {
         const EvenPlaces rows = passesOver(request_, tool_.cutter, 1, request_.stepOver);
-        std::vector<Stretch> stretches;
+        std::vector<Interval> intervals;
         glm::dvec3 before = reachedAt(x, rows.low);
         double gap = 0.0; // mm since the last steep point
         bool open = false;
@@ -62,17 +62,17 @@ private:
             gap = steep ? 0.0 : gap + way;
             open = open && known && gap <= longestCrosswiseGap;
             if (steep && !open) {
-                stretches.emplace_back();
+                intervals.emplace_back();
                 open = true;
             }
-            if (open) open = follow(before, now, stretches.back());
+            if (open) open = follow(before, now, intervals.back());
             before = now;
         }
-        std::erase_if(stretches, [](const Stretch& stretch) {
-            return stretch.touches.empty() ||
-                   glm::distance(stretch.touches.front().tip, stretch.touches.back().tip) < shortestStretch;
+        std::erase_if(intervals, [](const Interval& interval) {
+            return interval.touches.empty() ||
+                   glm::distance(interval.touches.front().tip, interval.touches.back().tip) < shortestInterval;
         });
-        return stretches;
+        return intervals;
     }
 
     glm::dvec3 reachedAt(double x, double y) const {
@@ -80,14 +80,14 @@ private:
     }
 
     /// Adds touches on the surface between two of its points; false where the tool can't continue.
-    bool follow(const glm::dvec3& from, const glm::dvec3& to, Stretch& stretch) const {
+    bool follow(const glm::dvec3& from, const glm::dvec3& to, Interval& interval) const {
         const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / sampling_)));
-        for (int i = stretch.touches.empty() ? 0 : 1; i <= steps; ++i) {
+        for (int i = interval.touches.empty() ? 0 : 1; i <= steps; ++i) {
             const std::optional<CrosswiseTouch> touch = touchNear(glm::mix(from, to, static_cast<double>(i) / steps));
             if (!touch) continue; // an edge, where no single face is the nearest
             // Standing stock beside the wall: the shank must not reach it.
             if (heights_.safeHeight(touch->tip, sampling_) > touch->tip.z + heightTolerance) return false;
-            stretch.touches.push_back(*touch);
+            interval.touches.push_back(*touch);
         }
         return true;
     }
@@ -112,37 +112,37 @@ private:
     }
 
     /// Mills an interval and those that adjoin it in the following passes: to and fro along one wall.
-    void millFrom(std::size_t pass, Stretch& first) {
+    void millFrom(std::size_t pass, Interval& first) {
         mill(first);
         for (std::size_t i = pass + 1; i < passes_.size(); ++i) {
-            Stretch* next = nearest(passes_[i]);
+            Interval* next = nearest(passes_[i]);
             if (next == nullptr) return;
             mill(*next);
         }
     }
 
     /// The interval of a pass that begins close to the tip; null if there is none.
-    Stretch* nearest(std::vector<Stretch>& pass) const {
-        Stretch* best = nullptr;
+    Interval* nearest(std::vector<Interval>& pass) const {
+        Interval* best = nullptr;
         double least = 2.0 * tool_.cutter.radius();
-        for (Stretch& stretch : pass) {
-            if (stretch.done) continue;
-            const double distance = distanceTo(stretch);
+        for (Interval& interval : pass) {
+            if (interval.done) continue;
+            const double distance = distanceTo(interval);
             if (distance >= least) continue;
             least = distance;
-            best = &stretch;
+            best = &interval;
         }
         return best;
     }
 
-    double distanceTo(const Stretch& stretch) const {
-        return std::min(glm::distance(writer_.tip(), stretch.touches.front().tip),
-                        glm::distance(writer_.tip(), stretch.touches.back().tip));
+    double distanceTo(const Interval& interval) const {
+        return std::min(glm::distance(writer_.tip(), interval.touches.front().tip),
+                        glm::distance(writer_.tip(), interval.touches.back().tip));
     }
 
-    void mill(Stretch& stretch) {
-        std::vector<CrosswiseTouch>& touches = stretch.touches;
-        const bool joins = !writer_.empty() && distanceTo(stretch) < 2.0 * tool_.cutter.radius();
+    void mill(Interval& interval) {
+        std::vector<CrosswiseTouch>& touches = interval.touches;
+        const bool joins = !writer_.empty() && distanceTo(interval) < 2.0 * tool_.cutter.radius();
         if (joins &&
             glm::distance(writer_.tip(), touches.back().tip) < glm::distance(writer_.tip(), touches.front().tip))
             std::reverse(touches.begin(), touches.end());
@@ -151,7 +151,7 @@ private:
         else
             enter(touches.front());
         for (const CrosswiseTouch& touch : touches) writer_.cutTo(touch.aim, touch.tip);
-        stretch.done = true;
+        interval.done = true;
     }
 
     /// Comes down beside the wall, not into it.
@@ -174,7 +174,7 @@ private:
     const FinishingRequest& request_;
     WorkpieceHeights& heights_;
     StrokeWriter writer_;
-    std::vector<std::vector<Stretch>> passes_;
+    std::vector<std::vector<Interval>> passes_;
     double sampling_; ///< mm along a pass
 };
 

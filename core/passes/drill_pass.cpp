@@ -23,7 +23,7 @@ constexpr double rimShare = 0.05, mostRim = 0.5; // of the radius: stock that on
 constexpr double wholeDiameters = 3.0;           // a hole no deeper than this many diameters is drilled in one peck
 
 /// A hole to drill, mm.
-struct Wanted {
+struct Requested {
     glm::dvec2 place{0.0};
     double lowest = 0.0; ///< lowest position of the tip, unless the part stops it
     double top = 0.0;    ///< the tip has to come below this
@@ -43,7 +43,7 @@ public:
     }
 
     Result<PlannedPass> plan() {
-        const Result<std::vector<Wanted>> wanted = wantedHoles();
+        const Result<std::vector<Requested>> wanted = wantedHoles();
         if (!wanted) return wanted.error();
         PlannedPass holes;
         for (std::size_t i = 0; i < wanted->size(); ++i) {
@@ -69,15 +69,15 @@ private:
     }
     double radius() const noexcept { return ground_.tool.cutter.radius(); }
 
-    Wanted inHole(const UprightHole& hole) const {
+    Requested inHole(const UprightHole& hole) const {
         const double through = hole.bottom - pointHeight_ - drilledThrough;
         return {hole.centre, request_.bottom.value_or(request_.depth > 0.0 ? depthBelowTop() : through), hole.top};
     }
     double depthBelowTop() const { return request_.top.value_or(ground_.stock.high.z) - request_.depth; }
 
-    Result<std::vector<Wanted>> wantedHoles() const {
+    Result<std::vector<Requested>> wantedHoles() const {
         const std::vector<UprightHole> holes = uprightHoles(ground_.part.triangles());
-        std::vector<Wanted> wanted;
+        std::vector<Requested> wanted;
         for (const UprightHole& hole : holes)
             if (request_.places.empty() && fitsHole(radius(), hole) &&
                 (request_.area.empty() || holds(request_.area, hole.centre)))
@@ -101,7 +101,7 @@ private:
     }
 
     /// From above the standing stock to the bottom; empty if there is nothing to drill or the bottom cannot be reached.
-    std::optional<TipLine> drilled(const Wanted& hole) {
+    std::optional<TipLine> drilled(const Requested& hole) {
         const double raster = ground_.standing.heights.empty() ? 0.0 : ground_.standing.edge;
         const double rim = std::clamp(raster, rimShare * radius(), mostRim * radius());
         const double standing =

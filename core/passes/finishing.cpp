@@ -38,13 +38,13 @@ public:
         const EvenPlaces rows = passesOver(request_, tool_.cutter, 1, request_.stepOver);
         bool forward = true;
         for (int i = 0; i <= rows.intervals; ++i) {
-            std::vector<std::vector<Touch>> stretches = pass(rows.at(i));
-            if (stretches.empty()) continue;
+            std::vector<std::vector<Touch>> intervals = pass(rows.at(i));
+            if (intervals.empty()) continue;
             if (!forward) {
-                std::reverse(stretches.begin(), stretches.end());
-                for (std::vector<Touch>& stretch : stretches) std::reverse(stretch.begin(), stretch.end());
+                std::reverse(intervals.begin(), intervals.end());
+                for (std::vector<Touch>& interval : intervals) std::reverse(interval.begin(), interval.end());
             }
-            for (const std::vector<Touch>& stretch : stretches) mill(stretch, rows.at(i));
+            for (const std::vector<Touch>& interval : intervals) mill(interval, rows.at(i));
             forward = !forward;
         }
         writer_.finish();
@@ -57,7 +57,7 @@ private:
     /// The intervals of the pass at y that lie over the part or close beside it.
     std::vector<std::vector<Touch>> pass(double y) const {
         const EvenPlaces places = passesOver(request_, tool_.cutter, 0, sampling_);
-        std::vector<std::vector<Touch>> stretches;
+        std::vector<std::vector<Touch>> intervals;
         std::vector<Touch> gap; // points on the floor since the last one near the part; crossed if the gap is short
         bool touchesPart = false;
         const std::size_t longestGap = static_cast<std::size_t>(4.0 * tool_.cutter.radius() / sampling_);
@@ -71,52 +71,52 @@ private:
                 gap.push_back(touch);
                 continue;
             }
-            if (stretches.empty() || gap.size() > longestGap)
-                stretches.emplace_back();
+            if (intervals.empty() || gap.size() > longestGap)
+                intervals.emplace_back();
             else
-                stretches.back().insert(stretches.back().end(), gap.begin(), gap.end());
-            stretches.back().push_back(touch);
+                intervals.back().insert(intervals.back().end(), gap.begin(), gap.end());
+            intervals.back().push_back(touch);
             gap.clear();
         }
-        if (!touchesPart) stretches.clear(); // a pass over the floor only
-        for (std::vector<Touch>& stretch : stretches) endBeforeRims(stretch, y);
-        return stretches;
+        if (!touchesPart) intervals.clear(); // a pass over the floor only
+        for (std::vector<Touch>& interval : intervals) endBeforeRims(interval, y);
+        return intervals;
     }
 
     /// Shortens an interval so that it ends before rims: the tool is wide enough to mill what lies at a rim from there.
-    void endBeforeRims(std::vector<Touch>& stretch, double y) const {
+    void endBeforeRims(std::vector<Touch>& interval, double y) const {
         const auto isAtRim = [&](const Touch& touch, double side) {
             return rims_.isTurnAtRim({touch.x, y}, touch.reached, {side, 0.0});
         };
-        std::size_t first = 0, end = stretch.size();
-        while (first < end && isAtRim(stretch[first], -1.0)) ++first;
-        while (end > first && isAtRim(stretch[end - 1], 1.0)) --end;
+        std::size_t first = 0, end = interval.size();
+        while (first < end && isAtRim(interval[first], -1.0)) ++first;
+        while (end > first && isAtRim(interval[end - 1], 1.0)) --end;
         if (first == end) return; // the interval is not wider than the turning distance
-        stretch.erase(stretch.begin() + static_cast<std::ptrdiff_t>(end), stretch.end());
-        stretch.erase(stretch.begin(), stretch.begin() + static_cast<std::ptrdiff_t>(first));
+        interval.erase(interval.begin() + static_cast<std::ptrdiff_t>(end), interval.end());
+        interval.erase(interval.begin(), interval.begin() + static_cast<std::ptrdiff_t>(first));
     }
 
-    void mill(const std::vector<Touch>& stretch, double y) {
-        const glm::dvec2 start(stretch.front().x, y);
+    void mill(const std::vector<Touch>& interval, double y) {
+        const glm::dvec2 start(interval.front().x, y);
         if (writer_.empty() || glm::distance(glm::dvec2(writer_.tip()), start) > 4.0 * tool_.cutter.radius())
-            enter(stretch, y);
+            enter(interval, y);
         else
             cross(start);
-        std::size_t held = stretch.size(); // first point of an interval at which stock is left
-        for (std::size_t i = 0; i < stretch.size(); ++i) {
-            const Touch& touch = stretch[i];
+        std::size_t held = interval.size(); // first point of an interval at which stock is left
+        for (std::size_t i = 0; i < interval.size(); ++i) {
+            const Touch& touch = interval[i];
             if (!std::isfinite(touch.reached)) continue;
             touchAt({touch.x, y}, touch.reached);
             if (left_ > 0.0) held = std::min(held, i);
-            if (held > i || (left_ > 0.0 && i + 1 < stretch.size())) continue;
-            deepen(stretch, y, held, i);
-            held = stretch.size();
+            if (held > i || (left_ > 0.0 && i + 1 < interval.size())) continue;
+            deepen(interval, y, held, i);
+            held = interval.size();
         }
     }
 
     /// Repeats the part between two points to and fro, beginning at the second one, until all stock is removed or it
     /// gets no deeper.
-    void deepen(const std::vector<Touch>& stretch, double y, std::size_t first, std::size_t last) {
+    void deepen(const std::vector<Touch>& interval, double y, std::size_t first, std::size_t last) {
         double before = std::numeric_limits<double>::infinity();
         for (int i = 0; i < mostRepeats; ++i) {
             double left = 0.0;
@@ -125,9 +125,9 @@ private:
                 touchAt({at.x, y}, at.reached);
                 left = std::max(left, left_);
             };
-            for (std::size_t k = last; k-- > first;) touch(stretch[k]);
+            for (std::size_t k = last; k-- > first;) touch(interval[k]);
             left = 0.0;
-            for (std::size_t k = first; k <= last; ++k) touch(stretch[k]);
+            for (std::size_t k = first; k <= last; ++k) touch(interval[k]);
             if (left <= 0.0 || left > before - leastProgress) return;
             before = left;
         }
@@ -187,11 +187,11 @@ private:
 
     /// Comes down at the first point of an interval. If stock stands there, goes down a ramp over the following points
     /// and back over the ground that it cut.
-    void enter(const std::vector<Touch>& stretch, double y) {
-        const glm::dvec2 start(stretch.front().x, y);
+    void enter(const std::vector<Touch>& interval, double y) {
+        const glm::dvec2 start(interval.front().x, y);
         climbing_ = false;
         slope_ = 0.0;
-        const double reached = reached_ = stretch.front().reached;
+        const double reached = reached_ = interval.front().reached;
         aim_ = aimAt(start, reached);
         const double depth = writer_.depthAt(tipAt(aim_, reached));
         if (depth <= plungeDepth) {
@@ -202,10 +202,10 @@ private:
         aim_ = {start, height};
         writer_.enterAt(aim_, aim_);
         std::size_t end = 0;
-        for (std::size_t i = 1; i < stretch.size() && std::isfinite(stretch[i].reached); ++i) {
-            const Touch& touch = stretch[i];
+        for (std::size_t i = 1; i < interval.size() && std::isfinite(interval[i].reached); ++i) {
+            const Touch& touch = interval[i];
             if (touch.reached > height) break; // a wall
-            height -= rampSlope * std::abs(touch.x - stretch[i - 1].x);
+            height -= rampSlope * std::abs(touch.x - interval[i - 1].x);
             const bool down = height <= touch.reached;
             const glm::dvec3 ground = aimAt({touch.x, y}, touch.reached);
             aim_ = {touch.x, y, std::max({height, touch.reached, ground.z})};
@@ -214,7 +214,7 @@ private:
             end = i;
             if (down) break;
         }
-        while (end-- > 0) touchAt({stretch[end].x, y}, stretch[end].reached);
+        while (end-- > 0) touchAt({interval[end].x, y}, interval[end].reached);
     }
 
     /// Goes slowly over the rim of a wall that it climbed, or over what held it in a corner: a hand rounds its corners.

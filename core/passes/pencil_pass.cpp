@@ -64,16 +64,16 @@ Result<PlannedPass> planPencil(const PassRequest& asked, const PassGround& groun
     const double raster = std::max(ground.coarseness * finest, largest / mostSquares);
     std::vector<TipLine> creases = creaseLines(trace, raster, progress);
     std::erase_if(creases, [&](const TipLine& line) { return lengthOf(line) < shortest * raster; });
-    std::vector<std::vector<TipLine>> stretches(creases.size());
+    std::vector<std::vector<TipLine>> intervals(creases.size());
     std::vector<double> leftOut(creases.size(), 0.0);
     parallelFor(std::size_t{0}, creases.size(), [&](std::size_t i) {
-        if (!progress.cancelled()) stretches[i] = trace.stretchesOf(creases[i], leftOut[i]);
+        if (!progress.cancelled()) intervals[i] = trace.intervalsOf(creases[i], leftOut[i]);
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
     PlannedPass planned;
     for (const double one : leftOut) planned.leftOut += one;
     std::vector<TipLine> lines;
-    for (const std::vector<TipLine>& line : stretches) lines.insert(lines.end(), line.begin(), line.end());
+    for (const std::vector<TipLine>& line : intervals) lines.insert(lines.end(), line.begin(), line.end());
     for (const TipLine& line : inOrder(std::move(lines))) planned.strokes.push_back(straightened(line));
     return planned;
 }

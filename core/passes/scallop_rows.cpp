@@ -66,7 +66,7 @@ private:
                 const std::size_t i = surface_.indexOf(column, row);
                 const SurfacePlace place = trace_.at(bounds_.low + edge_ * glm::dvec2(column, row), probe);
                 tips_[i] = place.tip;
-                if (!place.onPart || !trace_.isWanted(place, probe)) continue;
+                if (!place.onPart || !trace_.isRequested(place, probe)) continue;
                 const ToolClearance touch = probe.touch(place.tip);
                 touched_[i] = touch.meshPoint;
                 surface_.on[i] = touch.away.z >= leastUpwards ? 1 : 0;

@@ -32,17 +32,17 @@ public:
         stepOver_ = *stepOver * ground_.coarseness;
         const std::vector<PlanRow> rows = rowsOnPart();
         const ProgressPart part(progress_, 0.5, 1.0);
-        std::vector<std::vector<TipLine>> stretches(rows.size());
+        std::vector<std::vector<TipLine>> intervals(rows.size());
         std::vector<double> leftOut(rows.size(), 0.0);
         ParallelProgress done(progress_, rows.size());
         parallelFor(std::size_t{0}, rows.size(), [&](std::size_t i) {
             if (progress_.cancelled()) return;
-            stretches[i] = trace_.along(rows[i], leftOut[i]);
+            intervals[i] = trace_.along(rows[i], leftOut[i]);
             done.add();
         });
         if (progress_.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
         for (const double one : leftOut) planned_.leftOut += one;
-        for (std::vector<TipLine>& row : stretches) addRow(std::move(row));
+        for (std::vector<TipLine>& row : intervals) addRow(std::move(row));
         for (TipLine& stroke : planned_.strokes) stroke = straightened(stroke);
         return std::move(planned_);
     }
@@ -79,9 +79,9 @@ private:
         const double way = glm::distance(glm::dvec2(from), glm::dvec2(to));
         if (way > 2.5 * stepOver_ || glm::distance(from, to) > 2.0 * ground_.tool.cutter.diameter) return false;
         double unused = 0.0;
-        const std::vector<TipLine> stretches = trace_.along({glm::dvec2(from), glm::dvec2(to)}, unused);
-        if (stretches.size() != 1 || way == 0.0) return way == 0.0;
-        const TipLine& line = stretches.front();
+        const std::vector<TipLine> intervals = trace_.along({glm::dvec2(from), glm::dvec2(to)}, unused);
+        if (intervals.size() != 1 || way == 0.0) return way == 0.0;
+        const TipLine& line = intervals.front();
         if (glm::distance(line.front(), from) > 0.01 || glm::distance(line.back(), to) > 0.01) return false;
         planned_.strokes.back().insert(planned_.strokes.back().end(), line.begin(), line.end());
         return true;

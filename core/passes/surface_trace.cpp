@@ -66,59 +66,59 @@ PlanBounds SurfaceTrace::bounds() const {
 }
 
 /// Receives points one by one, and keeps those that are requested and possible.
-class SurfaceTrace::Stretches {
+class SurfaceTrace::Intervals {
 public:
-    Stretches(const SurfaceTrace& trace, TipDrop& probe, double& leftOut)
+    Intervals(const SurfaceTrace& trace, TipDrop& probe, double& leftOut)
         : trace_(trace), probe_(probe), leftOut_(leftOut) {}
 
     void add(const SurfacePlace& place) {
-        const bool wanted = trace_.isWanted(place, probe_);
+        const bool wanted = trace_.isRequested(place, probe_);
         const bool possible = wanted && trace_.isPossible(place);
         if (wanted && !possible && last_) leftOut_ += glm::distance(last_->tip, place.tip);
-        if (possible && !open_) stretches_.emplace_back();
+        if (possible && !open_) intervals_.emplace_back();
         open_ = possible;
-        if (possible) stretches_.back().push_back(place.tip);
+        if (possible) intervals_.back().push_back(place.tip);
         last_ = place;
     }
     const std::optional<SurfacePlace>& last() const noexcept { return last_; }
     std::vector<TipLine> taken() {
-        std::erase_if(stretches_, [](const TipLine& line) { return line.size() < 2; });
-        return std::move(stretches_);
+        std::erase_if(intervals_, [](const TipLine& line) { return line.size() < 2; });
+        return std::move(intervals_);
     }
 
 private:
     const SurfaceTrace& trace_;
     TipDrop& probe_;
     double& leftOut_;
-    std::vector<TipLine> stretches_;
+    std::vector<TipLine> intervals_;
     std::optional<SurfacePlace> last_;
     bool open_ = false;
 };
 
-std::vector<TipLine> SurfaceTrace::stretchesOf(const TipLine& line, double& leftOut) const {
+std::vector<TipLine> SurfaceTrace::intervalsOf(const TipLine& line, double& leftOut) const {
     TipDrop probe = this->probe();
-    Stretches stretches(*this, probe, leftOut);
-    for (const glm::dvec3& tip : line) stretches.add({tip, true});
-    return stretches.taken();
+    Intervals intervals(*this, probe, leftOut);
+    for (const glm::dvec3& tip : line) intervals.add({tip, true});
+    return intervals.taken();
 }
 
 std::vector<TipLine> SurfaceTrace::along(const PlanRow& row, double& leftOut) const {
     TipDrop probe = this->probe();
-    Stretches stretches(*this, probe, leftOut);
-    const auto add = [&](const SurfacePlace& place) { stretches.add(place); };
+    Intervals intervals(*this, probe, leftOut);
+    const auto add = [&](const SurfacePlace& place) { intervals.add(place); };
     for (std::size_t i = 1; i < row.size(); ++i) {
         const glm::dvec2 &from = row[i - 1], &to = row[i];
         const int steps =
             std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / (coarsestTrace * ground_.coarseness))));
         for (int k = 0; k < steps; ++k) {
-            if (!stretches.last()) add(at(from, probe));
-            const SurfacePlace first = *stretches.last();
+            if (!intervals.last()) add(at(from, probe));
+            const SurfacePlace first = *intervals.last();
             const SurfacePlace last = at(glm::mix(from, to, static_cast<double>(k + 1) / steps), probe);
             between(first, last, probe, add);
             add(last);
         }
     }
-    return stretches.taken();
+    return intervals.taken();
 }
 
 /// Adds points where the segment between two deviates from the part's surface of tips.
@@ -146,7 +146,7 @@ SurfacePlace SurfaceTrace::at(const glm::dvec2& place, TipDrop& probe) const {
     return {{place, height.value_or(bottom_)}, height.has_value()};
 }
 
-bool SurfaceTrace::isWanted(const SurfacePlace& place, TipDrop& probe) const {
+bool SurfaceTrace::isRequested(const SurfacePlace& place, TipDrop& probe) const {
     if (!isInArea(place, probe)) return false;
     if (!place.onPart)
         return request_.flattest == 0.0 &&

@@ -34,7 +34,7 @@ public:
     TipDrop probe() const { return {ground_.part, pieces_, request_.allowance, bottom_}; }
     SurfacePlace at(const glm::dvec2& place, TipDrop& probe) const;
     /// Whether the request asks for this point: its area, its slopes, the remaining stock.
-    bool isWanted(const SurfacePlace& place, TipDrop& probe) const;
+    bool isRequested(const SurfacePlace& place, TipDrop& probe) const;
     /// Whether only the flutes meet stock there, and no more of it than they can bear.
     bool isPossible(const SurfacePlace& place) const;
 
@@ -43,13 +43,13 @@ public:
     std::vector<TipLine> along(const PlanRow& row, double& leftOut) const;
 
     /// The same for a line of tips that lie on the part.
-    std::vector<TipLine> stretchesOf(const TipLine& line, double& leftOut) const;
+    std::vector<TipLine> intervalsOf(const TipLine& line, double& leftOut) const;
 
     /// The area of the request, or the part, extended by the distance at which the tool still touches it.
     PlanBounds bounds() const;
 
 private:
-    class Stretches;
+    class Intervals;
     bool isInArea(const SurfacePlace& place, TipDrop& probe) const;
     void between(const SurfacePlace& first, const SurfacePlace& last, TipDrop& probe,
                  const std::function<void(const SurfacePlace&)>& add) const;

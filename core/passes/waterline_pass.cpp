@@ -136,7 +136,7 @@ private:
                     continue;
                 }
                 places.push_back(*place);
-                work.push_back(isWanted(*place, height, contour) ? LevelPlace::cuts : LevelPlace::forbidden);
+                work.push_back(isRequested(*place, height, contour) ? LevelPlace::cuts : LevelPlace::forbidden);
                 if (work.back() == LevelPlace::cuts && !isPossible({*place, height})) {
                     work.back() = LevelPlace::forbidden;
                     if (places.size() > 1) leftOut += glm::distance(places.back(), places[places.size() - 2]);
@@ -149,7 +149,7 @@ private:
         return runs;
     }
 
-    bool isWanted(const glm::dvec2& place, double height, ExactContour& contour) const {
+    bool isRequested(const glm::dvec2& place, double height, ExactContour& contour) const {
         if (!isInArea(place, height, contour)) return false;
         if (request_.restOnly && !isRest(heights_, ground_, {place, height})) return false;
         return !request_.limitsSlope() || request_.allowsSlope(contour.touch(place).away);

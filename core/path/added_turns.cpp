@@ -21,9 +21,9 @@ constexpr double marginShare = 0.25;
 constexpr int mostRounds = 12;
 
 /// Intervals of a stroke, by its course.
-class Stretches {
+class Intervals {
 public:
-    explicit Stretches(std::span<const double> course) : course_(course) {}
+    explicit Intervals(std::span<const double> course) : course_(course) {}
 
     /// The sum over all points within `half` mm of a point.
     template <class Sum>
@@ -121,13 +121,13 @@ std::vector<bool> AddedTurns::in(std::span<const glm::dvec3> smoothed, const Pro
     std::vector<StrokePoint> points(recorded_.begin(), recorded_.end());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].pose.tip = smoothed[i];
     const TurnCount after(points, limits_.detail, progress);
-    const Stretches stretches(course_);
+    const Intervals intervals(course_);
     const double half = 0.5 * limits_.window, margin = marginShare * limits_.window;
     std::vector<bool> marked(points.size(), false);
     for (std::size_t i = 0; i < marked.size(); ++i)
         marked[i] =
-            stretches.within(after.turns, i, half) > stretches.within(before_.turns, i, half + margin) + turnSlack ||
-            stretches.within(after.backSteps, i, half) > stretches.within(before_.backSteps, i, half + margin);
+            intervals.within(after.turns, i, half) > intervals.within(before_.turns, i, half + margin) + turnSlack ||
+            intervals.within(after.backSteps, i, half) > intervals.within(before_.backSteps, i, half + margin);
     return marked;
 }
 

@@ -10,7 +10,7 @@ Result<Deviation> apply(const Array& edit, PathUnderEdit& state, const PathConte
     std::vector<PathStroke> originals;
     std::size_t count = 0;
     for (const PathStroke& stroke : state.strokes) {
-        if (!touches(edit.stretch, stroke)) continue;
+        if (!touches(edit.interval, stroke)) continue;
         originals.push_back(stroke);
         count += stroke.points.size();
     }

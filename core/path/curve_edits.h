@@ -44,7 +44,7 @@ enum class LeadDirection { firstMove, recording };
 /// form keeps the tool as far from the part as the stroke has to be and clear of fixtures.
 struct LeadIn {
     enum class Form { line, arc, ramp, helix };
-    SourceStretch stretch;
+    SourceInterval interval;
     Form form = Form::arc;
     double size = 3.0;   ///< mm: length of a line or ramp in plan, radius of an arc or helix
     double height = 1.0; ///< mm, by which a ramp or helix descends
@@ -56,7 +56,7 @@ EditResult apply(const LeadIn& edit, PathUnderEdit& state, const PathContext& co
 /// Adds a lead-out to strokes, tangent to their last move; rules as for LeadIn.
 struct LeadOut {
     enum class Form { line, arc };
-    SourceStretch stretch;
+    SourceInterval interval;
     Form form = Form::arc;
     double size = 3.0; ///< mm
     LeadDirection direction = LeadDirection::recording;

@@ -7,13 +7,13 @@ namespace burin {
 Result<Deviation> apply(const CutOut& edit, PathUnderEdit& state, const PathContext&, Progress&) {
     std::vector<PathStroke> left;
     for (PathStroke& stroke : state.strokes) {
-        if (!touches(edit.stretch, stroke)) {
+        if (!touches(edit.interval, stroke)) {
             left.push_back(std::move(stroke));
             continue;
         }
         bool begins = true;
         for (const StrokePoint& point : stroke.points) {
-            const bool goes = contains(edit.stretch, stroke, point);
+            const bool goes = contains(edit.interval, stroke, point);
             if (!goes && begins)
                 left.push_back({stroke.source, stroke.allowance, stroke.required, stroke.tickPeriod, {}});
             if (!goes) left.back().points.push_back(point);

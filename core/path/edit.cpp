@@ -47,7 +47,7 @@ struct CheckField {
         if (value.tick >= 0) return {};
         return invalid(field, "", "a take and a tick of it, from 0");
     }
-    Result<void> operator()(const SourceStretch& value) const {
+    Result<void> operator()(const SourceInterval& value) const {
         if (value.first >= 0 && value.first <= value.last) return {};
         return invalid(field, "", "a take and two ticks of it, the earlier one first");
     }
@@ -127,8 +127,9 @@ std::vector<Edit> standardEdits() {
     gentle.entry = Link::Entry::ramp;
     SetFeed feeds;
     feeds.spindle = SetFeed::Spindle::byMaterial;
-    return {{DropAirCuts{}}, {DropDwells{}}, {SmoothShape{}}, {HoldOut{}},
-            {FitArcs{}},     {gentle},       {feeds},         {LevelFeed{.goal = LevelFeed::Goal::limits}}};
+    return {
+        {DropAirCuts{}}, {DropDwells{}}, {SmoothShape{}}, {HoldOut{}},
+        {FitArcs{}},     {gentle},       {feeds},         {FeedOptimisation{.goal = FeedOptimisation::Goal::limits}}};
 }
 
 std::vector<Edit> computedEdits() {
@@ -137,7 +138,7 @@ std::vector<Edit> computedEdits() {
     low.travel = Link::Travel::lowest;
     SetFeed feeds;
     feeds.spindle = SetFeed::Spindle::byMaterial;
-    return {{HoldOut{}}, {FitArcs{}}, {low}, {feeds}, {LevelFeed{.goal = LevelFeed::Goal::limits}}};
+    return {{HoldOut{}}, {FitArcs{}}, {low}, {feeds}, {FeedOptimisation{.goal = FeedOptimisation::Goal::limits}}};
 }
 
 std::vector<Edit> programEdits() {

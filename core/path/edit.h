@@ -40,10 +40,10 @@ Result<void> validate(const Edit& edit);
 /// The value of one parameter of an edit: a number, a switch, one of several names, a point or vector, points, a moment
 /// or an interval of a source.
 using EditValue =
-    std::variant<double, bool, std::string_view, glm::dvec3, std::vector<glm::dvec3>, Moment, SourceStretch>;
+    std::variant<double, bool, std::string_view, glm::dvec3, std::vector<glm::dvec3>, Moment, SourceInterval>;
 
 /// The texts that the user reads about a parameter.
-struct FieldWords {
+struct FieldLabels {
     TextId label, toolTip;
 };
 
@@ -56,7 +56,7 @@ struct EditChoice {
 /// One parameter of an edit, with its allowed values; used by files, panels and validation.
 struct EditField {
     std::string_view key; ///< as in the edit's JSON, its unit at the end: "tolerance_mm"
-    FieldWords words;
+    FieldLabels words;
     EditValue value;
     double low = 0.0, high = 0.0;          ///< limits of a number, of each coordinate, of a count of points
     bool whole = false;                    ///< an integral number

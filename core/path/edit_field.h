@@ -17,7 +17,7 @@ inline constexpr double farthestPlace = 1e5;
 template <class T>
 struct NumberField {
     std::string_view key;
-    FieldWords words;
+    FieldLabels words;
     double T::*member;
     double low, high;
     bool whole;
@@ -27,13 +27,13 @@ struct NumberField {
 };
 template <class T>
 constexpr NumberField<T> number(std::string_view key, double T::*member, double low, double high,
-                                const FieldWords& words) {
+                                const FieldLabels& words) {
     return {key, words, member, low, high, false};
 }
 /// An integral number; stored as the others are.
 template <class T>
 constexpr NumberField<T> count(std::string_view key, double T::*member, double low, double high,
-                               const FieldWords& words) {
+                               const FieldLabels& words) {
     return {key, words, member, low, high, true};
 }
 
@@ -41,7 +41,7 @@ constexpr NumberField<T> count(std::string_view key, double T::*member, double l
 template <class T, class Member>
 struct PlainField {
     std::string_view key;
-    FieldWords words;
+    FieldLabels words;
     Member T::*member;
     double low, high;
 
@@ -49,26 +49,26 @@ struct PlainField {
     void set(T& edit, const EditValue& value) const { edit.*member = std::get<Member>(value); }
 };
 template <class T>
-constexpr PlainField<T, bool> onOff(std::string_view key, bool T::*member, const FieldWords& words) {
+constexpr PlainField<T, bool> onOff(std::string_view key, bool T::*member, const FieldLabels& words) {
     return {key, words, member, 0.0, 0.0};
 }
 template <class T>
-constexpr PlainField<T, Moment> moment(std::string_view key, Moment T::*member, const FieldWords& words) {
+constexpr PlainField<T, Moment> moment(std::string_view key, Moment T::*member, const FieldLabels& words) {
     return {key, words, member, 0.0, 0.0};
 }
 template <class T>
-constexpr PlainField<T, SourceStretch> stretch(std::string_view key, SourceStretch T::*member,
-                                               const FieldWords& words) {
+constexpr PlainField<T, SourceInterval> interval(std::string_view key, SourceInterval T::*member,
+                                                 const FieldLabels& words) {
     return {key, words, member, 0.0, 0.0};
 }
 template <class T>
-constexpr PlainField<T, glm::dvec3> place(std::string_view key, glm::dvec3 T::*member, const FieldWords& words) {
+constexpr PlainField<T, glm::dvec3> place(std::string_view key, glm::dvec3 T::*member, const FieldLabels& words) {
     return {key, words, member, -farthestPlace, farthestPlace};
 }
 /// @param fewest least number of points, unless there are none
 template <class T>
 constexpr PlainField<T, std::vector<glm::dvec3>> places(std::string_view key, std::vector<glm::dvec3> T::*member,
-                                                        double fewest, const FieldWords& words) {
+                                                        double fewest, const FieldLabels& words) {
     return {key, words, member, fewest, 10000.0};
 }
 
@@ -76,7 +76,7 @@ constexpr PlainField<T, std::vector<glm::dvec3>> places(std::string_view key, st
 template <class T, class Enumeration, std::size_t size>
 struct ChoiceField {
     std::string_view key;
-    FieldWords words;
+    FieldLabels words;
     Enumeration T::*member;
     const std::array<EditChoice, size>* names;
 
@@ -90,7 +90,8 @@ struct ChoiceField {
 };
 template <class T, class Enumeration, std::size_t size>
 constexpr ChoiceField<T, Enumeration, size> choice(std::string_view key, Enumeration T::*member,
-                                                   const std::array<EditChoice, size>& names, const FieldWords& words) {
+                                                   const std::array<EditChoice, size>& names,
+                                                   const FieldLabels& words) {
     return {key, words, member, &names};
 }
 

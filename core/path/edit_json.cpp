@@ -31,9 +31,9 @@ struct Write {
         return list;
     }
     Json operator()(const Moment& value) const { return {{"take", value.source}, {"tick", value.tick}}; }
-    Json operator()(const SourceStretch& value) const {
+    Json operator()(const SourceInterval& value) const {
         Json object{{"take", value.source}, {"first", value.first}};
-        if (value.last != SourceStretch{}.last) object["last"] = value.last;
+        if (value.last != SourceInterval{}.last) object["last"] = value.last;
         return object;
     }
 };
@@ -108,11 +108,11 @@ struct Read {
         value = moment;
         return {};
     }
-    Refusal operator()(const SourceStretch&) const {
-        SourceStretch stretch;
-        if (!readNumbers(json, {{"take", &stretch.source}, {"first", &stretch.first}, {"last", &stretch.last}}))
+    Refusal operator()(const SourceInterval&) const {
+        SourceInterval interval;
+        if (!readNumbers(json, {{"take", &interval.source}, {"first", &interval.first}, {"last", &interval.last}}))
             return R"({"take": number, "first": number, "last": number})";
-        value = stretch;
+        value = interval;
         return {};
     }
 };

@@ -13,18 +13,18 @@ template <class T>
 struct EditRow;
 
 // Texts of parameters that several kinds have.
-inline constexpr FieldWords strokesToEdit{
-    BURIN_TEXT("EditParameterTexts", "Applies to"),
-    BURIN_TEXT("EditParameterTexts", "Strokes to edit. Select them in the view first")};
-inline constexpr FieldWords recordingTolerance{
-    BURIN_TEXT("EditParameterTexts", "Tolerance"),
-    BURIN_TEXT("EditParameterTexts", "Largest deviation from the recording")};
-inline constexpr FieldWords cutOffFrequency{BURIN_TEXT("EditParameterTexts", "Cut-off frequency"),
-                                            BURIN_TEXT("EditParameterTexts", "Tremor above it is removed")};
-inline constexpr FieldWords turnCentre{
-    BURIN_TEXT("EditParameterTexts", "Centre"),
-    BURIN_TEXT("EditParameterTexts", "Position of the vertical axis of rotation, from program zero")};
-inline constexpr FieldWords stockLeft{BURIN_TEXT("EditParameterTexts", "Allowance"),
-                                      BURIN_TEXT("EditParameterTexts", "Stock left on the part")};
+inline constexpr FieldLabels strokesToEdit{
+    BURIN_TEXT("EditParameterLabels", "Applies to"),
+    BURIN_TEXT("EditParameterLabels", "Strokes to edit. Select them in the view first")};
+inline constexpr FieldLabels recordingTolerance{
+    BURIN_TEXT("EditParameterLabels", "Tolerance"),
+    BURIN_TEXT("EditParameterLabels", "Largest deviation from the recording")};
+inline constexpr FieldLabels cutOffFrequency{BURIN_TEXT("EditParameterLabels", "Cut-off frequency"),
+                                             BURIN_TEXT("EditParameterLabels", "Tremor above it is removed")};
+inline constexpr FieldLabels turnCentre{
+    BURIN_TEXT("EditParameterLabels", "Centre"),
+    BURIN_TEXT("EditParameterLabels", "Position of the vertical axis of rotation, from program zero")};
+inline constexpr FieldLabels stockLeft{BURIN_TEXT("EditParameterLabels", "Allowance"),
+                                       BURIN_TEXT("EditParameterLabels", "Stock left on the part")};
 
 } // namespace burin

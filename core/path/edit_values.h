@@ -24,14 +24,14 @@ struct Moment {
 };
 
 /// The interval of a source, a hand's or a planner's, from one moment to another, both included.
-struct SourceStretch {
+struct SourceInterval {
     std::int64_t source = 0;                                                 ///< PathSource::id; 0: everything
     std::int64_t first = 0, last = std::numeric_limits<std::int64_t>::max(); ///< ticks
 
     bool contains(const Moment& moment) const noexcept {
         return source == 0 || (source == moment.source && moment.tick >= first && moment.tick <= last);
     }
-    friend bool operator==(const SourceStretch&, const SourceStretch&) = default;
+    friend bool operator==(const SourceInterval&, const SourceInterval&) = default;
 };
 
 /// A region: a polygon in plan, between two heights.

@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 /// Ends of the intervals of a move, with the fraction of the move at which each ends.
-std::vector<std::pair<glm::dvec3, double>> stretchesOf(const glm::dvec3& from, const PathPoint& to, double sampling) {
+std::vector<std::pair<glm::dvec3, double>> intervalsOf(const glm::dvec3& from, const PathPoint& to, double sampling) {
     std::vector<std::pair<glm::dvec3, double>> ends;
     if (!to.arc) {
         const auto count = static_cast<int>(std::max(1.0, std::ceil(glm::distance(from, to.pose.tip) / sampling)));
@@ -35,7 +35,7 @@ std::vector<std::pair<glm::dvec3, double>> stretchesOf(const glm::dvec3& from, c
 /// Steps short enough for the smooth values of MaterialRemoval, in voxels.
 constexpr double longestStep = 0.25;
 
-void add(MetStretch& met, const CutResult& cut) {
+void add(MetInterval& met, const CutResult& cut) {
     for (const MaterialVolume& material : cut.removed) {
         if (material.property == airProperty) break;
         auto mine = std::ranges::find(met.removed, material.property, &MaterialVolume::property);
@@ -50,7 +50,7 @@ void add(MetStretch& met, const CutResult& cut) {
 }
 
 /// @return false if the memory is used up
-bool cutStretch(MaterialRemoval& removal, RunVolume& stock, MetStretch& met, RecordGrain grain) {
+bool cutInterval(MaterialRemoval& removal, RunVolume& stock, MetInterval& met, RecordGrain grain) {
     const double step = longestStep * stock.grid().edge();
     const auto steps = grain == RecordGrain::coarse ? 1 : static_cast<int>(std::max(1.0, std::ceil(met.length / step)));
     glm::dvec3 at = met.from;
@@ -66,7 +66,7 @@ bool cutStretch(MaterialRemoval& removal, RunVolume& stock, MetStretch& met, Rec
 
 } // namespace
 
-CutResult MetStretch::cut() const {
+CutResult MetInterval::cut() const {
     CutResult result;
     std::ranges::copy(removed, result.removed.begin());
     result.reported = reported;
@@ -75,18 +75,18 @@ CutResult MetStretch::cut() const {
     return result;
 }
 
-Result<std::vector<MetStretch>> recordEngagement(const std::vector<PathPoint>& points, const Tool& tool,
-                                                 RunVolume& stock, double sampling, Progress& progress,
-                                                 RecordGrain grain) {
+Result<std::vector<MetInterval>> recordEngagement(const std::vector<PathPoint>& points, const Tool& tool,
+                                                  RunVolume& stock, double sampling, Progress& progress,
+                                                  RecordGrain grain) {
     MaterialRemoval removal(tool.cutter, stock.grid());
-    std::vector<MetStretch> record;
+    std::vector<MetInterval> record;
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "path", "", ""};
         if (points[i].kind == MoveKind::rapid) continue;
         glm::dvec3 from = points[i - 1].pose.tip;
-        for (const auto& [to, share] : stretchesOf(from, points[i], sampling)) {
-            MetStretch met{i, share, glm::distance(from, to), from, to, {}, 0.0, {}, {}};
-            if (!cutStretch(removal, stock, met, grain))
+        for (const auto& [to, share] : intervalsOf(from, points[i], sampling)) {
+            MetInterval met{i, share, glm::distance(from, to), from, to, {}, 0.0, {}, {}};
+            if (!cutInterval(removal, stock, met, grain))
                 return Error{ErrorCode::volumeOutOfMemory, std::to_string(stock.reservedBytes()), "", ""};
             record.push_back(std::move(met));
             from = to;

@@ -11,7 +11,7 @@
 namespace burin {
 
 /// An interval of a move and the material that the tool removed on it.
-struct MetStretch {
+struct MetInterval {
     std::size_t move = 0;                ///< index of the point at which the move ends
     double end = 0.0;                    ///< fraction of the move at which it ends
     double length = 0.0;                 ///< mm
@@ -31,8 +31,8 @@ enum class RecordGrain {
 };
 /// Cuts a path out of a stock again, in intervals of `sampling` mm at most; rapids cut nothing.
 /// Errors: volumeOutOfMemory, cancelled.
-Result<std::vector<MetStretch>> recordEngagement(const std::vector<PathPoint>& points, const Tool& tool,
-                                                 RunVolume& stock, double sampling, Progress& progress,
-                                                 RecordGrain grain = RecordGrain::fine);
+Result<std::vector<MetInterval>> recordEngagement(const std::vector<PathPoint>& points, const Tool& tool,
+                                                  RunVolume& stock, double sampling, Progress& progress,
+                                                  RecordGrain grain = RecordGrain::fine);
 
 } // namespace burin

@@ -114,7 +114,7 @@ EntryPlanner::EntryPlanner(const Link& edit, const LinkRoom& room, const PartGua
 
 double EntryPlanner::depthAt(const glm::dvec3& tip, bool all) const {
     if (tip.z >= stockTop_) return 0.0;
-    const ClearedHeights& cleared = room_.cleared();
+    const HeightMap& cleared = room_.cleared();
     const double free = all ? cleared.freeHeight(tip.x, tip.y)
                             : cleared.freeHeightWithin((0.5 - 0.5 * skimmedRim) * diameter_, tip.x, tip.y);
     const double known = free - tip.z; // never understated

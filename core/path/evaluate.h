@@ -8,7 +8,7 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/machine/machine_profile.h"
 #include "core/path/edit.h"
-#include "core/path/milling_stretch.h"
+#include "core/path/milling_interval.h"
 #include "core/path/omission.h"
 #include "core/path/path.h"
 #include "core/path/stroke_entry.h"
@@ -24,7 +24,7 @@
 
 namespace burin {
 
-class ClearedHeights;
+class HeightMap;
 struct SourceStrokes;
 
 /// Receives a stock on loan and may cut it; its changes are discarded afterwards.
@@ -47,7 +47,7 @@ struct PathContext {
     /// empty. It may call its argument more than once; the result of the last call counts.
     std::function<Result<void>(const StockUse& use, Progress&)> lendStock{};
     /// What the paths before this one have cleared of the stock; null if there are none.
-    std::shared_ptr<const ClearedHeights> cleared{};
+    std::shared_ptr<const HeightMap> cleared{};
     glm::dvec3 workOffset{0.0}; ///< mm, program zero in the setup frame; a control rounds coordinates relative to it
 };
 
@@ -66,9 +66,9 @@ struct EditReport {
 struct EvaluatedPath {
     Path path;
     std::vector<EditReport> reports;
-    std::vector<MillingStretch> sides; ///< in order; empty unless requested (milling_side.h)
+    std::vector<MillingInterval> sides; ///< in order; empty unless requested (milling_side.h)
     /// The stock cleared by this path and all before it; null unless requested (milling_side.h)
-    std::shared_ptr<const ClearedHeights> cleared;
+    std::shared_ptr<const HeightMap> cleared;
     /// The paths before this one in milling order at the time of its evaluation. If the order changes, or one of them
     /// does, this path has to be evaluated again.
     std::vector<std::shared_ptr<const EvaluatedPath>> after;

@@ -36,7 +36,7 @@ void extendStart(std::vector<StrokePoint>& points, double length) {
 
 Result<Deviation> apply(const Extend& edit, PathUnderEdit& state, const PathContext&, Progress&) {
     for (PathStroke& stroke : state.strokes) {
-        if (!touches(edit.stretch, stroke)) continue;
+        if (!touches(edit.interval, stroke)) continue;
         extendStart(stroke.points, edit.atStart);
         PathStroke back = reversed(stroke);
         extendStart(back.points, edit.atEnd);

@@ -59,7 +59,7 @@ private:
         return std::span(axes).first(rules_.largestSweep > 0.0 ? axes.size() : 0);
     }
 
-    std::span<const StrokePoint> stretch(std::size_t first, std::size_t end) const {
+    std::span<const StrokePoint> interval(std::size_t first, std::size_t end) const {
         return std::span(points_).subspan(first, end - first + 1);
     }
 
@@ -107,7 +107,7 @@ private:
     }
 
     Found arcTo(std::size_t first, std::size_t end, int axis) const {
-        const auto fitted = fitArc(stretch(first, end), axis, rules_);
+        const auto fitted = fitArc(interval(first, end), axis, rules_);
         if (!fitted) return {};
         return Primitive{end, PathArc{fitted->arc.centre, axis, fitted->arc.clockwise}, fitted->deviation};
     }

@@ -41,8 +41,8 @@ Result<Deviation> apply(const Join& edit, PathUnderEdit& state, const PathContex
     std::vector<PathStroke> joined;
     for (PathStroke& stroke : state.strokes) {
         const bool follows =
-            !joined.empty() && joined.back().source == stroke.source && touches(edit.stretch, stroke) &&
-            touches(edit.stretch, joined.back()) &&
+            !joined.empty() && joined.back().source == stroke.source && touches(edit.interval, stroke) &&
+            touches(edit.interval, joined.back()) &&
             glm::distance(joined.back().points.back().pose.tip, stroke.points.front().pose.tip) <= edit.longest;
         if (follows)
             append(joined.back(), stroke);

@@ -13,7 +13,7 @@ Result<Deviation> apply(const LeadIn& edit, PathUnderEdit& state, const PathCont
     const bool byHand = edit.direction == LeadDirection::recording;
     parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
         PathStroke& stroke = state.strokes[i];
-        if (progress.cancelled() || !touches(edit.stretch, stroke)) return;
+        if (progress.cancelled() || !touches(edit.interval, stroke)) return;
         const std::optional<HandStart> start = byHand ? startOf(stroke, state) : std::nullopt;
         const std::vector<StrokePoint> way = finder.into(stroke, start ? &*start : nullptr);
         if (way.empty()) return;

@@ -14,7 +14,7 @@ Result<Deviation> apply(const LeadOut& edit, PathUnderEdit& state, const PathCon
     const LeadFinder finder({form, edit.size, 0.0, 0.0}, *guard, context);
     const bool byHand = edit.direction == LeadDirection::recording;
     parallelFor(std::size_t{0}, state.strokes.size(), [&](std::size_t i) {
-        if (progress.cancelled() || !touches(edit.stretch, state.strokes[i])) return;
+        if (progress.cancelled() || !touches(edit.interval, state.strokes[i])) return;
         PathStroke back = reversed(state.strokes[i]);
         const std::optional<HandStart> start = byHand ? startOf(back, state) : std::nullopt;
         const std::vector<StrokePoint> way = finder.into(back, start ? &*start : nullptr);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/path/cleared_heights.h"
 #include "core/path/evaluate.h"
+#include "core/path/height_map.h"
 #include "core/path/part_guard.h"
 
 #include <utility>
@@ -29,8 +29,8 @@ public:
     double safeHeight() const noexcept { return safeHeight_; }
     double approach() const noexcept { return approach_; }
     double rounding() const noexcept { return rounding_; } ///< mm; 0: corners stay sharp
-    ClearedHeights& cleared() noexcept { return cleared_; }
-    const ClearedHeights& cleared() const noexcept { return cleared_; }
+    HeightMap& cleared() noexcept { return cleared_; }
+    const HeightMap& cleared() const noexcept { return cleared_; }
 
     /// The route from the end of a stroke to the start of the next one, as the edit requests.
     LinkRoute wayTo(const glm::dvec3& from, const glm::dvec3& to) const;
@@ -61,7 +61,7 @@ private:
     double safeHeight_, reach_; // mm
     const PartGuard& guard_;
     std::vector<std::pair<PartGuard, double>> obstacles_; // with the margin to keep, mm
-    ClearedHeights cleared_;
+    HeightMap cleared_;
 };
 
 } // namespace burin

@@ -66,7 +66,7 @@ EditResult apply(const SetFeed& edit, PathUnderEdit& state, const PathContext& c
 /// never exceed the limits of spindle and tool where they are stated: power and torque, the tool's bending stress and
 /// its chip load. Feeds change where they differ by more than `leastChange`, to the lower one. `limits` keeps the
 /// present feeds and only reduces them to these limits; without a stock, or if no limit is stated, it changes nothing.
-struct LevelFeed {
+struct FeedOptimisation {
     enum class Goal { force, removal, limits };
     Goal goal = Goal::force;
     double target = 0.0;                            ///< N or mm³/s; 0: the time average over the path's cutting moves
@@ -75,7 +75,7 @@ struct LevelFeed {
     double sampling = 0.5;                          ///< mm of a move between samples
 };
 /// Errors: argumentInvalid (no stock, no feeds yet), those of PathContext::lendStock.
-EditResult apply(const LevelFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+EditResult apply(const FeedOptimisation& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Multiplies feeds in an area by a factor; the machine's limit holds. Lines are split at the border of the area; an
 /// arc is inside if its middle is.
@@ -87,7 +87,7 @@ EditResult apply(const AreaFeed& edit, PathUnderEdit& state, const PathContext& 
 /// Multiplies feeds of strokes, or of a part of them, by a factor; the machine's limit holds. A move is included if the
 /// moment at which it ends is; links between strokes have no moments.
 struct ScaleFeed {
-    SourceStretch stretch;
+    SourceInterval interval;
     double factor = 0.5;
 };
 EditResult apply(const ScaleFeed& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
@@ -98,7 +98,7 @@ EditResult apply(const ScaleFeed& edit, PathUnderEdit& state, const PathContext&
 /// of the cut before.
 struct SpindleAndCoolant {
     enum class Cooling { kept, off, mist, flood };
-    SourceStretch stretch;
+    SourceInterval interval;
     double speed = 0.0;  ///< 1/min; 0: the present speed of each move
     double factor = 1.0; ///< of that speed
     Cooling cooling = Cooling::kept;
@@ -108,6 +108,6 @@ struct SpindleAndCoolant {
 EditResult apply(const SpindleAndCoolant& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// In the order in which they may follow each other.
-using MachineEdits = EditKinds<Link, SetFeed, LevelFeed, AreaFeed, ScaleFeed, SpindleAndCoolant>;
+using MachineEdits = EditKinds<Link, SetFeed, FeedOptimisation, AreaFeed, ScaleFeed, SpindleAndCoolant>;
 
 } // namespace burin

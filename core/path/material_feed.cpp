@@ -3,7 +3,7 @@
 #include "core/path/material_feed.h"
 
 #include "core/base/units.h"
-#include "core/path/feed_stretches.h"
+#include "core/path/feed_intervals.h"
 #include "core/path/spindle_schedule.h"
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace burin {
 namespace {
 
-constexpr double sampling = 0.5;     // mm, as LevelFeed's
+constexpr double sampling = 0.5;     // mm, as FeedOptimisation's
 constexpr double leastChange = 0.02; // relative
 constexpr double crumb = 1e-3;       // share of the removed volume: rounding at a border
 
 /// Calls `use` for each material that an interval mills, except for traces caused by rounding.
 template <class Use>
-void forEachMaterial(const MetStretch& met, const Use& use) {
+void forEachMaterial(const MetInterval& met, const Use& use) {
     double all = 0.0;
     for (const MaterialVolume& material : met.removed) all += material.volume;
     for (const MaterialVolume& material : met.removed)
@@ -34,7 +34,7 @@ public:
         : conditions_(conditions), one_(one) {}
 
     /// Highest speed that the materials of an interval allow, 1/min; infinite if there are none.
-    double fastest(const MetStretch& met) const {
+    double fastest(const MetInterval& met) const {
         double least = std::numeric_limits<double>::infinity();
         forEachMaterial(met, [&](PropertyIndex material) {
             if (conditions_[material].spindleSpeed > 0.0) least = std::min(least, conditions_[material].spindleSpeed);
@@ -43,7 +43,7 @@ public:
     }
 
     /// The ratio at a spindle speed, 1/min. Infinite if the interval meets no material.
-    double of(const MetStretch& met, MoveKind kind, double spindleSpeed) const {
+    double of(const MetInterval& met, MoveKind kind, double spindleSpeed) const {
         double least = std::numeric_limits<double>::infinity();
         forEachMaterial(met, [&](PropertyIndex material) {
             const CuttingConditions& here = conditions_[material];
@@ -61,23 +61,23 @@ private:
 };
 
 /// The lowest of the speeds that the materials on the path allow, everywhere; infinite if there are none.
-SpindleSpeeds oneSpeed(const std::vector<MetStretch>& record, const Shares& shares) {
+SpindleSpeeds oneSpeed(const std::vector<MetInterval>& record, const Shares& shares) {
     double least = std::numeric_limits<double>::infinity();
-    for (const MetStretch& met : record) least = std::min(least, shares.fastest(met));
+    for (const MetInterval& met : record) least = std::min(least, shares.fastest(met));
     return {{}, std::vector<double>(record.size(), least)};
 }
 
-SpindleSpeeds speedsByMaterial(const std::vector<MetStretch>& record, const std::vector<PathPoint>& points,
+SpindleSpeeds speedsByMaterial(const std::vector<MetInterval>& record, const std::vector<PathPoint>& points,
                                const Shares& shares) {
-    std::vector<SpindleStretch> stretches;
+    std::vector<SpindleInterval> intervals;
     for (std::size_t i = 0; i < record.size(); ++i) {
         const PathPoint& move = points[record[i].move];
         const double fastest = shares.fastest(record[i]);
         const double share = std::isinf(fastest) ? 1.0 : shares.of(record[i], move.kind, fastest);
-        stretches.push_back({fastest, record[i].length / (share * move.feed) * secondsPerMinute,
+        intervals.push_back({fastest, record[i].length / (share * move.feed) * secondsPerMinute,
                              i > 0 && record[i].from == record[i - 1].to});
     }
-    return spindleSchedule(stretches, spindleStartTime);
+    return spindleSchedule(intervals, spindleStartTime);
 }
 
 /// Intervals in air take the value of the next interval in material, at the end that of the last one.
@@ -101,7 +101,7 @@ void fillAir(std::vector<double>& shares) {
 Result<void> feedByMaterial(PathUnderEdit& state, const PathContext& context,
                             const std::vector<CuttingConditions>& conditions, const CuttingConditions& feeds,
                             SetFeed::Spindle spindle, Progress& progress) {
-    std::vector<MetStretch> record;
+    std::vector<MetInterval> record;
     const auto cutAgain = [&](RunVolume& stock) -> Result<void> {
         auto met = recordEngagement(state.points, context.tool, stock, sampling, progress, RecordGrain::coarse);
         if (!met) return met.error();

@@ -44,7 +44,7 @@ public:
             left_.cut(from, to.pose.tip);
         return side;
     }
-    ClearedHeights takeCleared() { return std::move(left_); }
+    HeightMap takeCleared() { return std::move(left_); }
 
 private:
     MillingSide look(const glm::dvec3& from, const PathPoint& to) const {
@@ -76,7 +76,7 @@ private:
 
     const PartGuard& guard_;
     double radius_, edgeHeight_; // mm, of the flutes; above the tip, where stock is looked for
-    ClearedHeights left_;
+    HeightMap left_;
 };
 
 } // namespace
@@ -87,24 +87,24 @@ Result<MilledSides> millingSides(const Path& path, const PathContext& context, P
     if (context.stock.empty()) return Error{ErrorCode::argumentInvalid, "stock", "", "a box that is not empty"};
     SideFinder finder(context, *guard);
     MilledSides sides;
-    std::vector<MillingStretch>& stretches = sides.stretches;
+    std::vector<MillingInterval>& intervals = sides.intervals;
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, path.name, "", ""};
         progress.report(static_cast<double>(i) / static_cast<double>(path.points.size()));
         const MillingSide side = finder.cut(path.points[i - 1].pose.tip, path.points[i]);
-        if (stretches.empty() || stretches.back().side != side) stretches.push_back({i, i, side});
-        stretches.back().last = i;
+        if (intervals.empty() || intervals.back().side != side) intervals.push_back({i, i, side});
+        intervals.back().last = i;
     }
-    sides.cleared = std::make_shared<const ClearedHeights>(finder.takeCleared());
+    sides.cleared = std::make_shared<const HeightMap>(finder.takeCleared());
     return sides;
 }
 
-std::array<double, 3> lengthsBySide(const Path& path, const std::vector<MillingStretch>& stretches) {
+std::array<double, 3> lengthsBySide(const Path& path, const std::vector<MillingInterval>& intervals) {
     std::array<double, 3> lengths{};
-    for (const MillingStretch& stretch : stretches)
-        for (std::size_t i = stretch.first; i <= stretch.last && i < path.points.size(); ++i)
+    for (const MillingInterval& interval : intervals)
+        for (std::size_t i = interval.first; i <= interval.last && i < path.points.size(); ++i)
             if (path.points[i].kind == MoveKind::cut)
-                lengths[static_cast<std::size_t>(stretch.side)] +=
+                lengths[static_cast<std::size_t>(interval.side)] +=
                     lengthOf(path.points[i - 1].pose.tip, path.points[i]);
     return lengths;
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/path/cleared_heights.h"
 #include "core/path/evaluate.h"
+#include "core/path/height_map.h"
 
 #include <array>
 #include <memory>
@@ -12,8 +12,8 @@
 namespace burin {
 
 struct MilledSides {
-    std::vector<MillingStretch> stretches;         ///< in order
-    std::shared_ptr<const ClearedHeights> cleared; ///< what this path and those before it clear; never null
+    std::vector<MillingInterval> intervals;   ///< in order
+    std::shared_ptr<const HeightMap> cleared; ///< what this path and those before it clear; never null
 };
 
 /// Determines climb or conventional milling along a path: by the remaining stock on either side of the flutes, known
@@ -24,6 +24,6 @@ struct MilledSides {
 Result<MilledSides> millingSides(const Path& path, const PathContext& context, Progress& progress);
 
 /// The lengths that a path cuts on either side, mm, indexed by MillingSide.
-std::array<double, 3> lengthsBySide(const Path& path, const std::vector<MillingStretch>& stretches);
+std::array<double, 3> lengthsBySide(const Path& path, const std::vector<MillingInterval>& intervals);
 
 } // namespace burin

@@ -8,7 +8,7 @@ Result<Deviation> apply(const Mirror& edit, PathUnderEdit& state, const PathCont
     const int axis = edit.across == Mirror::Across::x ? 0 : 1;
     std::vector<PathStroke> images;
     for (PathStroke& stroke : state.strokes) {
-        if (!touches(edit.stretch, stroke)) continue;
+        if (!touches(edit.interval, stroke)) continue;
         if (edit.keep) images.push_back(stroke);
         PathStroke& image = edit.keep ? images.back() : stroke;
         for (StrokePoint& point : image.points) point.pose.tip[axis] = 2.0 * edit.at - point.pose.tip[axis];

@@ -12,11 +12,11 @@ namespace burin {
 namespace {
 
 /// The distance along the stroke from each point to the nearest one of the interval, mm.
-std::vector<double> distancesAlong(const SourceStretch& stretch, const PathStroke& stroke) {
+std::vector<double> distancesAlong(const SourceInterval& interval, const PathStroke& stroke) {
     const std::vector<StrokePoint>& points = stroke.points;
     std::vector<double> distances(points.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (contains(stretch, stroke, points[i]))
+        if (contains(interval, stroke, points[i]))
             distances[i] = 0.0;
         else if (i > 0)
             distances[i] = distances[i - 1] + glm::distance(points[i - 1].pose.tip, points[i].pose.tip);
@@ -59,7 +59,7 @@ Result<Deviation> apply(const MovePoints& edit, PathUnderEdit& state, const Path
         guard.emplace(std::move(*made));
     }
     for (PathStroke& stroke : state.strokes) {
-        const std::vector<double> distances = distancesAlong(edit.stretch, stroke);
+        const std::vector<double> distances = distancesAlong(edit.interval, stroke);
         for (std::size_t i = 0; i < distances.size() && !progress.cancelled(); ++i) {
             const double weight = edit.shareAt(distances[i]);
             if (weight <= 0.0) continue;

@@ -11,7 +11,7 @@ Result<Deviation> apply(const Offset& edit, PathUnderEdit& state, const PathCont
     std::vector<std::vector<std::vector<StrokePoint>>> pieces(state.strokes.size());
     parallelFor(std::size_t{0}, pieces.size(), [&](std::size_t i) {
         const PathStroke& stroke = state.strokes[i];
-        if (!progress.cancelled() && touches(edit.stretch, stroke))
+        if (!progress.cancelled() && touches(edit.interval, stroke))
             pieces[i] = offsetInPlan(stroke.points, edit.distance);
         else
             pieces[i] = {stroke.points};

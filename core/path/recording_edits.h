@@ -61,13 +61,13 @@ EditResult apply(const SmoothSpline& edit, PathUnderEdit& state, const PathConte
 
 /// Deletes part of the path. The stroke ends before it and a new one begins behind it.
 struct CutOut {
-    SourceStretch stretch;
+    SourceInterval interval;
 };
 EditResult apply(const CutOut& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Shortens strokes, measured along the path. Strokes that have no length left are dropped.
 struct Trim {
-    SourceStretch stretch;
+    SourceInterval interval;
     double fromStart = 0.0, fromEnd = 0.0; ///< mm
 };
 EditResult apply(const Trim& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
@@ -76,7 +76,7 @@ EditResult apply(const Trim& edit, PathUnderEdit& state, const PathContext& cont
 /// new points are as far apart as those next to them; they remove no known material, and a later edit keeps them out of
 /// the part.
 struct Extend {
-    SourceStretch stretch;
+    SourceInterval interval;
     double atStart = 0.0, atEnd = 2.0; ///< mm
 };
 EditResult apply(const Extend& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
@@ -90,7 +90,7 @@ EditResult apply(const Split& edit, PathUnderEdit& state, const PathContext& con
 /// Joins consecutive strokes of one take by a straight move, where their ends are no farther apart than `longest`. The
 /// move gets points as far apart as those around it.
 struct Join {
-    SourceStretch stretch;
+    SourceInterval interval;
     double longest = 5.0; ///< mm
 };
 EditResult apply(const Join& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
@@ -103,14 +103,14 @@ EditResult apply(const Reorder& edit, PathUnderEdit& state, const PathContext& c
 
 /// Reverses strokes: climb becomes conventional, and vice versa.
 struct Reverse {
-    SourceStretch stretch;
+    SourceInterval interval;
 };
 EditResult apply(const Reverse& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Mirrors strokes at a vertical plane: climb becomes conventional.
 struct Mirror {
     enum class Across { x, y };
-    SourceStretch stretch;
+    SourceInterval interval;
     Across across = Across::x;
     double at = 0.0;   ///< mm, of the plane
     bool keep = false; ///< the originals stay, before their images
@@ -119,7 +119,7 @@ EditResult apply(const Mirror& edit, PathUnderEdit& state, const PathContext& co
 
 /// Rotates strokes about a vertical axis.
 struct Rotate {
-    SourceStretch stretch;
+    SourceInterval interval;
     glm::dvec3 centre{0.0}; ///< mm
     double angle = 0.0;     ///< rad, anticlockwise seen from above
 };
@@ -128,7 +128,7 @@ EditResult apply(const Rotate& edit, PathUnderEdit& state, const PathContext& co
 /// Copies strokes: the k-th copy is rotated by k times `turn` about a vertical axis, then moved by k times `step`. All
 /// copies come after the existing strokes.
 struct Array {
-    SourceStretch stretch;
+    SourceInterval interval;
     glm::dvec3 step{10.0, 0.0, 0.0}; ///< mm
     glm::dvec3 centre{0.0};          ///< mm
     double turn = 0.0;               ///< rad
@@ -141,7 +141,7 @@ EditResult apply(const Array& edit, PathUnderEdit& state, const PathContext& con
 /// part.
 struct MovePoints {
     enum class Along { free, surface };
-    SourceStretch stretch;
+    SourceInterval interval;
     glm::dvec3 by{0.0};   ///< mm
     double falloff = 5.0; ///< mm
     Along along = Along::free;
@@ -171,12 +171,12 @@ struct InsertPoint {
 EditResult apply(const InsertPoint& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Replaces an interval by points, with its timing and straight moves between them.
-struct ReplaceStretch {
-    SourceStretch stretch;
+struct ReplaceInterval {
+    SourceInterval interval;
     std::vector<glm::dvec3> places; ///< mm; none: nothing is replaced
 };
 /// Errors: argumentInvalid, if the path has no such interval.
-EditResult apply(const ReplaceStretch& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+EditResult apply(const ReplaceInterval& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
 /// Deletes what lies in an area, cut off exactly at its border.
 struct RemoveArea : Area {};
@@ -200,7 +200,7 @@ EditResult apply(const KeepTabs& edit, PathUnderEdit& state, const PathContext& 
 
 /// In the order in which they may follow each other.
 using RecordingEdits = EditKinds<DropAirCuts, DropDwells, CutOut, Trim, Extend, Split, Join, Reorder, Reverse, Mirror,
-                                 Rotate, Array, MovePoints, InsertPoint, ReplaceStretch, RemoveArea, LiftArea, KeepTabs,
-                                 SmoothShape, Smooth, SmoothSpline>;
+                                 Rotate, Array, MovePoints, InsertPoint, ReplaceInterval, RemoveArea, LiftArea,
+                                 KeepTabs, SmoothShape, Smooth, SmoothSpline>;
 
 } // namespace burin

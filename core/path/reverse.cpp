@@ -6,7 +6,7 @@ namespace burin {
 
 Result<Deviation> apply(const Reverse& edit, PathUnderEdit& state, const PathContext&, Progress&) {
     for (PathStroke& stroke : state.strokes)
-        if (touches(edit.stretch, stroke)) stroke = reversed(stroke);
+        if (touches(edit.interval, stroke)) stroke = reversed(stroke);
     return Deviation{};
 }
 

@@ -8,7 +8,7 @@ namespace burin {
 Result<Deviation> apply(const Rotate& edit, PathUnderEdit& state, const PathContext&, Progress&) {
     const UprightTurn turn(edit.centre, edit.angle);
     for (PathStroke& stroke : state.strokes) {
-        if (!touches(edit.stretch, stroke)) continue;
+        if (!touches(edit.interval, stroke)) continue;
         for (StrokePoint& point : stroke.points) point.pose.tip = turn.turned(point.pose.tip);
     }
     return Deviation{};

@@ -9,7 +9,7 @@ namespace burin {
 Result<Deviation> apply(const ScaleFeed& edit, PathUnderEdit& state, const PathContext& context, Progress&) {
     for (PathPoint& point : state.points) {
         if (point.kind == MoveKind::rapid || point.sample < 0) continue;
-        if (!edit.stretch.contains({point.source, point.sample})) continue;
+        if (!edit.interval.contains({point.source, point.sample})) continue;
         point.feed *= edit.factor;
         if (context.machine.maximumFeed > 0.0) point.feed = std::min(point.feed, context.machine.maximumFeed);
     }

@@ -5,7 +5,7 @@
 #include "core/base/numbers.h"
 #include "core/base/units.h"
 #include "core/geometry/arc.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "core/path/machine_check.h"
 
 #include <algorithm>

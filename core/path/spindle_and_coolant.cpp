@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
 #include "core/path/apply.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "core/path/machine_check.h"
 
 #include <algorithm>
@@ -17,11 +17,11 @@ bool goesWithCut(const PathPoint& point) noexcept {
 }
 
 /// Returns, for each point, whether the move that ends there lies in a part of the path, with both of its ends.
-std::vector<bool> movesWithin(const std::vector<PathPoint>& points, const SourceStretch& stretch) {
+std::vector<bool> movesWithin(const std::vector<PathPoint>& points, const SourceInterval& interval) {
     std::vector<bool> within(points.size(), false), decided(points.size(), false);
     for (std::size_t i = 0; i < points.size(); ++i)
-        within[i] = stretch.contains(momentOf(points[i])) &&
-                    (i == 0 || !hasMoment(points[i - 1]) || stretch.contains(momentOf(points[i - 1])));
+        within[i] = interval.contains(momentOf(points[i])) &&
+                    (i == 0 || !hasMoment(points[i - 1]) || interval.contains(momentOf(points[i - 1])));
     std::optional<bool> other; // whether the nearest cut is within: the next, then the previous, up to a rapid
     for (std::size_t i = points.size(); i-- > 0;) {
         if (points[i].kind == MoveKind::rapid) {
@@ -47,7 +47,7 @@ std::vector<bool> movesWithin(const std::vector<PathPoint>& points, const Source
 
 /// Returns, for each point, whether the move that ends there lies between two rapids between which the path passes a
 /// moment.
-std::vector<bool> strokesThrough(const std::vector<PathPoint>& points, const SourceStretch& moment) {
+std::vector<bool> strokesThrough(const std::vector<PathPoint>& points, const SourceInterval& moment) {
     std::vector<bool> within(points.size(), false);
     for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
         end = begin + 1;
@@ -85,10 +85,10 @@ Result<Deviation> apply(const SpindleAndCoolant& edit, PathUnderEdit& state, con
     if (coolant)
         if (Result<void> has = checkCoolant(*coolant, context.machine); !has) return has.error();
     if (!turns && !coolant) return Deviation{};
-    const bool single = edit.stretch.source != 0 && edit.stretch.first == edit.stretch.last;
-    if (!single) state.points = dividedAt(state.points, edit.stretch);
+    const bool single = edit.interval.source != 0 && edit.interval.first == edit.interval.last;
+    if (!single) state.points = dividedAt(state.points, edit.interval);
     const std::vector<bool> within =
-        single ? strokesThrough(state.points, edit.stretch) : movesWithin(state.points, edit.stretch);
+        single ? strokesThrough(state.points, edit.interval) : movesWithin(state.points, edit.interval);
     for (std::size_t i = 0; i < state.points.size(); ++i) {
         PathPoint& point = state.points[i];
         if (point.kind == MoveKind::rapid || !within[i]) continue;

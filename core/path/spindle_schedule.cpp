@@ -11,7 +11,7 @@ namespace burin {
 namespace {
 
 using Speeds = std::span<double>;
-using Stretches = std::span<const SpindleStretch>;
+using Intervals = std::span<const SpindleInterval>;
 
 /// Intervals without material take the speed of the next one in their cut, at the end that of the last one.
 void fillAir(Speeds speeds, double otherwise) {
@@ -40,7 +40,7 @@ void leastWithin(Speeds values, const Seconds& seconds, double time) {
 }
 
 /// Limits each speed to the lowest one that follows within `time`.
-void slowDownInTime(Stretches cut, Speeds told, double time) {
+void slowDownInTime(Intervals cut, Speeds told, double time) {
     std::ranges::reverse(told);
     leastWithin(
         told, [&](std::size_t i) { return cut[cut.size() - 1 - i].seconds; }, time);
@@ -49,7 +49,7 @@ void slowDownInTime(Stretches cut, Speeds told, double time) {
 
 /// A spindle that slows down gets no intermediate command: it goes at once to the lowest speed that follows within
 /// `time`, as a new command may delay its arrival.
-void fallAtOnce(Stretches cut, Speeds told, double time) {
+void fallAtOnce(Intervals cut, Speeds told, double time) {
     for (std::size_t i = 1; i < told.size(); ++i) {
         if (told[i] >= told[i - 1]) continue;
         std::size_t lowest = i;
@@ -62,7 +62,7 @@ void fallAtOnce(Stretches cut, Speeds told, double time) {
 }
 
 /// Removes raises of the speed that last for less than `time`. One pass; returns false if there was nothing to do.
-bool dropShortRaises(Stretches cut, Speeds told, double time) {
+bool dropShortRaises(Intervals cut, Speeds told, double time) {
     bool changed = false;
     for (std::size_t begin = 0, end = 0; begin < told.size(); begin = end) {
         double seconds = 0.0;
@@ -79,24 +79,24 @@ bool dropShortRaises(Stretches cut, Speeds told, double time) {
 
 /// Calls `use(first, end)` for every cut: a sequence of joined intervals.
 template <class Use>
-void forEachCut(Stretches stretches, const Use& use) {
-    for (std::size_t begin = 0, end = 0; begin < stretches.size(); begin = end) {
-        for (end = begin + 1; end < stretches.size() && stretches[end].joined;) ++end;
+void forEachCut(Intervals intervals, const Use& use) {
+    for (std::size_t begin = 0, end = 0; begin < intervals.size(); begin = end) {
+        for (end = begin + 1; end < intervals.size() && intervals[end].joined;) ++end;
         use(begin, end);
     }
 }
 
 } // namespace
 
-SpindleSpeeds spindleSchedule(Stretches stretches, double startTime) {
+SpindleSpeeds spindleSchedule(Intervals intervals, double startTime) {
     SpindleSpeeds speeds;
     double slowest = std::numeric_limits<double>::infinity();
-    for (const SpindleStretch& stretch : stretches) {
-        speeds.told.push_back(stretch.fastest);
-        slowest = std::min(slowest, stretch.fastest);
+    for (const SpindleInterval& interval : intervals) {
+        speeds.told.push_back(interval.fastest);
+        slowest = std::min(slowest, interval.fastest);
     }
-    forEachCut(stretches, [&](std::size_t begin, std::size_t end) {
-        const Stretches cut = stretches.subspan(begin, end - begin);
+    forEachCut(intervals, [&](std::size_t begin, std::size_t end) {
+        const Intervals cut = intervals.subspan(begin, end - begin);
         const Speeds told = Speeds(speeds.told).subspan(begin, end - begin);
         fillAir(told, slowest);
         slowDownInTime(cut, told, startTime);
@@ -104,15 +104,15 @@ SpindleSpeeds spindleSchedule(Stretches stretches, double startTime) {
         while (dropShortRaises(cut, told, startTime)) {
         }
     });
-    speeds.sureOf = sureSpeeds(stretches, speeds.told, startTime);
+    speeds.sureOf = sureSpeeds(intervals, speeds.told, startTime);
     return speeds;
 }
 
-std::vector<double> sureSpeeds(Stretches stretches, std::span<const double> told, double startTime) {
+std::vector<double> sureSpeeds(Intervals intervals, std::span<const double> told, double startTime) {
     std::vector<double> sure(told.begin(), told.end());
-    forEachCut(stretches, [&](std::size_t begin, std::size_t end) {
+    forEachCut(intervals, [&](std::size_t begin, std::size_t end) {
         leastWithin(
-            Speeds(sure).subspan(begin, end - begin), [&](std::size_t i) { return stretches[begin + i].seconds; },
+            Speeds(sure).subspan(begin, end - begin), [&](std::size_t i) { return intervals[begin + i].seconds; },
             startTime);
     });
     return sure;

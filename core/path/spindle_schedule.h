@@ -8,7 +8,7 @@
 namespace burin {
 
 /// An interval of a path, as far as it concerns the spindle.
-struct SpindleStretch {
+struct SpindleInterval {
     double fastest = 0.0; ///< 1/min allowed by the material that it meets; infinite: it meets none
     double seconds = 0.0; ///< duration at the feed for that speed
     bool joined = false;  ///< it continues from the end of the interval before, without leaving the cut
@@ -25,11 +25,11 @@ struct SpindleSpeeds {
 /// for longer than the spindle needs for the change; until it is reached, feeds rely on the old one. Between cuts the
 /// spindle has all the time that it needs.
 /// @param startTime s, longest duration of a change of speed; >= 0
-SpindleSpeeds spindleSchedule(std::span<const SpindleStretch> stretches, double startTime);
+SpindleSpeeds spindleSchedule(std::span<const SpindleInterval> intervals, double startTime);
 
 /// Guaranteed lower bound of the actual speed in each interval for the programmed speeds `told`, 1/min: `sureOf` of a
 /// schedule.
-std::vector<double> sureSpeeds(std::span<const SpindleStretch> stretches, std::span<const double> told,
+std::vector<double> sureSpeeds(std::span<const SpindleInterval> intervals, std::span<const double> told,
                                double startTime);
 
 } // namespace burin

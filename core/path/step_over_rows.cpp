@@ -24,7 +24,7 @@ std::vector<PathStroke> takeGuide(const StepOverRows& edit, PathUnderEdit& state
         return guide;
     }
     for (PathStroke& stroke : state.strokes)
-        (touches(edit.stretch, stroke) ? guide : others).push_back(std::move(stroke));
+        (touches(edit.interval, stroke) ? guide : others).push_back(std::move(stroke));
     state.strokes = std::move(others);
     return guide;
 }
@@ -56,7 +56,7 @@ Result<Deviation> apply(const StepOverRows& edit, PathUnderEdit& state, const Pa
                         Progress& progress) {
     const std::vector<PathStroke> guides = takeGuide(edit, state, context);
     if (guides.empty())
-        return Error{ErrorCode::argumentInvalid, "stretch", "take " + std::to_string(edit.stretch.source),
+        return Error{ErrorCode::argumentInvalid, "stretch", "take " + std::to_string(edit.interval.source),
                      "moments that the path still has"};
     PathUnderEdit rows;
     for (const PathStroke& guide : guides)

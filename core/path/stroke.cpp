@@ -46,8 +46,8 @@ double periodOf(const TakeInfo& info) noexcept {
 
 } // namespace
 
-bool touches(const SourceStretch& stretch, const PathStroke& stroke) noexcept {
-    return std::ranges::any_of(stroke.points, [&](const StrokePoint& p) { return contains(stretch, stroke, p); });
+bool touches(const SourceInterval& interval, const PathStroke& stroke) noexcept {
+    return std::ranges::any_of(stroke.points, [&](const StrokePoint& p) { return contains(interval, stroke, p); });
 }
 
 bool holds(const PathStroke& stroke, const Moment& moment) noexcept {

@@ -45,11 +45,11 @@ struct PathStroke {
 };
 
 /// Whether a point of a stroke was made in an interval of a source.
-inline bool contains(const SourceStretch& stretch, const PathStroke& stroke, const StrokePoint& point) noexcept {
-    return stretch.contains({stroke.source, point.sample});
+inline bool contains(const SourceInterval& interval, const PathStroke& stroke, const StrokePoint& point) noexcept {
+    return interval.contains({stroke.source, point.sample});
 }
 /// Whether any of its points was made in the interval.
-bool touches(const SourceStretch& stretch, const PathStroke& stroke) noexcept;
+bool touches(const SourceInterval& interval, const PathStroke& stroke) noexcept;
 /// Whether the range of a stroke's moments contains a moment.
 bool holds(const PathStroke& stroke, const Moment& moment) noexcept;
 

@@ -19,11 +19,11 @@ struct EditRow<HoldOut> {
                                        .holdsOut = true};
     static constexpr std::tuple fields{
         number("clearance_mm", &HoldOut::clearance, 0.001, 10.0,
-               {BURIN_TEXT("EditParameterTexts", "Clearance"),
-                BURIN_TEXT("EditParameterTexts", "Distance from the part, in addition to the allowance")}),
+               {BURIN_TEXT("EditParameterLabels", "Clearance"),
+                BURIN_TEXT("EditParameterLabels", "Distance from the part, in addition to the allowance")}),
         number("sampling_mm", &HoldOut::sampling, 0.005, 1.0,
-               {BURIN_TEXT("EditParameterTexts", "Sampling"),
-                BURIN_TEXT("EditParameterTexts",
+               {BURIN_TEXT("EditParameterLabels", "Sampling"),
+                BURIN_TEXT("EditParameterLabels",
                            "Distance between the points at which the path is kept out of the part")})};
 };
 template <>
@@ -34,16 +34,16 @@ struct EditRow<LayOnPart> {
                                        .step = EditStep::surface,
                                        .holdsOut = true};
     static constexpr std::array<EditChoice, 2> ways{
-        {{"axis", BURIN_TEXT("EditParameterTexts", "the tool's axis")},
-         {"normal", BURIN_TEXT("EditParameterTexts", "the part's normal")}}};
+        {{"axis", BURIN_TEXT("EditParameterLabels", "the tool's axis")},
+         {"normal", BURIN_TEXT("EditParameterLabels", "the part's normal")}}};
     static constexpr std::tuple fields{
         number("allowance_mm", &LayOnPart::allowance, 0.0, 100.0, stockLeft),
         number("sampling_mm", &LayOnPart::sampling, 0.01, 1.0,
-               {BURIN_TEXT("EditParameterTexts", "Sampling"),
-                BURIN_TEXT("EditParameterTexts", "Distance between the points that are projected onto the part")}),
+               {BURIN_TEXT("EditParameterLabels", "Sampling"),
+                BURIN_TEXT("EditParameterLabels", "Distance between the points that are projected onto the part")}),
         choice("along", &LayOnPart::along, ways,
-               {BURIN_TEXT("EditParameterTexts", "Along"),
-                BURIN_TEXT("EditParameterTexts", "Down the tool's axis, or along the part's normal")})};
+               {BURIN_TEXT("EditParameterLabels", "Along"),
+                BURIN_TEXT("EditParameterLabels", "Down the tool's axis, or along the part's normal")})};
 };
 template <>
 struct EditRow<Offset> {
@@ -53,10 +53,10 @@ struct EditRow<Offset> {
                                        .step = EditStep::surface,
                                        .mayEnter = true};
     static constexpr std::tuple fields{
-        stretch("stretch", &Offset::stretch, strokesToEdit),
+        interval("stretch", &Offset::interval, strokesToEdit),
         number("distance_mm", &Offset::distance, -1000.0, 1000.0,
-               {BURIN_TEXT("EditParameterTexts", "Distance"),
-                BURIN_TEXT("EditParameterTexts", "To the left of the motion; negative to the right")})};
+               {BURIN_TEXT("EditParameterLabels", "Distance"),
+                BURIN_TEXT("EditParameterLabels", "To the left of the motion; negative to the right")})};
 };
 template <>
 struct EditRow<StepOverRows> {
@@ -66,19 +66,19 @@ struct EditRow<StepOverRows> {
                                        .step = EditStep::surface,
                                        .holdsOut = true};
     static constexpr std::tuple fields{
-        stretch("stretch", &StepOverRows::stretch, strokesToEdit),
+        interval("stretch", &StepOverRows::interval, strokesToEdit),
         places("guide_mm", &StepOverRows::guide, 2.0,
-               {BURIN_TEXT("EditParameterTexts", "Guide"),
-                BURIN_TEXT("EditParameterTexts", "Points of a drawn guide; none: the selected strokes")}),
+               {BURIN_TEXT("EditParameterLabels", "Guide"),
+                BURIN_TEXT("EditParameterLabels", "Points of a drawn guide; none: the selected strokes")}),
         number("step_over_mm", &StepOverRows::stepOver, 0.005, 100.0,
-               {BURIN_TEXT("EditParameterTexts", "Step-over"),
-                BURIN_TEXT("EditParameterTexts", "Between rows, seen from above")}),
+               {BURIN_TEXT("EditParameterLabels", "Step-over"),
+                BURIN_TEXT("EditParameterLabels", "Between rows, seen from above")}),
         count("left", &StepOverRows::left, 0.0, 1000.0,
-              {BURIN_TEXT("EditParameterTexts", "Rows to the left"),
-               BURIN_TEXT("EditParameterTexts", "Beside the guide, in its direction")}),
+              {BURIN_TEXT("EditParameterLabels", "Rows to the left"),
+               BURIN_TEXT("EditParameterLabels", "Beside the guide, in its direction")}),
         count("right", &StepOverRows::right, 0.0, 1000.0,
-              {BURIN_TEXT("EditParameterTexts", "Rows to the right"),
-               BURIN_TEXT("EditParameterTexts", "Beside the guide, in its direction")}),
+              {BURIN_TEXT("EditParameterLabels", "Rows to the right"),
+               BURIN_TEXT("EditParameterLabels", "Beside the guide, in its direction")}),
         number("allowance_mm", &StepOverRows::allowance, 0.0, 100.0, stockLeft)};
 };
 template <>
@@ -90,8 +90,8 @@ struct EditRow<Simplify> {
                                        .approximates = true};
     static constexpr std::tuple fields{
         number("tolerance_mm", &Simplify::tolerance, 0.0, 10.0,
-               {BURIN_TEXT("EditParameterTexts", "Tolerance"),
-                BURIN_TEXT("EditParameterTexts", "Largest deviation of the points that are left out")})};
+               {BURIN_TEXT("EditParameterLabels", "Tolerance"),
+                BURIN_TEXT("EditParameterLabels", "Largest deviation of the points that are left out")})};
 };
 
 } // namespace burin

@@ -43,7 +43,7 @@ EditResult apply(const LayOnPart& edit, PathUnderEdit& state, const PathContext&
 /// has its distance from the stroke (within 0.002 mm), and none is nearer to any point of the stroke; loops are
 /// removed.
 struct Offset {
-    SourceStretch stretch;
+    SourceInterval interval;
     double distance = 1.0; ///< mm, to the left of the motion; negative: to the right
 };
 EditResult apply(const Offset& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
@@ -52,7 +52,7 @@ EditResult apply(const Offset& edit, PathUnderEdit& state, const PathContext& co
 /// the part as by LayOnPart. The strokes of the interval are the guide and are replaced by the rows; a guide of points
 /// needs no strokes. Every other row runs backwards.
 struct StepOverRows {
-    SourceStretch stretch;
+    SourceInterval interval;
     std::vector<glm::dvec3> guide;   ///< mm; empty: the strokes of the interval
     double stepOver = 0.5;           ///< mm
     double left = 10.0, right = 0.0; ///< rows beside the guide

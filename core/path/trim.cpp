@@ -31,7 +31,7 @@ void trimStart(std::vector<StrokePoint>& points, double length) {
 
 Result<Deviation> apply(const Trim& edit, PathUnderEdit& state, const PathContext&, Progress&) {
     for (PathStroke& stroke : state.strokes) {
-        if (!touches(edit.stretch, stroke)) continue;
+        if (!touches(edit.interval, stroke)) continue;
         trimStart(stroke.points, edit.fromStart);
         std::ranges::reverse(stroke.points);
         const StrokePoint last = stroke.points.empty() ? StrokePoint{} : stroke.points.front();

@@ -12,7 +12,7 @@ namespace burin {
 namespace {
 
 /// An interval of a line's parameter.
-struct Stretch {
+struct Interval {
     double from = -std::numeric_limits<double>::infinity();
     double to = std::numeric_limits<double>::infinity();
 
@@ -24,16 +24,16 @@ struct Stretch {
 
 /// Clips the interval to where from + t · way, both relative to the base, lies between the end faces. Returns false if
 /// nowhere.
-bool cutToEnds(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way, Stretch& stretch) {
+bool cutToEnds(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way, Interval& interval) {
     const double rise = glm::dot(way, cylinder.axis), start = glm::dot(from, cylinder.axis);
     if (rise == 0.0) return start >= 0.0 && start <= cylinder.height;
     const double low = -start / rise, high = (cylinder.height - start) / rise;
-    stretch.cutTo(std::min(low, high), std::max(low, high));
+    interval.cutTo(std::min(low, high), std::max(low, high));
     return true;
 }
 
 /// Clips the interval to where the line lies within the radius. Returns false if nowhere.
-bool cutToSide(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way, Stretch& stretch) {
+bool cutToSide(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way, Interval& interval) {
     const glm::dvec3 across = from - glm::dot(from, cylinder.axis) * cylinder.axis;
     const glm::dvec3 slope = way - glm::dot(way, cylinder.axis) * cylinder.axis;
     const double a = glm::dot(slope, slope), b = glm::dot(across, slope);
@@ -43,15 +43,15 @@ bool cutToSide(const CylinderShape& cylinder, const glm::dvec3& from, const glm:
     const double discriminant = b * b - a * c;
     if (discriminant <= 0.0) return false;
     const double half = std::sqrt(discriminant);
-    stretch.cutTo((-b - half) / a, (-b + half) / a);
+    interval.cutTo((-b - half) / a, (-b + half) / a);
     return true;
 }
 
-std::optional<Stretch> within(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way) {
-    Stretch stretch;
+std::optional<Interval> within(const CylinderShape& cylinder, const glm::dvec3& from, const glm::dvec3& way) {
+    Interval interval;
     const glm::dvec3 start = from - cylinder.base;
-    if (!cutToEnds(cylinder, start, way, stretch) || !cutToSide(cylinder, start, way, stretch)) return std::nullopt;
-    return stretch.from < stretch.to ? std::optional(stretch) : std::nullopt;
+    if (!cutToEnds(cylinder, start, way, interval) || !cutToSide(cylinder, start, way, interval)) return std::nullopt;
+    return interval.from < interval.to ? std::optional(interval) : std::nullopt;
 }
 
 } // namespace
@@ -75,11 +75,11 @@ bool fillCylinder(RunVolume& volume, const CylinderShape& cylinder, PropertyInde
             glm::dvec3 from(0.0);
             from[grid.axisOfU()] = centre.x;
             from[grid.axisOfV()] = centre.y;
-            std::optional<Stretch> stretch = within(cylinder, from, way);
-            if (!stretch) continue;
-            stretch->cutTo(low, high);
-            if (stretch->from >= stretch->to) continue;
-            const RunPosition begin = grid.toRunPosition(stretch->from), end = grid.toRunPosition(stretch->to);
+            std::optional<Interval> interval = within(cylinder, from, way);
+            if (!interval) continue;
+            interval->cutTo(low, high);
+            if (interval->from >= interval->to) continue;
+            const RunPosition begin = grid.toRunPosition(interval->from), end = grid.toRunPosition(interval->to);
             if (begin < end && !volume.fillSpan(line, begin, end, property)) return false;
         }
     return true;

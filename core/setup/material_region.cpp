@@ -66,7 +66,7 @@ public:
     }
 
     void measure() {
-        parallelStretches(0, cells_.z + 1, 1, [&](int from, int to) {
+        parallelIntervals(0, cells_.z + 1, 1, [&](int from, int to) {
             for (int layer = from; layer < to; ++layer) add(layerOf(layer));
         });
     }

@@ -144,8 +144,8 @@ void SpanRows::plan(std::int32_t first, std::int32_t end) noexcept {
         kernels::planRows(upright_, first, rowsOfUpright_);
 }
 
-int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups, BrickOfSpans* bricks,
-                        RowSpans* stretches) noexcept {
+int SpanRows::intervals(std::int32_t first, int rows, const LineInterval& groups, BrickOfSpans* bricks,
+                        RowSpans* intervals) noexcept {
     plan(first, first + rows);
     const std::int32_t *const begins = tilts_ ? rowsOfTilted_.begin.lane + (first - rowsOfTilted_.first)
                                               : rowsOfUpright_.begin.data() + (first - rowsOfUpright_.first),
@@ -155,22 +155,22 @@ int SpanRows::stretches(std::int32_t first, int rows, const LineStretch& groups,
     for (int i = 0; i < rows; ++i) {
         const std::int32_t begin = std::max(begins[i], groups.first), end = std::min(ends[i], groups.last + 1);
         if (end <= begin) continue;
-        stretches[count++] = {first + i, begin, end - begin, bricks + (begin - groups.first)};
+        intervals[count++] = {first + i, begin, end - begin, bricks + (begin - groups.first)};
     }
     return count;
 }
 
-void SpanRows::spans(std::span<const RowSpans> stretches) noexcept {
-    if (stretches.empty()) return;
-    plan(stretches.front().v, stretches.back().v + 1);
-    if (!tilts_) return kernels::uprightSpans(shape_, upright_, rowsOfUpright_, stretches);
+void SpanRows::spans(std::span<const RowSpans> intervals) noexcept {
+    if (intervals.empty()) return;
+    plan(intervals.front().v, intervals.back().v + 1);
+    if (!tilts_) return kernels::uprightSpans(shape_, upright_, rowsOfUpright_, intervals);
     switch (shape_) {
     case Shape::ball:
-        return kernels::tiltedBall(tilted_, rowsOfTilted_, stretches);
+        return kernels::tiltedBall(tilted_, rowsOfTilted_, intervals);
     case Shape::flat:
-        return kernels::tiltedFlat(tilted_, rowsOfTilted_, stretches);
+        return kernels::tiltedFlat(tilted_, rowsOfTilted_, intervals);
     case Shape::bullNose:
-        return kernels::tiltedBullNose(tilted_, rowsOfTilted_, stretches);
+        return kernels::tiltedBullNose(tilted_, rowsOfTilted_, intervals);
     }
 }
 

@@ -4,7 +4,7 @@
 
 #include "core/base/vectorised.h"
 #include "core/geometry/revolved_piece.h"
-#include "core/tool/line_stretch.h"
+#include "core/tool/line_interval.h"
 #include "core/tool/span_rows_tilted.h"
 #include "core/tool/tilted_shadow.h"
 
@@ -80,20 +80,20 @@ public:
     ///        can't get more may be left out
     void begin(const LinePose& from, const glm::dvec3& toTip, bool withStart) noexcept;
     /// Returns the rows that the swept piece can meet.
-    LineStretch rows() const noexcept { return rows_; }
+    LineInterval rows() const noexcept { return rows_; }
     /// Returns the lines of any row that the swept piece can meet.
-    LineStretch columns() const noexcept { return columns_; }
+    LineInterval columns() const noexcept { return columns_; }
     /// Finds the intervals of some rows that the swept piece can meet.
     /// @param rows    at most `rowsAtOnce`, from `first` on
     /// @param groups  of eight lines that may be requested
     /// @param bricks  storage for all those groups
-    /// @param stretches receives the intervals; rows without one are left out
+    /// @param intervals receives the intervals; rows without one are left out
     /// @return number of intervals
-    int stretches(std::int32_t first, int rows, const LineStretch& groups, BrickOfSpans* bricks,
-                  RowSpans* stretches) noexcept;
+    int intervals(std::int32_t first, int rows, const LineInterval& groups, BrickOfSpans* bricks,
+                  RowSpans* intervals) noexcept;
     /// Computes the spans of intervals that lie within `rowsAtOnce` rows of each other; low >= high where there is
     /// none. Limited to the ends of the lines.
-    void spans(std::span<const RowSpans> stretches) noexcept;
+    void spans(std::span<const RowSpans> intervals) noexcept;
 
     enum class Shape : std::uint8_t { ball, flat, bullNose };
     /// One end of an upright piece's move.
@@ -154,7 +154,7 @@ private:
     Shape shape_ = Shape::ball;
     double radius_ = 0.0, longestWay_ = 0.0;
     double depth_ = 0.0; ///< units, below a rounding's middle, to the reference of the heights
-    LineStretch rows_, columns_;
+    LineInterval rows_, columns_;
     bool tilts_ = false;
     double reach_ = 0.0;
     glm::dvec3 axis_{0.0, 0.0, 1.0};

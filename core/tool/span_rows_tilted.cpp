@@ -35,8 +35,8 @@ BURIN_INLINE void forEachGroup(const RowPiece<rounding, rises>& row, Floats firs
 
 /// Returns the positions of an interval's first group: lines counted from the integer part of an end's x. These are
 /// integers, so that the result for a line does not depend on where its interval begins.
-BURIN_INLINE Floats linesFrom(const TiltedPiece::End& end, const RowSpans& stretch) noexcept {
-    return floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (stretch.firstGroup * lanes - end.wholeX));
+BURIN_INLINE Floats linesFrom(const TiltedPiece::End& end, const RowSpans& interval) noexcept {
+    return floatsOf(Integers{0, 1, 2, 3, 4, 5, 6, 7} + (interval.firstGroup * lanes - end.wholeX));
 }
 
 /// Where the spans of a row are stored.
@@ -45,8 +45,8 @@ struct Kept {
     Integers base, lineEnd;
     BURIN_INLINE EightIntegers& low(std::int32_t group) const noexcept { return lows[group * RowSpans::pitch]; }
     BURIN_INLINE EightIntegers& high(std::int32_t group) const noexcept { return highs[group * RowSpans::pitch]; }
-    BURIN_INLINE Kept(const TiltedPiece& piece, const TiltedPiece::End& end, const RowSpans& stretch) noexcept
-        : lows(stretch.lows()), highs(stretch.highs()), base(integers(end.base)), lineEnd(integers(piece.lineEnd)) {}
+    BURIN_INLINE Kept(const TiltedPiece& piece, const TiltedPiece::End& end, const RowSpans& interval) noexcept
+        : lows(interval.lows()), highs(interval.highs()), base(integers(end.base)), lineEnd(integers(piece.lineEnd)) {}
 };
 
 /// Stores what the piece covers at the end of its move.
@@ -66,9 +66,9 @@ struct KeepEnd : Kept {
 template <std::size_t count>
 struct AddWay : Kept {
     const std::array<RowRim, count>& walls;
-    BURIN_INLINE AddWay(const TiltedPiece& piece, const RowSpans& stretch,
+    BURIN_INLINE AddWay(const TiltedPiece& piece, const RowSpans& interval,
                         const std::array<RowRim, count>& itsWalls) noexcept
-        : Kept(piece, piece.from, stretch), walls(itsWalls) {}
+        : Kept(piece, piece.from, interval), walls(itsWalls) {}
     BURIN_INLINE void operator()(const Heights& start, Floats u, std::int32_t group) const noexcept {
         Heights all;
         all.include(start);
@@ -86,17 +86,17 @@ struct AddWay : Kept {
 class RimPlaces {
 public:
     struct Place {
-        std::uint32_t stretch = 0;
+        std::uint32_t interval = 0;
         std::int32_t group = 0;
     };
     static constexpr std::size_t most = 256;
 
-    BURIN_INLINE void add(std::uint32_t stretch, Groups groups) noexcept {
+    BURIN_INLINE void add(std::uint32_t interval, Groups groups) noexcept {
         const std::int32_t all = std::max(groups.end - groups.begin, 0);
-        places_[count_] = {stretch, groups.begin};
-        places_[count_ + 1] = {stretch, groups.begin + 1};
+        places_[count_] = {interval, groups.begin};
+        places_[count_ + 1] = {interval, groups.begin + 1};
         count_ += static_cast<std::size_t>(std::min(all, 2));
-        for (std::int32_t i = 2; i < all; ++i) places_[count_++] = {stretch, groups.begin + i};
+        for (std::int32_t i = 2; i < all; ++i) places_[count_++] = {interval, groups.begin + i};
     }
     BURIN_INLINE bool hasRoom(std::int32_t groups) const noexcept {
         return count_ + static_cast<std::size_t>(groups) + 4 <= most;
@@ -117,25 +117,25 @@ struct Cover {
     static constexpr std::size_t firstRim = rounding == Rounding::none ? 0 : 1;
     const TiltedPiece& piece;
     const TiltedRows& rows;
-    Stretches stretches;
+    Intervals intervals;
 
-    BURIN_INLINE int rowOf(const RowSpans& stretch) const noexcept { return stretch.v - rows.first; }
+    BURIN_INLINE int rowOf(const RowSpans& interval) const noexcept { return interval.v - rows.first; }
 
     /// Computes what the piece covers at the end of its move.
     BURIN_INLINE void end() const noexcept {
         const RowsPiece standing(piece, piece.to, rows.first);
-        for (const RowSpans& stretch : stretches) {
-            const Row row(standing, rowOf(stretch));
-            const Floats lines = linesFrom(piece.to, stretch);
-            const KeepEnd keep(piece, piece.to, stretch);
+        for (const RowSpans& interval : intervals) {
+            const Row row(standing, rowOf(interval));
+            const Floats lines = linesFrom(piece.to, interval);
+            const KeepEnd keep(piece, piece.to, interval);
             if constexpr (rounding == Rounding::ball) {
-                const Groups simple = within(stretch, rows.ballToFaceBegin, rows.ballToFaceEnd);
+                const Groups simple = within(interval, rows.ballToFaceBegin, rows.ballToFaceEnd);
                 forEachGroup(row, lines, {0, simple.begin}, keep);
                 Floats u = lines + static_cast<float>(simple.begin * lanes);
                 for (std::int32_t i = simple.begin; i < simple.end; ++i, u += lanes) keep(row.ballToFaceAt(u), u, i);
-                forEachGroup(row, lines, {simple.end, stretch.groups}, keep);
+                forEachGroup(row, lines, {simple.end, interval.groups}, keep);
             } else {
-                forEachGroup(row, lines, {0, stretch.groups}, keep);
+                forEachGroup(row, lines, {0, interval.groups}, keep);
             }
         }
     }
@@ -143,15 +143,15 @@ struct Cover {
     BURIN_INLINE void way() const noexcept {
         const RowsPiece standing(piece, piece.from, rows.first);
         const RowsRim lower(piece.rims[0], piece.from, rows.first), upper(piece.rims[1], piece.from, rows.first);
-        for (const RowSpans& stretch : stretches) {
-            const int row = rowOf(stretch);
-            const Floats lines = linesFrom(piece.from, stretch);
+        for (const RowSpans& interval : intervals) {
+            const int row = rowOf(interval);
+            const Floats lines = linesFrom(piece.from, interval);
             if constexpr (firstRim == 0)
-                forEachGroup(Row(standing, row), lines, {0, stretch.groups},
-                             AddWay(piece, stretch, std::array{RowRim(lower, row), RowRim(upper, row)}));
+                forEachGroup(Row(standing, row), lines, {0, interval.groups},
+                             AddWay(piece, interval, std::array{RowRim(lower, row), RowRim(upper, row)}));
             else
-                forEachGroup(Row(standing, row), lines, {0, stretch.groups},
-                             AddWay(piece, stretch, std::array{RowRim(upper, row)}));
+                forEachGroup(Row(standing, row), lines, {0, interval.groups},
+                             AddWay(piece, interval, std::array{RowRim(upper, row)}));
         }
     }
     /// The same only where rims pass.
@@ -161,12 +161,12 @@ struct Cover {
             const RowsRim rim(piece.rims[i], piece.from, rows.first);
             RimPlaces places;
             std::uint32_t number = 0;
-            for (const RowSpans& stretch : stretches) {
-                const Groups before = within(stretch, rows.rims[i].outerBegin, rows.rims[i].innerBegin),
-                             behind = within(stretch, rows.rims[i].innerEnd, rows.rims[i].outerEnd);
-                if (rounding == Rounding::bullNose || !places.hasRoom(stretch.groups)) {
-                    addGroups(standing, rim, stretch, before);
-                    addGroups(standing, rim, stretch, behind);
+            for (const RowSpans& interval : intervals) {
+                const Groups before = within(interval, rows.rims[i].outerBegin, rows.rims[i].innerBegin),
+                             behind = within(interval, rows.rims[i].innerEnd, rows.rims[i].outerEnd);
+                if (rounding == Rounding::bullNose || !places.hasRoom(interval.groups)) {
+                    addGroups(standing, rim, interval, before);
+                    addGroups(standing, rim, interval, behind);
                 } else {
                     places.add(number, before);
                     places.add(number, behind);
@@ -178,33 +178,33 @@ struct Cover {
     }
 
 private:
-    BURIN_INLINE Groups within(const RowSpans& stretch, const EightIntegers& begin,
+    BURIN_INLINE Groups within(const RowSpans& interval, const EightIntegers& begin,
                                const EightIntegers& end) const noexcept {
-        const int row = rowOf(stretch);
-        return {std::clamp(begin[row] - stretch.firstGroup, 0, stretch.groups),
-                std::clamp(end[row] - stretch.firstGroup, 0, stretch.groups)};
+        const int row = rowOf(interval);
+        return {std::clamp(begin[row] - interval.firstGroup, 0, interval.groups),
+                std::clamp(end[row] - interval.firstGroup, 0, interval.groups)};
     }
-    BURIN_INLINE void addGroups(const RowsPiece& standing, const RowsRim& rim, const RowSpans& stretch,
+    BURIN_INLINE void addGroups(const RowsPiece& standing, const RowsRim& rim, const RowSpans& interval,
                                 Groups groups) const noexcept {
-        const int row = rowOf(stretch);
-        forEachGroup(Row(standing, row), linesFrom(piece.from, stretch), groups,
-                     AddWay(piece, stretch, std::array{RowRim(rim, row)}));
+        const int row = rowOf(interval);
+        forEachGroup(Row(standing, row), linesFrom(piece.from, interval), groups,
+                     AddWay(piece, interval, std::array{RowRim(rim, row)}));
     }
     BURIN_INLINE void addPlaces(const RowsPiece& standing, const RowsRim& rim, const RimPlaces& places) const noexcept {
         if constexpr (rounding != Rounding::bullNose)
             for (const RimPlaces::Place& place : places) {
-                const RowSpans& stretch = stretches[place.stretch];
-                const int row = rowOf(stretch);
-                const Floats u = linesFrom(piece.from, stretch) + static_cast<float>(place.group * lanes);
+                const RowSpans& interval = intervals[place.interval];
+                const int row = rowOf(interval);
+                const Floats u = linesFrom(piece.from, interval) + static_cast<float>(place.group * lanes);
                 const std::array walls{RowRim(rim, row)};
-                AddWay(piece, stretch, walls)(Row(standing, row).at(u), u, place.group);
+                AddWay(piece, interval, walls)(Row(standing, row).at(u), u, place.group);
             }
     }
 };
 
 template <Rounding rounding, bool rises>
-BURIN_INLINE void coverRows(const TiltedPiece& piece, const TiltedRows& rows, Stretches stretches) noexcept {
-    const Cover<rounding, rises> cover{piece, rows, stretches};
+BURIN_INLINE void coverRows(const TiltedPiece& piece, const TiltedRows& rows, Intervals intervals) noexcept {
+    const Cover<rounding, rises> cover{piece, rows, intervals};
     cover.end();
     if (!piece.moves) return;
     if (piece.withStart || piece.rimsEverywhere)
@@ -216,21 +216,21 @@ BURIN_INLINE void coverRows(const TiltedPiece& piece, const TiltedRows& rows, St
 } // namespace
 
 BURIN_VECTORISED_TO_AVX512 void tiltedBall(const TiltedPiece& piece, const TiltedRows& rows,
-                                           Stretches stretches) noexcept {
+                                           Intervals intervals) noexcept {
     if (piece.rises)
-        coverRows<Rounding::ball, true>(piece, rows, stretches);
+        coverRows<Rounding::ball, true>(piece, rows, intervals);
     else
-        coverRows<Rounding::ball, false>(piece, rows, stretches);
+        coverRows<Rounding::ball, false>(piece, rows, intervals);
 }
 
 BURIN_VECTORISED_TO_AVX512 void tiltedFlat(const TiltedPiece& piece, const TiltedRows& rows,
-                                           Stretches stretches) noexcept {
-    coverRows<Rounding::none, true>(piece, rows, stretches);
+                                           Intervals intervals) noexcept {
+    coverRows<Rounding::none, true>(piece, rows, intervals);
 }
 
 BURIN_VECTORISED_TO_AVX512 void tiltedBullNose(const TiltedPiece& piece, const TiltedRows& rows,
-                                               Stretches stretches) noexcept {
-    coverRows<Rounding::bullNose, true>(piece, rows, stretches);
+                                               Intervals intervals) noexcept {
+    coverRows<Rounding::bullNose, true>(piece, rows, intervals);
 }
 
 } // namespace burin::kernels

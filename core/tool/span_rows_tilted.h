@@ -25,7 +25,7 @@ struct TiltedPiece {
     struct Cylinder {
         Linear aside, middle; ///< distance of the line from the axis, and height of its nearest point
         float radius = 0.0F;
-        float stretch = 0.0F;   ///< height per voxel of half chord
+        float interval = 0.0F;  ///< height per voxel of half chord
         Linear floor;           ///< height of the lower plane
         float thickness = 0.0F; ///< from there to the upper plane
     };

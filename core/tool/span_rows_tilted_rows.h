@@ -48,30 +48,30 @@ struct RowLinear {
 
 struct RowsCylinder {
     RowsLinear aside, middle, floor;
-    float radius, stretch, thickness;
+    float radius, interval, thickness;
     BURIN_INLINE RowsCylinder(const TiltedPiece::Cylinder& cylinder, const RowFrames& rows, float more = 0.0F) noexcept
         : aside(cylinder.aside, rows)
         , middle(cylinder.middle, rows, more)
         , floor(cylinder.floor, rows, more)
         , radius(cylinder.radius)
-        , stretch(cylinder.stretch)
+        , interval(cylinder.interval)
         , thickness(cylinder.thickness) {}
 };
 struct RowCylinder {
     RowLinear aside, middle, floor;
-    float radius, stretch, thickness;
+    float radius, interval, thickness;
     BURIN_INLINE RowCylinder(const RowsCylinder& rows, int row) noexcept
         : aside(rows.aside, row)
         , middle(rows.middle, row)
         , floor(rows.floor, row)
         , radius(rows.radius)
-        , stretch(rows.stretch)
+        , interval(rows.interval)
         , thickness(rows.thickness) {}
 
     /// Returns where eight lines meet the cylinder, ignoring its planes.
     BURIN_INLINE Heights unheld(Floats x) const noexcept {
         const Floats off = aside.at(x), inside = (radius - off) * (radius + off);
-        const Floats place = middle.at(x), half = stretch * rootsOf(inside);
+        const Floats place = middle.at(x), half = interval * rootsOf(inside);
         return {place - half, place + half};
     }
     BURIN_INLINE Heights at(Floats x) const noexcept {

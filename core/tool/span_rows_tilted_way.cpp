@@ -59,7 +59,7 @@ TiltedPiece::Rim rimByHeight(const glm::dvec3& axis, const glm::dvec3& way, doub
     const double length = glm::length(run);
     if (length < leastRun) return rim;
     const glm::dvec3 direction = run / length, across = glm::cross(axis, direction);
-    rim.wall.stretch = static_cast<float>(unitsAVoxel / length);
+    rim.wall.interval = static_cast<float>(unitsAVoxel / length);
     rim.wall.aside = linear([&](double x, double y) { return glm::dot(onFace(x, y, 0.0), across); });
     rim.wall.middle =
         linear([&](double x, double y) { return -glm::dot(onFace(x, y, 0.0), direction) / length * unitsAVoxel; });
@@ -80,7 +80,7 @@ TiltedPiece::Rim rimByPart(const glm::dvec3& axis, const glm::dvec3& way, double
     const glm::dvec3 direction = run / length, across = glm::cross(axis, direction);
     const auto level = [&](double x, double y) { return (height + 0.5 * along - axis.x * x - axis.y * y) / axis.z; };
     const auto onDisc = [&](double x, double y) { return glm::dvec3(x, y, level(x, y)) - height * axis - 0.5 * way; };
-    rim.wall.stretch = static_cast<float>(1.0 / length);
+    rim.wall.interval = static_cast<float>(1.0 / length);
     rim.wall.aside = linear([&](double x, double y) { return glm::dot(onDisc(x, y), across); });
     rim.wall.middle = linear([&](double x, double y) { return -glm::dot(onDisc(x, y), direction) / length; });
     rim.wall.floor.origin = -0.5 - overlap;
@@ -142,7 +142,7 @@ void setAxis(TiltedPiece& tilted, const RevolvedPiece& piece, const glm::dvec3& 
     const double sine = std::max(lean, 1e-6);
     TiltedPiece::Cylinder& standing = tilted.standing;
     standing.radius = tilted.radius;
-    standing.stretch = static_cast<float>(unitsAVoxel / sine);
+    standing.interval = static_cast<float>(unitsAVoxel / sine);
     standing.aside = {0.0, -heading.y, heading.x};
     standing.middle = {0.0, heading.x * axis.z / sine * unitsAVoxel, heading.y * axis.z / sine * unitsAVoxel};
     setSlab(standing, axis, foot, piece.top);

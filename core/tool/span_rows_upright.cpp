@@ -23,8 +23,8 @@ BURIN_VECTORISED void planRows(const Upright& piece, std::int32_t firstRow, Rows
     planAll(piece, firstRow, rows);
 }
 
-BURIN_VECTORISED void uprightSpans(Shape shape, const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
-    coverAny(shape, piece, rows, stretches);
+BURIN_VECTORISED void uprightSpans(Shape shape, const Upright& piece, const Rows& rows, Intervals intervals) noexcept {
+    coverAny(shape, piece, rows, intervals);
 }
 } // namespace any_processor
 
@@ -40,8 +40,8 @@ void planRows(const Upright& piece, std::int32_t firstRow, Rows& rows) noexcept 
     planAll(piece, firstRow, rows);
 }
 
-void uprightSpans(Shape shape, const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
-    coverAny(shape, piece, rows, stretches);
+void uprightSpans(Shape shape, const Upright& piece, const Rows& rows, Intervals intervals) noexcept {
+    coverAny(shape, piece, rows, intervals);
 }
 } // namespace
 } // namespace avx512
@@ -55,11 +55,11 @@ void planRows(const Upright& piece, std::int32_t firstRow, Rows& rows) noexcept 
     any_processor::planRows(piece, firstRow, rows);
 }
 
-void uprightSpans(Shape shape, const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+void uprightSpans(Shape shape, const Upright& piece, const Rows& rows, Intervals intervals) noexcept {
 #ifdef BURIN_AVX512
-    if (hasAvx512) return avx512::uprightSpans(shape, piece, rows, stretches);
+    if (hasAvx512) return avx512::uprightSpans(shape, piece, rows, intervals);
 #endif
-    any_processor::uprightSpans(shape, piece, rows, stretches);
+    any_processor::uprightSpans(shape, piece, rows, intervals);
 }
 
 } // namespace burin::kernels

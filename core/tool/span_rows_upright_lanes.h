@@ -309,22 +309,22 @@ BURIN_INLINE void coverStrip(const Upright& piece, const Rows& rows, const Strip
 }
 
 template <Shape shape>
-BURIN_INLINE void coverRows(const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-        const RowSpans& one = stretches[i];
+BURIN_INLINE void coverRows(const Upright& piece, const Rows& rows, Intervals intervals) noexcept {
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+        const RowSpans& one = intervals[i];
         const bool two =
-            width > lanes && (one.v & 1) == 0 && i + 1 < stretches.size() && stretches[i + 1].v == one.v + 1;
-        coverStrip<shape>(piece, rows, {one, two ? stretches[++i] : one});
+            width > lanes && (one.v & 1) == 0 && i + 1 < intervals.size() && intervals[i + 1].v == one.v + 1;
+        coverStrip<shape>(piece, rows, {one, two ? intervals[++i] : one});
     }
 }
 
-BURIN_INLINE void coverAny(Shape shape, const Upright& piece, const Rows& rows, Stretches stretches) noexcept {
+BURIN_INLINE void coverAny(Shape shape, const Upright& piece, const Rows& rows, Intervals intervals) noexcept {
     switch (shape) {
     case Shape::ball:
-        return coverRows<Shape::ball>(piece, rows, stretches);
+        return coverRows<Shape::ball>(piece, rows, intervals);
     case Shape::flat:
-        return coverRows<Shape::flat>(piece, rows, stretches);
+        return coverRows<Shape::flat>(piece, rows, intervals);
     case Shape::bullNose:
-        return coverRows<Shape::bullNose>(piece, rows, stretches);
+        return coverRows<Shape::bullNose>(piece, rows, intervals);
     }
 }

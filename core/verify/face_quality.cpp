@@ -33,7 +33,7 @@ std::vector<std::size_t> nearestTriangles(const TriangleMesh& mesh, std::span<co
     const MeshDistance distance(mesh);
     std::vector<std::size_t> nearest(samples.size(), 0);
     ParallelProgress done(progress, samples.size());
-    parallelStretches(std::size_t{0}, samples.size(), grain, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, samples.size(), grain, [&](std::size_t from, std::size_t to) {
         if (progress.cancelled()) return;
         for (std::size_t i = from; i < to; ++i) nearest[i] = distance.closest(samples[i].place).triangle;
         done.add(to - from);

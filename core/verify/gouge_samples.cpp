@@ -15,7 +15,7 @@ namespace burin {
 namespace {
 
 constexpr std::size_t samplesPerBatch = 256; // samples
-constexpr std::size_t longestStretch = 16;   // samples
+constexpr std::size_t longestInterval = 16;  // samples
 constexpr double straight = 5e-4;            // mm: samples of an interval are no farther from its chord
 /// Gouges are reported exactly, positive clearances to 1e-4 mm: those are neither reported nor ranked more finely.
 constexpr ClearanceTolerance answers{1e-4, 0.0, 1e-8};
@@ -27,7 +27,7 @@ struct Place {
 };
 
 /// Samples on one chord, made with one tool.
-struct Stretch {
+struct Interval {
     std::size_t first = 0, end = 0; ///< index in the batch
     double beside = 0.0;            ///< mm: largest distance from the chord
     double reach = 0.0;             ///< mm: largest distance from the middle sample
@@ -39,7 +39,7 @@ struct Stretch {
 /// Consecutive samples, and the intervals of them that come near the part.
 struct Batch {
     std::vector<Place> places;
-    std::vector<Stretch> near;
+    std::vector<Interval> near;
     std::vector<GougeSample> worst;
     std::size_t finishSamples = 0, onPart = 0;
 };
@@ -52,22 +52,22 @@ double besideChord(const glm::dvec3& point, const glm::dvec3& from, const glm::d
 }
 
 /// The longest sequence of samples from `first` on that lie on one chord.
-Stretch stretchFrom(std::size_t first, const std::vector<Place>& places, const std::vector<ToolMove>& moves) {
-    Stretch stretch{first, first + 1, 0.0, 0.0, {}};
-    const std::size_t most = std::min(first + longestStretch, places.size());
+Interval intervalFrom(std::size_t first, const std::vector<Place>& places, const std::vector<ToolMove>& moves) {
+    Interval interval{first, first + 1, 0.0, 0.0, {}};
+    const std::size_t most = std::min(first + longestInterval, places.size());
     const std::uint16_t tool = moves[places[first].move].tool;
     for (std::size_t last = first + 1; last < most && moves[places[last].move].tool == tool; ++last) {
         double beside = 0.0;
         for (std::size_t i = first + 1; i < last && beside <= straight; ++i)
             beside = std::max(beside, besideChord(places[i].tip, places[first].tip, places[last].tip));
         if (beside > straight) break;
-        stretch.end = last + 1;
-        stretch.beside = beside;
+        interval.end = last + 1;
+        interval.beside = beside;
     }
-    const glm::dvec3& middle = places[stretch.middle()].tip;
-    for (std::size_t i = stretch.first; i < stretch.end; ++i)
-        stretch.reach = std::max(stretch.reach, glm::length(places[i].tip - middle));
-    return stretch;
+    const glm::dvec3& middle = places[interval.middle()].tip;
+    for (std::size_t i = interval.first; i < interval.end; ++i)
+        interval.reach = std::max(interval.reach, glm::length(places[i].tip - middle));
+    return interval;
 }
 
 /// Queries the clearance of a tool, pose after pose; starts anew with another tool.
@@ -131,13 +131,13 @@ public:
         });
         Asking asking(part_, stacks_);
         for (std::size_t at = 0; at < batch.places.size();) {
-            Stretch stretch = stretchFrom(at, batch.places, moves_);
-            at = stretch.end;
-            const Place& middle = batch.places[stretch.middle()];
+            Interval interval = intervalFrom(at, batch.places, moves_);
+            at = interval.end;
+            const Place& middle = batch.places[interval.middle()];
             asking.take(toolOf(middle));
-            if (asking.isFar(middle.tip, stretch.reach)) continue;
-            stretch.clearance = asking.ask(middle.tip, stretch.reach);
-            if (!asking.isFar(middle.tip, stretch.reach)) batch.near.push_back(stretch);
+            if (asking.isFar(middle.tip, interval.reach)) continue;
+            interval.clearance = asking.ask(middle.tip, interval.reach);
+            if (!asking.isFar(middle.tip, interval.reach)) batch.near.push_back(interval);
         }
         if (batch.near.empty()) batch.places = {};
         return batch;
@@ -146,30 +146,30 @@ public:
     /// Finds all samples of the batch with a clearance below `limit`, mm, and those that touch the part.
     void finish(Batch& batch, double limit) const {
         Asking asking(part_, stacks_);
-        for (const Stretch& stretch : batch.near) {
-            asking.take(toolOf(batch.places[stretch.middle()]));
-            if (stretch.clearance.clearance > limit)
-                divide(batch, stretch, stretch.first, stretch.end, limit, asking);
+        for (const Interval& interval : batch.near) {
+            asking.take(toolOf(batch.places[interval.middle()]));
+            if (interval.clearance.clearance > limit)
+                divide(batch, interval, interval.first, interval.end, limit, asking);
             else
-                judgeEach(batch, stretch.first, stretch.end, asking);
+                judgeEach(batch, interval.first, interval.end, asking);
         }
         batch.places = {}; // long programs have many
     }
 
 private:
     /// Examines an interval as a whole, then by halves, then sample by sample.
-    void divide(Batch& batch, const Stretch& stretch, std::size_t first, std::size_t end, double limit,
+    void divide(Batch& batch, const Interval& interval, std::size_t first, std::size_t end, double limit,
                 Asking& asking) const {
         const glm::dvec3 &from = batch.places[first].tip, &to = batch.places[end - 1].tip;
-        if (stretch.clearance.clearance - answers.ordinary - stretch.reach >= limit ||
-            asking.keeps(from, to, limit + stretch.beside)) {
-            countOnPart(batch, stretch, first, end, asking);
+        if (interval.clearance.clearance - answers.ordinary - interval.reach >= limit ||
+            asking.keeps(from, to, limit + interval.beside)) {
+            countOnPart(batch, interval, first, end, asking);
         } else if (end - first <= 2) {
             judgeEach(batch, first, end, asking);
         } else {
             const std::size_t half = first + (end - first) / 2;
-            divide(batch, stretch, first, half, limit, asking);
-            divide(batch, stretch, half, end, limit, asking);
+            divide(batch, interval, first, half, limit, asking);
+            divide(batch, interval, half, end, limit, asking);
         }
     }
     void judgeEach(Batch& batch, std::size_t first, std::size_t end, Asking& asking) const {
@@ -177,11 +177,11 @@ private:
     }
     /// Samples that stay clear of the part may still touch it, if they are near a point met by the middle of their
     /// interval.
-    void countOnPart(Batch& batch, const Stretch& stretch, std::size_t first, std::size_t end, Asking& asking) const {
+    void countOnPart(Batch& batch, const Interval& interval, std::size_t first, std::size_t end, Asking& asking) const {
         for (std::size_t i = first; i < end; ++i) {
             const Place& place = batch.places[i];
             if (!isFinishing(place)) continue;
-            if (touchesFlutes(place, stretch.clearance.meshPoint))
+            if (touchesFlutes(place, interval.clearance.meshPoint))
                 ++batch.onPart;
             else
                 judge(batch, place, asking);
@@ -226,7 +226,7 @@ private:
 double limitOf(const std::vector<Batch>& batches, std::size_t worst, double tolerance) {
     std::vector<double> clearances;
     for (const Batch& batch : batches)
-        for (const Stretch& stretch : batch.near) clearances.push_back(stretch.clearance.clearance);
+        for (const Interval& interval : batch.near) clearances.push_back(interval.clearance.clearance);
     if (clearances.size() < worst) return onPartDistance;
     const auto last = clearances.begin() + static_cast<std::ptrdiff_t>(worst) - 1;
     std::nth_element(clearances.begin(), last, clearances.end());

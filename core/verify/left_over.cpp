@@ -32,7 +32,7 @@ LeftOver::LeftOver(const RunVolume& workpiece)
     , bricksU_((grid_.lineCountU() + brickSide - 1) / brickSide)
     , common_(static_cast<std::size_t>(bricksU_) *
               static_cast<std::size_t>((grid_.lineCountV() + brickSide - 1) / brickSide)) {
-    parallelStretches(std::size_t{0}, common_.size(), 64, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, common_.size(), 64, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i != to; ++i) {
             const auto row = static_cast<std::int32_t>(i) / bricksU_, column = static_cast<std::int32_t>(i) % bricksU_;
             common_[i] = commonOf({column * brickSide, row * brickSide});
@@ -75,25 +75,25 @@ double LeftOver::along(const glm::dvec3& place, const glm::dvec3& direction, dou
         const auto position = static_cast<std::int32_t>(at.z * unitsPerVoxel);
         LineIndex corner{line.u / brickSide * brickSide, line.v / brickSide * brickSide};
         double side = brickSide;
-        Common stretch = common_[static_cast<std::size_t>(corner.v / brickSide * bricksU_ + corner.u / brickSide)];
+        Common interval = common_[static_cast<std::size_t>(corner.v / brickSide * bricksU_ + corner.u / brickSide)];
         bool stock = true;
-        if (position < stretch.from || position >= stretch.to) {
+        if (position < interval.from || position >= interval.to) {
             corner = line;
             side = 1.0;
-            stretch = {};
+            interval = {};
             PropertyIndex property = airProperty;
             for (const Segment segment : workpiece_.line(line)) {
-                stretch = {stretch.to, static_cast<std::int32_t>(segment.end())};
+                interval = {interval.to, static_cast<std::int32_t>(segment.end())};
                 property = segment.property();
-                if (position < stretch.to) break;
+                if (position < interval.to) break;
             }
             if (property == airProperty) break;
             stock = !workpiece_.properties().isProtected(property);
         }
         const double out = std::min({leaves(from.x, slope.x, corner.u, corner.u + side),
                                      leaves(from.y, slope.y, corner.v, corner.v + side),
-                                     leaves(from.z, slope.z, static_cast<double>(stretch.from) / unitsPerVoxel,
-                                            static_cast<double>(stretch.to) / unitsPerVoxel)});
+                                     leaves(from.z, slope.z, static_cast<double>(interval.from) / unitsPerVoxel,
+                                            static_cast<double>(interval.to) / unitsPerVoxel)});
         if (stock) thickness = std::max(out, way);
         way = std::max(out, way) + nudge;
     }

@@ -39,7 +39,7 @@ Result<void> judgeAgainst(const MeshDistance& mesh, NearTo to, const std::vector
         std::vector<Section> sections;
         for (const Tool& tool : tools) sections.emplace_back(mesh, tool, which);
         std::vector<std::optional<PartGuard::Dip>> dips(moves.size());
-        parallelStretches(std::size_t{0}, moves.size(), 64, [&](std::size_t from, std::size_t end) {
+        parallelIntervals(std::size_t{0}, moves.size(), 64, [&](std::size_t from, std::size_t end) {
             for (std::size_t i = from; i != end; ++i) {
                 const ToolMove& move = moves[i];
                 const Section& section = sections[move.tool];

@@ -64,7 +64,7 @@ ShrunkOutline::ShrunkOutline(const RunVolume& workpiece, double distance) : grid
                height = static_cast<std::size_t>(grid_.lineCountV());
     constexpr double far = 1e12;
     std::vector<double> squares((width + 2) * (height + 2), 0.0); // with a border of outside cells around the grid
-    parallelStretches(std::size_t{1}, height + 1, grain, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{1}, height + 1, grain, [&](std::size_t from, std::size_t to) {
         std::vector<double> row(width + 2);
         for (std::size_t v = from; v != to; ++v) {
             for (std::size_t u = 1; u <= width; ++u)
@@ -78,7 +78,7 @@ ShrunkOutline::ShrunkOutline(const RunVolume& workpiece, double distance) : grid
     });
     const double limit = distance / grid_.edge();
     inside_.resize(width * height);
-    parallelStretches(std::size_t{1}, width + 1, grain, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{1}, width + 1, grain, [&](std::size_t from, std::size_t to) {
         std::vector<double> column(height + 2);
         for (std::size_t u = from; u != to; ++u) {
             for (std::size_t v = 0; v < height + 2; ++v) column[v] = squares[v * (width + 2) + u];

@@ -24,7 +24,7 @@ class Turns {
 public:
     Turns(const std::vector<ToolMove>& moves, std::span<const ReplayTool> tools, const RunVolume& workpiece)
         : grid_(workpiece.grid()), first_(rowCount() + 1) {
-        std::vector<LineStretch> rows(moves.size());
+        std::vector<LineInterval> rows(moves.size());
         const double top = topOf(workpiece);
         for (std::size_t i = 0; i < moves.size(); ++i) {
             rows[i] = rowsOf(moves[i], tools[moves[i].tool], top);
@@ -63,7 +63,7 @@ private:
         return grid.toMillimetres(highest);
     }
     /// Rows of bricks; last < first if there is none.
-    LineStretch rowsOf(const ToolMove& move, const ReplayTool& tool, double top) const {
+    LineInterval rowsOf(const ToolMove& move, const ReplayTool& tool, double top) const {
         if (!move.endKnown) return {};
         const glm::dvec3 from = inLineFrame(grid_, move.begin().tip), to = inLineFrame(grid_, move.to.tip);
         const glm::dvec3 axis = inLineFrame(grid_, glm::dvec3(0.0, 0.0, 1.0));
@@ -80,8 +80,8 @@ private:
         }
         if (reach.empty()) return {};
         const glm::dvec3 low = inLineFrame(grid_, grid_.low());
-        const LineStretch columns = linesWithin({reach.low.x, reach.high.x}, low.x, grid_.edge(), grid_.lineCountU());
-        const LineStretch lines = linesWithin({reach.low.y, reach.high.y}, low.y, grid_.edge(), grid_.lineCountV());
+        const LineInterval columns = linesWithin({reach.low.x, reach.high.x}, low.x, grid_.edge(), grid_.lineCountU());
+        const LineInterval lines = linesWithin({reach.low.y, reach.high.y}, low.y, grid_.edge(), grid_.lineCountV());
         if (columns.last < columns.first || lines.last < lines.first || reach.high.z <= low.z) return {};
         return {lines.first / brickSide, lines.last / brickSide};
     }

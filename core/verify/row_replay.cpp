@@ -20,10 +20,10 @@ constexpr std::size_t movesBetweenLooks = 256;
 
 /// The part of a straight move whose position along one axis lies in an interval, as fractions of the move; low > high
 /// if empty.
-Span shareWithin(double from, double to, const Span& stretch) noexcept {
+Span shareWithin(double from, double to, const Span& interval) noexcept {
     const double way = to - from;
-    if (std::abs(way) < 1e-12) return from >= stretch.low && from <= stretch.high ? Span{0.0, 1.0} : Span{1.0, 0.0};
-    const double a = (stretch.low - from) / way, b = (stretch.high - from) / way;
+    if (std::abs(way) < 1e-12) return from >= interval.low && from <= interval.high ? Span{0.0, 1.0} : Span{1.0, 0.0};
+    const double a = (interval.low - from) / way, b = (interval.high - from) / way;
     return {std::max(0.0, std::min(a, b)), std::min(1.0, std::max(a, b))};
 }
 
@@ -119,7 +119,7 @@ void RowReplay::cutUpright(const ReplayTool& tool, const glm::dvec3& from, const
     const Span share = shareWithin(from.y, to.y, band);
     if (share.low > share.high) return;
     const double a = from.x + share.low * (to.x - from.x), b = from.x + share.high * (to.x - from.x);
-    const LineStretch columns =
+    const LineInterval columns =
         linesWithin({std::min(a, b) - radius, std::max(a, b) + radius}, box.low.x, edge, grid_.lineCountU());
     if (columns.last < columns.first) return;
     const CutFilter::Way way = tool.filter.way(from, to);

@@ -113,7 +113,7 @@ private:
     bool isNear(std::span<const RevolvedPiece> section, double by, const glm::dvec3& from, const glm::dvec3& to,
                 UnitSum& sum) const;
     void lookAt(const ReplayTool& tool, const glm::dvec3& tip, std::uint32_t number, std::uint32_t step);
-    LineStretch rows() const noexcept { return {stock_.firstV(), stock_.firstV() + stock_.lineCountV() - 1}; }
+    LineInterval rows() const noexcept { return {stock_.firstV(), stock_.firstV() + stock_.lineCountV() - 1}; }
 
     RowStock& stock_;
     const Grid& grid_;

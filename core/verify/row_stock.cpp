@@ -107,23 +107,23 @@ void RowStock::cut(LineIndex line, RunPosition from, RunPosition to, UnitSum& re
     if (removed.units > before) cut_[static_cast<std::size_t>(line.u / brickSide)] = true;
 }
 
-void RowStock::cutBelow(std::vector<Stretch>& stretches, std::int32_t from, std::int32_t to, LineIndex line,
+void RowStock::cutBelow(std::vector<Interval>& intervals, std::int32_t from, std::int32_t to, LineIndex line,
                         UnitSum& removed) {
-    for (std::size_t i = stretches.size(); i-- > 0 && stretches[i].to > from;) {
-        Stretch& stretch = stretches[i];
-        if (stretch.from >= to) continue;
-        const Stretch taken{std::max(stretch.from, from), std::min(stretch.to, to)};
+    for (std::size_t i = intervals.size(); i-- > 0 && intervals[i].to > from;) {
+        Interval& interval = intervals[i];
+        if (interval.from >= to) continue;
+        const Interval taken{std::max(interval.from, from), std::min(interval.to, to)};
         count(line, taken.from, taken.to, removed);
-        const Stretch under{stretch.from, taken.from}, over{taken.to, stretch.to};
+        const Interval under{interval.from, taken.from}, over{taken.to, interval.to};
         const bool keepsUnder = under.from < under.to, keepsOver = over.from < over.to;
-        const auto place = stretches.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto place = intervals.begin() + static_cast<std::ptrdiff_t>(i);
         if (keepsUnder && keepsOver) {
-            stretch = over;
-            stretches.insert(place, under);
+            interval = over;
+            intervals.insert(place, under);
         } else if (keepsUnder || keepsOver) {
-            stretch = keepsUnder ? under : over;
+            interval = keepsUnder ? under : over;
         } else {
-            stretches.erase(place);
+            intervals.erase(place);
         }
     }
 }
@@ -145,7 +145,7 @@ std::uint64_t RowStock::overlap(LineIndex line, RunPosition from, RunPosition to
         end = std::min(end, high);
         if (start < end) count(line, start, end, sum);
     };
-    forEachStretch(lineAt(line), add);
+    forEachInterval(lineAt(line), add);
     std::int32_t start = 0;
     for (const Segment segment : volume_.line(line)) {
         const auto end = static_cast<std::int32_t>(segment.end());
@@ -168,7 +168,7 @@ void RowStock::brick(std::int32_t brick, BrickLines& lines) const {
             for (const Segment segment : volume_.line({u, v})) {
                 const PropertyIndex property = segment.property();
                 if (property != airProperty && !volume_.properties().isProtected(property))
-                    forEachStretch(lineAt({u, v}), [&](std::int32_t from, std::int32_t to) {
+                    forEachInterval(lineAt({u, v}), [&](std::int32_t from, std::int32_t to) {
                         const RunPosition low = std::max(start, static_cast<RunPosition>(from));
                         const RunPosition high = std::min(segment.end(), static_cast<RunPosition>(to));
                         if (low >= high) return;

@@ -65,20 +65,20 @@ public:
     void brick(std::int32_t brick, BrickLines& lines) const;
 
 private:
-    struct Stretch {
+    struct Interval {
         std::int32_t from = 0, to = 0;
     };
     std::size_t lineAt(LineIndex line) const noexcept {
         return static_cast<std::size_t>(line.v - firstV_) * width_ + static_cast<std::size_t>(line.u);
     }
     void read(LineIndex line, std::int32_t& brickProtected);
-    void cutBelow(std::vector<Stretch>& stretches, std::int32_t from, std::int32_t to, LineIndex line,
+    void cutBelow(std::vector<Interval>& intervals, std::int32_t from, std::int32_t to, LineIndex line,
                   UnitSum& removed);
     void popTop(std::size_t at);
     /// Calls `visit(from, to)` for each machinable interval of a line, in ascending order.
     template <class Visit>
-    void forEachStretch(std::size_t at, const Visit& visit) const {
-        for (const Stretch& stretch : below_[at]) visit(stretch.from, stretch.to);
+    void forEachInterval(std::size_t at, const Visit& visit) const {
+        for (const Interval& interval : below_[at]) visit(interval.from, interval.to);
         if (top_[at] > 0) visit(base_[at], top_[at]);
     }
 
@@ -86,7 +86,7 @@ private:
     std::int32_t firstV_ = 0, countV_ = 0, bricks_ = 0;
     std::size_t width_ = 0; ///< lines along u, padded to whole bricks
     std::vector<std::int32_t> top_, base_;
-    std::vector<std::vector<Stretch>> below_; ///< of each line, ascending
+    std::vector<std::vector<Interval>> below_; ///< of each line, ascending
     std::vector<std::int32_t> brickTop_, protectedTop_;
     std::vector<bool> cut_;
 };

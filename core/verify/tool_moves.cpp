@@ -19,11 +19,11 @@ void appendRapid(const ToolMove& rapid, const MachineProfile& machine, std::vect
         moves.push_back(rapid);
         return;
     }
-    ToolMove stretch = rapid;
+    ToolMove interval = rapid;
     for (const glm::dvec3& corner : rapidWay(rapid.from.tip, rapid.to.tip, machine)) {
-        stretch.to.tip = corner;
-        moves.push_back(stretch);
-        stretch.from.tip = corner;
+        interval.to.tip = corner;
+        moves.push_back(interval);
+        interval.from.tip = corner;
     }
 }
 

@@ -20,7 +20,7 @@ using Limit = std::optional<double>;
 
 /// A peer for the median tick. The paper's method is reported with the main figure, the others have figures of their
 /// own.
-struct PeerWish {
+struct PeerRequest {
     std::string name;   ///< as displayed
     std::string suffix; ///< of the figure's name
     std::unique_ptr<CuttingPeer> (*make)(const VolumeSnapshot&, const LineBlock&, const EndMill&);
@@ -31,16 +31,16 @@ std::unique_ptr<CuttingPeer> makeOpenVdb(const VolumeSnapshot& workpiece, const 
     return openVdbCutter(workpiece, tool);
 }
 
-PeerWish paper(Limit ratio) {
+PeerRequest paper(Limit ratio) {
     return {"paper's way", "", paperCutter, ratio};
 }
-PeerWish openVdb() {
+PeerRequest openVdb() {
     return {"OpenVDB Int8, incremental leaf writes", ".against_openvdb", makeOpenVdb, 8.0};
 }
-PeerWish bytes() {
+PeerRequest bytes() {
     return {"dense bytes, incremental", ".against_bytes", denseByteCutter, nullopt};
 }
-PeerWish bits() {
+PeerRequest bits() {
     return {"dense bits, incremental, no material", ".against_bits", denseBitCutter, nullopt};
 }
 
@@ -50,7 +50,7 @@ struct CutCase {
     Cutter cutter;
     std::vector<ToolPose> path;
     Limit p50, p999;
-    std::vector<PeerWish> peers;
+    std::vector<PeerRequest> peers;
 };
 
 /// Results of a case that are still needed after it was measured.
@@ -60,11 +60,11 @@ struct Measured {
     std::uint64_t removedUnits = 0;
 };
 
-double peerMedian(Session& session, const CutCase& task, const PeerWish& wish, const VolumeSnapshot& workpiece) {
+double peerMedian(Session& session, const CutCase& task, const PeerRequest& request, const VolumeSnapshot& workpiece) {
     std::vector<glm::dvec3> tips;
     for (const ToolPose& pose : task.path) tips.push_back(pose.tip);
     const auto peer =
-        wish.make(workpiece, blockOf(tips, task.cutter.radius(), workpiece.grid()), endMillOf(task.cutter));
+        request.make(workpiece, blockOf(tips, task.cutter.radius(), workpiece.grid()), endMillOf(task.cutter));
     if (!peer) return 0.0;
     VoxelCounts removed{};
     const auto restart = [&] {
@@ -74,7 +74,7 @@ double peerMedian(Session& session, const CutCase& task, const PeerWish& wish, c
     const ReplayRule rule{4, 6, 0.5};
     std::vector<double> ticks = leastOfReplays(
         tips.size() - 1, restart, [&](std::size_t i) { peer->cut(tips[i], tips[i + 1], removed); }, rule);
-    return percentile(session.least(task.name + ", " + wish.name, std::move(ticks)), 0.5);
+    return percentile(session.least(task.name + ", " + request.name, std::move(ticks)), 0.5);
 }
 
 /// A case's own figures and those of its peers. Returns nullopt if none of its figures is requested.
@@ -93,16 +93,16 @@ std::optional<Measured> measure(Session& session, const CutCase& task) {
     measured.p999 = percentile(measured.ticks, 0.999);
     const VolumeSnapshot start = workpiece.snapshot();
     Figure median = figure(task.name + ".p50", measured.p50, "us", task.p50);
-    for (const PeerWish& wish : task.peers) {
-        const std::string name = median.name + wish.suffix;
+    for (const PeerRequest& request : task.peers) {
+        const std::string name = median.name + request.suffix;
         if (!session.wants(name)) continue;
-        session.stage(task.name + ", " + wish.name);
-        const double theirs = peerMedian(session, task, wish, start);
+        session.stage(task.name + ", " + request.name);
+        const double theirs = peerMedian(session, task, request, start);
         if (theirs == 0.0) continue; // built without that peer
-        if (wish.suffix.empty())
-            median = against(std::move(median), wish.name, theirs, wish.ratioAtLeast);
+        if (request.suffix.empty())
+            median = against(std::move(median), request.name, theirs, request.ratioAtLeast);
         else
-            session.add(against(figure(name, measured.p50, "us"), wish.name, theirs, wish.ratioAtLeast));
+            session.add(against(figure(name, measured.p50, "us"), request.name, theirs, request.ratioAtLeast));
     }
     session.add(std::move(median));
     session.add(figure(task.name + ".p999", measured.p999, "us", task.p999));
@@ -118,7 +118,7 @@ std::function<RunVolume()> block(std::int32_t side) {
 }
 
 CutCase ballWalk(const std::string& name, std::int32_t side, double radius, double step, std::size_t ticks, Limit p50,
-                 Limit p999, std::vector<PeerWish> peers) {
+                 Limit p999, std::vector<PeerRequest> peers) {
     return {name,
             [side] { return halfBlock(side); },
             cutterOf(CutterType::ball, radius, fluteLengthFromAbove),
@@ -130,7 +130,7 @@ CutCase ballWalk(const std::string& name, std::int32_t side, double radius, doub
 
 /// Cost must not grow with the grid.
 void walksAtOneVoxel(Session& session) {
-    const auto r50 = [&](std::int32_t side, std::vector<PeerWish> peers) {
+    const auto r50 = [&](std::int32_t side, std::vector<PeerRequest> peers) {
         return measure(session, ballWalk("cut.ball.r50.m1." + std::to_string(side), side, 50.0, 1.0, 2000, 20.0, 40.0,
                                          std::move(peers)));
     };

@@ -66,8 +66,8 @@ public:
     }
 
 private:
-    template <class Wanted>
-    bool lineOf(QProcess& process, Wanted wanted) {
+    template <class Requested>
+    bool lineOf(QProcess& process, Requested wanted) {
         QElapsedTimer patience;
         patience.start();
         while (patience.elapsed() < 120'000) {

@@ -14,7 +14,7 @@ namespace burin {
 namespace {
 
 constexpr std::size_t chunkPoints = PlacedPoints::most;
-/// The data of a stretch are copied to this many points at once, as many as possible: most stretches have no more.
+/// The data of an interval are copied to this many points at once, as many as possible: most intervals have no more.
 constexpr std::size_t overrun = 16;
 
 /// Points as arrays: placed and computed eight at a time, looked up one by one in between.
@@ -185,19 +185,19 @@ constexpr FineBrick noBrick{};
 constexpr std::array<std::int8_t, PartFieldLayers::narrowStride> noResiduals{};
 
 /// Consecutive points in one brick, up to where the next begins.
-struct Stretch {
+struct Interval {
     const FineBrick* header;
     const std::int8_t* narrow;
     std::size_t first;
 };
 
-/// Copies the data of each stretch to its points. Values that a short stretch writes too far are overwritten by the
+/// Copies the data of each interval to its points. Values that a short interval writes too far are overwritten by the
 /// next one.
-/// @param stretches followed by one that begins where they end
-BURIN_VECTORISED void spread(const Stretch* stretches, std::size_t count, Chunk& chunk) noexcept {
+/// @param intervals followed by one that begins where they end
+BURIN_VECTORISED void spread(const Interval* intervals, std::size_t count, Chunk& chunk) noexcept {
     for (std::size_t n = 0; n < count; ++n) {
-        const auto [header, narrow, begin] = stretches[n];
-        const std::size_t end = stretches[n + 1].first;
+        const auto [header, narrow, begin] = intervals[n];
+        const std::size_t end = intervals[n + 1].first;
         for (std::size_t first = begin; first < end; first += overrun) {
             std::fill_n(&chunk.header[first], overrun, header);
             std::fill_n(&chunk.narrow[first], overrun, narrow);
@@ -241,7 +241,7 @@ private:
     void answer(const glm::dvec3* points, std::size_t count, PartDistance* answers) noexcept {
         if (!placePoints(points, count, frame_, chunk_)) return answerApart(points, count, answers);
         groups_ = {0, mixedGroups(chunk_, count)};
-        spread(stretches_.data(), findStretches(count), chunk_);
+        spread(intervals_.data(), findIntervals(count), chunk_);
         computeAll(chunk_, count, groups_, static_cast<float>(layers_.perVoxel_), answers);
         for (std::size_t i = 0; i < otherCount_; ++i) answers[others_[i]] = layers_.sample(points[others_[i]]);
     }
@@ -258,35 +258,35 @@ private:
         }
     }
 
-    /// @return the number of stretches
-    std::size_t findStretches(std::size_t count) noexcept {
+    /// @return the number of intervals
+    std::size_t findIntervals(std::size_t count) noexcept {
         std::size_t found = 0;
         for (std::size_t from = 0; from < count; from += 64) {
             std::uint64_t begins = 0;
             std::memcpy(&begins, &chunk_.begins[from / lanes], std::min<std::size_t>(count - from, 64) / lanes);
             for (; begins != 0; begins &= begins - 1) // x86: the lowest byte comes first
-                stretches_[found++].first = from + static_cast<std::size_t>(std::countr_zero(begins));
+                intervals_[found++].first = from + static_cast<std::size_t>(std::countr_zero(begins));
         }
-        stretches_[found].first = count;
+        intervals_[found].first = count;
         otherCount_ = 0;
-        for (std::size_t i = 0; i < found; ++i) fillStretch(stretches_[i], stretches_[i + 1].first);
+        for (std::size_t i = 0; i < found; ++i) fillInterval(intervals_[i], intervals_[i + 1].first);
         return found;
     }
 
     /// Points that are not in a fine brick's trilinear cell are added to the others.
-    void fillStretch(Stretch& stretch, std::size_t end) noexcept {
-        const std::size_t first = stretch.first;
+    void fillInterval(Interval& interval, std::size_t end) noexcept {
+        const std::size_t first = interval.first;
         const glm::ivec3 at(chunk_.brick[0][first], chunk_.brick[1][first], chunk_.brick[2][first]);
         const FineBrick* const brick = layers_.fineBrickAt(at << 3);
-        stretch.header = brick == nullptr ? &noBrick : brick;
-        stretch.narrow = noResiduals.data();
+        interval.header = brick == nullptr ? &noBrick : brick;
+        interval.narrow = noResiduals.data();
         if (brick == nullptr || brick->exact != FineBrick::none)
             for (std::size_t i = first; i < end; ++i)
                 if (brick == nullptr || layers_.isExact(*brick, CellGrid::cellOf(chunk_.first[i])))
                     others_[otherCount_++] = static_cast<std::uint8_t>(i);
         if (brick == nullptr) return;
         if (brick->wide == 0)
-            stretch.narrow = layers_.narrow.data() + std::size_t{brick->samples} * narrowStride;
+            interval.narrow = layers_.narrow.data() + std::size_t{brick->samples} * narrowStride;
         else
             for (std::size_t group = first / lanes; group * lanes < end; ++group) groups_.wide |= 1U << group;
     }
@@ -295,7 +295,7 @@ private:
     FieldFrame frame_;
     Chunk chunk_;
     Groups groups_;
-    std::array<Stretch, chunkPoints + 1> stretches_;
+    std::array<Interval, chunkPoints + 1> intervals_;
     std::array<std::uint8_t, chunkPoints> others_; ///< in rising order
     std::size_t otherCount_ = 0;
 };

@@ -154,7 +154,7 @@ private:
     /// 4 voxels apart and not on its upper faces.
     void sampleCandidates() {
         fours_.resize(candidates_.size() * 8);
-        spreadStretches(candidates_.size(), 0.4, 0.6, progress_, [&](std::size_t first, std::size_t end) {
+        spreadIntervals(candidates_.size(), 0.4, 0.6, progress_, [&](std::size_t first, std::size_t end) {
             PartAsker ask = asker();
             SampleGrid corners(2), third(3);
             for (std::size_t i = first; i < end; ++i) {
@@ -227,7 +227,7 @@ private:
 
     void makeBricks() {
         made_.resize(candidates_.size());
-        spreadStretches(candidates_.size(), 0.6, 0.95, progress_, [&](std::size_t first, std::size_t end) {
+        spreadIntervals(candidates_.size(), 0.6, 0.95, progress_, [&](std::size_t first, std::size_t end) {
             BrickMaker maker(part_, layers_->origin, voxel());
             SampleGrid third(3);
             for (std::size_t i = first; i < end && !progress_.cancelled(); ++i) {
@@ -258,7 +258,7 @@ private:
 
     /// Curvature between samples was assumed to be even; where facets are wide there are kinks.
     void allowForWideFacets(const SurfaceCheck& check) {
-        spreadStretches(made_.size(), 0.93, 0.93, progress_, [&](std::size_t first, std::size_t end) {
+        spreadIntervals(made_.size(), 0.93, 0.93, progress_, [&](std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i) {
                 MadeBrick& made = made_[i];
                 if (!candidates_[i].fine || !(made.kinkError > 0.0F) || !check.isFacetNear(i, made.wideFacet)) continue;

@@ -29,14 +29,14 @@ std::vector<std::size_t> SurfaceCheck::contradicted(Progress& progress) {
     std::vector<std::uint8_t> wrong(candidates_.size(), 0);
     const std::vector<std::uint32_t> doubtful = findDoubtful(wrong, progress);
     const std::span<const Triangle> triangles = part_.triangles();
-    const auto checkStretch = [&](std::size_t first, std::size_t end) {
+    const auto checkInterval = [&](std::size_t first, std::size_t end) {
         SurfacePoints points;
         for (std::size_t i = first; i < end; ++i)
             points.of(triangles[i], pointSpacing * layers_.request.voxel,
                       [&](const glm::dvec3& point, double width) { check(point, width, doubtful, wrong); });
     };
     // The longer the range, the fewer corners are visited in two of them.
-    spreadStretches(triangles.size(), 0.85, 0.92, progress, checkStretch, 1024);
+    spreadIntervals(triangles.size(), 0.85, 0.92, progress, checkInterval, 1024);
     std::vector<std::size_t> numbers;
     for (std::size_t i = 0; i < wrong.size(); ++i)
         if (wrong[i] != 0) numbers.push_back(i);

@@ -42,8 +42,8 @@ inline double energyPerContact(const SimulatedGrip& grip, const SimulatedMechani
     SimulatedHandle handle(grip, mechanism, {0.0, 0.0, floorHeight + 2.0});
     for (int i = 0; i < contacts * 1000; ++i) {
         const glm::dvec3 force = tick(handle.reading(), 0);
-        const double wish = floorHeight + 2.0 * std::cos(2.0 * pi * i * period); // one contact a second
-        handle.hold(force, {0.0, 0.0, wish}, glm::dvec3(0.0), period);
+        const double request = floorHeight + 2.0 * std::cos(2.0 * pi * i * period); // one contact a second
+        handle.hold(force, {0.0, 0.0, request}, glm::dvec3(0.0), period);
     }
     return handle.energy() / contacts;
 }

@@ -161,7 +161,7 @@ private slots:
                 target.tip = stroke(time);
                 target.cutting = true;
                 target.clearHeight = 0.0;
-                stylus.wish(target);
+                stylus.request(target);
             });
             session.run(stylus);
         }

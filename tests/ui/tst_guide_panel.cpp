@@ -50,7 +50,7 @@ private slots:
         GuidePanel panel;
         panel.setState(threeGuides());
         show(panel);
-        QSignalSpy wanted(&panel, &GuidePanel::guideWanted), toggled(&panel, &GuidePanel::guidesToggled),
+        QSignalSpy wanted(&panel, &GuidePanel::guideRequested), toggled(&panel, &GuidePanel::guidesToggled),
             removed(&panel, &GuidePanel::guideRemovalRequested);
         std::vector<std::pair<std::size_t, Guide>> edits;
         connect(&panel, &GuidePanel::guideEdited, this,

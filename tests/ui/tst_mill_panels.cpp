@@ -4,11 +4,11 @@
 #include "tests/ui/panel_examples.h"
 #include "tests/ui/panel_rig.h"
 #include "ui/panels/elided_label.h"
-#include "ui/panels/job_line.h"
 #include "ui/panels/meter_bar.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
 #include "ui/panels/notice.h"
+#include "ui/panels/step_bar.h"
 #include "ui/panels/take_list.h"
 #include "ui/theme/theme.h"
 
@@ -271,14 +271,14 @@ private slots:
     }
 
     void stepsAreChosenByMouseAndKeyboard() {
-        JobLine line;
+        StepBar line;
         line.setState(examples::job(), JobStep::mill);
         line.resize(1280, line.sizeHint().height());
         line.show();
         line.activateWindow();
         QVERIFY(QTest::qWaitForWindowActive(&line));
         std::vector<JobStep> chosen;
-        connect(&line, &JobLine::stepChosen, this, [&chosen](JobStep step) { chosen.push_back(step); });
+        connect(&line, &StepBar::stepChosen, this, [&chosen](JobStep step) { chosen.push_back(step); });
         click(line, "stepStock");
         auto& part = child<QAbstractButton>(line, "stepPart");
         part.setFocus(Qt::TabFocusReason);

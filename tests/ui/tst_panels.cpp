@@ -9,13 +9,13 @@
 #include "ui/panels/elided_label.h"
 #include "ui/panels/guide_panel.h"
 #include "ui/panels/hand_panel.h"
-#include "ui/panels/job_line.h"
 #include "ui/panels/material_panel.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
 #include "ui/panels/part_panel.h"
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
+#include "ui/panels/step_bar.h"
 #include "ui/panels/stock_panel.h"
 #include "ui/panels/surroundings_panel.h"
 #include "ui/panels/tool_panel.h"
@@ -220,7 +220,7 @@ private slots:
             keep(all.back(), QString(name).replace(' ', '-') + QLatin1Char('-') + theme);
             QVERIFY2(coloursOf(all.back()) > 8, qPrintable(name)); // more than a background and a text
         }
-        JobLine line;
+        StepBar line;
         line.setState(examples::job(), JobStep::mill);
         line.setAttribute(Qt::WA_DontShowOnScreen);
         line.show();
@@ -274,7 +274,7 @@ private slots:
                 keep(picture(*panel), QString(name).replace(' ', '-') + QLatin1Char('-') + words.toLower());
             QVERIFY2(cutOff(*panel).isEmpty(), qPrintable(name + QStringLiteral(": ") + cutOff(*panel)));
         }
-        JobLine line;
+        StepBar line;
         QVERIFY2(line.minimumSizeHint().width() <= 1280, qPrintable(QString::number(line.minimumSizeHint().width())));
     }
 

@@ -173,7 +173,7 @@ private slots:
         PathHand hand(fromAbove);
         hand.setPoints({{{0, 0, 0}, true, {}}, {{40, 0, 0}, true, {}}});
         std::vector<double> asked;
-        connect(&hand, &PathHand::menuWanted, &hand,
+        connect(&hand, &PathHand::menuRequested, &hand,
                 [&](const PathPlace& place, const QPointF&) { asked.push_back(place.share); });
         const auto rightly = [&](const glm::dvec3& from, const glm::dvec3& to) {
             ViewportEvent press = at(fromAbove(from)), release = at(fromAbove(to));

@@ -9,9 +9,9 @@
 #include "ui/panels/load_chart.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/path_panel.h"
+#include "ui/panels/program_labels.h"
 #include "ui/panels/program_panel.h"
 #include "ui/panels/program_text.h"
-#include "ui/panels/program_words.h"
 #include "ui/panels/row_list.h"
 #include "ui/panels/texts.h"
 #include "ui/theme/theme.h"
@@ -156,7 +156,7 @@ private slots:
     void aLevelIsMeasuredAsItsGoalIs() {
         PathPanel panel;
         PathState state = examples::path();
-        state.path.edits = {Edit{LevelFeed{.goal = LevelFeed::Goal::force, .target = 40.0}}};
+        state.path.edits = {Edit{FeedOptimisation{.goal = FeedOptimisation::Goal::force, .target = 40.0}}};
         panel.setState(state);
         show(panel);
         const auto target = [&](const char* name) {
@@ -164,7 +164,7 @@ private slots:
             return field.cleanText() + field.suffix().simplified();
         };
         QCOMPARE(target("edit0_target_n"), QStringLiteral("40N"));
-        state.path.edits = {Edit{LevelFeed{.goal = LevelFeed::Goal::removal, .target = 40.0}}};
+        state.path.edits = {Edit{FeedOptimisation{.goal = FeedOptimisation::Goal::removal, .target = 40.0}}};
         panel.setState(state);
         QCOMPARE(target("edit0_target_n"), QStringLiteral("40mm³/s")); // the field stays, as the user may be in it
         std::vector<Edit> changed;
@@ -172,7 +172,7 @@ private slots:
                 [&changed](std::size_t, const Edit& edit) { changed.push_back(edit); });
         type(panel, "edit0_target_n", "50");
         QCOMPARE(changed.size(), std::size_t{1});
-        QCOMPARE(std::get<LevelFeed>(changed[0].parameters).target, 50.0);
+        QCOMPARE(std::get<FeedOptimisation>(changed[0].parameters).target, 50.0);
     }
 
     /// Positions are relative to program zero, as for the tip's position and the numbers of the program.
@@ -630,7 +630,7 @@ private slots:
         QCOMPARE(text.toPlainText(), examples::programText());
     }
 
-    void aRefusedProgramIsWantedOnlyWithAReason() {
+    void aRefusedProgramIsRequestedOnlyWithAReason() {
         ProgramPanel panel;
         panel.setState(examples::failedProgram());
         show(panel);

@@ -53,7 +53,7 @@ private slots:
         show(panel);
         QVERIFY(!child<QPushButton>(panel, "addObstacleButton").isEnabled()); // there is no part
         panel.setState(viseAndPost());
-        QSignalSpy wanted(&panel, &SurroundingsPanel::additionWanted),
+        QSignalSpy wanted(&panel, &SurroundingsPanel::additionRequested),
             switched(&panel, &SurroundingsPanel::obstacleSwitched),
             removed(&panel, &SurroundingsPanel::obstacleRemovalRequested);
         child<ChoiceBox>(panel, "obstacleAddition").setCurrentIndex(3);

@@ -156,7 +156,7 @@ private slots:
         QTest::qWait(300);
         QCOMPARE(view.cameraView().azimuth, rested.azimuth);
         QCOMPARE(view.cameraView().distance, rested.distance);
-        QSignalSpy fits(&device, &ViewDevice::fitWanted);
+        QSignalSpy fits(&device, &ViewDevice::fitRequested);
         daemon.send({1, 0, 0, 0, 0, 0, 0, 0});
         QVERIFY(driver.waitFor([&] { return fits.count() == 1; }));
         QVERIFY(driver.restart());

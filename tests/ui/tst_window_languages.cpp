@@ -191,7 +191,7 @@ void TestWindowLanguages::numbersHaveTheDecimalComma() {
     QVERIFY(program.contains(QRegularExpression(QStringLiteral("X-?[0-9]+\\.[0-9]"))));
     QVERIFY2(!program.contains(QLatin1Char(',')), qPrintable(program));
     qsizetype fields = 0;
-    for (int step = 0; step < JobLine::steps; ++step) {
+    for (int step = 0; step < StepBar::steps; ++step) {
         if (!driver.step(static_cast<JobStep>(step))) continue;
         for (const auto* field : driver.window().findChildren<QDoubleSpinBox*>()) {
             if (!field->isVisible()) continue;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/arc.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/scene/camera_view.h"
@@ -118,14 +118,14 @@ bool show(WindowDriver& driver, const QString& name) {
 class TestWindowPath : public QObject {
     Q_OBJECT
 private slots:
-    void placesAreDraggedStretchesDrawnAndEditsOrdered();
+    void placesAreDraggedIntervalsDrawnAndEditsOrdered();
     void anAreaIsDrawnAndEmptied();
     void theMirrorsPlaneIsDrawn();
     void theWorstPlaceOfAnEditIsShown();
     void aPointIsInsertedAndDragged();
 };
 
-void TestWindowPath::placesAreDraggedStretchesDrawnAndEditsOrdered() {
+void TestWindowPath::placesAreDraggedIntervalsDrawnAndEditsOrdered() {
     WindowDriver driver(QSize(1280, 920)); // as high a resolution as without the timeline
     Workbench& workbench = driver.window().workbench();
     QVERIFY(makePath(driver));
@@ -392,7 +392,7 @@ void TestWindowPath::theWorstPlaceOfAnEditIsShown() {
         QVERIFY(glm::distance(viewport->cameraView().focus, reports[i].worstPlace) < 1e-9);
         // The timeline marks when it was milled, and the selection stays.
         QVERIFY(workbench.path.pointsElsewhere() && !workbench.path.selection());
-        const std::optional<SourceStretch>& pointed = workbench.path.pointed();
+        const std::optional<SourceInterval>& pointed = workbench.path.pointed();
         const auto point = pointAt(workbench.path.evaluated()->path, {pointed->source, pointed->first});
         if (point) found = std::max(found, glm::distance(point->pose.tip, reports[i].worstPlace));
         ++shown;

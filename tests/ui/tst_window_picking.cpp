@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A click on a path selects the point under the pointer, on a line and on an arc.
 #include "core/geometry/arc.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/input/mill_tool.h"

@@ -45,7 +45,7 @@ void TestWindowRoom::look(WindowDriver& driver, const QString& name) {
 }
 
 void TestWindowRoom::lookAtSteps(WindowDriver& driver, const QString& name) {
-    for (int step = 0; step < JobLine::steps; ++step)
+    for (int step = 0; step < StepBar::steps; ++step)
         if (driver.step(static_cast<JobStep>(step))) look(driver, QStringLiteral("%1-%2").arg(name).arg(step + 1));
 }
 

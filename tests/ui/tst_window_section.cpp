@@ -71,7 +71,7 @@ private slots:
         const auto edit = [&] {
             return std::get<SpindleAndCoolant>(workbench.path.stored()->edits[placeOfSection(workbench)].parameters);
         };
-        QCOMPARE(edit().stretch, *workbench.path.selection());
+        QCOMPARE(edit().interval, *workbench.path.selection());
         QVERIFY(driver.enter(field("speed_rpm"), QStringLiteral("4000")));
         QVERIFY(driver.waitFor([&] { return edit().speed == 4000.0; }, 3000));
         QVERIFY(evaluatedNow(driver, workbench));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/document/project.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "core/volume/operations/fingerprint.h"
 #include "tests/long_run.h"
 #include "tests/test_program.h"
@@ -298,7 +298,7 @@ private slots:
         });
         QVERIFY(cut != points.end());
         QTest::mouseClick(&viewport(), Qt::LeftButton, {}, viewport().project(cut->pose.tip).toPoint());
-        const std::optional<SourceStretch>& chosen = workbench().path.selection();
+        const std::optional<SourceInterval>& chosen = workbench().path.selection();
         QVERIFY(chosen && chosen->source == listed()[1]);
         const std::optional<double> seconds = time().secondsAt(Moment{chosen->source, chosen->first});
         QVERIFY(seconds);

@@ -213,8 +213,8 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     };
 
     // A constant removal rate for a single tool: the section of the ball's groove times the feed.
-    LevelFeed level;
-    level.goal = LevelFeed::Goal::removal;
+    FeedOptimisation level;
+    level.goal = FeedOptimisation::Goal::removal;
     level.target = 50.0; // mm³/s
     workbench.path.addEdit({level});
     QVERIFY(levelled());

@@ -75,7 +75,7 @@ void ActionStates::update() {
                                     (mayPlan(PassKind::drill, tool) || mayPlan(PassKind::thread, tool)));
     enable(ActionId::evaluatePath, workbench.path.stored() != nullptr && workbench.workpiece.embedded());
     enable(ActionId::comparePaths, workbench.pathComparer.possible());
-    enable(ActionId::drawStretch, workbench.path.selection().has_value());
+    enable(ActionId::drawInterval, workbench.path.selection().has_value());
     enable(ActionId::insertPoint,
            workbench.path.selection() && workbench.path.selection()->source != 0 && workbench.path.evaluated());
     enable(ActionId::drawEdit, workbench.path.evaluated() && workbench.path.stored() != nullptr &&

@@ -225,7 +225,7 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Compare the path with another one, with the recording or with itself without an "
                                      "edit: lengths, time and deviation."),
         "Ctrl+Alt+V"},
-    Row{ActionId::drawStretch, "drawStretchAction", QT_TRANSLATE_NOOP("Actions", "&Draw instead"),
+    Row{ActionId::drawInterval, "drawStretchAction", QT_TRANSLATE_NOOP("Actions", "&Draw instead"),
         QT_TRANSLATE_NOOP("Actions", "Draw a stroke in the view that replaces the selected part of the path."),
         "Ctrl+D"},
     Row{ActionId::insertPoint, "insertPointAction", QT_TRANSLATE_NOOP("Actions", "Insert a &point"),

@@ -96,7 +96,7 @@ enum class ActionId : std::size_t {
     pickHoles,
     evaluatePath,
     comparePaths,
-    drawStretch,
+    drawInterval,
     insertPoint,
     drawEdit,
     post,

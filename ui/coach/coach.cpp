@@ -19,9 +19,9 @@ Coach::Coach(QWidget& window, Workbench& workbench, const Actions& actions)
         if (job_.finished()) emit finished();
     });
     connect(&job_, &FirstJob::lookedAt, this, &Coach::followSoon);
-    connect(panel_, &CoachPanel::backWanted, &job_, &FirstJob::back);
-    connect(panel_, &CoachPanel::skipWanted, &job_, &FirstJob::skip);
-    connect(panel_, &CoachPanel::endWanted, this, &Coach::end);
+    connect(panel_, &CoachPanel::backRequested, &job_, &FirstJob::back);
+    connect(panel_, &CoachPanel::skipRequested, &job_, &FirstJob::skip);
+    connect(panel_, &CoachPanel::endRequested, this, &Coach::end);
 }
 
 Coach::~Coach() {

@@ -54,9 +54,9 @@ CoachPanel::CoachPanel(QWidget* window)
     row->setSpacing(8);
     for (QPushButton* button : {back_, skip_, end_}) row->addWidget(button, button == skip_ ? 1 : 0);
     column->addLayout(row);
-    connect(back_, &QPushButton::clicked, this, &CoachPanel::backWanted);
-    connect(skip_, &QPushButton::clicked, this, &CoachPanel::skipWanted);
-    connect(end_, &QPushButton::clicked, this, &CoachPanel::endWanted);
+    connect(back_, &QPushButton::clicked, this, &CoachPanel::backRequested);
+    connect(skip_, &QPushButton::clicked, this, &CoachPanel::skipRequested);
+    connect(end_, &QPushButton::clicked, this, &CoachPanel::endRequested);
     hide();
 }
 

@@ -31,9 +31,9 @@ public:
     void placeIn(const QRect& area, const QRect& target);
 
 signals:
-    void backWanted();
-    void skipWanted(); ///< or continue from a step that was completed before
-    void endWanted();
+    void backRequested();
+    void skipRequested(); ///< or continue from a step that was completed before
+    void endRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

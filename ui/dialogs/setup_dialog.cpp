@@ -51,7 +51,7 @@ Placement placementOf(const Turn& turn, const glm::dvec3& middle) {
 
 } // namespace
 
-std::optional<WantedSetup> askSetup(QWidget* parent, const QString& name, const glm::dvec3& middle, bool leaves) {
+std::optional<RequestedSetup> askSetup(QWidget* parent, const QString& name, const glm::dvec3& middle, bool leaves) {
     QDialog dialog(parent);
     dialog.setObjectName(QStringLiteral("setupDialog"));
     dialog.setWindowTitle(SetupDialog::tr("Add a setup"));
@@ -97,7 +97,7 @@ std::optional<WantedSetup> askSetup(QWidget* parent, const QString& name, const 
     nameField->setFocus();
     if (dialog.exec() != QDialog::Accepted) return std::nullopt;
     const auto chosen = turns()[static_cast<std::size_t>(turn->currentIndex())];
-    return WantedSetup{nameField->text().trimmed(), placementOf(chosen, middle), stock->currentIndex() == 0};
+    return RequestedSetup{nameField->text().trimmed(), placementOf(chosen, middle), stock->currentIndex() == 0};
 }
 
 } // namespace burin

@@ -13,7 +13,7 @@ class QWidget;
 namespace burin {
 
 /// A further setup as requested by the user.
-struct WantedSetup {
+struct RequestedSetup {
     QString name;
     Placement turn; ///< of the part, relative to its present placement
     bool leftStock = true;
@@ -23,6 +23,6 @@ struct WantedSetup {
 /// "confirmButton", "cancelButton". Empty: cancelled.
 /// @param name proposed name @param middle centre of the part, mm, which stays in place @param leaves whether there is
 /// a workpiece
-std::optional<WantedSetup> askSetup(QWidget* parent, const QString& name, const glm::dvec3& middle, bool leaves);
+std::optional<RequestedSetup> askSetup(QWidget* parent, const QString& name, const glm::dvec3& middle, bool leaves);
 
 } // namespace burin

@@ -156,7 +156,7 @@ bool PathHand::release(const ViewportEvent& event) {
     if (event.button == Qt::RightButton) {
         const QPointF way = event.position - pressedAt_;
         const std::optional<PathPlace> place = std::exchange(menuAt_, std::nullopt);
-        if (place && std::hypot(way.x(), way.y()) < clickReach) emit menuWanted(*place, event.position);
+        if (place && std::hypot(way.x(), way.y()) < clickReach) emit menuRequested(*place, event.position);
         return false; // the camera follows the right button
     }
     if (event.button != Qt::LeftButton) return false;

@@ -73,11 +73,11 @@ signals:
     /// The same for a handle, by its index. @param place on the path under the pointer; empty: none
     void handleDragging(std::size_t handle, const std::optional<burin::PathPlace>& place, const glm::dvec3& by);
     void handleDropped(std::size_t handle, const glm::dvec3& by);
-    void menuWanted(const burin::PathPlace& place, const QPointF& position); ///< position in the viewport
-    void drawing(const std::vector<glm::dvec3>& places);                     ///< mm; so far
-    void drawn(const std::vector<glm::dvec3>& places);                       ///< mm; at least two
-    void givenUp();                                                          ///< the current operation is discarded
-    void stateChanged();                                                     ///< the meaning of Esc may have changed
+    void menuRequested(const burin::PathPlace& place, const QPointF& position); ///< position in the viewport
+    void drawing(const std::vector<glm::dvec3>& places);                        ///< mm; so far
+    void drawn(const std::vector<glm::dvec3>& places);                          ///< mm; at least two
+    void givenUp();                                                             ///< the current operation is discarded
+    void stateChanged();                                                        ///< the meaning of Esc may have changed
     void cleared(); ///< Esc without an operation, but with a selection or a drawing that has not begun
 
 private:

@@ -32,7 +32,7 @@ void StrokeFeed::giveUp(const StylusTarget& target) {
     held_ = false;
     between_ = true;
     timer_.stop();
-    stylus_.wish(target);
+    stylus_.request(target);
 }
 
 void StrokeFeed::hold() {
@@ -50,7 +50,7 @@ void StrokeFeed::feed() {
         if (held_ && next.target.cutting) break;
         if (std::exchange(next.height, Height::given) == Height::later) next.target.tip.z = heightAt_(next.target.tip);
         const bool passed = !stylus_.strokeUnderWay() && stylus_.targetsAhead() == 0;
-        if (!stylus_.wish(next.target)) break;
+        if (!stylus_.request(next.target)) break;
         if (passed) handed_.clear();
         if (next.target.cutting) handed_.push_back({next.target.tip, between_});
         between_ = !next.target.cutting;

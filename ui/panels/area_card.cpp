@@ -38,7 +38,7 @@ AreaCard::AreaCard(QWidget* parent)
         shapes_[i]->setAutoExclusive(false); // a second click ends painting
         row->addWidget(shapes_[i], 1);
         connect(shapes_[i], &QPushButton::clicked, this,
-                [this, i](bool on) { emit paintingWanted(static_cast<AreaTool>(i), on); });
+                [this, i](bool on) { emit paintingRequested(static_cast<AreaTool>(i), on); });
     }
     column->addLayout(row);
     brush_->setObjectName(QStringLiteral("brushDiameter"));

@@ -42,7 +42,7 @@ public:
     void setState(const AreaState& state); ///< never emits
 
 signals:
-    void paintingWanted(burin::AreaTool shape, bool wanted);
+    void paintingRequested(burin::AreaTool shape, bool wanted);
     void brushChosen(double diameter); ///< mm
     void cleared();
 

@@ -44,7 +44,7 @@ DeviationCard::DeviationCard(QWidget* parent)
     top->addWidget(switch_, 1);
     top->addWidget(faces_);
     column->addLayout(top);
-    connect(faces_, &QPushButton::clicked, this, &DeviationCard::facesWanted);
+    connect(faces_, &QPushButton::clicked, this, &DeviationCard::facesRequested);
     setFacesPossible(true);
     column->addWidget(legend_);
     column->addWidget(under_);

@@ -33,7 +33,7 @@ public:
 
 signals:
     void switched(bool on); ///< by the user
-    void facesWanted();     ///< the user requested the table of the part's faces
+    void facesRequested();  ///< the user requested the table of the part's faces
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -6,10 +6,10 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/edit_field_editor.h"
 #include "ui/panels/elided_label.h"
-#include "ui/panels/entry_words.h"
+#include "ui/panels/entry_labels.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/named_switch.h"
-#include "ui/panels/omission_words.h"
+#include "ui/panels/omission_labels.h"
 #include "ui/panels/texts.h"
 #include "ui/theme/number_font.h"
 
@@ -32,7 +32,7 @@ EditCard::EditCard(std::size_t place, const Edit& edit, QWidget* parent) : QFram
     report_->setFont(numberFont(report_->font()));
     worst_ = makeIconButton(QStringLiteral("eye"), tr("Show in the view where the error is the largest"),
                             name + QStringLiteral("Worst"), this);
-    connect(worst_, &QToolButton::clicked, this, [this] { emit placeWanted(worstPlace_); });
+    connect(worst_, &QToolButton::clicked, this, [this] { emit placeRequested(worstPlace_); });
     auto* line = new QHBoxLayout;
     line->setSpacing(0);
     line->addWidget(report_, 1);
@@ -84,9 +84,9 @@ void EditCard::addFields(const QString& name) {
             setField(edit_.parameters, keyNow(), value);
             emit edited(edit_);
         });
-        connect(field, &EditFieldEditor::drawingWanted, this, [this, keyNow](bool wanted) {
+        connect(field, &EditFieldEditor::drawingRequested, this, [this, keyNow](bool wanted) {
             const std::string_view now = keyNow();
-            emit drawingWanted(QLatin1String(now.data(), static_cast<qsizetype>(now.size())), wanted);
+            emit drawingRequested(QLatin1String(now.data(), static_cast<qsizetype>(now.size())), wanted);
         });
         fields_.push_back(field);
     }

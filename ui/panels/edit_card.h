@@ -41,8 +41,8 @@ signals:
     void edited(const burin::Edit& edit);
     void moveRequested(int by); ///< -1: one position earlier, 1: one later
     void removalRequested();
-    void drawingWanted(const QString& key, bool wanted); ///< of a parameter
-    void placeWanted(const glm::dvec3& place);           ///< the point with the edit's largest error, mm, setup frame
+    void drawingRequested(const QString& key, bool wanted); ///< of a parameter
+    void placeRequested(const glm::dvec3& place); ///< the point with the edit's largest error, mm, setup frame
 
 private:
     void addHead(const QString& name);

@@ -7,7 +7,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/elided_label.h"
 #include "ui/panels/field_row.h"
-#include "ui/panels/guide_words.h"
+#include "ui/panels/guide_labels.h"
 #include "ui/panels/length_field.h"
 
 #include <QCheckBox>
@@ -111,7 +111,7 @@ QWidget* EditFieldEditor::besideDrawing(QWidget* value, const QString& name, con
     draw_->setAccessibleName(tr("Draw %1").arg(accessible));
     line->addWidget(value, 1);
     line->addWidget(draw_);
-    connect(draw_, &QToolButton::clicked, this, &EditFieldEditor::drawingWanted);
+    connect(draw_, &QToolButton::clicked, this, &EditFieldEditor::drawingRequested);
     return row;
 }
 

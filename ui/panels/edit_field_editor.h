@@ -34,7 +34,7 @@ public:
 
 signals:
     void edited(const burin::EditValue& value);
-    void drawingWanted(bool wanted);
+    void drawingRequested(bool wanted);
 
 private:
     void addNumber(const EditParameter& parameter, const QString& name, const QString& accessible);

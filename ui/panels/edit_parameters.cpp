@@ -16,8 +16,8 @@ namespace burin {
 
 namespace {
 
-class EditParameterTexts {
-    Q_DECLARE_TR_FUNCTIONS(EditParameterTexts)
+class EditParameterLabels {
+    Q_DECLARE_TR_FUNCTIONS(EditParameterLabels)
 };
 
 /// The unit suffix of a key: "tolerance_mm" is a length.
@@ -50,13 +50,13 @@ glm::dvec3 zeroOf(const EditParameters& edit, std::string_view key, const glm::d
 }
 
 /// The text of a value that is shown and can't be typed.
-struct ValueTexts {
+struct ValueLabels {
     const std::vector<TakeInfo>& takes;
 
     QString operator()(const Moment& moment) const { return momentText(takes, moment); }
-    QString operator()(const SourceStretch& stretch) const { return stretchText(takes, stretch); }
+    QString operator()(const SourceInterval& interval) const { return intervalText(takes, interval); }
     QString operator()(const std::vector<glm::dvec3>& places) const {
-        return EditParameterTexts::tr("%n points", nullptr, static_cast<int>(places.size()));
+        return EditParameterLabels::tr("%n points", nullptr, static_cast<int>(places.size()));
     }
     QString operator()(const auto&) const { return {}; }
 };
@@ -69,7 +69,7 @@ EditParameter parameterOf(const EditParameters& edit, const EditField& field, co
             quantityOf(field.key),
             isDrawn(edit, field.key),
             zeroOf(edit, field.key, zero),
-            std::visit(ValueTexts{takes}, field.value)};
+            std::visit(ValueLabels{takes}, field.value)};
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/embedding_findings.h"
 
-#include "ui/panels/embedding_words.h"
+#include "ui/panels/embedding_labels.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/texts.h"

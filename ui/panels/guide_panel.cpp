@@ -5,7 +5,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/guide_card.h"
-#include "ui/panels/guide_words.h"
+#include "ui/panels/guide_labels.h"
 #include "ui/panels/panel_layout.h"
 
 #include <QCheckBox>
@@ -72,7 +72,7 @@ void GuidePanel::Fields::addHead() {
     for (const GuideKind kind : offered) kind_->addItem(guideName(kind));
     add_ = makeButton(GuidePanel::tr("Add"), QStringLiteral("add"), QStringLiteral("addGuideButton"), panel_);
     connect(kind_, &QComboBox::currentIndexChanged, this, [this] { refreshAdd(); });
-    connect(add_, &QPushButton::clicked, this, [this] { emit panel_->guideWanted(wanted()); });
+    connect(add_, &QPushButton::clicked, this, [this] { emit panel_->guideRequested(wanted()); });
     auto* both = new QHBoxLayout;
     both->setSpacing(8);
     both->addWidget(kind_, 1);

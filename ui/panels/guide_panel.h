@@ -19,7 +19,7 @@ public:
 
 signals:
     void guidesToggled(bool on);
-    void guideWanted(burin::GuideKind kind);
+    void guideRequested(burin::GuideKind kind);
     // `place`: index in GuideState::guides.
     void guideEdited(std::size_t place, const burin::Guide& guide);
     void guideRemovalRequested(std::size_t place);

@@ -18,6 +18,6 @@ QString handTimeText(const std::vector<TakeInfo>& takes, const Moment& moment);
 /// The same as `handTimeText`, with the take's name.
 QString momentText(const std::vector<TakeInfo>& takes, const Moment& moment);
 /// The interval between two recorded moments.
-QString stretchText(const std::vector<TakeInfo>& takes, const SourceStretch& stretch);
+QString intervalText(const std::vector<TakeInfo>& takes, const SourceInterval& interval);
 
 } // namespace burin

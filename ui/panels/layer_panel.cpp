@@ -4,7 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "ui/panels/buttons.h"
-#include "ui/panels/guide_words.h"
+#include "ui/panels/guide_labels.h"
 #include "ui/panels/layer_fields.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"

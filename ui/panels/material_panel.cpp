@@ -5,7 +5,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/focus_keeper.h"
-#include "ui/panels/model_words.h"
+#include "ui/panels/model_labels.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/row_list.h"

@@ -146,9 +146,9 @@ void NoticePlace::setFoot(QWidget* foot) {
     updateGeometry();
 }
 
-void NoticePlace::setFootWanted(bool wanted) {
-    if (wanted == footWanted_) return;
-    footWanted_ = wanted;
+void NoticePlace::setFootRequested(bool wanted) {
+    if (wanted == footRequested_) return;
+    footRequested_ = wanted;
     for (Notice* notice : notices_) notice->setMaximumLines(wanted ? 1 : keptLines);
     foot_->setVisible(wanted);
     showFirst();
@@ -168,7 +168,7 @@ void NoticePlace::showFirst() {
     if (first == notices_.end()) return;
     (*first)->resize(width(), height()); // determines the line breaks of its text
     (*first)->resize(width(), std::min(height(), (*first)->heightForWidth(width())));
-    if (footWanted_) foot_->setGeometry(0, (*first)->height() + footGap, width(), foot_->sizeHint().height());
+    if (footRequested_) foot_->setGeometry(0, (*first)->height() + footGap, width(), foot_->sizeHint().height());
 }
 
 void NoticePlace::resizeEvent(QResizeEvent* event) {

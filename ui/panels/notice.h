@@ -48,9 +48,9 @@ class NoticePlace : public QWidget {
     Q_OBJECT
 public:
     explicit NoticePlace(QWidget* parent = nullptr);
-    Notice* add(const char* name);   ///< adds a notice with lower priority than the previous ones; owned by this
-    void setFoot(QWidget* foot);     ///< button below the notice, hidden until `setFootWanted(true)`; owned by this
-    void setFootWanted(bool wanted); ///< shows the button; the notice above it is then limited to one line
+    Notice* add(const char* name); ///< adds a notice with lower priority than the previous ones; owned by this
+    void setFoot(QWidget* foot);   ///< button below the notice, hidden until `setFootRequested(true)`; owned by this
+    void setFootRequested(bool wanted); ///< shows the button; the notice above it is then limited to one line
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {1, sizeHint().height()}; }
@@ -63,7 +63,7 @@ private:
 
     std::vector<Notice*> notices_;
     QWidget* foot_ = nullptr;
-    bool footWanted_ = false;
+    bool footRequested_ = false;
 };
 
 } // namespace burin

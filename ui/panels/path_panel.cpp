@@ -12,7 +12,7 @@
 #include "ui/panels/field_row.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/notice.h"
-#include "ui/panels/omission_words.h"
+#include "ui/panels/omission_labels.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/selection_card.h"
 #include "ui/panels/texts.h"
@@ -105,7 +105,7 @@ PathPanel::Fields::Fields(PathPanel* panel)
     budget_->setToolTip(PathPanel::tr("Largest deviation of the path from the recording"));
     selection_ = new SelectionCard(content_);
     connect(selection_, &SelectionCard::dragChosen, panel, &PathPanel::dragChosen);
-    connect(selection_, &SelectionCard::drawingWanted, panel, &PathPanel::drawingWanted);
+    connect(selection_, &SelectionCard::drawingRequested, panel, &PathPanel::drawingRequested);
     connect(selection_, &SelectionCard::cleared, panel, &PathPanel::selectionCleared);
     inner->addWidget(selection_);
     inner->addWidget(makeSectionTitle(PathPanel::tr("Edits, in order"), content_));
@@ -334,10 +334,10 @@ void PathPanel::Fields::makeCard(std::size_t place) {
         keyboard_.follow(place, to);
         emit panel_->editMoved(place, to);
     });
-    connect(card, &EditCard::placeWanted, panel_, &PathPanel::placeWanted);
+    connect(card, &EditCard::placeRequested, panel_, &PathPanel::placeRequested);
     connect(card, &EditCard::removalRequested, this, [this, place] { emit panel_->editRemoved(place); });
-    connect(card, &EditCard::drawingWanted, this, [this, place](const QString& key, bool wanted) {
-        emit panel_->fieldDrawingWanted({place, key.toStdString()}, wanted);
+    connect(card, &EditCard::drawingRequested, this, [this, place](const QString& key, bool wanted) {
+        emit panel_->fieldDrawingRequested({place, key.toStdString()}, wanted);
     });
     card->setMovable(place > 0, place + 1 < state.path.edits.size());
     addCard(list_, card);

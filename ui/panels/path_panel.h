@@ -30,15 +30,15 @@ signals:
     // `id`: of one of the path's passes. `index`: of one of its edits, in their order.
     void passRemoved(std::int64_t id);
     void passChangeRequested(std::int64_t id);
-    void placeWanted(const glm::dvec3& place); ///< mm, setup frame: the point that the view should show
+    void placeRequested(const glm::dvec3& place); ///< mm, setup frame: the point that the view should show
     void passMovedUp(std::int64_t id);
     void editChanged(std::size_t index, const burin::Edit& edit); ///< switched on or off, or a parameter changed
     void editAdded(const burin::Edit& edit);
     void editRemoved(std::size_t index);
     void editMoved(std::size_t from, std::size_t to);
     void dragChosen(burin::DragChoice drag);
-    void drawingWanted(bool wanted); ///< of a replacement for the selected part of the path
-    void fieldDrawingWanted(const burin::DrawnField& field, bool wanted);
+    void drawingRequested(bool wanted); ///< of a replacement for the selected part of the path
+    void fieldDrawingRequested(const burin::DrawnField& field, bool wanted);
     void selectionCleared();
     void evaluateRequested();
     void visibilityToggled(bool shown);

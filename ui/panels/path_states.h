@@ -64,7 +64,7 @@ struct PathState {
     bool outdated = false;                              ///< whether takes or edits have changed since the evaluation
     bool busy = false;
     bool waiting = false; ///< whether it waits for the workpiece; it is then evaluated automatically
-    std::optional<SourceStretch> selection;
+    std::optional<SourceInterval> selection;
     TimelinesPlace atTime;
     DragChoice drag = DragChoice::level;
     bool drawing = false;                   ///< whether a replacement stroke for the selection is being drawn

@@ -357,7 +357,7 @@ void ProgramPanel::Fields::refreshVerdict() {
                            ProgramPanel::tr("The reason for exporting it is stated in its header."));
     else
         verdict_->tell(Notice::Kind::error, failure());
-    notices_->setFootWanted(state.report && !state.released && !state.outdated && notice_->sentence().isEmpty());
+    notices_->setFootRequested(state.report && !state.released && !state.outdated && notice_->sentence().isEmpty());
 }
 
 void ProgramPanel::Fields::refreshFigures() {

@@ -3,7 +3,7 @@
 #include "ui/panels/program_view.h"
 
 #include "ui/panels/focus_keeper.h"
-#include "ui/panels/program_words.h"
+#include "ui/panels/program_labels.h"
 #include "ui/theme/colour.h"
 
 #include <QFontDatabase>

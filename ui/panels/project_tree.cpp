@@ -179,7 +179,7 @@ void ProjectTree::contextMenuEvent(QContextMenuEvent* event) {
     const QPoint place = event->reason() == QContextMenuEvent::Keyboard
                              ? viewport()->mapToGlobal(visualItemRect(item).center())
                              : event->globalPos();
-    emit menuWanted(kindOf(*item), idOf(*item), place);
+    emit menuRequested(kindOf(*item), idOf(*item), place);
 }
 
 } // namespace burin

@@ -44,7 +44,7 @@ signals:
     void chosen(ProjectRowKind kind, qint64 id); ///< its row was selected
     void opened(ProjectRowKind kind, qint64 id);
     void switched(ProjectRowKind kind, qint64 id, bool on);
-    void menuWanted(ProjectRowKind kind, qint64 id, const QPoint& globalPosition);
+    void menuRequested(ProjectRowKind kind, qint64 id, const QPoint& globalPosition);
     /// A row was dragged before another one of its kind; `before` -1: to the end.
     void moved(ProjectRowKind kind, qint64 id, qint64 before);
 

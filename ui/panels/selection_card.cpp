@@ -45,7 +45,7 @@ SelectionCard::SelectionCard(QWidget* parent)
     draw_->setProperty("look", "choice");
     column->addWidget(draw_);
     connect(drag_, &QComboBox::activated, this, [this](int index) { emit dragChosen(static_cast<DragChoice>(index)); });
-    connect(draw_, &QPushButton::clicked, this, &SelectionCard::drawingWanted);
+    connect(draw_, &QPushButton::clicked, this, &SelectionCard::drawingRequested);
     connect(clear_, &QToolButton::clicked, this, &SelectionCard::cleared);
 }
 
@@ -66,7 +66,7 @@ void SelectionCard::showTimelinesPlace(const PathState& state, LengthUnit unit) 
 
 void SelectionCard::setState(const PathState& state, LengthUnit unit) {
     showTimelinesPlace(state, unit);
-    QString chosen = state.selection ? tr("Selected: %1").arg(stretchText(state.takes, *state.selection))
+    QString chosen = state.selection ? tr("Selected: %1").arg(intervalText(state.takes, *state.selection))
                                      : tr("No part of the path is selected");
     if (state.selectedSide == MillingSide::climb) chosen += QStringLiteral(" · ") + tr("climb");
     if (state.selectedSide == MillingSide::conventional) chosen += QStringLiteral(" · ") + tr("conventional");

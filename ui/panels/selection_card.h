@@ -24,7 +24,7 @@ public:
 
 signals:
     void dragChosen(burin::DragChoice drag);
-    void drawingWanted(bool wanted);
+    void drawingRequested(bool wanted);
     void cleared();
 
 private:

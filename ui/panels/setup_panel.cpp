@@ -10,7 +10,7 @@
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
-#include "ui/panels/placement_words.h"
+#include "ui/panels/placement_labels.h"
 
 #include <QLineEdit>
 
@@ -118,7 +118,7 @@ void SetupPanel::Fields::makeSetups() {
     stock_ = makeButton(SetupPanel::tr("Update the stock"), QStringLiteral("refresh"),
                         QStringLiteral("takeStockButton"), panel_);
     column_->addWidget(stock_);
-    connect(stock_, &QPushButton::clicked, panel_, &SetupPanel::stockWanted);
+    connect(stock_, &QPushButton::clicked, panel_, &SetupPanel::stockRequested);
 }
 
 void SetupPanel::Fields::makeFaces() {

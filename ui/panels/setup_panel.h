@@ -22,7 +22,7 @@ signals:
     void additionRequested();
     void removalRequested();
     void named(const QString& name);         ///< the current setup's new name
-    void stockWanted();                      ///< take the stock again from the setup that leaves it
+    void stockRequested();                   ///< take the stock again from the setup that leaves it
     void turned(int axis, double angle);     ///< @param axis 0, 1, 2 for x, y, z @param angle rad
     void positioned(int axis, double place); ///< mm: new lower limit of the part's bounding box
     void mirrored(int axis);                 ///< @param axis as in `turned`

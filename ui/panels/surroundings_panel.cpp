@@ -90,7 +90,7 @@ void SurroundingsPanel::Fields::addAddition() {
                          SurroundingsPanel::tr("Fixture from the library…")}); // in the order of Addition
     add_ = makeButton(SurroundingsPanel::tr("Add"), QStringLiteral("add"), QStringLiteral("addObstacleButton"), panel_);
     connect(add_, &QPushButton::clicked, this,
-            [this] { emit panel_->additionWanted(static_cast<Addition>(addition_->currentIndex())); });
+            [this] { emit panel_->additionRequested(static_cast<Addition>(addition_->currentIndex())); });
     auto* both = new QHBoxLayout;
     both->setSpacing(8);
     both->addWidget(addition_, 1);

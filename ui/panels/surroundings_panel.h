@@ -21,7 +21,7 @@ public:
     void setState(const SurroundingsState& state); ///< never emits
 
 signals:
-    void additionWanted(burin::SurroundingsPanel::Addition addition);
+    void additionRequested(burin::SurroundingsPanel::Addition addition);
     // `place`: index in SurroundingsState::obstacles.
     void obstacleEdited(std::size_t place, const burin::Obstacle& obstacle);
     void obstacleSwitched(std::size_t place, bool on);

@@ -20,8 +20,8 @@ namespace burin {
 
 namespace {
 
-class PanelTexts {
-    Q_DECLARE_TR_FUNCTIONS(PanelTexts)
+class PanelLabels {
+    Q_DECLARE_TR_FUNCTIONS(PanelLabels)
 };
 
 /// A number with three or four significant digits.
@@ -87,10 +87,10 @@ QString toolSummary(const Tool& tool, LengthUnit unit) {
     if (tool.cutter.cornerRadius > 0.0)
         parts.append(QStringLiteral("R ") + shortLength(tool.cutter.cornerRadius, unit));
     if (!tool.cutter.turns())
-        parts.append(PanelTexts::tr("doesn't turn"));
+        parts.append(PanelLabels::tr("doesn't turn"));
     else
-        parts.append(tool.fluteCount == 1 ? PanelTexts::tr("1 flute")
-                                          : PanelTexts::tr("%n flutes", nullptr, tool.fluteCount));
+        parts.append(tool.fluteCount == 1 ? PanelLabels::tr("1 flute")
+                                          : PanelLabels::tr("%n flutes", nullptr, tool.fluteCount));
     return parts.join(QStringLiteral(", "));
 }
 
@@ -98,23 +98,23 @@ QString toolSummary(const Tool& tool, LengthUnit unit) {
 QString cutterText(CutterType type) {
     switch (type) {
     case CutterType::ball:
-        return PanelTexts::tr("%1, ball end mills");
+        return PanelLabels::tr("%1, ball end mills");
     case CutterType::flat:
-        return PanelTexts::tr("%1, flat end mills");
+        return PanelLabels::tr("%1, flat end mills");
     case CutterType::bullNose:
-        return PanelTexts::tr("%1, bull-nose end mills");
+        return PanelLabels::tr("%1, bull-nose end mills");
     case CutterType::taper:
-        return PanelTexts::tr("%1, tapered end mills");
+        return PanelLabels::tr("%1, tapered end mills");
     case CutterType::taperBall:
-        return PanelTexts::tr("%1, tapered ball end mills");
+        return PanelLabels::tr("%1, tapered ball end mills");
     case CutterType::drill:
-        return PanelTexts::tr("%1, drills");
+        return PanelLabels::tr("%1, drills");
     case CutterType::chamfer:
-        return PanelTexts::tr("%1, chamfer mills");
+        return PanelLabels::tr("%1, chamfer mills");
     case CutterType::lollipop:
-        return PanelTexts::tr("%1, lollipop mills");
+        return PanelLabels::tr("%1, lollipop mills");
     case CutterType::profile:
-        return PanelTexts::tr("%1, form tools");
+        return PanelLabels::tr("%1, form tools");
     }
     return {};
 }
@@ -124,14 +124,14 @@ QString valueNameText(const std::string& name) {
         for (int i = 0; i <= static_cast<int>(CutterType::profile); ++i)
             if (const auto type = static_cast<CutterType>(i); name == valueForCutter(value, type))
                 return cutterText(type).arg(valueNameText(std::string(value)));
-    if (name == specificCuttingEnergy) return PanelTexts::tr("Specific cutting energy");
-    if (name == radialForceRatio) return PanelTexts::tr("Radial force ratio");
-    if (name == kienzleForce) return PanelTexts::tr("Specific cutting force kc1.1");
-    if (name == kienzleExponent) return PanelTexts::tr("Kienzle exponent mc");
-    if (name == density) return PanelTexts::tr("Density");
-    if (name == surfaceSpeed) return PanelTexts::tr("Surface speed");
-    if (name == chipLoadPerDiameter) return PanelTexts::tr("Chip load per diameter");
-    if (name == plungeFeedRatio) return PanelTexts::tr("Plunge feed ratio");
+    if (name == specificCuttingEnergy) return PanelLabels::tr("Specific cutting energy");
+    if (name == radialForceRatio) return PanelLabels::tr("Radial force ratio");
+    if (name == kienzleForce) return PanelLabels::tr("Specific cutting force kc1.1");
+    if (name == kienzleExponent) return PanelLabels::tr("Kienzle exponent mc");
+    if (name == density) return PanelLabels::tr("Density");
+    if (name == surfaceSpeed) return PanelLabels::tr("Surface speed");
+    if (name == chipLoadPerDiameter) return PanelLabels::tr("Chip load per diameter");
+    if (name == plungeFeedRatio) return PanelLabels::tr("Plunge feed ratio");
     QString words = QString::fromStdString(name).replace(QLatin1Char('_'), QLatin1Char(' '));
     if (!words.isEmpty()) words[0] = words[0].toUpper();
     return words;
@@ -199,7 +199,7 @@ QString feedText(double millimetresPerMinute, LengthUnit unit) {
 
 QString spindleSpeedText(double perMinute) {
     if (!(perMinute > 0.0)) return QStringLiteral("–");
-    return withUnit(QLocale().toString(perMinute, 'f', 0), PanelTexts::tr("rpm"));
+    return withUnit(QLocale().toString(perMinute, 'f', 0), PanelLabels::tr("rpm"));
 }
 
 QString shareText(double share) {
@@ -230,25 +230,25 @@ QString loadText(const Finding& finding, LengthUnit unit) {
     const auto number = [](double value, int decimals) { return QLocale().toString(value, 'f', decimals); };
     switch (finding.kind) {
     case FindingKind::spindlePower:
-        return PanelTexts::tr("The cut takes %1 W, the spindle has %2 W")
+        return PanelLabels::tr("The cut takes %1 W, the spindle has %2 W")
             .arg(number(finding.amount, 0), number(finding.limit, 0));
     case FindingKind::spindleTorque:
-        return PanelTexts::tr("The cut takes %1 N m, the spindle has %2 N m at this speed")
+        return PanelLabels::tr("The cut takes %1 N m, the spindle has %2 N m at this speed")
             .arg(number(finding.amount, 1), number(finding.limit, 1));
     case FindingKind::toolBreakage:
-        return PanelTexts::tr("The tool may break: bending stress of %1 N/mm², limit %2 N/mm²")
+        return PanelLabels::tr("The tool may break: bending stress of %1 N/mm², limit %2 N/mm²")
             .arg(number(finding.amount, 0), number(finding.limit, 0));
     case FindingKind::toolBending:
-        return PanelTexts::tr("The tool bends by %1, the tolerance is %2")
+        return PanelLabels::tr("The tool bends by %1, the tolerance is %2")
             .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
     case FindingKind::chipLoad:
-        return PanelTexts::tr("Chip load of %1 per tooth, limit %2")
+        return PanelLabels::tr("Chip load of %1 per tooth, limit %2")
             .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
     case FindingKind::depthOfCut:
-        return PanelTexts::tr("Depth of cut of %1, limit %2")
+        return PanelLabels::tr("Depth of cut of %1, limit %2")
             .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
     case FindingKind::widthOfCut:
-        return PanelTexts::tr("Width of cut of %1, limit %2")
+        return PanelLabels::tr("Width of cut of %1, limit %2")
             .arg(lengthText(finding.amount, unit), lengthText(finding.limit, unit));
     default:
         return {};
@@ -260,49 +260,50 @@ QString kindText(const Finding& finding, LengthUnit unit) {
     const QString length = lengthText(finding.amount, unit);
     switch (finding.kind) {
     case FindingKind::gouge:
-        return PanelTexts::tr("Gouge of %1").arg(length);
+        return PanelLabels::tr("Gouge of %1").arg(length);
     case FindingKind::rapidInStock:
-        return PanelTexts::tr("Rapid through %1").arg(volume);
+        return PanelLabels::tr("Rapid through %1").arg(volume);
     case FindingKind::shankCollision:
-        return PanelTexts::tr("Shank collision, %1").arg(volume);
+        return PanelLabels::tr("Shank collision, %1").arg(volume);
     case FindingKind::holderCollision:
-        return PanelTexts::tr("Holder collision, %1").arg(volume);
+        return PanelLabels::tr("Holder collision, %1").arg(volume);
     case FindingKind::spindleOff:
-        return PanelTexts::tr("Spindle off in %1").arg(volume);
+        return PanelLabels::tr("Spindle off in %1").arg(volume);
     case FindingKind::spindleOn:
-        return PanelTexts::tr("Spindle on in %1").arg(volume);
+        return PanelLabels::tr("Spindle on in %1").arg(volume);
     case FindingKind::travelLimit:
-        return PanelTexts::tr("Travel of %1 needed").arg(length);
+        return PanelLabels::tr("Travel of %1 needed").arg(length);
     case FindingKind::feedLimit:
-        return PanelTexts::tr("Feed of %1 mm/min").arg(QLocale().toString(finding.amount, 'f', 0));
+        return PanelLabels::tr("Feed of %1 mm/min").arg(QLocale().toString(finding.amount, 'f', 0));
     case FindingKind::spindleLimit:
-        return PanelTexts::tr("Spindle at %1 rpm").arg(QLocale().toString(finding.amount, 'f', 0));
+        return PanelLabels::tr("Spindle at %1 rpm").arg(QLocale().toString(finding.amount, 'f', 0));
     case FindingKind::unknownStart:
-        return PanelTexts::tr("Cuts from an unknown position");
+        return PanelLabels::tr("Cuts from an unknown position");
     case FindingKind::obstacleCollision:
-        return PanelTexts::tr("In a fixture by %1").arg(length);
+        return PanelLabels::tr("In a fixture by %1").arg(length);
     case FindingKind::centrePlunge:
-        return PanelTexts::tr("Plunge of %1: the tool does not cut at its centre").arg(length);
+        return PanelLabels::tr("Plunge of %1: the tool does not cut at its centre").arg(length);
     case FindingKind::toolUnknown:
-        return PanelTexts::tr("T%1 is not in the project; nothing after it was checked").arg(finding.amount);
+        return PanelLabels::tr("T%1 is not in the project; nothing after it was checked").arg(finding.amount);
     case FindingKind::toolNotLoaded:
-        return PanelTexts::tr("Feed move before the tool is loaded");
+        return PanelLabels::tr("Feed move before the tool is loaded");
     case FindingKind::lengthOffsetMissing:
-        return PanelTexts::tr("The length offset of T%1 is not in force").arg(finding.amount);
+        return PanelLabels::tr("The length offset of T%1 is not in force").arg(finding.amount);
     case FindingKind::lengthOffsetOfOther:
-        return PanelTexts::tr("H%1 is the length offset of another tool").arg(finding.amount);
+        return PanelLabels::tr("H%1 is the length offset of another tool").arg(finding.amount);
     case FindingKind::workOffsetOther:
-        return PanelTexts::tr("Not the project's work offset");
+        return PanelLabels::tr("Not the project's work offset");
     case FindingKind::spindleReversed:
-        return PanelTexts::tr("Spindle rotates anticlockwise; the tool is right-handed");
+        return PanelLabels::tr("Spindle rotates anticlockwise; the tool is right-handed");
     case FindingKind::cornerGouge:
-        return PanelTexts::tr("Blended corners gouge by %1").arg(length);
+        return PanelLabels::tr("Blended corners gouge by %1").arg(length);
     case FindingKind::cornerExcess:
-        return PanelTexts::tr("Blended corners leave %1 of stock").arg(length);
+        return PanelLabels::tr("Blended corners leave %1 of stock").arg(length);
     case FindingKind::allowanceDiffers:
-        return PanelTexts::tr("Leaves %1 on the part, the path leaves %2").arg(length, lengthText(finding.limit, unit));
+        return PanelLabels::tr("Leaves %1 on the part, the path leaves %2")
+            .arg(length, lengthText(finding.limit, unit));
     case FindingKind::partNotProtected:
-        return PanelTexts::tr("Bodies too small for the voxels, not protected: %1").arg(finding.amount);
+        return PanelLabels::tr("Bodies too small for the voxels, not protected: %1").arg(finding.amount);
     case FindingKind::spindlePower:
     case FindingKind::spindleTorque:
     case FindingKind::toolBreakage:
@@ -320,7 +321,7 @@ QString kindText(const Finding& finding, LengthUnit unit) {
 QString findingText(const Finding& finding, LengthUnit unit) {
     const QString text = kindText(finding, unit);
     if (finding.count < 2) return text;
-    return PanelTexts::tr("%1 (and on %n more lines)", nullptr, static_cast<int>(finding.count) - 1).arg(text);
+    return PanelLabels::tr("%1 (and on %n more lines)", nullptr, static_cast<int>(finding.count) - 1).arg(text);
 }
 
 namespace {
@@ -329,15 +330,16 @@ QString passText(const NearPass& pass, const QString& distance) {
     const bool shank = pass.section == ToolSection::shank;
     switch (pass.to) {
     case NearTo::stock:
-        return (shank ? PanelTexts::tr("Shank passes the stock at %1")
-                      : PanelTexts::tr("Holder passes the stock at %1"))
+        return (shank ? PanelLabels::tr("Shank passes the stock at %1")
+                      : PanelLabels::tr("Holder passes the stock at %1"))
             .arg(distance);
     case NearTo::part:
-        return (shank ? PanelTexts::tr("Shank passes the part at %1") : PanelTexts::tr("Holder passes the part at %1"))
+        return (shank ? PanelLabels::tr("Shank passes the part at %1")
+                      : PanelLabels::tr("Holder passes the part at %1"))
             .arg(distance);
     case NearTo::obstacle:
-        return (shank ? PanelTexts::tr("Shank passes a fixture at %1")
-                      : PanelTexts::tr("Holder passes a fixture at %1"))
+        return (shank ? PanelLabels::tr("Shank passes a fixture at %1")
+                      : PanelLabels::tr("Holder passes a fixture at %1"))
             .arg(distance);
     }
     return {};
@@ -349,7 +351,7 @@ QString nearPassText(const NearPass& pass, LengthUnit unit) {
     const QString text = passText(pass, lengthText(pass.distance, unit));
     if (pass.lines == 1) return text;
     return text + QStringLiteral("; ") +
-           PanelTexts::tr("%n lines near there", "near pass", static_cast<int>(pass.lines));
+           PanelLabels::tr("%n lines near there", "near pass", static_cast<int>(pass.lines));
 }
 
 QString lintText(const LintMark& mark) {

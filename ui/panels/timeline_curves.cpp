@@ -19,8 +19,8 @@ namespace {
 constexpr double farthestDeviation = 5.0; // mm
 
 /// Translation context of this file.
-struct TimelineCurveWords {
-    Q_DECLARE_TR_FUNCTIONS(TimelineCurveWords)
+struct TimelineCurveLabels {
+    Q_DECLARE_TR_FUNCTIONS(TimelineCurveLabels)
 };
 
 } // namespace
@@ -28,19 +28,19 @@ struct TimelineCurveWords {
 QString curveName(TrackCurve curve) {
     switch (curve) {
     case TrackCurve::force:
-        return TimelineCurveWords::tr("Force");
+        return TimelineCurveLabels::tr("Force");
     case TrackCurve::removal:
-        return TimelineCurveWords::tr("Removal rate");
+        return TimelineCurveLabels::tr("Removal rate");
     case TrackCurve::feed:
-        return TimelineCurveWords::tr("Feed");
+        return TimelineCurveLabels::tr("Feed");
     case TrackCurve::engagement:
-        return TimelineCurveWords::tr("Engagement");
+        return TimelineCurveLabels::tr("Engagement");
     case TrackCurve::pushBack:
-        return TimelineCurveWords::tr("Push-back");
+        return TimelineCurveLabels::tr("Push-back");
     case TrackCurve::height:
-        return TimelineCurveWords::tr("Height");
+        return TimelineCurveLabels::tr("Height");
     case TrackCurve::deviation:
-        return TimelineCurveWords::tr("Deviation");
+        return TimelineCurveLabels::tr("Deviation");
     }
     return {};
 }
@@ -48,7 +48,7 @@ QString curveName(TrackCurve curve) {
 QString curveText(TrackCurve curve, double value, LengthUnit unit) {
     switch (curve) {
     case TrackCurve::force:
-        return TimelineCurveWords::tr("%1 N").arg(QLocale().toString(value, 'f', 1));
+        return TimelineCurveLabels::tr("%1 N").arg(QLocale().toString(value, 'f', 1));
     case TrackCurve::removal:
         return rateText(value, unit);
     case TrackCurve::feed:

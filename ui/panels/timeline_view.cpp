@@ -368,13 +368,13 @@ void TimelineView::contextMenuEvent(QContextMenuEvent* event) {
     const QPoint place =
         byKey ? QPoint(static_cast<int>(placeOf(state_.seconds)), clipRow().center().y()) : event->pos();
     if (const std::optional<std::size_t> marker = markerAt(place); marker && state_.enabled)
-        return emit markerMenuWanted(static_cast<int>(*marker), mapToGlobal(place));
+        return emit markerMenuRequested(static_cast<int>(*marker), mapToGlobal(place));
     const double at = secondsAt(place.x());
     const std::optional<std::size_t> track = place.x() < labelWidth ? std::nullopt : trackAt(at);
     if (!track || !state_.enabled) return;
     const TakeInfo& info = state_.recorded->tracks[*track].info;
     const auto sample = static_cast<quint64>(std::max(0.0, at - startOf(*track)) / info.tickPeriod);
-    emit menuWanted(info.id, std::min<quint64>(sample, info.sampleCount - 1), mapToGlobal(place));
+    emit menuRequested(info.id, std::min<quint64>(sample, info.sampleCount - 1), mapToGlobal(place));
 }
 
 void TimelineView::zoom(double factor, double at) {

@@ -63,9 +63,9 @@ signals:
     void playToggled();
     void takeChosen(qint64 take); ///< the user clicked its clip
     /// The user requested the menu of a take. @param sample of the take, under the pointer
-    void menuWanted(qint64 take, quint64 sample, const QPoint& globalPosition);
+    void menuRequested(qint64 take, quint64 sample, const QPoint& globalPosition);
     /// The user requested the menu of a marker. @param marker index of the marker
-    void markerMenuWanted(int marker, const QPoint& globalPosition);
+    void markerMenuRequested(int marker, const QPoint& globalPosition);
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -10,7 +10,7 @@
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
-#include "ui/panels/zero_words.h"
+#include "ui/panels/zero_labels.h"
 
 #include <array>
 

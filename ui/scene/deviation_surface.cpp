@@ -46,7 +46,7 @@ std::vector<std::uint8_t> colourPoints(DeviationSurface& surface, const Deviatio
     std::vector<std::uint8_t> measured(count, 0);
     surface.colours.assign(count, unmeasuredColour);
     constexpr std::size_t grain = 1024;
-    parallelStretches(std::size_t{0}, count, grain, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, count, grain, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             const auto sample = map.at(surface.mesh.points[i], surface.mesh.normals[i]);
             if (!sample || bandOf(*sample, picture.tolerance) == DeviationBand::unreachable) continue;

@@ -68,12 +68,12 @@ void EditedPath::setPath(const EvaluatedPath& evaluated) {
     const Path& path = evaluated.path;
     std::array<std::vector<LineEnds>, kinds> lines;
     box_ = {};
-    auto stretch = evaluated.sides.begin();
+    auto interval = evaluated.sides.begin();
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const PathPoint& point = path.points[i];
-        while (stretch != evaluated.sides.end() && stretch->last < i) ++stretch;
-        const bool against = stretch != evaluated.sides.end() && stretch->first <= i &&
-                             stretch->side == MillingSide::conventional && point.kind == MoveKind::cut;
+        while (interval != evaluated.sides.end() && interval->last < i) ++interval;
+        const bool against = interval != evaluated.sides.end() && interval->first <= i &&
+                             interval->side == MillingSide::conventional && point.kind == MoveKind::cut;
         box_.include(point.pose.tip);
         if (i == 0) continue;
         const glm::dvec3& from = path.points[i - 1].pose.tip;

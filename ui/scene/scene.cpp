@@ -137,7 +137,7 @@ void Scene::clearPreview() {
 }
 
 void Scene::setPartVisible(std::optional<bool> visible) {
-    partWish_ = visible;
+    partRequest_ = visible;
     refresh();
 }
 
@@ -247,7 +247,7 @@ Box Scene::contentBox() const {
 
 void Scene::refresh() {
     part_.setInWorkpiece(workpieceSeen());
-    part_.setVisible(partWish_.value_or(!workpieceSeen()) || (seenThrough_ && workpieceSeen()));
+    part_.setVisible(partRequest_.value_or(!workpieceSeen()) || (seenThrough_ && workpieceSeen()));
     stock_.setFaces(shown_.empty());
     grid_.setContent(contentBox());
     shadow_.setContent(contentBox());

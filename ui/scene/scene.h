@@ -161,7 +161,7 @@ private:
     QColor partColour_, edgeColour_;
     LengthUnit unit_{}; ///< millimetre
     Box partBox_;
-    std::optional<bool> partWish_;
+    std::optional<bool> partRequest_;
     VolumeSnapshot shown_;
     std::uint64_t workpieceDrawn_ = 0; ///< the volume behind which the part is drawn
     bool partSeen_ = false;            ///< whether it was requested to be visible through the stock

@@ -52,7 +52,7 @@ void StockOutline::setBox(const std::optional<Box>& stock) {
 }
 
 void StockOutline::setFaces(bool visible) {
-    facesWanted_ = visible;
+    facesRequested_ = visible;
     refresh();
 }
 
@@ -64,7 +64,7 @@ void StockOutline::drawLast() {
 
 void StockOutline::refresh() {
     edges_->SetVisibility(stock_.has_value());
-    faces_->SetVisibility(stock_.has_value() && facesWanted_);
+    faces_->SetVisibility(stock_.has_value() && facesRequested_);
     if (!stock_) return;
     const vtkSmartPointer<vtkPoints> points = corners(*stock_);
     vtkNew<vtkCellArray> lines, quads;

@@ -33,7 +33,7 @@ private:
     vtkRenderer& renderer_;
     vtkSmartPointer<vtkActor> edges_, faces_;
     std::optional<Box> stock_;
-    bool facesWanted_ = true;
+    bool facesRequested_ = true;
 };
 
 } // namespace burin

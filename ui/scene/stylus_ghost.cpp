@@ -33,7 +33,7 @@ StylusGhost::StylusGhost(vtkRenderer& renderer)
     flutes_->GetProperty()->SetSpecular(0.0);
     setBlended(*flutes_, 0.35);
     flutes_->SetUserMatrix(stylus_);
-    coupling_->SetUserMatrix(stretch_);
+    coupling_->SetUserMatrix(interval_);
     renderer.AddActor(flutes_);
     renderer.AddActor(coupling_);
     refresh();
@@ -56,8 +56,8 @@ void StylusGhost::set(bool wanted, const glm::dvec3& stylusTip, const ToolPose& 
     wanted_ = wanted && length > apart;
     if (wanted_) {
         setPose(*stylus_, {stylusTip, proxy.axis});
-        setPose(*stretch_, {stylusTip, way / length});
-        for (int row = 0; row < 3; ++row) stretch_->SetElement(row, 2, way[row]);
+        setPose(*interval_, {stylusTip, way / length});
+        for (int row = 0; row < 3; ++row) interval_->SetElement(row, 2, way[row]);
     }
     refresh();
 }

@@ -32,7 +32,7 @@ private:
     void refresh();
 
     vtkSmartPointer<vtkActor> flutes_, coupling_;
-    vtkNew<vtkMatrix4x4> stylus_, stretch_;
+    vtkNew<vtkMatrix4x4> stylus_, interval_;
     bool wanted_ = false, visible_ = true, hasTool_ = false;
 };
 

@@ -4,9 +4,9 @@
 
 #include "core/geometry/upright.h"
 #include "core/nc/work_offset.h"
-#include "ui/panels/placement_words.h"
+#include "ui/panels/placement_labels.h"
 #include "ui/panels/texts.h"
-#include "ui/panels/zero_words.h"
+#include "ui/panels/zero_labels.h"
 #include "ui/sheet/sheet_page.h"
 #include "ui/sheet/sheet_text.h"
 #include "ui/sheet/sheet_tools.h"

@@ -21,7 +21,7 @@ AreaPresenter::AreaPresenter(Workbench& workbench, Viewport& viewport, AreaCard&
     : Presenter(workbench, {&workbench.area, &workbench.workpiece, &workbench.path}, parent)
     , viewport_(viewport)
     , card_(card) {
-    connect(&card, &AreaCard::paintingWanted, this, &AreaPresenter::paint);
+    connect(&card, &AreaCard::paintingRequested, this, &AreaPresenter::paint);
     connect(&card, &AreaCard::cleared, &workbench.area, &AreaController::clear);
     connect(&card, &AreaCard::brushChosen, this, [this](double diameter) {
         brush_ = diameter;

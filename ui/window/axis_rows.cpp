@@ -3,7 +3,7 @@
 #include "ui/window/axis_rows.h"
 
 #include "ui/messages/messages.h"
-#include "ui/panels/device_words.h"
+#include "ui/panels/device_labels.h"
 #include "ui/panels/panel_layout.h"
 
 #include <QBoxLayout>

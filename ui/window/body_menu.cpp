@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/body_menu.h"
 
-#include "ui/panels/role_words.h"
+#include "ui/panels/role_labels.h"
 #include "ui/theme/colour.h"
 #include "ui/window/context_menu.h"
 

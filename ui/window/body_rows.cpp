@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/body_rows.h"
 
-#include "ui/panels/model_words.h"
-#include "ui/panels/role_words.h"
+#include "ui/panels/model_labels.h"
+#include "ui/panels/role_labels.h"
 #include "ui/theme/colour.h"
 
 #include <QCoreApplication>

@@ -111,7 +111,7 @@ void ComparisonDialog::addLargest(QGridLayout& grid) {
         button->setAccessibleName(second ? tr("Largest deviation of the other path")
                                          : tr("Largest deviation of this path"));
         button->setAutoDefault(false);
-        connect(button, &QPushButton::clicked, this, [this, second] { emit largestWanted(second); });
+        connect(button, &QPushButton::clicked, this, [this, second] { emit largestRequested(second); });
         grid.addWidget(button, row, second ? 2 : 1, Qt::AlignRight);
         largest_[second ? 1 : 0] = button;
     }

@@ -48,7 +48,7 @@ public:
 signals:
     void versionChosen(int place);
     void toleranceEdited(double tolerance); ///< mm
-    void largestWanted(bool ofSecond);      ///< the user asked to see it in the view
+    void largestRequested(bool ofSecond);   ///< the user asked to see it in the view
 
 private:
     using Member = ComparedValue ComparisonState::*;

@@ -96,7 +96,7 @@ void ComparisonPresenter::begin() {
         workbench_.pathComparer.close();
     });
     connect(dialog_, &ComparisonDialog::toleranceEdited, &comparer, &PathComparer::setTolerance);
-    connect(dialog_, &ComparisonDialog::largestWanted, this, &ComparisonPresenter::lookAtLargest);
+    connect(dialog_, &ComparisonDialog::largestRequested, this, &ComparisonPresenter::lookAtLargest);
     connect(dialog_, &ComparisonDialog::versionChosen, &comparer, [&comparer](int place) {
         const std::vector<PathVersion> versions = comparer.versions();
         if (place >= 0 && static_cast<std::size_t>(place) < versions.size())

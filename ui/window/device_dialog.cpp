@@ -4,7 +4,7 @@
 
 #include "ui/messages/messages.h"
 #include "ui/panels/buttons.h"
-#include "ui/panels/device_words.h"
+#include "ui/panels/device_labels.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/quantity_field.h"

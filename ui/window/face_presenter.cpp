@@ -48,7 +48,7 @@ FacePresenter::FacePresenter(Workbench& workbench, Viewport& viewport, Deviation
 void FacePresenter::connectActions(const Actions& actions) {
     QAction* action = actions[ActionId::inspectFaces];
     connect(action, &QAction::triggered, this, &FacePresenter::open);
-    connect(&card_, &DeviationCard::facesWanted, action, &QAction::trigger);
+    connect(&card_, &DeviationCard::facesRequested, action, &QAction::trigger);
     connect(action, &QAction::enabledChanged, &card_, &DeviationCard::setFacesPossible);
     card_.setFacesPossible(action->isEnabled());
 }

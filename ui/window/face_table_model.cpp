@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/face_table_model.h"
 
-#include "ui/panels/measure_words.h"
+#include "ui/panels/measure_labels.h"
 #include "ui/panels/texts.h"
 
 #include <utility>

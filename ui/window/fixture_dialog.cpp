@@ -8,7 +8,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
-#include "ui/panels/guide_words.h"
+#include "ui/panels/guide_labels.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
 

@@ -10,7 +10,7 @@ GuidePresenter::GuidePresenter(Workbench& workbench, GuidePanel& panel, QObject*
     GuideController& guides = workbench.guides;
     connect(&workbench.session, &SessionRunner::ticked, this, &Presenter::presentSoon);
     connect(&panel, &GuidePanel::guidesToggled, &guides, &GuideController::setOn);
-    connect(&panel, &GuidePanel::guideWanted, &guides, &GuideController::add);
+    connect(&panel, &GuidePanel::guideRequested, &guides, &GuideController::add);
     connect(&panel, &GuidePanel::guideEdited, &guides, &GuideController::change);
     connect(&panel, &GuidePanel::guideRemovalRequested, &guides, &GuideController::remove);
     connect(&panel, &GuidePanel::levelStepped, &guides, &GuideController::stepLevel);

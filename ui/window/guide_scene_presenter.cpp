@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/guide_scene_presenter.h"
 
-#include "ui/panels/guide_words.h"
+#include "ui/panels/guide_labels.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/cad/part_holes.h"
-#include "ui/window/hole_words.h"
+#include "ui/window/hole_labels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ HolePresenter::HolePresenter(Workbench& workbench, Viewport& viewport, QObject* 
     connect(&picker_, &HolePicker::missed, this,
             [this] { emit told(tr("There is no round upright hole here. Click the wall of a hole, or inside it.")); });
     connect(&picker_, &HolePicker::finished, this, [this] {
-        const WantedPass wanted = *wanted_;
+        const RequestedPass wanted = *wanted_;
         leave();
         // The dialog must not open within the key's event.
         QTimer::singleShot(0, this, [this, wanted] { emit picked(wanted); });
@@ -47,7 +47,7 @@ HolePresenter::HolePresenter(Workbench& workbench, Viewport& viewport, QObject* 
     });
 }
 
-void HolePresenter::pick(const WantedPass& wanted) {
+void HolePresenter::pick(const RequestedPass& wanted) {
     if (wanted_ || !workbench_.passes.possible()) return;
     emit pickBegins();
     milling_ = workbench_.workpiece.milling();

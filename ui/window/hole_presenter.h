@@ -18,14 +18,14 @@ class HolePresenter final : public Presenter {
 public:
     HolePresenter(Workbench& workbench, Viewport& viewport, QObject* parent);
     /// Begins with the holes of a request. Does nothing without a part.
-    void pick(const WantedPass& wanted);
+    void pick(const RequestedPass& wanted);
     void setShown(JobStep step); ///< picking ends when another step than the path's is shown
 
 signals:
-    void pickBegins();                              ///< the path step must be shown
-    void picked(const burin::WantedPass& wanted);   ///< the user is done
-    void told(const QString& sentences);            ///< what to do, or what was picked
-    void marked(const std::optional<MeasureMark>&); ///< of the picked holes
+    void pickBegins();                               ///< the path step must be shown
+    void picked(const burin::RequestedPass& wanted); ///< the user is done
+    void told(const QString& sentences);             ///< what to do, or what was picked
+    void marked(const std::optional<MeasureMark>&);  ///< of the picked holes
 
 private:
     void present() override;
@@ -37,7 +37,7 @@ private:
     HolePicker picker_;
     InteractiveTool* before_ = nullptr; ///< the view's previous tool
     std::shared_ptr<const MillingContext> milling_;
-    std::optional<WantedPass> wanted_; ///< empty: not picking
+    std::optional<RequestedPass> wanted_; ///< empty: not picking
 };
 
 } // namespace burin

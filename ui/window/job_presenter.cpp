@@ -11,7 +11,7 @@
 
 namespace burin {
 
-JobPresenter::JobPresenter(Workbench& workbench, JobLine& line, QObject* parent)
+JobPresenter::JobPresenter(Workbench& workbench, StepBar& line, QObject* parent)
     : Presenter(workbench, workbench.controllers(), parent), line_(line) {}
 
 void JobPresenter::setShown(JobStep step) {

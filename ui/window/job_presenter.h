@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "ui/panels/job_line.h"
+#include "ui/panels/step_bar.h"
 #include "ui/window/presenter.h"
 
 #include <array>
@@ -13,7 +13,7 @@ namespace burin {
 class JobPresenter final : public Presenter {
     Q_OBJECT
 public:
-    JobPresenter(Workbench& workbench, JobLine& line, QObject* parent);
+    JobPresenter(Workbench& workbench, StepBar& line, QObject* parent);
     void setShown(JobStep step);
     JobStep shown() const noexcept { return shown_; }
 
@@ -28,7 +28,7 @@ private:
     JobStepState path() const;
     JobStepState program() const;
 
-    JobLine& line_;
+    StepBar& line_;
     JobStep shown_ = JobStep::part;
 };
 

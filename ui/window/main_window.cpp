@@ -63,7 +63,7 @@ MainWindow::MainWindow(QWidget* parent)
         layOut();
     }
     presenters_ = std::make_unique<Presenters>(
-        workbench_, actions_, Stage{*viewport_, *jobLine_, *panels_, *status_, *timeline_, *tree_}, nullptr);
+        workbench_, actions_, Stage{*viewport_, *stepBar_, *panels_, *status_, *timeline_, *tree_}, nullptr);
     coach_ = std::make_unique<Coach>(*this, workbench_, actions_);
     new ViewOptions(*viewport_, *viewBar_, actions_, settings_, this);
     new PathColours(workbench_, *viewport_, *viewBar_, actions_, this);
@@ -106,8 +106,8 @@ void MainWindow::layOut() {
     viewport_->setAccessibleName(tr("View of part and workpiece"));
     viewBar_ = new ViewBar(
         {*actions_[ActionId::parallelView], *actions_[ActionId::sectionPlane], *actions_[ActionId::flipSection]});
-    jobLine_ = new JobLine;
-    jobLine_->setObjectName(QStringLiteral("jobLine"));
+    stepBar_ = new StepBar;
+    stepBar_->setObjectName(QStringLiteral("jobLine"));
     panels_ = new PanelStack;
     message_ = new MessageStrip;
     welcome_ = new WelcomePage;
@@ -130,7 +130,7 @@ void MainWindow::layOut() {
     auto* steps = new QVBoxLayout(workPage_);
     steps->setContentsMargins(0, 0, 0, 0);
     steps->setSpacing(0);
-    steps->addWidget(jobLine_);
+    steps->addWidget(stepBar_);
     steps->addWidget(work_, 1);
 
     pages_ = new QStackedWidget;

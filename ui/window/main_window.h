@@ -115,7 +115,7 @@ private:
     ViewDock* historyDock_ = nullptr;
     QByteArray firstDocks_, firstWork_; ///< initial layout, before the user changed it
     QPointer<QWidget> leftFrom_;        ///< widget that had the focus before the welcome page was shown
-    JobLine* jobLine_ = nullptr;
+    StepBar* stepBar_ = nullptr;
     PanelStack* panels_ = nullptr;
     StatusLine* status_ = nullptr;
     MessageStrip* message_ = nullptr;

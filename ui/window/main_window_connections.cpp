@@ -27,7 +27,7 @@ void MainWindow::connectActions() {
     on(ActionId::quit, [this] { close(); });
     on(ActionId::preferences, [this] { showPreferences(); });
     const auto step = [this](int by) {
-        const int next = std::clamp(static_cast<int>(presenters_->job.shown()) + by, 0, JobLine::steps - 1);
+        const int next = std::clamp(static_cast<int>(presenters_->job.shown()) + by, 0, StepBar::steps - 1);
         showStep(static_cast<JobStep>(next));
     };
     on(ActionId::nextStep, [step] { step(1); });
@@ -44,7 +44,7 @@ void MainWindow::connectActions() {
         workbench_.time.punchIn();
     });
     on(ActionId::addFixtureFile, [this] { flow_.importFixture(); });
-    connect(&presenters_->surroundings, &SurroundingsPresenter::fixtureFileWanted, &flow_,
+    connect(&presenters_->surroundings, &SurroundingsPresenter::fixtureFileRequested, &flow_,
             &DocumentFlow::importFixture);
     on(ActionId::drawEdit, [this] {
         showStep(JobStep::path);
@@ -101,11 +101,11 @@ void MainWindow::connectActions() {
         if (presenters_->job.shown() != JobStep::stock) showStep(JobStep::stock);
         panels_->showPanel(panels_->surroundings);
     });
-    connect(&presenters_->surroundings, &SurroundingsPresenter::libraryFixtureWanted,
+    connect(&presenters_->surroundings, &SurroundingsPresenter::libraryFixtureRequested,
             actions_[ActionId::libraryFixture], &QAction::trigger);
     connect(&presenters_->zero, &ZeroPresenter::refused, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
-    connect(&presenters_->tree, &TreePresenter::stepWanted, this, &MainWindow::showStep);
+    connect(&presenters_->tree, &TreePresenter::stepRequested, this, &MainWindow::showStep);
     connect(&presenters_->measure, &MeasurePresenter::told, this,
             [this](const QString& sentences) { message_->tell(Notice::Kind::information, sentences); });
     connect(&presenters_->holes, &HolePresenter::told, this,
@@ -119,7 +119,7 @@ void MainWindow::connectActions() {
     connect(&presenters_->area, &AreaPresenter::refused, this,
             [this](const Error& error) { message_->tell(Notice::Kind::information, Messages::sentence(error)); });
     connect(&presenters_->mill, &MillPresenter::takeRemovalRequested, this, &MainWindow::removeTake);
-    connect(jobLine_, &JobLine::stepChosen, this, &MainWindow::showStep);
+    connect(stepBar_, &StepBar::stepChosen, this, &MainWindow::showStep);
     connect(menus_, &Menus::recentChosen, &flow_, &DocumentFlow::openAny);
 }
 
@@ -174,7 +174,7 @@ void MainWindow::connectViewDevice() {
     connect(&device, &ViewDevice::pushed, this, [this](const glm::dvec3& push, const glm::dvec3& turn, double seconds) {
         viewport_->push({push, turn}, seconds);
     });
-    connect(&device, &ViewDevice::fitWanted, this, [this] { viewport_->fit(); });
+    connect(&device, &ViewDevice::fitRequested, this, [this] { viewport_->fit(); });
 }
 
 /// The effect of a pen's pressure is a setting of the user, not of the project.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/measure_presenter.h"
 
-#include "ui/panels/measure_words.h"
+#include "ui/panels/measure_labels.h"
 
 #include <QAction>
 

@@ -56,7 +56,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              rateControl, line,        showMe,     stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
             {newPath, newPass, programPath, measurePasses, brushArea, lassoArea, faceArea, clearArea, pickHoles,
-             evaluatePath, comparePaths, line, drawStretch, insertPoint, drawEdit});
+             evaluatePath, comparePaths, line, drawInterval, insertPoint, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
             {post, exportProgram, overrideCheck, restart, inspectFaces, line, findInProgram, breakpoint, programDock,
              line, machines});

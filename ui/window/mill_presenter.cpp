@@ -5,7 +5,7 @@
 #include "core/job/feed_proposal.h"
 #include "core/verify/load_limits.h"
 #include "ui/panels/texts.h"
-#include "ui/window/session_words.h"
+#include "ui/window/session_labels.h"
 
 #include <algorithm>
 #include <utility>

@@ -8,7 +8,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/notice.h"
-#include "ui/window/hole_words.h"
+#include "ui/window/hole_labels.h"
 
 #include <QBoxLayout>
 #include <QCheckBox>
@@ -162,7 +162,7 @@ void PassDialog::removeChosenHole() {
 /// Closes the dialog; it is shown again with its values when the holes are picked.
 void PassDialog::goPicking() {
     form_->commitTyping();
-    Result<WantedPass> wanted = wantedNow();
+    Result<RequestedPass> wanted = wantedNow();
     if (!wanted) return notice_->tell(Notice::Kind::error, Messages::sentence(wanted.error()));
     wanted_ = std::move(*wanted);
     done(pickHoles);
@@ -249,8 +249,8 @@ void PassDialog::showPreview(const QString& text) {
 
 /// Text being typed is not used yet.
 void PassDialog::askPreview() {
-    if (const Result<WantedPass> wanted = wantedNow(); wanted && missing(*wanted).isEmpty())
-        emit previewWanted(*wanted);
+    if (const Result<RequestedPass> wanted = wantedNow(); wanted && missing(*wanted).isEmpty())
+        emit previewRequested(*wanted);
     else
         emit previewUnwanted();
 }
@@ -264,7 +264,7 @@ Result<PlanDrawing> PassDialog::drawingOf(const QString& file) {
 }
 
 /// Explains what the kind of pass lacks.
-QString PassDialog::missing(const WantedPass& wanted) const {
+QString PassDialog::missing(const RequestedPass& wanted) const {
     const PassRequest& request = wanted.request;
     if (area_->currentIndex() == 0 && request.kind == PassKind::pocket)
         return tr("Paint the area of the pocket, or choose a drawing with its outline.");
@@ -281,8 +281,8 @@ QString PassDialog::missing(const WantedPass& wanted) const {
     return {};
 }
 
-Result<WantedPass> PassDialog::wantedNow() {
-    WantedPass wanted;
+Result<RequestedPass> PassDialog::wantedNow() {
+    RequestedPass wanted;
     wanted.instead = wanted_.instead;
     PassRequest& request = wanted.request;
     form_->writeTo(request);
@@ -313,7 +313,7 @@ Result<WantedPass> PassDialog::wantedNow() {
 void PassDialog::confirm() {
     form_->commitTyping();
     const auto refuse = [this](const Error& error) { notice_->tell(Notice::Kind::error, Messages::sentence(error)); };
-    Result<WantedPass> wanted = wantedNow();
+    Result<RequestedPass> wanted = wantedNow();
     if (!wanted) return refuse(wanted.error());
     if (const QString lacks = missing(*wanted); !lacks.isEmpty()) return notice_->tell(Notice::Kind::error, lacks);
     PassRequest checked = wanted->request;

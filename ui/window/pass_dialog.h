@@ -35,7 +35,7 @@ public:
     struct Offer {
         QString toolName;
         std::vector<TakeInfo> takes; ///< whose strokes may be used as lines
-        WantedPass last;             ///< the previous request
+        RequestedPass last;          ///< the previous request
         PassDefaults defaults;
         PlanRegion painted;               ///< empty: no area is painted
         QString folder;                   ///< of drawings
@@ -47,14 +47,14 @@ public:
 
     /// Result of `exec`: the user is going to pick the holes of `wanted` in the view.
     static constexpr int pickHoles = 2;
-    const WantedPass& wanted() const noexcept { return wanted_; } ///< after it was accepted, or with `pickHoles`
+    const RequestedPass& wanted() const noexcept { return wanted_; } ///< after it was accepted, or with `pickHoles`
 
     /// Shows the estimate of the pass: "passPreview". @param text empty: none
     void showPreview(const QString& text);
 
 signals:
     /// Requests a preview of the pass as entered, a moment after a change.
-    void previewWanted(const burin::WantedPass& wanted);
+    void previewRequested(const burin::RequestedPass& wanted);
     void previewUnwanted(); ///< the entered pass is incomplete
 
 private:
@@ -65,13 +65,13 @@ private:
     void goPicking();
     void addDrawings(const Offer& offer);
     void chooseDrawing(ChoiceBox* box, QString& file);
-    QString missing(const WantedPass& wanted) const;
+    QString missing(const RequestedPass& wanted) const;
     void update();
     void previewSoon() { previewTimer_.start(); }
     void askPreview();
     Result<PlanDrawing> drawingOf(const QString& file);
     /// Without the requirements of each kind. Errors: those of readDrawing, regionOf and validate.
-    Result<WantedPass> wantedNow();
+    Result<RequestedPass> wantedNow();
     void confirm();
 
     QString folder_, areaFile_, linesFile_;
@@ -80,7 +80,7 @@ private:
     std::vector<UprightHole> holes_;
     std::vector<glm::dvec2> picked_; ///< the points of the holes that were picked; empty: all that fit
     LengthUnit unit_;
-    WantedPass wanted_;
+    RequestedPass wanted_;
     PassForm* form_ = nullptr;
     ChoiceBox *area_ = nullptr, *lines_ = nullptr, *fileUnit_ = nullptr;
     QCheckBox* areaOnPart_ = nullptr;

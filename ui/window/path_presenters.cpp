@@ -7,12 +7,12 @@
 #include "core/machine/machine_library.h"
 #include "core/passes/plan_pass.h"
 #include "core/passes/thread_tooth.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "core/path/milling_side.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
 #include "ui/panels/texts.h"
-#include "ui/window/hole_words.h"
+#include "ui/window/hole_labels.h"
 #include "ui/window/pass_dialog.h"
 
 #include <QFileInfo>
@@ -35,15 +35,15 @@ double cuttingLength(const Path& path) {
 }
 
 /// The milling direction of an interval of a take; empty if it is not the same throughout.
-std::optional<MillingSide> sideOf(const EvaluatedPath& path, const SourceStretch& chosen) {
+std::optional<MillingSide> sideOf(const EvaluatedPath& path, const SourceInterval& chosen) {
     std::optional<MillingSide> side;
-    for (const MillingStretch& stretch : path.sides)
-        for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+    for (const MillingInterval& interval : path.sides)
+        for (std::size_t i = interval.first; i <= interval.last; ++i) {
             const PathPoint& point = path.path.points[i];
             const Moment from = i == 0 ? Moment{} : momentOf(path.path.points[i - 1]);
             if (point.kind != MoveKind::cut || !leadsThrough(from, momentOf(point), chosen)) continue;
-            if (side && *side != stretch.side) return std::nullopt;
-            side = stretch.side;
+            if (side && *side != interval.side) return std::nullopt;
+            side = interval.side;
         }
     return side;
 }
@@ -164,12 +164,12 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     connect(&panel, &PathPanel::passChangeRequested, this, &PathPresenter::askChange);
     connect(&panel, &PathPanel::editChanged, &workbench.path, &PathController::changeEdit);
     connect(&panel, &PathPanel::editAdded, &scene, &PathScenePresenter::addEdit);
-    connect(&panel, &PathPanel::placeWanted, &scene, &PathScenePresenter::lookAt);
-    connect(&panel, &PathPanel::fieldDrawingWanted, &scene, &PathScenePresenter::setFieldDrawing);
+    connect(&panel, &PathPanel::placeRequested, &scene, &PathScenePresenter::lookAt);
+    connect(&panel, &PathPanel::fieldDrawingRequested, &scene, &PathScenePresenter::setFieldDrawing);
     connect(&panel, &PathPanel::editRemoved, &workbench.path, &PathController::removeEdit);
     connect(&panel, &PathPanel::editMoved, &workbench.path, &PathController::moveEdit);
     connect(&panel, &PathPanel::dragChosen, &scene, &PathScenePresenter::setDrag);
-    connect(&panel, &PathPanel::drawingWanted, &scene, &PathScenePresenter::setDrawing);
+    connect(&panel, &PathPanel::drawingRequested, &scene, &PathScenePresenter::setDrawing);
     connect(&panel, &PathPanel::selectionCleared, &workbench.path, &PathController::clearSelection);
     connect(&scene, &PathScenePresenter::changed, this, &Presenter::presentSoon);
     connect(&panel, &PathPanel::evaluateRequested, &workbench.path, &PathController::evaluate);
@@ -179,10 +179,10 @@ void PathPresenter::connectActions(const Actions& actions) {
     PathController& path = workbench_.path;
     connect(actions[ActionId::newPath], &QAction::triggered, &path, [&path] { path.makeNew(); });
     connect(actions[ActionId::newPass], &QAction::triggered, this, &PathPresenter::askPass);
-    connect(actions[ActionId::pickHoles], &QAction::triggered, this, [this] { emit holesWanted(lastPass_); });
+    connect(actions[ActionId::pickHoles], &QAction::triggered, this, [this] { emit holesRequested(lastPass_); });
     connect(actions[ActionId::measurePasses], &QAction::triggered, &workbench_.passMeasurer, &PassMeasurer::measure);
     connect(actions[ActionId::evaluatePath], &QAction::triggered, &path, [&path] { path.evaluate(); });
-    connect(actions[ActionId::drawStretch], &QAction::triggered, this,
+    connect(actions[ActionId::drawInterval], &QAction::triggered, this,
             [this] { scene_.setDrawing(!scene_.drawing()); });
     connect(actions[ActionId::insertPoint], &QAction::triggered, &scene_, &PathScenePresenter::insertAtSelection);
     connect(&panel_, &PathPanel::visibilityToggled, actions[ActionId::showPath], &QAction::setChecked);
@@ -193,8 +193,8 @@ void PathPresenter::askPass() {
 }
 
 /// Computes the pass for which the user asks.
-void PathPresenter::askFrom(const WantedPass& last) {
-    const std::optional<WantedPass> wanted = asked(last, workbench_.area.area());
+void PathPresenter::askFrom(const RequestedPass& last) {
+    const std::optional<RequestedPass> wanted = asked(last, workbench_.area.area());
     if (!wanted) return;
     if (!wanted->instead) {
         lastPass_ = *wanted;
@@ -209,7 +209,7 @@ bool PathPresenter::hasPass(std::int64_t id) const {
     return std::ranges::any_of(workbench_.path.passes(), [id](const GeneratedInfo& pass) { return pass.id == id; });
 }
 
-void PathPresenter::askAgain(WantedPass wanted) {
+void PathPresenter::askAgain(RequestedPass wanted) {
     if (!workbench_.passes.possible()) return;
     if (wanted.instead && !hasPass(*wanted.instead)) wanted.instead.reset(); // it was removed meanwhile
     askFrom(wanted);
@@ -221,13 +221,13 @@ void PathPresenter::askChange(std::int64_t id) {
     const std::vector<GeneratedInfo> passes = workbench_.path.passes();
     const auto pass = std::ranges::find(passes, id, &GeneratedInfo::id);
     if (pass == passes.end()) return;
-    WantedPass before{{}, {}, id};
+    RequestedPass before{{}, {}, id};
     if (const Result<PassRequest> request = passRequestFromJson(pass->request, pass->name)) before.request = *request;
     askFrom(before);
 }
 
 /// The user's request; empty: none.
-std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const PlanRegion& painted) {
+std::optional<RequestedPass> PathPresenter::asked(const RequestedPass& last, const PlanRegion& painted) {
     const std::filesystem::path project = workbench_.document.file();
     const MillingContext& milling = *workbench_.workpiece.milling();
     const double diameter = milling.tool.cutter.diameter;
@@ -244,7 +244,7 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
                                 free ? milling.setup.stock.low.z : part.low.z,
                                 free ? milling.setup.stock.low.z : part.high.z,
                                 threadOf(milling.tool.cutter)};
-    WantedPass begun = last;
+    RequestedPass begun = last;
     if (std::ranges::find(kinds, last.request.kind) == kinds.end()) { // values for another tool do not apply
         begun.request = {};
         begun.request.kind = kinds.front();
@@ -256,7 +256,7 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
          std::ranges::any_of(kinds, isInHoles) ? uprightHoles(*milling.partModel) : std::vector<UprightHole>(), unit()},
         panel_.window());
     PassPreviewer& previewer = workbench_.passPreview;
-    connect(&dialog, &PassDialog::previewWanted, &previewer, &PassPreviewer::show);
+    connect(&dialog, &PassDialog::previewRequested, &previewer, &PassPreviewer::show);
     connect(&dialog, &PassDialog::previewUnwanted, &previewer, &PassPreviewer::clear);
     connect(&previewer, &PassPreviewer::changed, &dialog, [&] { dialog.showPreview(previewText(previewer, unit())); });
     // Next to the part, which shows the preview.
@@ -265,7 +265,7 @@ std::optional<WantedPass> PathPresenter::asked(const WantedPass& last, const Pla
     dialog.move(window.right() - dialog.width() - panelMargin, window.top() + panelMargin);
     const int answer = dialog.exec();
     previewer.end();
-    if (answer == PassDialog::pickHoles) emit holesWanted(dialog.wanted());
+    if (answer == PassDialog::pickHoles) emit holesRequested(dialog.wanted());
     return answer == QDialog::Accepted ? std::optional(dialog.wanted()) : std::nullopt;
 }
 
@@ -341,7 +341,7 @@ ProgramPresenter::ProgramPresenter(Workbench& workbench, ProgramPanel& panel, QO
     connect(&panel, &ProgramPanel::pathIncluded, &workbench.program, &ProgramController::include);
     connect(&panel, &ProgramPanel::postRequested, this, [this] { workbench_.program.post(programName(workbench_)); });
     connect(&panel, &ProgramPanel::textEdited, &workbench.program, &ProgramController::editText);
-    connect(&workbench, &Workbench::textWanted, &panel.editor(), &ProgramEditor::tellTextNow);
+    connect(&workbench, &Workbench::textRequested, &panel.editor(), &ProgramEditor::tellTextNow);
     connect(&panel, &ProgramPanel::textCheckRequested, this,
             [this] { workbench_.program.checkText(programName(workbench_)); });
     connect(&panel, &ProgramPanel::gougeToleranceEdited, &workbench.program, &ProgramController::setGougeTolerance);

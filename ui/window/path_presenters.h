@@ -20,24 +20,24 @@ public:
     /// New path, evaluation, drawing a part of it, showing it.
     void connectActions(const Actions& actions);
     /// Shows the dialog again after its holes were picked.
-    void askAgain(WantedPass wanted);
+    void askAgain(RequestedPass wanted);
 
 signals:
     /// The user picks the holes of a pass in the view; `askAgain` is called then.
-    void holesWanted(const burin::WantedPass& wanted);
+    void holesRequested(const burin::RequestedPass& wanted);
 
 private:
     void present() override;
     TimelinesPlace atTime() const;
     void askPass();
     void askChange(std::int64_t pass);
-    void askFrom(const WantedPass& last);
+    void askFrom(const RequestedPass& last);
     bool hasPass(std::int64_t id) const;
-    std::optional<WantedPass> asked(const WantedPass& last, const PlanRegion& painted);
+    std::optional<RequestedPass> asked(const RequestedPass& last, const PlanRegion& painted);
 
     PathPanel& panel_;
     PathScenePresenter& scene_;
-    WantedPass lastPass_; ///< without its drawings
+    RequestedPass lastPass_; ///< without its drawings
 };
 
 class ProgramPresenter final : public Presenter {

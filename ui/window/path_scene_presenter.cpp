@@ -3,7 +3,7 @@
 #include "ui/window/path_scene_presenter.h"
 
 #include "core/geometry/arc.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "ui/panels/hand_times.h"
 #include "ui/scene/camera_view.h"
 #include "ui/window/context_menu.h"
@@ -64,7 +64,7 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
     connect(&hand_, &PathHand::handleDropped, this, [this](std::size_t handle, const glm::dvec3& by) {
         if (handle < inserted_.size()) workbench_.path.moveInserted(inserted_[handle].edit, by);
     });
-    connect(&hand_, &PathHand::menuWanted, this, &PathScenePresenter::showMenu);
+    connect(&hand_, &PathHand::menuRequested, this, &PathScenePresenter::showMenu);
     connect(&hand_, &PathHand::drawing, this, &PathScenePresenter::showDrawing);
     connect(&hand_, &PathHand::drawn, this, &PathScenePresenter::finishDrawing);
     connect(&hand_, &PathHand::givenUp, this, [this] {
@@ -100,10 +100,10 @@ void PathScenePresenter::setFieldDrawing(const DrawnField& field, bool wanted) {
     }
     field_ = field;
     drawnFor_ = keyOf(*path, field.edit);
-    std::optional<SourceStretch> stretch;
+    std::optional<SourceInterval> interval;
     for (const EditField& each : fieldsOf(path->edits[field.edit].parameters))
-        if (const auto* meant = std::get_if<SourceStretch>(&each.value)) stretch = *meant;
-    startDrawing(heightOf(stretch));
+        if (const auto* meant = std::get_if<SourceInterval>(&each.value)) interval = *meant;
+    startDrawing(heightOf(interval));
 }
 
 void PathScenePresenter::toggleLastDrawing() {
@@ -141,7 +141,7 @@ void PathScenePresenter::lookAt(const glm::dvec3& place) {
 }
 
 void PathScenePresenter::insertAtSelection() {
-    const std::optional<SourceStretch>& selection = workbench_.path.selection();
+    const std::optional<SourceInterval>& selection = workbench_.path.selection();
     if (!selection || !path_) return;
     InsertPoint edit;
     edit.at = {selection->source, selection->first};
@@ -360,7 +360,7 @@ void PathScenePresenter::showOutlines() {
     PlaceChains lines;
     if (active_ && workbench_.path.stored() != nullptr)
         for (const Edit& edit : workbench_.path.stored()->edits) {
-            if (!edit.enabled || std::holds_alternative<ReplaceStretch>(edit.parameters)) continue;
+            if (!edit.enabled || std::holds_alternative<ReplaceInterval>(edit.parameters)) continue;
             if (const auto* mirror = std::get_if<Mirror>(&edit.parameters)) lines.push_back(outlineOf(*mirror));
             for (const EditField& field : fieldsOf(edit.parameters))
                 if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&field.value))
@@ -380,11 +380,11 @@ Moment PathScenePresenter::momentOf(const PathPlace& place) const {
 }
 
 /// Height of the start of an interval of the path, or the middle height of all cutting moves.
-std::optional<double> PathScenePresenter::heightOf(const std::optional<SourceStretch>& stretch) const {
+std::optional<double> PathScenePresenter::heightOf(const std::optional<SourceInterval>& interval) const {
     if (!path_) return std::nullopt;
     const auto isUsable = [](const PathPoint& point) { return hasMoment(point) && point.kind != MoveKind::rapid; };
-    if (stretch && stretch->source != 0)
-        for (const std::vector<PathPoint>& chain : pointsOf(path_->path, *stretch))
+    if (interval && interval->source != 0)
+        for (const std::vector<PathPoint>& chain : pointsOf(path_->path, *interval))
             if (const auto found = std::ranges::find_if(chain, isUsable); found != chain.end())
                 return found->pose.tip.z;
     std::vector<double> heights;

@@ -63,7 +63,7 @@ private:
     void finishDrawing(const std::vector<glm::dvec3>& places);
     Moment momentOf(const PathPlace& place) const;
     std::vector<std::vector<PathPoint>> chosenPoints() const;
-    std::optional<double> heightOf(const std::optional<SourceStretch>& stretch) const;
+    std::optional<double> heightOf(const std::optional<SourceInterval>& interval) const;
 
     Viewport& viewport_;
     PathHand hand_;

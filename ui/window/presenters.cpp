@@ -27,7 +27,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , program(workbench, *stage.panels.program, this)
     , meters(workbench, *stage.panels.meters, this)
     , status(workbench, meters, millMode, stage.viewport, stage.status, this)
-    , job(workbench, stage.jobLine, this)
+    , job(workbench, stage.stepBar, this)
     , scene(workbench, stage.viewport, actions, this)
     , guideScene(workbench, stage.viewport, actions, this)
     , programScene(workbench, stage.viewport, *stage.panels.program, scene, this)
@@ -57,7 +57,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
             [&time = workbench.time, panel = stage.panels.program] { panel->setBreakpoints(time.breakpoints()); });
     connect(&time, &TimePresenter::lineReached, &programScene, &ProgramScenePresenter::followLine);
     connect(&faces, &FacePresenter::marked, &measure, &MeasurePresenter::setOtherMark);
-    connect(&path, &PathPresenter::holesWanted, &holes, &HolePresenter::pick);
+    connect(&path, &PathPresenter::holesRequested, &holes, &HolePresenter::pick);
     connect(&holes, &HolePresenter::picked, &path, &PathPresenter::askAgain);
     connect(&holes, &HolePresenter::marked, &measure, &MeasurePresenter::setOtherMark);
     connect(&programScene, &ProgramScenePresenter::hovered, &deviation, &DeviationPresenter::pointAt);

@@ -33,7 +33,7 @@ namespace burin {
 /// The widgets filled by presenters. They outlive the presenters.
 struct Stage {
     Viewport& viewport;
-    JobLine& jobLine;
+    StepBar& stepBar;
     PanelStack& panels;
     StatusLine& status;
     TimelinePanel& timeline;

@@ -5,7 +5,7 @@
 #include "core/base/checksum.h"
 #include "core/base/units.h"
 #include "core/nc/program_lines.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "ui/panels/hand_times.h"
 #include "ui/panels/texts.h"
 

@@ -7,7 +7,7 @@
 #include "ui/panels/choice_box.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/panel_layout.h"
-#include "ui/panels/score_words.h"
+#include "ui/panels/score_labels.h"
 #include "ui/panels/texts.h"
 #include "ui/theme/number_font.h"
 

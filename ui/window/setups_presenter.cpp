@@ -39,7 +39,7 @@ SetupsPresenter::SetupsPresenter(Workbench& workbench, Viewport& viewport, Setup
     connect(&panel, &SetupPanel::additionRequested, this, &SetupsPresenter::add);
     connect(&panel, &SetupPanel::removalRequested, &workbench.setups, &SetupsController::remove);
     connect(&panel, &SetupPanel::named, &workbench.setups, &SetupsController::rename);
-    connect(&panel, &SetupPanel::stockWanted, &workbench.setups, &SetupsController::takeStockAnew);
+    connect(&panel, &SetupPanel::stockRequested, &workbench.setups, &SetupsController::takeStockAnew);
     connect(&panel, &SetupPanel::turned, this, &SetupsPresenter::turn);
     connect(&panel, &SetupPanel::positioned, this, [this](int axis, double place) {
         if (!workbench_.setup.part()) return;

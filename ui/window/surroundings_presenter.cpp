@@ -26,7 +26,7 @@ SurroundingsPresenter::SurroundingsPresenter(Workbench& workbench, SurroundingsP
     , viewport_(viewport) {
     SurroundingsController& surroundings = workbench.surroundings;
     connect(&workbench.session, &SessionRunner::ticked, this, &Presenter::presentSoon);
-    connect(&panel, &SurroundingsPanel::additionWanted, this, &SurroundingsPresenter::add);
+    connect(&panel, &SurroundingsPanel::additionRequested, this, &SurroundingsPresenter::add);
     connect(&panel, &SurroundingsPanel::obstacleEdited, &surroundings, &SurroundingsController::change);
     connect(&panel, &SurroundingsPanel::obstacleSwitched, &surroundings, &SurroundingsController::setOn);
     connect(&panel, &SurroundingsPanel::obstacleRemovalRequested, &surroundings, &SurroundingsController::remove);
@@ -63,9 +63,9 @@ void SurroundingsPresenter::add(SurroundingsPanel::Addition addition) {
     case keepOutCylinder:
         return surroundings.addCylinder(ObstacleKind::keepOut);
     case fixtureFile:
-        return emit fixtureFileWanted();
+        return emit fixtureFileRequested();
     case fixtureOfLibrary:
-        emit libraryFixtureWanted();
+        emit libraryFixtureRequested();
     }
 }
 

@@ -21,8 +21,8 @@ public:
     void connectActions(const Actions& actions);
 
 signals:
-    void fixtureFileWanted();
-    void libraryFixtureWanted();
+    void fixtureFileRequested();
+    void libraryFixtureRequested();
 
 private:
     void present() override;

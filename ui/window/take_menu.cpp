@@ -28,8 +28,8 @@ struct TakeMenu {
 /// Adds the actions that switch intervals of a take.
 void addSwitches(QMenu& menu, TimeController& time, const TakeTrack& track, std::uint64_t sample) {
     const std::int64_t take = track.info.id;
-    const auto switching = [&time, take](const SampleRange& stretch, bool on) {
-        return [&time, take, stretch, on] { time.switchStretch(take, stretch, on); };
+    const auto switching = [&time, take](const SampleRange& interval, bool on) {
+        return [&time, take, interval, on] { time.switchInterval(take, interval, on); };
     };
     const SampleRange whole{0, track.info.sampleCount};
     if (const SampleRange* off = rangeAt(track.switchedOff, sample)) {

@@ -25,20 +25,20 @@ TimePresenter::TimePresenter(Workbench& workbench, TimelinePanel& panel, ScenePr
     connect(&workbench.workpiece, &WorkpieceController::workpieceChanged, this, &TimePresenter::followProgram);
     connect(&workbench.path, &Controller::changed, this, &TimePresenter::followPath);
     connect(&panel, &TimelinePanel::curveShown, &workbench.deviations, [&workbench](TrackCurve curve, bool shown) {
-        if (curve == TrackCurve::deviation) workbench.deviations.setWanted(shown);
+        if (curve == TrackCurve::deviation) workbench.deviations.setRequested(shown);
     });
     connect(&panel, &TimelinePanel::sought, this, [&time](double seconds) {
         time.pause();
         time.goTo(seconds);
     });
-    connect(&panel.view(), &TimelineView::menuWanted, this,
+    connect(&panel.view(), &TimelineView::menuRequested, this,
             [this](qint64 take, quint64 sample, const QPoint& position) {
                 if (!workbench_.time.showsProgram()) showTakeMenu(workbench_, take, sample, position, &panel_);
             });
     connect(&panel.view(), &TimelineView::takeChosen, this, [this](qint64 take) {
         if (!workbench_.time.showsProgram()) workbench_.mill.chooseTake(take);
     });
-    connect(&panel.view(), &TimelineView::markerMenuWanted, this, [this](int marker, const QPoint& position) {
+    connect(&panel.view(), &TimelineView::markerMenuRequested, this, [this](int marker, const QPoint& position) {
         if (!workbench_.time.showsProgram())
             showMarkerMenu(workbench_, static_cast<std::size_t>(marker), position, &panel_);
     });
@@ -75,7 +75,7 @@ void TimePresenter::setShown(JobStep step) {
 
 /// While the past is shown, it follows the point that is chosen on the path.
 void TimePresenter::followPath() {
-    const std::optional<SourceStretch> pointed = workbench_.path.pointed();
+    const std::optional<SourceInterval> pointed = workbench_.path.pointed();
     if (std::exchange(pointed_, pointed) == pointed || !pointed || step_ != JobStep::path) return;
     workbench_.time.followPath({pointed->source, pointed->first});
 }
@@ -112,7 +112,7 @@ std::vector<GrowingClip> TimePresenter::growing() const {
 
 /// The chosen part of the path; empty if nothing is chosen or its take was not read.
 std::optional<PointedTime> TimePresenter::pointed() const {
-    const std::optional<SourceStretch>& pointed = workbench_.path.pointed();
+    const std::optional<SourceInterval>& pointed = workbench_.path.pointed();
     if (!pointed || step_ != JobStep::path || workbench_.time.showsProgram()) return std::nullopt;
     if (pointed->source <= 0) return PointedTime{};
     const std::optional<double> first = workbench_.time.secondsAt(Moment{pointed->source, pointed->first}),

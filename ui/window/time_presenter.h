@@ -36,8 +36,8 @@ private:
     TimelinePanel& panel_;
     ScenePresenter& scene_;
     JobStep step_ = JobStep::part;
-    std::optional<SourceStretch> pointed_; ///< on the path, followed last
-    int line_ = 0;                         ///< reported last
+    std::optional<SourceInterval> pointed_; ///< on the path, followed last
+    int line_ = 0;                          ///< reported last
 };
 
 } // namespace burin

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/tree_presenter.h"
 
-#include "ui/panels/model_words.h"
+#include "ui/panels/model_labels.h"
 #include "ui/panels/texts.h"
 #include "ui/window/body_rows.h"
 #include "ui/window/context_menu.h"
@@ -39,7 +39,7 @@ TreePresenter::TreePresenter(Workbench& workbench, ProjectTree& tree, ScenePrese
         workbench_.mill.chooseTake(kind == ProjectRowKind::take ? id : 0);
     });
     connect(&tree, &ProjectTree::switched, this, &TreePresenter::switchRow);
-    connect(&tree, &ProjectTree::menuWanted, this, &TreePresenter::showMenu);
+    connect(&tree, &ProjectTree::menuRequested, this, &TreePresenter::showMenu);
     connect(&tree, &ProjectTree::moved, this, [this](ProjectRowKind kind, qint64 id, qint64 before) {
         if (kind == ProjectRowKind::take) workbench_.mill.moveTakeBefore(id, before);
     });
@@ -168,27 +168,27 @@ void TreePresenter::open(ProjectRowKind kind, qint64 id) {
         break;
     case ProjectRowKind::assembly:
     case ProjectRowKind::body:
-        emit stepWanted(JobStep::part);
+        emit stepRequested(JobStep::part);
         break;
     case ProjectRowKind::fixture:
-        emit stepWanted(JobStep::mill);
+        emit stepRequested(JobStep::mill);
         break;
     case ProjectRowKind::tool:
         if (static_cast<std::size_t>(id) < workbench_.tool.tools().size())
             workbench_.tool.choose(workbench_.tool.tools()[static_cast<std::size_t>(id)].id);
         break;
     case ProjectRowKind::take:
-        emit stepWanted(JobStep::mill);
+        emit stepRequested(JobStep::mill);
         break;
     case ProjectRowKind::path:
         workbench_.tool.choose(workbench_.path.toolOf(id));
-        emit stepWanted(JobStep::path);
+        emit stepRequested(JobStep::path);
         break;
     case ProjectRowKind::pass:
-        emit stepWanted(JobStep::path);
+        emit stepRequested(JobStep::path);
         break;
     case ProjectRowKind::program:
-        emit stepWanted(JobStep::program);
+        emit stepRequested(JobStep::program);
         break;
     case ProjectRowKind::group:
         break;

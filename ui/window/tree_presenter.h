@@ -19,7 +19,7 @@ public:
     TreePresenter(Workbench& workbench, ProjectTree& tree, ScenePresenter& scene, QObject* parent);
 
 signals:
-    void stepWanted(JobStep step); ///< the step for the item that was opened
+    void stepRequested(JobStep step); ///< the step for the item that was opened
 
 private:
     void present() override;

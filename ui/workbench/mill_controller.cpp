@@ -225,8 +225,8 @@ void MillController::takeBack(const StrokePlace& stroke, bool undo) {
 void MillController::takeBackInProject(const StrokePlace& stroke, bool undo) {
     desk_.project.post(
         [stroke, undo](Project& project) {
-            return undo ? project.undoStretch(stroke.take, stroke.samples)
-                        : project.redoStretch(stroke.take, stroke.samples);
+            return undo ? project.undoInterval(stroke.take, stroke.samples)
+                        : project.redoInterval(stroke.take, stroke.samples);
         },
         [this, take = stroke.take, undo](const Result<void>& outcome) {
             if (!outcome) {
@@ -247,7 +247,7 @@ void MillController::tookBack(std::int64_t take, bool undo) {
     emit changed();
 }
 
-void MillController::setSwitchedOff(const QString& title, WantedOff wanted, Then then) {
+void MillController::setSwitchedOff(const QString& title, RequestedOff wanted, Then then) {
     struct Change {
         SwitchedOff before, after;
     };

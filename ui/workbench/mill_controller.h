@@ -60,12 +60,12 @@ public:
     /// How much of the cutting a device lets the hand feel, from the next session on.
     void setFelt(const FeltCutting& felt) { felt_ = felt; }
     void removeTake(std::int64_t id); ///< an entry of the undo stack; the workpiece is recomputed without the take
-    using WantedOff = std::function<Result<SwitchedOff>(const Project& project)>;
+    using RequestedOff = std::function<Result<SwitchedOff>(const Project& project)>;
     /// An entry of the undo stack, unless nothing is to be changed; the workpiece is updated in the background.
     /// @param title of the entry
     /// @param wanted called on the project's thread; returns what is to be switched off in each take that it names
     /// @param then called when the project has stored it and the update of the workpiece begins
-    void setSwitchedOff(const QString& title, WantedOff wanted, Then then = {});
+    void setSwitchedOff(const QString& title, RequestedOff wanted, Then then = {});
     void nameTake(std::int64_t id, const QString& name); ///< an entry of the undo stack
     /// The take that actions on one take apply to; 0: none. State of the user interface only, never saved.
     std::int64_t chosenTake() const noexcept;

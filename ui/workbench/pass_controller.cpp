@@ -32,7 +32,7 @@ bool PassController::possible() const {
     return !busy() && ready();
 }
 
-void PassController::compute(const WantedPass& wanted) {
+void PassController::compute(const RequestedPass& wanted) {
     if (!possible()) return;
     wanted_ = wanted;
     newest_.reset();

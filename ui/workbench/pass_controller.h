@@ -13,7 +13,7 @@
 namespace burin {
 
 /// A pass as requested by the user.
-struct WantedPass {
+struct RequestedPass {
     PassRequest request;
     std::vector<std::int64_t> leads;     ///< takes whose strokes are added as lines of the request
     std::optional<std::int64_t> instead; ///< the pass of the path in force that it replaces
@@ -32,7 +32,7 @@ public:
     /// Computes a pass; it becomes an entry of the undo stack when complete, errors are reported by `failed`. Does
     /// nothing unless `possible`. Can be cancelled as a task. If the workpiece changes meanwhile, it is started again
     /// after the change.
-    void compute(const WantedPass& wanted);
+    void compute(const RequestedPass& wanted);
     /// Adds the moves of a program (G-code or cutter locations) as the last sources of the paths of its tools: the tool
     /// in force if it calls one number, else the project's tools by their numbers. An entry of the undo stack; errors
     /// are reported by `failed`. Can be cancelled as a task. Does nothing unless `possible`.
@@ -57,8 +57,8 @@ private:
     WorkpieceController& workpiece_;
     PathController& path_;
     const ToolController& tools_;
-    std::optional<WantedPass> wanted_; ///< until it is computed, cancelled or impossible
-    std::string tool_;                 ///< id of the tool that it is for
+    std::optional<RequestedPass> wanted_; ///< until it is computed, cancelled or impossible
+    std::string tool_;                    ///< id of the tool that it is for
     std::shared_ptr<const ComputedPass> newest_;
     bool asked_ = false; ///< the project is being read
     quint64 loads_ = 0;

@@ -17,7 +17,7 @@ PassPreviewer::PassPreviewer(const Desk& desk, const WorkpieceController& workpi
                              const ToolController& tools, QObject* parent)
     : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools) {}
 
-void PassPreviewer::show(const WantedPass& wanted) {
+void PassPreviewer::show(const RequestedPass& wanted) {
     wanted_ = wanted;
     problem_.reset();
     goOn();

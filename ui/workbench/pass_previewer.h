@@ -20,7 +20,7 @@ public:
                   const ToolController& tools, QObject* parent);
 
     /// Replaces the previous request; `changed` is emitted when there is a preview or a problem.
-    void show(const WantedPass& wanted);
+    void show(const RequestedPass& wanted);
     void clear(); ///< the request can't be shown; another may follow
     void end();   ///< no preview is needed any more; removes what is shown
 
@@ -39,7 +39,7 @@ private:
     const WorkpieceController& workpiece_;
     const PathController& path_;
     const ToolController& tools_;
-    std::optional<WantedPass> wanted_; ///< until its preview is ready
+    std::optional<RequestedPass> wanted_; ///< until its preview is ready
     std::shared_ptr<const PassBasis> basis_;
     std::map<std::int64_t, std::vector<PassLine>> lines_; ///< of takes
     std::shared_ptr<const PassPreview> preview_;

@@ -287,13 +287,13 @@ void PathController::applySources(std::int64_t id, const std::vector<PathSource>
 }
 
 void PathController::select(const Moment& moment) {
-    selection_ = SourceStretch{moment.source, moment.tick, moment.tick};
+    selection_ = SourceInterval{moment.source, moment.tick, moment.tick};
     pointed_.reset();
     emit changed();
 }
 
 void PathController::pointAt(const Moment& moment) {
-    pointed_ = SourceStretch{moment.source, moment.tick, moment.tick};
+    pointed_ = SourceInterval{moment.source, moment.tick, moment.tick};
     emit changed();
 }
 

@@ -83,13 +83,13 @@ public:
     void removeEdit(std::size_t index);
     void moveEdit(std::size_t from, std::size_t to);
     /// The part of the path that the user selected, to which new edits apply. Empty: they apply to the whole path.
-    const std::optional<SourceStretch>& selection() const noexcept { return selection_; }
+    const std::optional<SourceInterval>& selection() const noexcept { return selection_; }
     void select(const Moment& moment);   ///< selects a single moment
     void selectTo(const Moment& moment); ///< extends the selection to `moment`, of the same take
     void clearSelection();
     /// The point that the user looks at, as the worst one of an edit, or the selection. Empty: neither. Source 0: a
     /// point without a moment.
-    const std::optional<SourceStretch>& pointed() const noexcept { return pointed_ ? pointed_ : selection_; }
+    const std::optional<SourceInterval>& pointed() const noexcept { return pointed_ ? pointed_ : selection_; }
     bool pointsElsewhere() const noexcept { return pointed_.has_value(); } ///< than to the selection
     /// Points at a moment and keeps the selection.
     void pointAt(const Moment& moment);
@@ -161,7 +161,7 @@ private:
     std::vector<GeneratedInfo> generated_;
     std::vector<TakeInfo> standing_; ///< those with strokes in effect: a tool without them has no path
     std::string tool_;               ///< in force, by id
-    std::optional<SourceStretch> selection_, pointed_;
+    std::optional<SourceInterval> selection_, pointed_;
     std::map<std::int64_t, std::uint64_t> newestStrokes_;
     quint64 version_ = 0, newestVersion_ = 0;
     std::map<RecordedKey, quint64> versions_; ///< since edits, fixtures or limits were last changed

@@ -27,9 +27,9 @@ std::size_t placeFor(const std::vector<Edit>& edits, const Edit& edit) {
 }
 
 /// An edit with its interval and moments set to the selection.
-Edit meantFor(Edit edit, const SourceStretch& chosen) {
+Edit meantFor(Edit edit, const SourceInterval& chosen) {
     for (const EditField& field : fieldsOf(edit.parameters)) {
-        if (std::holds_alternative<SourceStretch>(field.value)) setField(edit.parameters, field.key, chosen);
+        if (std::holds_alternative<SourceInterval>(field.value)) setField(edit.parameters, field.key, chosen);
         if (std::holds_alternative<Moment>(field.value))
             setField(edit.parameters, field.key, Moment{chosen.source, chosen.first});
     }
@@ -59,17 +59,17 @@ std::size_t PathController::addEdit(const Edit& edit) {
 void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MovePoints::Along along) {
     const StoredPath* path = stored();
     if (path == nullptr || by == glm::dvec3(0.0)) return;
-    const SourceStretch stretch{moment.source, moment.tick, moment.tick};
+    const SourceInterval interval{moment.source, moment.tick, moment.tick};
     std::vector<Edit> edits = path->edits;
     const auto same = std::ranges::find_if(edits, [&](const Edit& edit) {
         const auto* moves = std::get_if<MovePoints>(&edit.parameters);
-        return moves != nullptr && edit.enabled && moves->stretch == stretch && moves->along == along;
+        return moves != nullptr && edit.enabled && moves->interval == interval && moves->along == along;
     });
     if (same != edits.end()) {
         std::get<MovePoints>(same->parameters).by += by;
     } else {
         MovePoints moves;
-        moves.stretch = stretch;
+        moves.interval = interval;
         moves.by = by;
         moves.along = along;
         edits = withEdit(edits, placeFor(edits, {moves}), {moves});
@@ -80,7 +80,7 @@ void PathController::movePlace(const Moment& moment, const glm::dvec3& by, MoveP
 void PathController::insertPoint(const InsertPoint& edit) {
     const StoredPath* path = stored();
     if (path == nullptr || edit.at.source == 0 || refusedDuringUndo(desk_, *this, tr("inserted point"))) return;
-    selection_ = SourceStretch{edit.at.source, edit.at.tick, edit.at.tick};
+    selection_ = SourceInterval{edit.at.source, edit.at.tick, edit.at.tick};
     pointed_.reset();
     push(tr("inserted point"), withEdit(path->edits, placeFor(path->edits, {edit}), {edit}));
     emit changed();
@@ -99,8 +99,8 @@ void PathController::moveInserted(std::size_t index, const glm::dvec3& by) {
 void PathController::replaceSelection(const std::vector<glm::dvec3>& places) {
     const StoredPath* path = stored();
     if (path == nullptr || !selection_ || places.size() < 2) return;
-    ReplaceStretch replaces;
-    replaces.stretch = *selection_;
+    ReplaceInterval replaces;
+    replaces.interval = *selection_;
     replaces.places = places;
     push(tr("drawn stroke"), withEdit(path->edits, placeFor(path->edits, {replaces}), {replaces}));
 }

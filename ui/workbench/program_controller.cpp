@@ -207,7 +207,7 @@ void ProgramController::include(std::int64_t path, bool wanted) {
 void ProgramController::post(const QString& name) {
     if (!postable() || busy()) return;
     asked_ = [this, name] { post(name); };
-    emit textWanted();
+    emit textRequested();
     const ProgramRequest wanted = request(name);
     read(postedPaths(), [this, wanted, asked = Asked{stored(wanted), basis(), 0, textVersion_, false}](
                             Matters matters, std::uint64_t judged) mutable {
@@ -289,7 +289,7 @@ void ProgramController::lintText() {
 }
 
 void ProgramController::checkText(const QString& name) {
-    emit textWanted();
+    emit textRequested();
     if (!workpiece_.milling() || workpiece_.changing() || !edited_ || busy()) return;
     asked_ = [this, name] { checkText(name); };
     const ProgramRequest wanted = request(name);
@@ -322,7 +322,7 @@ void ProgramController::check(Matters matters, ProgramRequest wanted, const Aske
 }
 
 void ProgramController::take(const Asked& asked, Result<CheckedProgram> outcome) {
-    emit textWanted();
+    emit textRequested();
     if (asked.text != textVersion_) { // newer text was typed meanwhile
         emit changed();
         return;

@@ -94,7 +94,7 @@ signals:
     void exported(const QString& file);
     void restarted(const std::shared_ptr<const burin::RestartedProgram>& rest);
     void restartExported(std::uint32_t line, const QString& file);
-    void textWanted(); ///< receivers with text not passed on yet must pass it on now
+    void textRequested(); ///< receivers with text not passed on yet must pass it on now
 
 private:
     /// What a program is made from, besides its text: if any of it changes, the program is out of date.

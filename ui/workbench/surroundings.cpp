@@ -7,7 +7,7 @@
 
 namespace burin {
 
-bool boundAlike(const WantedBounds& one, const WantedBounds& other) {
+bool boundAlike(const RequestedBounds& one, const RequestedBounds& other) {
     return one.axis.free == other.axis.free && one.axis.direction == other.axis.direction &&
            one.travel.zero == other.travel.zero &&
            std::ranges::equal(one.obstacles, other.obstacles, {}, &PlacedObstacle::obstacle, &PlacedObstacle::obstacle);

@@ -20,14 +20,14 @@ struct PlacedObstacle {
 };
 
 /// Bounds of the tool besides the part, and the control of its axis.
-struct WantedBounds {
+struct RequestedBounds {
     std::vector<PlacedObstacle> obstacles;
     AxisMode axis;
     TravelPlacement travel;
 };
 
 /// Whether both give the same bounds, apart from layers being on or off.
-bool boundAlike(const WantedBounds& one, const WantedBounds& other);
+bool boundAlike(const RequestedBounds& one, const RequestedBounds& other);
 /// In the form used by core.
 std::vector<Obstacle> obstaclesOf(const std::vector<PlacedObstacle>& placed);
 std::vector<PlacedObstacle> placed(std::vector<Obstacle> obstacles);

@@ -21,7 +21,7 @@ public:
     const std::vector<PlacedObstacle>& obstacles() const noexcept { return wanted_.obstacles; }
     const AxisMode& axis() const noexcept { return wanted_.axis; }
     bool travelOn() const noexcept { return wanted_.travel.on; }
-    const WantedBounds& wanted() const noexcept { return wanted_; }
+    const RequestedBounds& wanted() const noexcept { return wanted_; }
     bool importing() const { return desk_.tasks.running(TaskKind::fixture); }
     /// Whether shapes and axis are locked because a recording is running.
     bool locked() const noexcept { return mill_.recording(); }
@@ -63,7 +63,7 @@ private:
     WorkpieceController& workpiece_;
     MillController& mill_;
     SessionRunner& session_;
-    WantedBounds wanted_;
+    RequestedBounds wanted_;
 };
 
 } // namespace burin

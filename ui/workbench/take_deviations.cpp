@@ -15,7 +15,7 @@ TakeDeviations::TakeDeviations(const Desk& desk, const WorkpieceController& work
     connect(&workpiece_, &WorkpieceController::readersGoOn, this, &TakeDeviations::goOn);
 }
 
-void TakeDeviations::setWanted(bool wanted) {
+void TakeDeviations::setRequested(bool wanted) {
     if (std::exchange(wanted_, wanted) == wanted) return;
     stopped_ = false;
     failed_.clear();

@@ -20,7 +20,7 @@ public:
     TakeDeviations(const Desk& desk, const WorkpieceController& workpiece, const SessionRunner& session,
                    TimeController& time, QObject* parent);
 
-    void setWanted(bool wanted);
+    void setRequested(bool wanted);
     bool busy() const { return reading_ != nullptr || desk_.tasks.running(TaskKind::deviation); }
     void forget(); ///< another project
 

@@ -117,8 +117,8 @@ void TaskRunner::abandon(TaskKind kind) {
 }
 
 bool TaskRunner::running(TaskKind kind) const {
-    const auto isWanted = [kind](const auto& task) { return task->kind == kind && !task->superseded; };
-    return std::ranges::any_of(tasks_, isWanted) || std::ranges::any_of(waiting_, isWanted);
+    const auto isRequested = [kind](const auto& task) { return task->kind == kind && !task->superseded; };
+    return std::ranges::any_of(tasks_, isRequested) || std::ranges::any_of(waiting_, isRequested);
 }
 
 double TaskRunner::fraction(TaskKind kind) const {

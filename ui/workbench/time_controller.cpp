@@ -297,9 +297,9 @@ void TimeController::backToPresent() {
     emit changed();
 }
 
-void TimeController::switchStretch(std::int64_t take, const SampleRange& stretch, bool on) {
-    mill_.setSwitchedOff(on ? tr("switch on") : tr("switch off"), [take, stretch, on](const Project& project) {
-        return withStretch(project, take, stretch, !on);
+void TimeController::switchInterval(std::int64_t take, const SampleRange& interval, bool on) {
+    mill_.setSwitchedOff(on ? tr("switch on") : tr("switch off"), [take, interval, on](const Project& project) {
+        return withInterval(project, take, interval, !on);
     });
 }
 

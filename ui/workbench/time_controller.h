@@ -78,7 +78,7 @@ public:
 
     /// An entry of the undo stack. A part that is switched off has no effect until it is switched on again, which mills
     /// it on top of the present workpiece.
-    void switchStretch(std::int64_t take, const SampleRange& stretch, bool on);
+    void switchInterval(std::int64_t take, const SampleRange& interval, bool on);
     /// Continues milling from the moment that is shown: everything after it is switched off, and a recording starts as
     /// soon as the workpiece is in the state of that moment.
     void punchIn();

@@ -129,7 +129,7 @@ void ViewDevice::read() {
     (void)stylus_->takeFault(); // it reconnects by itself, and the list of devices shows that it is away
     const std::uint32_t pressed = state.buttons & ~std::exchange(buttons_, state.buttons);
     if (!state.valid) return;
-    if ((pressed & 1U) != 0) emit fitWanted();
+    if ((pressed & 1U) != 0) emit fitRequested();
     const glm::dquat& rotation = state.pose.rotation;
     const auto unlessAtRest = [](const glm::dvec3& deflection) {
         return glm::length(deflection) < atRest ? glm::dvec3(0.0) : glm::clamp(deflection, -1.0, 1.0);

@@ -36,7 +36,7 @@ signals:
     /// Emitted at the frame rate while the device is deflected. @param push, turn share of full deflection, device
     /// frame; the turn is right-handed. @param seconds since the last one
     void pushed(const glm::dvec3& push, const glm::dvec3& turn, double seconds);
-    void fitWanted(); ///< its first button was pressed
+    void fitRequested(); ///< its first button was pressed
 
 private:
     void follow();

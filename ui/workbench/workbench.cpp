@@ -106,13 +106,13 @@ void Workbench::wire() {
         program.load({}, {});
         setup.placeAround(model.model());
     });
-    connect(&setup, &SetupController::changed, this, &Workbench::updateWanted);
-    connect(&surroundings, &Controller::changed, this, [this] { workpiece.setWanted(surroundings.wanted()); });
+    connect(&setup, &SetupController::changed, this, &Workbench::updateRequested);
+    connect(&surroundings, &Controller::changed, this, [this] { workpiece.setRequested(surroundings.wanted()); });
     connect(&workpiece, &WorkpieceController::surroundingsChanged, &path, &PathController::workpieceRemade);
     connect(&workpiece, &WorkpieceController::machineChanged, &path, &PathController::workpieceRemade);
     connect(&material, &Controller::changed, &setup, &SetupController::readLibrary);
-    connect(&tool, &ToolController::chosen, this, &Workbench::updateWanted);
-    connect(&target, &Controller::changed, this, [this] { workpiece.setWanted(target.machine()); });
+    connect(&tool, &ToolController::chosen, this, &Workbench::updateRequested);
+    connect(&target, &Controller::changed, this, [this] { workpiece.setRequested(target.machine()); });
     connect(&mill, &MillController::takesChanged, this, [this] {
         lockSetup();
         path.takesChanged(mill.allTakes(), mill.takes(), mill.newestStrokes());
@@ -123,7 +123,7 @@ void Workbench::wire() {
         setup.setLocked(true);
     });
     connect(&path, &Controller::changed, this, &Workbench::lockSetup); // passes may have been added or removed
-    connect(&program, &ProgramController::textWanted, this, &Workbench::textWanted);
+    connect(&program, &ProgramController::textRequested, this, &Workbench::textRequested);
     connect(&workpiece, &Controller::failed, this, [this] { showWhenReady_ = false; });
     connect(&session, &SessionRunner::changed, this, [this] { tool.setLocked(mill.recording() || showMe.showing()); });
     connect(&mill, &MillController::changed, this, [this] {
@@ -140,7 +140,7 @@ void Workbench::wire() {
         if (!session.running()) growing.clear(); // they are among the takes that were read
     });
     connect(&model, &Controller::failed, this, [this] { showWhenReady_ = false; });
-    workpiece.setWanted(target.machine());
+    workpiece.setRequested(target.machine());
     workpiece.setGuard([this](std::function<void()> change) { mill.interrupt(std::move(change)); });
 }
 
@@ -171,7 +171,7 @@ void Workbench::load(const ProjectContents& contents) {
     path.load(contents.paths, contents.takes, contents.generated);
     lockSetup();
     program.load(contents.programs, contents.programDraft, contents.keptProgram);
-    updateWanted();
+    updateRequested();
     if (!contents.takes.empty() || !contents.generated.empty()) workpiece.embed();
 }
 
@@ -184,8 +184,8 @@ void Workbench::clear() {
     load({});
 }
 
-void Workbench::updateWanted() {
-    workpiece.setWanted(setup.part(), setup.setup(), setup.materials(), tool.current());
+void Workbench::updateRequested() {
+    workpiece.setRequested(setup.part(), setup.setup(), setup.materials(), tool.current());
     path.useTool(tool.current().id);
 }
 
@@ -277,7 +277,7 @@ void Workbench::redoLast() {
 }
 
 bool Workbench::collectText() {
-    emit textWanted();
+    emit textRequested();
     return program.keepDraft();
 }
 

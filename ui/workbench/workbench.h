@@ -123,7 +123,7 @@ public:
     void comeToRest(std::function<void()> then);
 
 signals:
-    void textWanted(); ///< receivers with text not passed on yet must pass it on now
+    void textRequested(); ///< receivers with text not passed on yet must pass it on now
     void failed(const burin::Error& error);
     void partUpdated(const burin::PartUpdate& update);
     void setupShown(const QString& title); ///< undo or redo switched to it
@@ -141,7 +141,7 @@ private:
     void load(const ProjectContents& contents);
     void lockSetup();
     void clear();
-    void updateWanted();
+    void updateRequested();
     void continueShow();
 };
 

@@ -30,8 +30,8 @@ std::string textOf(const std::vector<Property>& materials, const std::string& id
 
 } // namespace
 
-void WorkpieceController::setWanted(std::shared_ptr<const Model> model, const Setup& setup,
-                                    const std::vector<Property>& materials, const Tool& tool) {
+void WorkpieceController::setRequested(std::shared_ptr<const Model> model, const Setup& setup,
+                                       const std::vector<Property>& materials, const Tool& tool) {
     const bool otherTool = tool.id != tool_.id;
     model_ = std::move(model);
     setup_ = setup;
@@ -85,8 +85,8 @@ void WorkpieceController::changeMaterials() {
     });
 }
 
-void WorkpieceController::setWanted(const WantedBounds& bounds) {
-    const WantedBounds before = std::exchange(wanted_, bounds);
+void WorkpieceController::setRequested(const RequestedBounds& bounds) {
+    const RequestedBounds before = std::exchange(wanted_, bounds);
     if (!milling_) return;
     if (before.obstacles != bounds.obstacles || before.travel.zero != bounds.travel.zero) emit surroundingsChanged();
     if (boundAlike(before, bounds)) {
@@ -113,7 +113,7 @@ void WorkpieceController::switchObstacles() {
     });
 }
 
-void WorkpieceController::setWanted(const MachineProfile& machine) {
+void WorkpieceController::setRequested(const MachineProfile& machine) {
     if (toJson(machine) == toJson(machine_)) return; // its values may have changed under the same id
     machine_ = machine;
     if (!milling_) return;
@@ -300,7 +300,7 @@ void WorkpieceController::buildBounds() {
     emit changed();
 }
 
-void WorkpieceController::adoptBounds(const Tool& tool, const WantedBounds& wanted,
+void WorkpieceController::adoptBounds(const Tool& tool, const RequestedBounds& wanted,
                                       std::shared_ptr<const ToolBounds> bounds) {
     if (!milling_) return;
     const PropertyList& properties = milling_->embedded.workpiece.properties();

@@ -27,12 +27,12 @@ public:
 
     /// Sets the input of embedding. A workpiece that no longer matches is kept until the next `embed`.
     /// @param materials searched by id before the library
-    void setWanted(std::shared_ptr<const Model> model, const Setup& setup, const std::vector<Property>& materials,
-                   const Tool& tool);
+    void setRequested(std::shared_ptr<const Model> model, const Setup& setup, const std::vector<Property>& materials,
+                      const Tool& tool);
     /// Sets the machine that it is milled for: its feeds and speeds, and the position of its travel.
-    void setWanted(const MachineProfile& machine);
+    void setRequested(const MachineProfile& machine);
     /// Sets the bounds of the tool besides the part.
-    void setWanted(const WantedBounds& bounds);
+    void setRequested(const RequestedBounds& bounds);
     bool hasModel() const noexcept { return model_ != nullptr; }
     const Box& wantedStock() const noexcept { return setup_.stock; } ///< mm, setup frame
     bool embedded() const;                                           ///< whether the workpiece matches the settings
@@ -60,7 +60,7 @@ public:
     const std::shared_ptr<MillingContext>& milling() const noexcept { return milling_; }
     const std::shared_ptr<const ToolBounds>& bounds() const noexcept { return bounds_; }
     /// The input from which `bounds` was made.
-    const WantedBounds& bound() const noexcept { return bound_; }
+    const RequestedBounds& bound() const noexcept { return bound_; }
     /// The part's clearance over tip positions, from `bounds`; null if there are none or the axis is free.
     std::shared_ptr<const ClearanceField> field() const;
     /// Whether the field is complete; while it grows, its values away from the tool are too small.
@@ -93,7 +93,7 @@ private:
     void remakeWith(const RecordedWork& work);
     void adopt(std::shared_ptr<MillingContext> milling);
     void buildBounds();
-    void adoptBounds(const Tool& tool, const WantedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);
+    void adoptBounds(const Tool& tool, const RequestedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);
     void watchGrowth();
     void switchObstacles();
     void stopReaders(std::function<void()> then); ///< `then` must end with `goOn`
@@ -107,7 +107,7 @@ private:
     MachineProfile machine_;
     std::shared_ptr<MillingContext> milling_;
     std::shared_ptr<const ToolBounds> bounds_;
-    WantedBounds wanted_, bound_;
+    RequestedBounds wanted_, bound_;
     StrokeHistory strokes_;
     std::function<void(std::function<void()>)> guard_;
     int changes_ = 0;        ///< number of changes about to come

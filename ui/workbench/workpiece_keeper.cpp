@@ -52,16 +52,16 @@ void WorkpieceKeeper::keep() {
     std::map<std::int64_t, std::size_t> strokes;
     for (const TakeInfo& take : takes) strokes[take.id] = mill_.strokesOf(take.id);
     desk_.project.ask(
-        [end, whole](Project& project) -> Result<Wanted> {
+        [end, whole](Project& project) -> Result<Requested> {
             const Result<std::vector<TakeMoment>> kept = project.keptMoments();
             if (!kept) return kept.error();
             const Result<RecordedState> state = project.recordedState();
             if (!state) return state.error();
-            return Wanted{*state, whole && !project.readOnly() && state->end == end &&
-                                      std::ranges::find(*kept, end) == kept->end()};
+            return Requested{*state, whole && !project.readOnly() && state->end == end &&
+                                         std::ranges::find(*kept, end) == kept->end()};
         },
         [this, generation = generation_, strokes = std::move(strokes),
-         snapshot = workpiece_.milling()->embedded.workpiece.snapshot()](const Result<Wanted>& wanted) {
+         snapshot = workpiece_.milling()->embedded.workpiece.snapshot()](const Result<Requested>& wanted) {
             // Earlier changes of the project have been signalled here by now: they changed the generation, or make the
             // workpiece be recomputed.
             if (wanted && generation == generation_ && !workpiece_.embedding() && !session_.running())
@@ -69,7 +69,7 @@ void WorkpieceKeeper::keep() {
         });
 }
 
-void WorkpieceKeeper::look(const Wanted& wanted, std::map<std::int64_t, std::size_t> strokes,
+void WorkpieceKeeper::look(const Requested& wanted, std::map<std::int64_t, std::size_t> strokes,
                            VolumeSnapshot workpiece) {
     struct Seen {
         std::uint64_t hash = 0;

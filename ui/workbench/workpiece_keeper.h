@@ -28,11 +28,11 @@ private:
     void wait();
     void keep();
     /// The project's information about the present workpiece.
-    struct Wanted {
+    struct Requested {
         RecordedState state;
         bool keeps = false; ///< not stored yet, and may be stored
     };
-    void look(const Wanted& wanted, std::map<std::int64_t, std::size_t> strokes, VolumeSnapshot workpiece);
+    void look(const Requested& wanted, std::map<std::int64_t, std::size_t> strokes, VolumeSnapshot workpiece);
     void store(const RecordedState& state, KeptWorkpiece kept);
 
     WorkpieceController& workpiece_;

@@ -14,33 +14,33 @@ void PlasticAnchor::setStiffness(double stiffness) noexcept {
     if (!(stiffness > 0.0) || !(stiffness_ > 0.0)) return;
     const double share = stiffness_ / stiffness; // ratio of all lengths, and so of the energies at the same force
     stiffness_ = stiffness;
-    stretch_ *= share;
+    interval_ *= share;
     credit_ *= share;
     mostCredit_ *= share;
 }
 
 void PlasticAnchor::reset() noexcept {
-    stretch_ = glm::dvec3(0.0);
+    interval_ = glm::dvec3(0.0);
     credit_ = 0.0;
     drags_ = false;
 }
 
 glm::dvec3 PlasticAnchor::drag(const glm::dvec3& motion, const Yield& yield) noexcept {
     if (!(stiffness_ > 0.0)) return glm::dvec3(0.0);
-    const bool goesOn = drags_ && glm::dot(stretch_, motion) >= 0.0;
+    const bool goesOn = drags_ && glm::dot(interval_, motion) >= 0.0;
     // The device applied the force of the last tick during the whole motion: this product is exact.
-    credit_ += stiffness_ * (glm::dot(stretch_, motion) + 0.5 * glm::dot(stretch_, stretch_));
-    stretch_ += motion;
-    const double length = glm::length(stretch_), limit = yield.force / stiffness_;
+    credit_ += stiffness_ * (glm::dot(interval_, motion) + 0.5 * glm::dot(interval_, interval_));
+    interval_ += motion;
+    const double length = glm::length(interval_), limit = yield.force / stiffness_;
     double wanted = std::min(length, limit);
     if (goesOn && length < limit)
         wanted = std::clamp(std::sqrt(2.0 * std::max(0.0, credit_) / stiffness_), length, limit);
     drags_ = length > 0.0 && (length >= limit || goesOn);
-    if (length > 0.0) stretch_ *= wanted / length;
-    const double along = glm::dot(stretch_, yield.across), most = yield.along / stiffness_;
-    stretch_ -= (along - std::clamp(along, -most, most)) * yield.across;
-    credit_ = std::min(credit_ - 0.5 * stiffness_ * glm::dot(stretch_, stretch_), mostCredit_);
-    return -stiffness_ * stretch_;
+    if (length > 0.0) interval_ *= wanted / length;
+    const double along = glm::dot(interval_, yield.across), most = yield.along / stiffness_;
+    interval_ -= (along - std::clamp(along, -most, most)) * yield.across;
+    credit_ = std::min(credit_ - 0.5 * stiffness_ * glm::dot(interval_, interval_), mostCredit_);
+    return -stiffness_ * interval_;
 }
 
 } // namespace burin

@@ -40,9 +40,9 @@ public:
 
 private:
     double stiffness_, mostCredit_;
-    glm::dvec3 stretch_{0.0}; ///< mm, from the anchor to the tool
-    double credit_ = 0.0;     ///< N·mm
-    bool drags_ = false;      ///< whether the last tick ended at the yield force
+    glm::dvec3 interval_{0.0}; ///< mm, from the anchor to the tool
+    double credit_ = 0.0;      ///< N·mm
+    bool drags_ = false;       ///< whether the last tick ended at the yield force
 };
 
 } // namespace burin

@@ -5,7 +5,7 @@
 #include "core/volume/runs/alike_merge.h"
 #include "core/volume/runs/assembly.h"
 #include "core/volume/runs/brick_merge.h"
-#include "core/volume/runs/stretches.h"
+#include "core/volume/runs/intervals.h"
 #include "core/volume/runs/volume_access.h"
 
 #include <array>

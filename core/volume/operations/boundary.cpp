@@ -12,22 +12,22 @@ namespace burin {
 
 namespace {
 
-/// Calls visit(VoxelStretch) for the boundary voxels of a line.
+/// Calls visit(VoxelInterval) for the boundary voxels of a line.
 /// @param own     intervals where the line holds material
 /// @param common  intervals where the line and all eight lines around it hold material. A voxel is not on the boundary
 ///        if all nine are full from the voxel before to the one after: all voxels of these intervals except the first
 ///        and the last of each.
 template <class Visit>
-void eachBoundaryStretch(VoxelPlaces own, VoxelPlaces common, Visit&& visit) {
+void eachBoundaryInterval(VoxelPlaces own, VoxelPlaces common, Visit&& visit) {
     std::size_t inner = 0;
     for (std::size_t i = 0; i < own.size(); i += 2) {
         std::int32_t from = own[i];
         for (; inner < common.size() && common[inner] < own[i + 1]; inner += 2) {
             if (common[inner] + 1 >= common[inner + 1] - 1) continue;
-            visit(VoxelStretch{from, common[inner]});
+            visit(VoxelInterval{from, common[inner]});
             from = common[inner + 1] - 1;
         }
-        visit(VoxelStretch{from, own[i + 1] - 1});
+        visit(VoxelInterval{from, own[i + 1] - 1});
     }
 }
 
@@ -125,7 +125,7 @@ private:
 
     /// For lines with one interval each: the intersection of nine is from the greatest begin to the least end.
     void findSimple(const Surrounding& before, const Surrounding& here, const Surrounding& behind, Brick& brick) {
-        std::array<VoxelStretch, 2 * linesPerTile> stretches;
+        std::array<VoxelInterval, 2 * linesPerTile> intervals;
         std::size_t found = 0;
         for (std::size_t v = 0; v < side; ++v) {
             std::array<std::int32_t, side + 2> from{}, to{};
@@ -143,14 +143,14 @@ private:
                 const std::int32_t begin = here.from(v + 1)[u], last = here.to(v + 1)[u] - 1;
                 const bool any = begin <= last, split = inner + 1 < innerEnd;
                 brick.begin[v * side + u] = static_cast<std::uint32_t>(found);
-                stretches[found] = {begin, split ? inner : last};
+                intervals[found] = {begin, split ? inner : last};
                 found += any ? 1U : 0U;
-                stretches[found] = {innerEnd, last};
+                intervals[found] = {innerEnd, last};
                 found += any && split ? 1U : 0U;
             }
         }
         brick.begin[linesPerTile] = static_cast<std::uint32_t>(found);
-        brick.stretches.assign(stretches.begin(), stretches.begin() + static_cast<std::ptrdiff_t>(found));
+        brick.intervals.assign(intervals.begin(), intervals.begin() + static_cast<std::ptrdiff_t>(found));
     }
 
     /// The intersection of nine lines in two steps: of three along v, then of three such results along u.
@@ -164,18 +164,18 @@ private:
                 const std::size_t line = u * (side + 2) + v;
                 appendCommonOfThree(alongV_, own_[line], own_[line + 1], own_[line + 2]);
             }
-        stretches_.clear();
+        intervals_.clear();
         for (std::size_t v = 0; v < side; ++v)
             for (std::size_t u = 0; u < side; ++u) {
-                brick.begin[v * side + u] = static_cast<std::uint32_t>(stretches_.size());
+                brick.begin[v * side + u] = static_cast<std::uint32_t>(intervals_.size());
                 common_.clear();
                 appendCommonOfThree(common_, alongV_[u * side + v], alongV_[(u + 1) * side + v],
                                     alongV_[(u + 2) * side + v]);
-                eachBoundaryStretch(own_[(u + 1) * (side + 2) + v + 1], common_[0],
-                                    [&](VoxelStretch stretch) { stretches_.push_back(stretch); });
+                eachBoundaryInterval(own_[(u + 1) * (side + 2) + v + 1], common_[0],
+                                     [&](VoxelInterval interval) { intervals_.push_back(interval); });
             }
-        brick.begin[linesPerTile] = static_cast<std::uint32_t>(stretches_.size());
-        brick.stretches.assign(stretches_.begin(), stretches_.end());
+        brick.begin[linesPerTile] = static_cast<std::uint32_t>(intervals_.size());
+        brick.intervals.assign(intervals_.begin(), intervals_.end());
     }
     static std::span<const RunPosition> changes(const Surrounding& before, const Surrounding& here,
                                                 const Surrounding& behind, std::size_t row, std::size_t u) {
@@ -196,7 +196,7 @@ private:
     PlaceLists<(side + 2) * (side + 2)> own_; ///< u counts slower than v, both starting one line before the brick
     PlaceLists<(side + 2) * side> alongV_;
     PlaceLists<1> between_, common_;
-    std::vector<VoxelStretch> stretches_;
+    std::vector<VoxelInterval> intervals_;
 };
 
 BoundaryList::BoundaryList(const VolumeSnapshot& volume) : shown_(volume) {
@@ -208,7 +208,7 @@ void BoundaryList::findAll() {
     bricksU_ = table.tilesU;
     bricksV_ = table.tilesV;
     bricks_.resize(static_cast<std::size_t>(bricksU_) * static_cast<std::size_t>(bricksV_));
-    parallelStretches(std::int32_t{0}, bricksV_, 1, [&](std::int32_t from, std::int32_t to) {
+    parallelIntervals(std::int32_t{0}, bricksV_, 1, [&](std::int32_t from, std::int32_t to) {
         Finder finder(shown_);
         for (std::int32_t v = from; v < to; ++v) finder.find(v, 0, bricksU_, &bricks_[brickAt(0, v)]);
     });
@@ -229,7 +229,7 @@ std::size_t BoundaryList::update(const VolumeSnapshot& now) {
                     changed[brickAt(nearU, nearV)] = 1;
         }
     shown_ = now;
-    parallelStretches(std::int32_t{0}, bricksV_, 1, [&](std::int32_t from, std::int32_t to) {
+    parallelIntervals(std::int32_t{0}, bricksV_, 1, [&](std::int32_t from, std::int32_t to) {
         Finder finder(shown_);
         for (std::int32_t v = from; v < to; ++v)
             for (std::int32_t u = 0; u < bricksU_; ++u) {
@@ -241,17 +241,17 @@ std::size_t BoundaryList::update(const VolumeSnapshot& now) {
     return static_cast<std::size_t>(std::accumulate(changed.begin(), changed.end(), std::ptrdiff_t{0}));
 }
 
-std::span<const VoxelStretch> BoundaryList::line(LineIndex line) const noexcept {
+std::span<const VoxelInterval> BoundaryList::line(LineIndex line) const noexcept {
     const Brick& brick = bricks_[brickAt(line.u / tileSide, line.v / tileSide)];
     const auto place = static_cast<std::size_t>(TileTable::lineInTile(line));
-    return std::span(brick.stretches).subspan(brick.begin[place], brick.begin[place + 1] - brick.begin[place]);
+    return std::span(brick.intervals).subspan(brick.begin[place], brick.begin[place + 1] - brick.begin[place]);
 }
 
 std::uint64_t BoundaryList::voxelCount() const noexcept {
     std::uint64_t count = 0;
     for (const Brick& brick : bricks_)
-        for (const VoxelStretch stretch : brick.stretches)
-            count += static_cast<std::uint64_t>(stretch.last - stretch.first + 1);
+        for (const VoxelInterval interval : brick.intervals)
+            count += static_cast<std::uint64_t>(interval.last - interval.first + 1);
     return count;
 }
 
@@ -259,26 +259,27 @@ std::vector<VoxelIndex> BoundaryList::voxels() const {
     const Grid& grid = shown_.grid();
     const auto eachInRow = [&](std::int32_t v, auto&& visit) {
         for (std::int32_t u = 0; u < grid.lineCountU(); ++u)
-            for (const VoxelStretch stretch : line({u, v})) visit(LineIndex{u, v}, stretch);
+            for (const VoxelInterval interval : line({u, v})) visit(LineIndex{u, v}, interval);
     };
     std::vector<std::size_t> begin(static_cast<std::size_t>(grid.lineCountV()) + 1, 0);
     parallelFor(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
-        eachInRow(v, [&](LineIndex, VoxelStretch stretch) {
-            begin[static_cast<std::size_t>(v) + 1] += static_cast<std::size_t>(stretch.last - stretch.first + 1);
+        eachInRow(v, [&](LineIndex, VoxelInterval interval) {
+            begin[static_cast<std::size_t>(v) + 1] += static_cast<std::size_t>(interval.last - interval.first + 1);
         });
     });
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<VoxelIndex> all(begin.back());
     parallelFor(std::int32_t{0}, grid.lineCountV(), [&](std::int32_t v) {
         VoxelIndex* next = all.data() + begin[static_cast<std::size_t>(v)];
-        eachInRow(v, [&](LineIndex line, VoxelStretch stretch) {
-            for (std::int32_t along = stretch.first; along <= stretch.last; ++along) *next++ = grid.voxel(line, along);
+        eachInRow(v, [&](LineIndex line, VoxelInterval interval) {
+            for (std::int32_t along = interval.first; along <= interval.last; ++along)
+                *next++ = grid.voxel(line, along);
         });
     });
     return all;
 }
 
-std::vector<VoxelStretch> boundaryOfLine(const VolumeSnapshot& volume, LineIndex line) {
+std::vector<VoxelInterval> boundaryOfLine(const VolumeSnapshot& volume, LineIndex line) {
     LineChanges<1> changes;
     PlaceLists<1> own, other, common, result;
     const auto read = [&](LineIndex at, PlaceLists<1>& places) {
@@ -297,8 +298,8 @@ std::vector<VoxelStretch> boundaryOfLine(const VolumeSnapshot& volume, LineIndex
             common.appendCommon(result[0], other[0]);
             std::swap(result, common);
         }
-    std::vector<VoxelStretch> found;
-    eachBoundaryStretch(own[0], result[0], [&](VoxelStretch stretch) { found.push_back(stretch); });
+    std::vector<VoxelInterval> found;
+    eachBoundaryInterval(own[0], result[0], [&](VoxelInterval interval) { found.push_back(interval); });
     return found;
 }
 

@@ -10,9 +10,9 @@
 namespace burin {
 
 /// Consecutive voxels first … last (inclusive) of one scanline.
-struct VoxelStretch {
+struct VoxelInterval {
     std::int32_t first = 0, last = 0;
-    friend bool operator==(VoxelStretch, VoxelStretch) = default;
+    friend bool operator==(VoxelInterval, VoxelInterval) = default;
 };
 
 /// The boundary voxels of an object: those with at least one empty voxel among their 26 neighbours (Chen & Yang 2004,
@@ -33,7 +33,7 @@ public:
 
     const VolumeSnapshot& shown() const noexcept { return shown_; }
     /// Boundary intervals of a scanline, in order; no two of them touch. Valid until the next update.
-    std::span<const VoxelStretch> line(LineIndex line) const noexcept;
+    std::span<const VoxelInterval> line(LineIndex line) const noexcept;
     std::uint64_t voxelCount() const noexcept;
     /// All voxels, ordered by scanline (v, then u) and then along the scanline. Parallel.
     /// @throws std::bad_alloc
@@ -42,7 +42,7 @@ public:
 private:
     struct Brick {
         std::array<std::uint32_t, 65> begin{}; ///< by line, u counts fastest
-        std::vector<VoxelStretch> stretches;
+        std::vector<VoxelInterval> intervals;
     };
     class Surrounding;
     class Finder;
@@ -58,7 +58,7 @@ private:
 };
 
 /// Boundary voxels of one scanline, in order. Cost: grows with the runs of the line and of its eight neighbours.
-std::vector<VoxelStretch> boundaryOfLine(const VolumeSnapshot& volume, LineIndex line);
+std::vector<VoxelInterval> boundaryOfLine(const VolumeSnapshot& volume, LineIndex line);
 
 /// All boundary voxels; as BoundaryList::voxels, without a list that can be updated.
 std::vector<VoxelIndex> boundaryVoxels(const VolumeSnapshot& volume);

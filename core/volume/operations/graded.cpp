@@ -51,7 +51,7 @@ public:
         RunPosition present = from;
         int cell = cellOf(present);
         while (present + 1 < to) {
-            const RunPosition last = stretchEnd(place, present, to - 1);
+            const RunPosition last = intervalEnd(place, present, to - 1);
             for (const int lastCell = cellOf(last); cell != lastCell;) {
                 RunPosition same = present, other = last;
                 while (other - same > 1) {
@@ -101,7 +101,7 @@ private:
     int bandOf(int cell) const { return bandOfCell_.empty() ? cell : bandOfCell_[static_cast<std::size_t>(cell)]; }
 
     /// The last unit, at most `limit`, up to which the grading is monotonic.
-    RunPosition stretchEnd(const glm::dvec3& place, RunPosition from, RunPosition limit) const {
+    RunPosition intervalEnd(const glm::dvec3& place, RunPosition from, RunPosition limit) const {
         if (material_.grading.controls().empty()) return std::min(limit, from + unitsPerVoxel);
         const std::optional<double> turn = material_.grading.nearest(place, grid_.axisOfRuns());
         if (!turn) return limit;

@@ -31,7 +31,7 @@ bool isRay(const LocalRay& ray) noexcept {
 }
 
 /// Part of a ray, by its distance from the origin.
-struct Stretch {
+struct Interval {
     double from = 0.0, to = never;
     void clip(double origin, double way, double low, double high) {
         if (way == 0.0) {
@@ -55,12 +55,12 @@ public:
         PropertyIndex property = airProperty;
     };
 
-    Meeting first(LineIndex line, Stretch within) const {
+    Meeting first(LineIndex line, Interval within) const {
         Meeting found;
         double begin = 0.0;
         for (const Segment segment : workpiece_.line(line)) {
             const double end = static_cast<double>(segment.end()) / unitsPerVoxel;
-            Stretch inside = within;
+            Interval inside = within;
             inside.clip(ray_.origin.z, ray_.way.z, begin, end);
             begin = end;
             if (!stops(segment.property()) || inside.from > inside.to || inside.from >= found.distance) continue;
@@ -108,7 +108,7 @@ std::optional<RayHit> castRay(const VolumeSnapshot& workpiece, const glm::dvec3&
     const Grid& grid = workpiece.grid();
     const LocalRay ray = localRay(grid, origin, direction);
     if (!isRay(ray)) return std::nullopt;
-    Stretch inGrid;
+    Interval inGrid;
     inGrid.clip(ray.origin.x, ray.way.x, 0.0, grid.lineCountU());
     inGrid.clip(ray.origin.y, ray.way.y, 0.0, grid.lineCountV());
     inGrid.clip(ray.origin.z, ray.way.z, 0.0, grid.voxelsPerLine());

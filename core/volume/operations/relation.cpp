@@ -3,7 +3,7 @@
 #include "core/volume/operations/relation.h"
 
 #include "core/base/parallel.h"
-#include "core/volume/runs/stretches.h"
+#include "core/volume/runs/intervals.h"
 #include "core/volume/runs/volume_access.h"
 
 #include <atomic>
@@ -17,7 +17,7 @@ struct Contact {
     bool overlap = false, touch = false;
 };
 
-Contact contactOf(const std::vector<Stretch>& a, const std::vector<Stretch>& b) {
+Contact contactOf(const std::vector<Interval>& a, const std::vector<Interval>& b) {
     Contact contact;
     for (std::size_t i = 0, k = 0; i < a.size() && k < b.size();) {
         const std::int64_t from = std::max(a[i].from, b[k].from), to = std::min(a[i].to, b[k].to);
@@ -31,11 +31,11 @@ Contact contactOf(const std::vector<Stretch>& a, const std::vector<Stretch>& b) 
     return contact;
 }
 
-void stretchesOf(std::span<const Segment> line, PropertyIndex property, std::vector<Stretch>& stretches) {
-    stretches.clear();
+void intervalsOf(std::span<const Segment> line, PropertyIndex property, std::vector<Interval>& intervals) {
+    intervals.clear();
     RunPosition start = 0;
     for (const Segment segment : line) {
-        if (segment.property() == property) stretches.push_back({start, segment.end()});
+        if (segment.property() == property) intervals.push_back({start, segment.end()});
         start = segment.end();
     }
 }
@@ -70,7 +70,7 @@ public:
         std::atomic<bool> intersecting{false}, adjacent{false};
         const auto known = [&] { return intersecting || (adjacent && !mayIntersect); };
         parallelFor(std::int32_t{0}, bricks(grid_.lineCountV()), [&](std::int32_t brickV) {
-            std::vector<Stretch> a, b;
+            std::vector<Interval> a, b;
             for (std::int32_t brickU = 0; brickU < bricks(grid_.lineCountU()); ++brickU) {
                 if (known()) return;
                 if (!holds(holdsA_, brickU, brickV) || !holdsNear(brickU, brickV)) continue;
@@ -126,16 +126,16 @@ Result<SpatialRelation> relation(const VolumeSnapshot& a, const VolumeSnapshot& 
     const auto isMaterial = [](PropertyIndex property) { return property != airProperty; };
     return Comparison(a.grid(), bricksThatHold(a, isMaterial), bricksThatHold(b, isMaterial))
         .run(
-            true, [&](LineIndex line, std::vector<Stretch>& out) { materialUnits(a.line(line), out); },
-            [&](LineIndex line, std::vector<Stretch>& out) { materialUnits(b.line(line), out); });
+            true, [&](LineIndex line, std::vector<Interval>& out) { materialUnits(a.line(line), out); },
+            [&](LineIndex line, std::vector<Interval>& out) { materialUnits(b.line(line), out); });
 }
 
 SpatialRelation relation(const VolumeSnapshot& volume, PropertyIndex a, PropertyIndex b) {
     const auto is = [](PropertyIndex wanted) { return [=](PropertyIndex property) { return property == wanted; }; };
     return Comparison(volume.grid(), bricksThatHold(volume, is(a)), bricksThatHold(volume, is(b)))
         .run(
-            false, [&](LineIndex line, std::vector<Stretch>& out) { stretchesOf(volume.line(line), a, out); },
-            [&](LineIndex line, std::vector<Stretch>& out) { stretchesOf(volume.line(line), b, out); });
+            false, [&](LineIndex line, std::vector<Interval>& out) { intervalsOf(volume.line(line), a, out); },
+            [&](LineIndex line, std::vector<Interval>& out) { intervalsOf(volume.line(line), b, out); });
 }
 
 } // namespace burin

@@ -22,15 +22,15 @@ public:
     }
 
     /// The interval of a line inside the slab; empty if high is not above low.
-    struct Stretch {
+    struct Interval {
         RunPosition low = 0, high = 0;
     };
-    Stretch on(LineIndex line) const {
+    Interval on(LineIndex line) const {
         if (!grid_.contains(line)) return {};
         if (axis_ == grid_.axisOfRuns()) return {low_, high_};
         const glm::dvec2 centre = grid_.lineCentre(line);
         const double at = axis_ == grid_.axisOfU() ? centre.x : centre.y;
-        return at >= from_ && at < to_ ? Stretch{0, grid_.lineEnd()} : Stretch{};
+        return at >= from_ && at < to_ ? Interval{0, grid_.lineEnd()} : Interval{};
     }
 
 private:
@@ -63,7 +63,7 @@ public:
 private:
     bool paint(LineIndex line, BrickLines& lines) const {
         if (!volume_.grid().contains(line)) return false;
-        const Slab::Stretch within = slab_.on(line);
+        const Slab::Interval within = slab_.on(line);
         bool changed = false;
         RunPosition start = 0;
         for (const Segment segment : volume_.line(line)) {

@@ -165,7 +165,7 @@ std::vector<Slice> turnSlices(const VolumeSnapshot& volume, RunAxis axis, Progre
     const int across = 3 - static_cast<int>(volume.grid().axis()) - static_cast<int>(axis);
     std::vector<Slice> slices(static_cast<std::size_t>(volume.grid().count()[across]));
     ParallelProgress shared(progress, slices.size());
-    parallelStretches(std::size_t{0}, slices.size(), 8, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, slices.size(), 8, [&](std::size_t from, std::size_t to) {
         SliceTurning turning(volume, axis);
         for (std::size_t i = from; i < to && !progress.cancelled(); ++i)
             turning.turn(static_cast<std::int32_t>(i), slices[i]);

@@ -16,7 +16,7 @@ PackedBlocks packBlocks(const VolumeStore& store, std::span<const BlockIndex> bl
     };
     std::vector<Part> parts((blocks.size() + tilesPerPart - 1) / tilesPerPart);
     const PackedTileFrame frame = packedFrame(store.grid, store.properties);
-    parallelStretches(std::size_t{0}, parts.size(), 1, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, parts.size(), 1, [&](std::size_t from, std::size_t to) {
         TilePacker packer(frame);
         for (std::size_t i = from; i < to; ++i) {
             Part& part = parts[i];

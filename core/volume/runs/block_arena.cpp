@@ -64,7 +64,7 @@ std::unique_ptr<BlockArena> BlockArena::make(std::size_t bytes) {
     // The first access to a page costs a fault, which the haptic loop must not pay for.
     (void)::madvise(memory, mapped, MADV_HUGEPAGE);
     std::byte* const first = arena->memory_;
-    parallelStretches(std::size_t{0}, (arena->reservedBytes() + page - 1) / page, 1,
+    parallelIntervals(std::size_t{0}, (arena->reservedBytes() + page - 1) / page, 1,
                       [first, mapped](std::size_t from, std::size_t to) {
                           for (std::size_t offset = from * page; offset < std::min(to * page, mapped); offset += 4096)
                               first[offset] = std::byte{0};
@@ -147,19 +147,19 @@ void BlockArena::shelve(BlockIndex first, std::size_t units) noexcept {
 }
 
 void BlockArena::joinFreeBlocks() {
-    struct Stretch {
+    struct Interval {
         BlockIndex first;
         std::uint32_t units;
     };
-    std::vector<Stretch> stretches;
+    std::vector<Interval> intervals;
     for (std::size_t sizeClass = 0; sizeClass < classCount; ++sizeClass)
         for (BlockIndex block = take(sizeClass); block != noBlock; block = take(sizeClass))
-            stretches.push_back({block, classSizes[sizeClass]});
-    std::ranges::sort(stretches, {}, &Stretch::first);
-    for (std::size_t i = 0; i < stretches.size();) {
-        Stretch joined = stretches[i++];
-        while (i < stretches.size() && stretches[i].first == joined.first + joined.units)
-            joined.units += stretches[i++].units;
+            intervals.push_back({block, classSizes[sizeClass]});
+    std::ranges::sort(intervals, {}, &Interval::first);
+    for (std::size_t i = 0; i < intervals.size();) {
+        Interval joined = intervals[i++];
+        while (i < intervals.size() && intervals[i].first == joined.first + joined.units)
+            joined.units += intervals[i++].units;
         if (joined.first + joined.units == untouched_)
             untouched_ = joined.first;
         else

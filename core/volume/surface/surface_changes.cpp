@@ -57,9 +57,9 @@ struct TilesAround {
 };
 
 /// The interval of a line outside which two states of it are equal; empty if they are equal everywhere.
-struct ChangedStretch {
+struct ChangedInterval {
     RunPosition from = 0, to = 0;
-    ChangedStretch(std::span<const Segment> before, std::span<const Segment> now) {
+    ChangedInterval(std::span<const Segment> before, std::span<const Segment> now) {
         const auto [old, fresh] = std::ranges::mismatch(before, now);
         if (fresh == now.end()) return;
         from = old->property() == fresh->property() ? std::min(old->end(), fresh->end()) : beginOf(now, fresh);
@@ -124,10 +124,10 @@ void changedSurfaceBricks(const VolumeSnapshot& before, const VolumeSnapshot& no
         int first = pieces, last = -1;
         for (int i = 0; i < linesPerTile; ++i) {
             if (!grid.contains(LineIndex{line.u + i % tileSide, line.v + i / tileSide})) continue;
-            const ChangedStretch stretch(old.line(i), fresh.line(i));
-            if (stretch.empty()) continue;
-            const int from = std::max((static_cast<std::int32_t>(stretch.from) - reach) / length, 0);
-            const int to = std::min((static_cast<std::int32_t>(stretch.to) + reach) / length, pieces - 1);
+            const ChangedInterval interval(old.line(i), fresh.line(i));
+            if (interval.empty()) continue;
+            const int from = std::max((static_cast<std::int32_t>(interval.from) - reach) / length, 0);
+            const int to = std::min((static_cast<std::int32_t>(interval.to) + reach) / length, pieces - 1);
             std::fill(marks.begin() + from, marks.begin() + to + 1, std::uint8_t{1});
             first = std::min(first, from);
             last = std::max(last, to);

@@ -36,20 +36,20 @@ void SurfaceSearch::mark(std::span<const Segment> line, RunPosition lineEnd) {
     RunPosition begin = 0;
     for (const Segment segment : line) {
         if ((segment.property() != airProperty) != solid) {
-            markStretch(solid ? solid_ : air_, from, begin);
+            markInterval(solid ? solid_ : air_, from, begin);
             from = begin;
             solid = !solid;
         }
         begin = segment.end();
     }
     if (solid) {
-        markStretch(solid_, from, lineEnd);
+        markInterval(solid_, from, lineEnd);
         from = lineEnd;
     }
-    markStretch(air_, from, far);
+    markInterval(air_, from, far);
 }
 
-void SurfaceSearch::markStretch(std::vector<int>& steps, std::int64_t from, std::int64_t to) const {
+void SurfaceSearch::markInterval(std::vector<int>& steps, std::int64_t from, std::int64_t to) const {
     constexpr std::int64_t reach = SurfaceWindow::marginNodes + 1; // how far a window's nodes see beyond its own
     const std::int64_t piece = SurfaceWindow::ownedNodes * cell_, last = static_cast<std::int64_t>(steps.size()) - 1;
     const auto place = [&](std::int64_t position) {

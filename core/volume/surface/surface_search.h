@@ -19,7 +19,7 @@ public:
 
 private:
     void mark(std::span<const Segment> line, RunPosition lineEnd);
-    void markStretch(std::vector<int>& steps, std::int64_t from, std::int64_t to) const;
+    void markInterval(std::vector<int>& steps, std::int64_t from, std::int64_t to) const;
 
     std::int64_t cell_ = unitsPerVoxel; ///< run units
     std::vector<int> solid_, air_;      ///< by piece: change in the number of scanlines with solid or air in it, from

@@ -66,7 +66,7 @@ Result<std::vector<LatticeVertex>> projectVertices(const TriangleMesh& mesh, con
     };
     std::vector<LatticeVertex> vertices(mesh.vertices.size());
     std::atomic<const glm::dvec3*> outOfReach{nullptr};
-    parallelStretches(std::size_t{0}, vertices.size(), 1 << 14, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, vertices.size(), 1 << 14, [&](std::size_t from, std::size_t to) {
         for (std::size_t i = from; i < to; ++i) {
             const glm::dvec3& point = mesh.vertices[i];
             const double u = voxels(point, axisU), v = voxels(point, axisV), along = voxels(point, runs);

@@ -35,7 +35,7 @@ SortedCrossings::SortedCrossings(const TriangleMesh& mesh, std::size_t firstCap,
     , grid_(grid)
     , vertices_(std::move(vertices))
     , parts_((mesh.triangles.size() + trianglesPerPart - 1) / trianglesPerPart) {
-    parallelStretches(std::size_t{0}, parts_.size(), 1, [&](std::size_t from, std::size_t to) {
+    parallelIntervals(std::size_t{0}, parts_.size(), 1, [&](std::size_t from, std::size_t to) {
         Scratch scratch;
         for (std::size_t i = from; i < to; ++i) parts_[i] = part(i * trianglesPerPart, scratch);
     });

@@ -12,19 +12,19 @@ namespace {
 using test::period;
 
 /// The relative error of the contact force for a push against the floor, N: the larger one of the errors of the
-/// device's force and of stiffness times stretch. The handle is at rest when the force on it equals the push, so the
+/// device's force and of stiffness times interval. The handle is at rest when the force on it equals the push, so the
 /// push is the oracle.
 double pressError(double push, double stiffness, double scale) {
     constexpr int settling = 4000, looking = 1000; // ticks
     HeldFloor floor({stiffness, 4.0, 100.0, scale}, {0.15, 5.0, 0.0}, {0.08, 0.5, 0.02, 0}, 1.0);
-    double force = 0.0, stretch = 0.0;
+    double force = 0.0, interval = 0.0;
     for (int tick = 0; tick < settling + looking; ++tick) {
         const Sample sample = floor.tick(0.0, push);
         if (tick < settling) continue;
         force += floor.force() / looking;
-        stretch += (sample.proxy.tip.z - sample.stylusTip.z) / looking;
+        interval += (sample.proxy.tip.z - sample.stylusTip.z) / looking;
     }
-    const double spring = stiffness * stretch / (scale * millimetresPerMetre);
+    const double spring = stiffness * interval / (scale * millimetresPerMetre);
     return std::max(std::abs(force - push), std::abs(spring - push)) / push;
 }
 

@@ -11,10 +11,10 @@ namespace burin::benchmarks {
 
 namespace {
 
-volatile std::sig_atomic_t stopWanted = 0; // a signal handler may access nothing else
+volatile std::sig_atomic_t stopRequested = 0; // a signal handler may access nothing else
 
 extern "C" void wantStop(int) {
-    stopWanted = 1;
+    stopRequested = 1;
 }
 
 } // namespace
@@ -25,7 +25,7 @@ Session::Session(std::string only) : only_(std::move(only)), terminal_(isatty(ST
 }
 
 bool Session::cancelled() noexcept {
-    return stopWanted != 0;
+    return stopRequested != 0;
 }
 
 void Session::throwIfCancelled() {

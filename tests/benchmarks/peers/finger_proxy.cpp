@@ -96,13 +96,13 @@ const glm::dvec3& FingerProxy::advance(const glm::dvec3& goal) {
         }
         centre_ += way * std::max(0.0, contact->share - skin / length);
         planes[count++] = contact->normal;
-        const glm::dvec3 wish = goal - centre_;
-        if (count == 1) target = centre_ + wish - planes[0] * std::min(0.0, glm::dot(wish, planes[0]));
+        const glm::dvec3 request = goal - centre_;
+        if (count == 1) target = centre_ + request - planes[0] * std::min(0.0, glm::dot(request, planes[0]));
         if (count == 2) {
             const glm::dvec3 line = glm::cross(planes[0], planes[1]);
             const double squared = glm::dot(line, line);
             if (!(squared > 1e-9)) break; // the same plane again
-            target = centre_ + line * (glm::dot(wish, line) / squared);
+            target = centre_ + line * (glm::dot(request, line) / squared);
         }
     }
     return centre_;

@@ -14,7 +14,7 @@ namespace burin::benchmarks {
 namespace {
 
 /// An interval of cubes of one level on a line: up to `end`, all contain `value`.
-struct Stretch {
+struct Interval {
     std::int32_t end = 0;
     std::int32_t value = 0;
 };
@@ -23,19 +23,19 @@ constexpr std::int32_t mixed = -1;
 /// All lines of one level, one after another.
 struct Level {
     std::int32_t side = 0; ///< cubes along an axis
-    std::vector<Stretch> stretches;
+    std::vector<Interval> intervals;
     std::vector<std::size_t> begin{0}; ///< of each line, and the end of the last
 
     void append(std::int32_t end, std::int32_t value) {
-        const bool fresh = stretches.size() == begin.back();
-        const std::int32_t reached = fresh ? 0 : stretches.back().end;
+        const bool fresh = intervals.size() == begin.back();
+        const std::int32_t reached = fresh ? 0 : intervals.back().end;
         if (end <= reached) return;
-        if (!fresh && stretches.back().value == value)
-            stretches.back().end = end;
+        if (!fresh && intervals.back().value == value)
+            intervals.back().end = end;
         else
-            stretches.push_back({end, value});
+            intervals.push_back({end, value});
     }
-    void endLine() { begin.push_back(stretches.size()); }
+    void endLine() { begin.push_back(intervals.size()); }
 };
 
 Level voxelsOf(const VolumeSnapshot& volume) {
@@ -51,18 +51,18 @@ Level voxelsOf(const VolumeSnapshot& volume) {
 
 /// Combines four adjacent lines into one of cubes with twice the edge.
 void halveLine(const Level& fine, std::int32_t u, std::int32_t v, Level& coarse) {
-    std::array<const Stretch*, 4> at{};
+    std::array<const Interval*, 4> at{};
     for (std::size_t i = 0; i < 4; ++i) {
         const auto row = static_cast<std::size_t>(2 * v + static_cast<std::int32_t>(i / 2));
         const auto column = static_cast<std::size_t>(2 * u + static_cast<std::int32_t>(i % 2));
-        at[i] = fine.stretches.data() + fine.begin[row * static_cast<std::size_t>(fine.side) + column];
+        at[i] = fine.intervals.data() + fine.begin[row * static_cast<std::size_t>(fine.side) + column];
     }
     for (std::int32_t from = 0; from < fine.side;) {
         std::int32_t to = fine.side;
         bool equal = at[0]->value != mixed;
-        for (const Stretch* stretch : at) {
-            to = std::min(to, stretch->end);
-            equal = equal && stretch->value == at[0]->value;
+        for (const Interval* interval : at) {
+            to = std::min(to, interval->end);
+            equal = equal && interval->value == at[0]->value;
         }
         // The cube in which an interval begins is mixed unless the interval begins with it, and so is the one in which
         // it ends: the next interval, or the line's end, appends it.
@@ -73,8 +73,8 @@ void halveLine(const Level& fine, std::int32_t u, std::int32_t v, Level& coarse)
         } else {
             coarse.append((to + 1) / 2, mixed);
         }
-        for (const Stretch*& stretch : at)
-            if (stretch->end == to && to < fine.side) ++stretch;
+        for (const Interval*& interval : at)
+            if (interval->end == to && to < fine.side) ++interval;
         from = to;
     }
     coarse.append(coarse.side, mixed);
@@ -94,9 +94,9 @@ std::uint64_t mixedCubes(const Level& level) {
     for (std::size_t line = 0; line + 1 < level.begin.size(); ++line) {
         std::int32_t from = 0;
         for (std::size_t i = level.begin[line]; i < level.begin[line + 1]; ++i) {
-            const Stretch& stretch = level.stretches[i];
-            if (stretch.value == mixed) count += static_cast<std::uint64_t>(stretch.end - from);
-            from = stretch.end;
+            const Interval& interval = level.intervals[i];
+            if (interval.value == mixed) count += static_cast<std::uint64_t>(interval.end - from);
+            from = interval.end;
         }
     }
     return count;

@@ -24,10 +24,10 @@ public:
 
     void clear() { segments_.clear(); }
     /// Multiplies shares of the side by a factor.
-    void stretch(double by) noexcept { stretch_ = by; }
+    void interval(double by) noexcept { interval_ = by; }
     /// Material up to a position; positions below the last one add nothing.
     void upTo(double share, PropertyIndex property) {
-        const double units = std::clamp(share * stretch_, 0.0, 1.0) * lineEnd_;
+        const double units = std::clamp(share * interval_, 0.0, 1.0) * lineEnd_;
         const auto end = static_cast<RunPosition>(std::lround(units));
         if (end > reached()) segments_.emplace_back(end, property);
     }
@@ -40,7 +40,7 @@ private:
     RunPosition reached() const { return segments_.empty() ? 0 : segments_.back().end(); }
     RunPosition lineEnd_;
     std::vector<Segment> segments_;
-    double stretch_ = 1.0;
+    double interval_ = 1.0;
 };
 
 /// Fills every line of a volume; `make(x, y, line)` gets the line's position as shares of the sides.
@@ -135,7 +135,7 @@ RunVolume layeredBlock(std::int32_t side, RunAxis axis) {
 RunVolume halfBlock(std::int32_t side) {
     constexpr double half = 0.53; // at this height the walks' depths pass through layers and part
     return volumeOfLines(sceneGrid(side), 0, [](double x, double y, LineMaker& line) {
-        line.stretch(1.0 / half);
+        line.interval(1.0 / half);
         layeredLine(x, y, half, line);
     });
 }

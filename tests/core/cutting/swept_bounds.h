@@ -20,9 +20,9 @@ inline RevolvedPiece grown(const RevolvedPiece& piece, double by) {
 }
 
 /// Intervals of every scanline of a grid, run units.
-class Stretches {
+class Intervals {
 public:
-    explicit Stretches(const Grid& grid)
+    explicit Intervals(const Grid& grid)
         : grid_(grid)
         , lines_(static_cast<std::size_t>(grid.lineCountU()) * static_cast<std::size_t>(grid.lineCountV())) {}
 
@@ -56,7 +56,7 @@ public:
             line.resize(kept);
         }
     }
-    const std::vector<Span>& of(LineIndex line) const { return const_cast<Stretches&>(*this).at(line); }
+    const std::vector<Span>& of(LineIndex line) const { return const_cast<Intervals&>(*this).at(line); }
 
 private:
     std::vector<Span>& at(LineIndex line) {

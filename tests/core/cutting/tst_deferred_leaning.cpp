@@ -138,7 +138,7 @@ private slots:
             const double smaller = outline + SpanRows::leaningWayError;
             RunVolume workpiece = block(fine);
             MaterialRemoval removal(cutter, fine, Writing::deferred);
-            Stretches least(fine), all(fine);
+            Intervals least(fine), all(fine);
             const auto somewhere = [&] {
                 const glm::dvec3 place = placeIn(fine);
                 return round ? ToolPose{quartered(fine, place), squareAxis()} : ToolPose{place, anyAxis()};

@@ -46,7 +46,7 @@ Stroke draw(const Shape& shape, double length, const Pointer& pointer) {
     Stroke stroke{{reported(shape(0.0), pointer.pixel)}, {}};
     StylusTarget target{
         .tip = stroke.goals.front(), .maximumSpeed = limit, .cutting = true, .grain = std::sqrt(2.0) * pointer.pixel};
-    stylus.wish(target);
+    stylus.request(target);
     double time = 0.0;
     for (int tick = 0; tick < 2000; ++tick) (void)stylus.read(time += period);
     const double begun = time;
@@ -57,11 +57,11 @@ Stroke draw(const Shape& shape, double length, const Pointer& pointer) {
             const double way = std::min(length, pointer.speed * reports / pointer.rate);
             target.tip = reported(shape(way), pointer.pixel);
             if (target.tip != stroke.goals.back()) {
-                stylus.wish(target);
+                stylus.request(target);
                 stroke.goals.push_back(target.tip);
             }
             released = way >= length;
-            if (released) stylus.wish({.tip = target.tip + glm::dvec3(0.0, 0.0, 20.0), .finishStroke = true});
+            if (released) stylus.request({.tip = target.tip + glm::dvec3(0.0, 0.0, 20.0), .finishStroke = true});
         }
         const StylusState state = stylus.read(time += period);
         if ((state.buttons & 1U) != 0) stroke.tool.push_back(state.pose.position);

@@ -77,7 +77,7 @@ std::vector<Tick> runWild(unsigned seed) {
     std::vector<Tick> way;
     std::size_t next = 0;
     for (int tick = 0; tick < 6500; ++tick) {
-        if (next < targets.size() && targets[next].first == tick) hand.stylus.wish(targets[next++].second);
+        if (next < targets.size() && targets[next].first == tick) hand.stylus.request(targets[next++].second);
         way.push_back(hand.now());
     }
     return way;
@@ -125,7 +125,7 @@ private slots:
     void arrivesWithoutOvershoot() {
         QFETCH(double, distance);
         Hand hand({0.0, 0.0, 0.0});
-        hand.stylus.wish({.tip = {distance, 0.0, 0.0}});
+        hand.stylus.request({.tip = {distance, 0.0, 0.0}});
         const std::vector<Tick> way = hand.run(1500);
         double farthest = 0.0;
         for (const Tick& tick : way) farthest = std::max(farthest, tick.tip.x);
@@ -135,7 +135,7 @@ private slots:
 
     void keepsTheSpeedThatIsAsked() {
         Hand hand({0.0, 0.0, 0.0});
-        hand.stylus.wish({.tip = {50.0, 0.0, 0.0}, .maximumSpeed = 60.0});
+        hand.stylus.request({.tip = {50.0, 0.0, 0.0}, .maximumSpeed = 60.0});
         double fastest = 0.0;
         glm::dvec3 before(0.0);
         for (const Tick& tick : hand.run(1200)) {
@@ -148,7 +148,7 @@ private slots:
     void aStrokeGoesOverItsStartBeforeTheSpindleTurnsAndThenStraightDown() {
         const glm::dvec3 start(25.0, -10.0, 4.0);
         Hand hand({0.0, 0.0, 20.0});
-        hand.stylus.wish({.tip = start, .maximumSpeed = 80.0, .cutting = true});
+        hand.stylus.request({.tip = start, .maximumSpeed = 80.0, .cutting = true});
         bool cut = false;
         for (const Tick& tick : hand.run(1500)) {
             if (!tick.cutting) {
@@ -165,9 +165,9 @@ private slots:
     void aStrokeFollowsThePointerFromItsStartOn() {
         const glm::dvec3 start(0.0, 0.0, 4.0), end(12.0, 5.0, 4.0);
         Hand hand({0.0, 0.0, 20.0});
-        hand.stylus.wish({.tip = start, .cutting = true});
+        hand.stylus.request({.tip = start, .cutting = true});
         hand.now();
-        hand.stylus.wish({.tip = end, .cutting = true}); // the pointer is faster than the tool
+        hand.stylus.request({.tip = end, .cutting = true}); // the pointer is faster than the tool
         bool reachedStart = false;
         for (const Tick& tick : hand.run(1500)) {
             reachedStart = reachedStart || glm::distance(tick.tip, start) < 0.03;
@@ -179,7 +179,7 @@ private slots:
     void wayToTheStartIsClearOfWhatTheTargetNames() {
         const glm::dvec3 start(40.0, 0.0, 3.0);
         Hand hand({0.0, 0.0, 5.0});
-        hand.stylus.wish({.tip = start, .cutting = true, .clearHeight = 30.0});
+        hand.stylus.request({.tip = start, .cutting = true, .clearHeight = 30.0});
         for (const Tick& tick : hand.run(3000))
             if (tick.tip.x > 0.05 && tick.tip.x < 39.95)
                 QVERIFY(tick.tip.z >= 30.0 - SimulatedStylus::clearance - 1e-6);
@@ -188,9 +188,9 @@ private slots:
 
     void liftsBeforeItMovesAside() {
         Hand hand({0.0, 0.0, 20.0});
-        hand.stylus.wish({.tip = {0.0, 0.0, 4.0}, .cutting = true});
+        hand.stylus.request({.tip = {0.0, 0.0, 4.0}, .cutting = true});
         hand.run(1500);
-        hand.stylus.wish({.tip = {30.0, 0.0, 20.0}});
+        hand.stylus.request({.tip = {30.0, 0.0, 20.0}});
         for (const Tick& tick : hand.run(1500)) {
             QVERIFY(!tick.cutting);
             if (tick.tip.z < 20.0 - SimulatedStylus::clearance) QVERIFY(std::abs(tick.tip.x) < 1e-9);
@@ -207,16 +207,16 @@ private slots:
             std::uniform_int_distribution<int> pause(1, 30), coin(0, 3);
             std::vector<glm::dvec3> trail{{0.0, 0.0, -2.0}};
             Hand hand({0.0, 0.0, 20.0});
-            hand.stylus.wish({.tip = trail.back(), .maximumSpeed = 150.0, .cutting = true});
+            hand.stylus.request({.tip = trail.back(), .maximumSpeed = 150.0, .cutting = true});
             std::vector<Tick> way = hand.run(1200);
             for (int goal = 0; goal < 25; ++goal) {
                 trail.push_back(coin(random) == 0 ? glm::dvec3(place(random), place(random), -2.0)
                                                   : trail.back() + glm::dvec3(small(random), small(random), 0.0));
-                hand.stylus.wish({.tip = trail.back(), .maximumSpeed = 150.0, .cutting = true});
+                hand.stylus.request({.tip = trail.back(), .maximumSpeed = 150.0, .cutting = true});
                 const std::vector<Tick> more = hand.run(pause(random));
                 way.insert(way.end(), more.begin(), more.end());
             }
-            hand.stylus.wish({.tip = {0.0, 0.0, 20.0}, .finishStroke = true}); // released long before its end
+            hand.stylus.request({.tip = {0.0, 0.0, 20.0}, .finishStroke = true}); // released long before its end
             const std::vector<Tick> rest = hand.run(8000);
             way.insert(way.end(), rest.begin(), rest.end());
             std::vector<glm::dvec3> cut;
@@ -237,11 +237,11 @@ private slots:
     /// Sixty jumps a second become one even motion: a sweep at constant speed is recorded with constant speed.
     void evenlySpacedGoalsBecomeAnEvenMotion() {
         Hand hand({0.0, 0.0, 20.0});
-        hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .cutting = true});
+        hand.stylus.request({.tip = {0.0, 0.0, 0.0}, .cutting = true});
         hand.run(1500);
         std::vector<Tick> way;
         for (int event = 1; event <= 60; ++event) { // 100 mm/s
-            hand.stylus.wish({.tip = {100.0 / 60.0 * event, 0.0, 0.0}, .cutting = true});
+            hand.stylus.request({.tip = {100.0 / 60.0 * event, 0.0, 0.0}, .cutting = true});
             const std::vector<Tick> more = hand.run(event % 3 == 0 ? 16 : 17);
             way.insert(way.end(), more.begin(), more.end());
         }
@@ -257,11 +257,11 @@ private slots:
     /// The next stroke begins at its requested position once the trail of the previous one is finished.
     void aPressDuringTheTailWaits() {
         Hand hand({0.0, 0.0, 20.0});
-        hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .maximumSpeed = 50.0, .cutting = true});
+        hand.stylus.request({.tip = {0.0, 0.0, 0.0}, .maximumSpeed = 50.0, .cutting = true});
         hand.run(1200);
-        hand.stylus.wish({.tip = {40.0, 0.0, 0.0}, .maximumSpeed = 50.0, .cutting = true});
-        hand.stylus.wish({.tip = {40.0, 0.0, 20.0}, .finishStroke = true});
-        hand.stylus.wish({.tip = {0.0, 30.0, 0.0}, .maximumSpeed = 50.0, .cutting = true, .clearHeight = 20.0});
+        hand.stylus.request({.tip = {40.0, 0.0, 0.0}, .maximumSpeed = 50.0, .cutting = true});
+        hand.stylus.request({.tip = {40.0, 0.0, 20.0}, .finishStroke = true});
+        hand.stylus.request({.tip = {0.0, 30.0, 0.0}, .maximumSpeed = 50.0, .cutting = true, .clearHeight = 20.0});
         bool reachedEnd = false, reachedNext = false;
         for (const Tick& tick : hand.run(6000)) {
             reachedEnd = reachedEnd || glm::distance(tick.tip, {40.0, 0.0, 0.0}) < 1e-6;
@@ -276,15 +276,15 @@ private slots:
     /// tool keeps.
     void givingUpOvertakesWhatWaits() {
         Hand hand({0.0, 0.0, 20.0});
-        hand.stylus.wish({.tip = {0.0, 0.0, 0.0}, .maximumSpeed = 20.0, .cutting = true});
+        hand.stylus.request({.tip = {0.0, 0.0, 0.0}, .maximumSpeed = 20.0, .cutting = true});
         hand.run(1200);
         for (int i = 1; i <= 3000; ++i)
-            hand.stylus.wish({.tip = {0.1 * i, i % 2 == 0 ? 0.0 : 0.5, 0.0}, .maximumSpeed = 20.0, .cutting = true});
-        hand.stylus.wish({.tip = {0.0, 0.0, 20.0}, .finishStroke = true});
-        hand.stylus.wish({.tip = {0.0, 30.0, 0.0}, .maximumSpeed = 20.0, .cutting = true});
+            hand.stylus.request({.tip = {0.1 * i, i % 2 == 0 ? 0.0 : 0.5, 0.0}, .maximumSpeed = 20.0, .cutting = true});
+        hand.stylus.request({.tip = {0.0, 0.0, 20.0}, .finishStroke = true});
+        hand.stylus.request({.tip = {0.0, 30.0, 0.0}, .maximumSpeed = 20.0, .cutting = true});
         hand.run(100);
         QVERIFY(hand.now().cutting);
-        hand.stylus.wish({.tip = {0.0, 0.0, 20.0}});
+        hand.stylus.request({.tip = {0.0, 0.0, 20.0}});
         for (const Tick& tick : hand.run(2000)) QVERIFY(!tick.cutting);
         QCOMPARE(hand.now().tip, glm::dvec3(0.0, 0.0, 20.0));
     }
@@ -294,18 +294,18 @@ private slots:
         Hand hand({0.0, 0.0, 20.0});
         bool full = false;
         for (int i = 0; i < 10000; ++i)
-            full = !hand.stylus.wish({.tip = {0.001 * i, 0.0, 0.0}, .maximumSpeed = 400.0, .cutting = true}) || full;
+            full = !hand.stylus.request({.tip = {0.001 * i, 0.0, 0.0}, .maximumSpeed = 400.0, .cutting = true}) || full;
         QVERIFY(full);
-        QVERIFY(hand.stylus.wish({.tip = {0.0, 0.0, 20.0}, .finishStroke = true}));
+        QVERIFY(hand.stylus.request({.tip = {0.0, 0.0, 20.0}, .finishStroke = true}));
         const std::vector<Tick> way = hand.run(8000);
         QVERIFY(std::ranges::any_of(way, &Tick::cutting) && !way.back().cutting);
     }
 
     void aStrokeTakenBackNeverTurnsTheSpindle() {
         Hand hand({0.0, 0.0, 20.0});
-        hand.stylus.wish({.tip = {100.0, 0.0, 4.0}, .cutting = true});
+        hand.stylus.request({.tip = {100.0, 0.0, 4.0}, .cutting = true});
         for (const Tick& tick : hand.run(100)) QVERIFY(!tick.cutting);
-        hand.stylus.wish({.tip = {0.0, 0.0, 20.0}});
+        hand.stylus.request({.tip = {0.0, 0.0, 20.0}});
         for (const Tick& tick : hand.run(1500)) QVERIFY(!tick.cutting);
     }
 
@@ -317,7 +317,7 @@ private slots:
         double time = 0.0;
         std::size_t next = 0;
         for (int tick = 0; tick < 6500; ++tick) {
-            if (next < targets.size() && targets[next].first == tick) stylus.wish(targets[next++].second);
+            if (next < targets.size() && targets[next].first == tick) stylus.request(targets[next++].second);
             const double late = tick % 97 == 0 ? 8.0 * period : period;
             time += late;
             QVERIFY(guard.check(stylus.read(time), late) != Reading::fault);
@@ -326,7 +326,7 @@ private slots:
 
     void aLongPauseIsNoJump() {
         Hand hand({0.0, 0.0, 0.0});
-        hand.stylus.wish({.tip = {100.0, 0.0, 0.0}});
+        hand.stylus.request({.tip = {100.0, 0.0, 0.0}});
         const glm::dvec3 before = hand.now().tip;
         hand.time += 5.0;
         QVERIFY(glm::distance(before, hand.now().tip) < ReadingGuard::largestJump);
@@ -341,8 +341,9 @@ private slots:
             return glm::dvec3(std::sin(glm::radians(degrees)), 0.0, std::cos(glm::radians(degrees)));
         };
         for (int i = 0; i <= 20; ++i)
-            stylus.wish({.tip = {2.0 * i, 0.0, 4.0}, .maximumSpeed = 40.0, .cutting = true, .axis = leaning(2.0 * i)});
-        stylus.wish({.tip = {40.0, 0.0, 20.0}, .finishStroke = true});
+            stylus.request(
+                {.tip = {2.0 * i, 0.0, 4.0}, .maximumSpeed = 40.0, .cutting = true, .axis = leaning(2.0 * i)});
+        stylus.request({.tip = {40.0, 0.0, 20.0}, .finishStroke = true});
         glm::dvec3 before(0.0, 0.0, 1.0);
         double mostTurn = 0.0, worst = 0.0, largest = 0.0;
         for (int tick = 1; tick <= 4000; ++tick) {
@@ -370,11 +371,11 @@ private slots:
     void theAxisTurnsInPlaceAtLimitedSpeed() {
         SimulatedStylus stylus({0.0, 0.0, 20.0});
         QVERIFY(stylus.open().hasValue());
-        stylus.wish({.tip = {0.0, 0.0, 4.0}, .cutting = true});
+        stylus.request({.tip = {0.0, 0.0, 4.0}, .cutting = true});
         double time = 0.0;
         for (int i = 0; i < 2000; ++i) static_cast<void>(stylus.read(time += period));
         const glm::dvec3 wanted = glm::normalize(glm::dvec3(0.0, 1.0, 1.0)); // 45°
-        stylus.wish({.tip = {0.0, 0.0, 4.0}, .cutting = true, .axis = wanted});
+        stylus.request({.tip = {0.0, 0.0, 4.0}, .cutting = true, .axis = wanted});
         glm::dvec3 before(0.0, 0.0, 1.0);
         int ticks = 0;
         for (; ticks < 2000 && angleBetween(before, wanted) > 1e-3; ++ticks) {
@@ -389,7 +390,7 @@ private slots:
 
     void tellsTheUserInterfaceWhereItIs() {
         Hand hand({1.0, 1.0, 1.0});
-        hand.stylus.wish({.tip = {2.0, 1.0, 1.0}});
+        hand.stylus.request({.tip = {2.0, 1.0, 1.0}});
         const Tick last = hand.run(37).back();
         QCOMPARE(hand.stylus.tip(), last.tip);
     }

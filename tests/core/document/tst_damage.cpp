@@ -131,7 +131,7 @@ private slots:
         }
     }
 
-    void overwrittenStretchesAreRefused() {
+    void overwrittenIntervalsAreRefused() {
         std::mt19937 random(6);
         for (int trial = 0; trial < 40; ++trial) {
             std::string content = whole_;
@@ -197,7 +197,7 @@ private slots:
     }
 
     /// A recording with a gap is not presented as a shorter one.
-    void aMissingStretchOfARecordingIsNamed() {
+    void aMissingIntervalOfARecordingIsNamed() {
         const fs::path file = placed(whole_);
         QVERIFY(Database::open(file, "", Database::Access::write)
                     ->execute("DELETE FROM sample_chunk WHERE first = 100; UPDATE document SET digest = NULL"));
@@ -219,7 +219,7 @@ private slots:
         QCOMPARE(guides.error().place, std::string("guide 9"));
     }
 
-    void anUndoneStretchMayEndWhereNumbersDo() {
+    void anUndoneIntervalMayEndWhereNumbersDo() {
         const fs::path file = filledAndChanged("UPDATE undone_stretch SET first = 1 << 62, count = 1 << 62");
         const Result<Project> project = Project::openForReading(file);
         QVERIFY(project);

@@ -76,7 +76,7 @@ private slots:
         QVERIFY(fixture::holdsFixture(*project, version));
         // And accepts data that only today's version knows.
         const std::int64_t take = project->takes()->front().id;
-        QVERIFY(project->undoStretch(take, {400, 10}) && project->setObstacles(fixture::obstacles()) &&
+        QVERIFY(project->undoInterval(take, {400, 10}) && project->setObstacles(fixture::obstacles()) &&
                 project->save());
         QCOMPARE(project->take(take)->undone.back(), (SampleRange{400, 10}));
         QVERIFY(*project->obstacles() == fixture::obstacles());
@@ -269,7 +269,7 @@ private slots:
         const std::int64_t id = writer->id();
         const std::vector<Sample> hand = fixture::handSamples(0, 40000);
         QVERIFY(writer->append(std::span(hand).first(100)) && writer->append(std::span(hand).subspan(100)));
-        QVERIFY(project->undoStretch(id, {90, 60}));
+        QVERIFY(project->undoInterval(id, {90, 60}));
         std::vector<Sample> seen;
         std::size_t largest = 0;
         QVERIFY(project->visitSamples(id, [&](std::span<const Sample> part) -> Result<void> {
@@ -306,7 +306,7 @@ private slots:
         const std::int64_t id = writer->id();
         QVERIFY(writer->append(fixture::handSamples(0, 100)));
         // During the recording, and ahead of the samples that are on the disk.
-        QVERIFY(project->undoStretch(id, {90, 60}) && project->undoStretch(id, {10, 5}));
+        QVERIFY(project->undoInterval(id, {90, 60}) && project->undoInterval(id, {10, 5}));
         QVERIFY(writer->append(fixture::handSamples(100, 30)));
         Result<Take> take = project->take(id);
         QVERIFY(take);
@@ -315,7 +315,7 @@ private slots:
         QCOMPARE(project->takes()->front().undoneCount, std::uint64_t{45});
         QVERIFY(writer->append(fixture::handSamples(130, 70)) && writer->finish() && project->save());
         QCOMPARE(project->take(id)->undone.back(), (SampleRange{90, 60}));
-        QVERIFY(project->redoStretch(id, {10, 5}));
+        QVERIFY(project->redoInterval(id, {10, 5}));
         take = project->take(id);
         QCOMPARE(take->undone, (std::vector<SampleRange>{{90, 60}}));
         QVERIFY(fixture::identical(take->samples, fixture::handSamples(0, 200)));
@@ -323,7 +323,7 @@ private slots:
         QVERIFY(project->removeTake(id) && project->save());
     }
 
-    void aStretchThatCantBeTakenBackChangesNothing() {
+    void aIntervalThatCantBeTakenBackChangesNothing() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));
         Result<Project> project = Project::open(fileIn(folder));
@@ -332,10 +332,10 @@ private slots:
         for (const SampleRange& wrong :
              {SampleRange{5, 0}, SampleRange{149, 10}, SampleRange{90, 11}, SampleRange{0, 500}, SampleRange{120, 5},
               SampleRange{beyond, 1}, SampleRange{1, beyond}})
-            QCOMPARE(project->undoStretch(id, wrong).error().code, ErrorCode::argumentInvalid);
-        QCOMPARE(project->undoStretch(99, {0, 1}).error().code, ErrorCode::nameUnknown);
-        QCOMPARE(project->redoStretch(id, {100, 49}).error().code, ErrorCode::argumentInvalid);
-        QCOMPARE(project->redoStretch(99, {100, 50}).error().code, ErrorCode::argumentInvalid);
+            QCOMPARE(project->undoInterval(id, wrong).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(project->undoInterval(99, {0, 1}).error().code, ErrorCode::nameUnknown);
+        QCOMPARE(project->redoInterval(id, {100, 49}).error().code, ErrorCode::argumentInvalid);
+        QCOMPARE(project->redoInterval(99, {100, 50}).error().code, ErrorCode::argumentInvalid);
         QVERIFY(fixture::holdsFixture(*project) && !*project->unsaved());
     }
 

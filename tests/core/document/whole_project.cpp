@@ -158,7 +158,7 @@ bool fillProject(const std::filesystem::path& file) {
     Result<Project::TakeWriter> writer = project->beginTake(takeInfo("Schruppen"));
     for (std::size_t first = 0; first < 500; first += 50)
         if (!writer || !writer->append(handSamples(first, 50))) return false;
-    if (!project->undoStretch(writer->id(), undoneInFixture)) return false;
+    if (!project->undoInterval(writer->id(), undoneInFixture)) return false;
     if (!writer->finish() || !project->beginTake(takeInfo("broken off"))) return false;
     if (!project->setSwitchedOff(writer->id(), std::span(&offInFixture, 1))) return false;
     return project->addPath(path({writer->id()})) && project->addProgram(program()) && storeSecondSetup(*project) &&

@@ -49,9 +49,9 @@ Cycles swing(const HandImpedance& impedance, const GuideSettings& guides, double
     Rig rig = bareMilling(settings);
     rig.step.setGuides(guides);
     HandArm arm(impedance, HandleInertia{}, HandReaction{.share = 0.0});
-    const auto wish = [&](double time) { return up(centre + amplitude * std::cos(2.0 * pi * time / cycleSeconds)); };
+    const auto request = [&](double time) { return up(centre + amplitude * std::cos(2.0 * pi * time / cycleSeconds)); };
     Cycles cycles;
-    glm::dvec3 place = wish(0.0), force(0.0);
+    glm::dvec3 place = request(0.0), force(0.0);
     double gained = 0.0;
     bool held = false;
     for (int tick = 0; tick < 8 * seconds; ++tick) {
@@ -68,7 +68,7 @@ Cycles swing(const HandImpedance& impedance, const GuideSettings& guides, double
         }
         held = now;
         arm.advance(force, period);
-        place = wish((tick + 1) * period) + arm.deviation();
+        place = request((tick + 1) * period) + arm.deviation();
         gained += glm::dot(force, place - from) / millimetresPerMetre;
     }
     return cycles;

@@ -31,10 +31,10 @@ double energyGivenToTheHand(double maximumDamping, double stiffness) {
     for (int tick = 0; tick < contacts * 1000; ++tick) {
         rig.feed({0, 0, std::round(position / encoder) * encoder});
         const double force = rig.step.deviceWrench().force.z;
-        const double wish = floorHeight + 2.0 * std::cos(2.0 * pi * tick * period); // one contact a second
+        const double request = floorHeight + 2.0 * std::cos(2.0 * pi * tick * period); // one contact a second
         const double before = position;
         for (int i = 0; i < substeps; ++i) {
-            const double hand = (handStiffness * (wish - position) - handDamping * velocity) / 1000.0; // N
+            const double hand = (handStiffness * (request - position) - handDamping * velocity) / 1000.0; // N
             velocity += (force + hand) / mass * 1000.0 * period / substeps;
             position += velocity * period / substeps;
         }

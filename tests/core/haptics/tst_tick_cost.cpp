@@ -112,7 +112,7 @@ private slots:
     }
 
     /// Calls of another thread, and calls before and after, are not counted.
-    void onlyTheWatchedStretchCounts() {
+    void onlyTheWatchedIntervalCounts() {
         SystemWatch watch;
         std::free(kept(std::malloc(8)));
         const SystemUse cost = costOf(watch, [] {});

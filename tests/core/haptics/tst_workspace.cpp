@@ -61,7 +61,7 @@ glm::dquat turnAbout(const glm::dvec3& axis, double angle) {
 class TestWorkspace : public QObject {
     Q_OBJECT
 private slots:
-    void withoutAWishItIsTheMapping() {
+    void withoutARequestItIsTheMapping() {
         WorkspaceRig rig;
         SeededRandom random(1);
         for (int i = 0; i < 1000; ++i) {
@@ -70,13 +70,13 @@ private slots:
         }
     }
 
-    void theWantedTipNeverJumpsWhateverIsWished() {
+    void theRequestedTipNeverJumpsWhateverIsRequested() {
         QVERIFY(rc::check("it moves no farther than the hand does, and rests where the hand rests", [] {
             SeededRandom random(*rc::gen::arbitrary<std::uint64_t>());
             WorkspaceRig rig;
             rig.settings.clutchButton = 2;
             glm::dvec3 before = rig.feed(random.within(glm::dvec3(-40), glm::dvec3(40)));
-            for (int wish = 0; wish < 40; ++wish) {
+            for (int request = 0; request < 40; ++request) {
                 switch (random.below(5)) {
                 case 0:
                     rig.settings.scale = std::exp(random.between(-2.0, 2.0));
@@ -165,8 +165,8 @@ private slots:
         int ticks = 0;
         for (; rig.workspace.recentring() && ticks < 60'000; ++ticks) {
             const double angle = 0.01 * ticks;
-            const glm::dvec3 wish = work + 10.0 * glm::dvec3(std::cos(angle), std::sin(angle), 0);
-            rig.feed(rig.hand + clampLength((wish - rig.tool) / scale, 0.1));
+            const glm::dvec3 request = work + 10.0 * glm::dvec3(std::cos(angle), std::sin(angle), 0);
+            rig.feed(rig.hand + clampLength((request - rig.tool) / scale, 0.1));
             if (ticks > 1000) farthest = std::max(farthest, glm::length(rig.tool - work));
         }
         QVERIFY(ticks < 20'000);
@@ -250,7 +250,7 @@ private slots:
             quietTicks += workspace.clutched && sample.force == glm::dvec3(0.0) ? 1 : 0;
             before = sample.force;
         };
-        for (int wish = 0; wish < 200; ++wish) {
+        for (int request = 0; request < 200; ++request) {
             switch (random.below(4)) {
             case 0:
                 workspace.scale = std::exp(random.between(-1.0, 1.0));

@@ -26,7 +26,7 @@ struct Rows {
             Result<Project::TakeWriter> writer = project.beginTake(info);
             const std::vector<Sample> samples = rows(counts[i], 1.0 + static_cast<double>(i), milling);
             good = good && writer && writer->append(samples) && writer->finish();
-            if (i == 1) good = good && project.undoStretch(writer->id(), {counts[i] / 3, 400});
+            if (i == 1) good = good && project.undoInterval(writer->id(), {counts[i] / 3, 400});
             if (good) takes.push_back(*project.take(writer->id()));
         }
     }

@@ -114,18 +114,18 @@ private slots:
     void aTakeThatWasTakenBackIsNone() {
         const std::int64_t stands = record(*project_, "ball-6"), gone = record(*project_, "flat-10");
         const SampleRange all{0, 20};
-        QVERIFY(project_->undoStretch(gone, all));
+        QVERIFY(project_->undoInterval(gone, all));
         const auto standing = standingTakes(*project_);
         QVERIFY(standing && standing->size() == 1 && standing->front().id == stands);
         QCOMPARE(standardPath(*project_, "flat-10").error().code, ErrorCode::projectIncomplete);
         const auto paths = jobPaths(*project_);
         QVERIFY(paths && paths->size() == 1);
         QCOMPARE(takesIn(paths, 0), std::vector{stands});
-        QVERIFY(project_->redoStretch(gone, all));
+        QVERIFY(project_->redoInterval(gone, all));
         QCOMPARE(jobPaths(*project_)->size(), std::size_t{2});
-        QVERIFY(project_->undoStretch(gone, {0, 5})); // part of it
+        QVERIFY(project_->undoInterval(gone, {0, 5})); // part of it
         QCOMPARE(standingTakes(*project_)->size(), std::size_t{2});
-        QVERIFY(project_->undoStretch(stands, all) && project_->undoStretch(gone, {5, 15}));
+        QVERIFY(project_->undoInterval(stands, all) && project_->undoInterval(gone, {5, 15}));
         QCOMPARE(jobPaths(*project_).error().code, ErrorCode::projectIncomplete);
     }
 

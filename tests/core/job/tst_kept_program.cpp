@@ -120,7 +120,7 @@ private slots:
              }},
             {"stroke taken back",
              [](Project& p) {
-                 return p.undoStretch(p.takes()->front().id, SampleRange{200, 10});
+                 return p.undoInterval(p.takes()->front().id, SampleRange{200, 10});
              }},
         };
         for (const Change& change : changes) {

@@ -40,7 +40,7 @@ MillingContext aluminiumMilling(double spindlePower) {
 Result<CheckedProgram> programOf(const MillingContext& milling, const std::vector<glm::dvec3>& corners,
                                  bool byEngagement) {
     std::vector<Edit> edits{{Simplify{}}, {Link{.entry = Link::Entry::ramp}}, {SetFeed{}}};
-    if (byEngagement) edits.push_back({LevelFeed{.goal = LevelFeed::Goal::limits}});
+    if (byEngagement) edits.push_back({FeedOptimisation{.goal = FeedOptimisation::Goal::limits}});
     StoredPath stored;
     stored.edits = std::move(edits);
     Take take = takeOf(along(corners, 50.0));
@@ -65,7 +65,7 @@ bool couldBeSlower(const CheckedProgram& program) {
         if (finding.kind != FindingKind::spindlePower) return false;
         return std::ranges::any_of(program.parsed.motions, [&](const NcMotion& motion) {
             const double chip = motion.spindleSpeed > 0.0 ? motion.feed / (3.0 * motion.spindleSpeed) : 0.0; // 3 teeth
-            return motion.line == finding.line && chip > 1.001 * LevelFeed{}.smallestChip;
+            return motion.line == finding.line && chip > 1.001 * FeedOptimisation{}.smallestChip;
         });
     });
 }

@@ -50,7 +50,7 @@ struct Job {
     CheckedProgram program;
 };
 Result<Job> milled(const MillingContext& milling) {
-    LevelFeed level;
+    FeedOptimisation level;
     level.target = 1.5; // N
     PathMatter matter;
     matter.path.edits = {{Simplify{}}, {Link{}}, {SetFeed{}}, {level}};

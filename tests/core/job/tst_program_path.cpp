@@ -4,7 +4,7 @@
 #include "core/job/program_path.h"
 #include "core/nc/apt_reader.h"
 #include "core/nc/parser.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "tests/core/job/session_milling.h"
 #include "tests/test_program.h"
 

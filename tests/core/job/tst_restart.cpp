@@ -268,7 +268,7 @@ std::vector<glm::dvec3> rows() {
 SpindleAndCoolant aPart(const PathMatter& matter) {
     const std::int64_t last = matter.sources[0].strokes.back().points.back().sample;
     SpindleAndCoolant edit;
-    edit.stretch = {matter.path.id, last / 3, 2 * last / 3};
+    edit.interval = {matter.path.id, last / 3, 2 * last / 3};
     edit.speed = 5000.0;
     edit.cooling = SpindleAndCoolant::Cooling::off;
     return edit;

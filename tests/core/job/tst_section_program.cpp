@@ -107,8 +107,8 @@ private slots:
     /// Feed by engagement after it limits the chip thickness at the spindle speed in force there.
     void feedsBehindItCountWithTheSpeed() {
         const MillingContext milling = partMilling(flatTool());
-        LevelFeed level;
-        level.goal = LevelFeed::Goal::removal;
+        FeedOptimisation level;
+        level.goal = FeedOptimisation::Goal::removal;
         level.target = 1e5; // mm³/s: never reached, so that the chip is the limit
         level.largestChip = 0.01;
         const Result<EvaluatedPath> path = evaluated(milling, {{section()}, {level}});

@@ -89,7 +89,7 @@ private slots:
         LiveFigures figures;
         constexpr int ticks = (StrokeHand::strokeTicks + StrokeHand::backTicks) * (int{StrokeHistory::maximum} + 10);
         test.hand.mill(1000);
-        test.loop->wishTake({test.recorder.take(), &test.recorder});
+        test.loop->requestTake({test.recorder.take(), &test.recorder});
         std::size_t allocations = 0, strokesSeen = 0, views = 0, recorded = 0;
         TickTiming timing;
         timing.period = 0.001;
@@ -110,7 +110,7 @@ private slots:
             }
             if (tick % 16 == 0) {
                 views += test.loop->takeView(view) ? 1u : 0u;
-                test.loop->wishView();
+                test.loop->requestView();
             }
             recorded += test.loop->samples().pop(samples);
             test.loop->takeTrace(trace);
@@ -130,7 +130,7 @@ private slots:
     void strokesThatNobodyTakesGrowTogether() {
         LoopUnderTest test;
         test.hand.mill(20);
-        test.loop->wishTake({test.recorder.take(), &test.recorder});
+        test.loop->requestTake({test.recorder.take(), &test.recorder});
         TickTiming timing;
         timing.period = 0.001;
         std::vector<Lines> found; // the workpiece before each stroke
@@ -147,7 +147,7 @@ private slots:
             QCOMPARE(test.loop->edge(), AtEdge::tick);
             test.loop->tick(test.step.advance(state, timing.period), timing);
         }
-        test.loop->wish(SessionLoop::Wish::finish);
+        test.loop->request(SessionLoop::Request::finish);
         test.loop->edge();
         QVERIFY(!test.loop->fulfilled()); // waits for the owner
         std::vector<Stroke> strokes;
@@ -167,7 +167,7 @@ private slots:
         LoopUnderTest test;
         constexpr int strokes = 8;
         test.hand.mill(strokes);
-        test.loop->wishTake({test.recorder.take(), &test.recorder});
+        test.loop->requestTake({test.recorder.take(), &test.recorder});
         TickTiming timing;
         timing.period = 0.001;
         Take take;

@@ -124,7 +124,7 @@ private slots:
         Recordings recordings;
         const std::int64_t take = recordings.record(samples);
         const std::vector<SampleRange> back{{900, 100}}, off{{850, 100}};
-        QVERIFY(recordings.good && recordings.project.undoStretch(take, back.front()));
+        QVERIFY(recordings.good && recordings.project.undoInterval(take, back.front()));
         QVERIFY(recordings.project.setSwitchedOff(take, off));
         QCOMPARE(*recordings.project.takenBack(take), back);
         const TakeScore score = recordings.score(take, blockMilling());

@@ -64,9 +64,9 @@ PathMatter slot() {
     return matter(1, flat("rougher", 1, diameter), {{-10, 10, 8}, {10, 10, 8}}, {}, 0.5);
 }
 
-LevelFeed levelRemoval() {
-    LevelFeed edit;
-    edit.goal = LevelFeed::Goal::removal;
+FeedOptimisation levelRemoval() {
+    FeedOptimisation edit;
+    edit.goal = FeedOptimisation::Goal::removal;
     edit.target = 100.0; // mm³/s
     return edit;
 }
@@ -103,8 +103,8 @@ std::pair<double, double> feedsWithin(const Path& path, double from, double to) 
 
 double lengthOn(const EvaluatedPath& path, MillingSide side) {
     double length = 0.0;
-    for (const MillingStretch& stretch : path.sides)
-        for (std::size_t i = stretch.first; stretch.side == side && i <= stretch.last; ++i)
+    for (const MillingInterval& interval : path.sides)
+        for (std::size_t i = interval.first; interval.side == side && i <= interval.last; ++i)
             length += glm::distance(path.path.points[i - 1].pose.tip, path.path.points[i].pose.tip);
     return length;
 }
@@ -129,7 +129,7 @@ private slots:
     void aKeptPathCountsOnlyBehindTheSamePaths();
     void whatIsCutOfALentStockIsForgotten();
     void aStockIsLentWhereverItCanBeCutAtAll();
-    void theWishToStopIsHeard();
+    void theRequestToStopIsHeard();
 };
 
 void TestToolsInOrder::feedsAreThoseOfTheAirWhereTheToolBeforeHasBeen() {
@@ -298,7 +298,7 @@ void TestToolsInOrder::aStockIsLentWhereverItCanBeCutAtAll() {
     QVERIFY(plain > 0 && madeAnew > 0);
 }
 
-void TestToolsInOrder::theWishToStopIsHeard() {
+void TestToolsInOrder::theRequestToStopIsHeard() {
     const PathMatter first = slot();
     const MillingContext milling = plateMilling(first.tool);
     Progress progress;

@@ -163,7 +163,7 @@ private slots:
     }
 
     /// Ranges compared with a set of samples, one by one.
-    void stretchesAreSwitchedSampleBySample() {
+    void intervalsAreSwitchedSampleBySample() {
         Recorded recorded({3});
         QVERIFY(recorded.good);
         Project& project = recorded.stage.project;
@@ -172,11 +172,11 @@ private slots:
         std::vector<bool> expected(count, false);
         std::mt19937 random(5);
         for (int i = 0; i < 200; ++i) {
-            const SampleRange stretch{random() % count, 1 + random() % 40};
+            const SampleRange interval{random() % count, 1 + random() % 40};
             const bool off = random() % 2 == 0;
-            const Result<SwitchedOff> wanted = withStretch(project, take, stretch, off);
+            const Result<SwitchedOff> wanted = withInterval(project, take, interval, off);
             QVERIFY(wanted && setSwitchedOff(project, *wanted));
-            for (std::uint64_t s = stretch.first; s < std::min(count, stretch.first + stretch.count); ++s)
+            for (std::uint64_t s = interval.first; s < std::min(count, interval.first + interval.count); ++s)
                 expected[s] = off;
             std::vector<bool> found(count, false);
             const Result<std::vector<SampleRange>> ranges = project.switchedOff(take);
@@ -188,8 +188,8 @@ private slots:
             }
             QVERIFY(found == expected);
         }
-        QVERIFY(!withStretch(project, take, {count, 1}, true));
-        QVERIFY(!withStretch(project, take + 1, {0, 1}, true));
+        QVERIFY(!withInterval(project, take, {count, 1}, true));
+        QVERIFY(!withInterval(project, take + 1, {0, 1}, true));
         const std::vector<SampleRange> beyond{{count - 1, 2}}, crossed{{5, 5}, {7, 2}};
         QVERIFY(!project.setSwitchedOff(take, beyond) && !project.setSwitchedOff(take, crossed));
     }
@@ -206,7 +206,7 @@ private slots:
         QVERIFY(kept.size() > 30 && kept.size() <= 64);
         QVERIFY((kept.back() == TakeMoment{take, 150}));
         // A workpiece made in another state is not kept at all.
-        QVERIFY(project.undoStretch(take, {0, 10}));
+        QVERIFY(project.undoInterval(take, {0, 10}));
         QVERIFY(project.keepWorkpiece({{take, 151}, {}, "x"}, state));
         QVERIFY(project.keptMoments()->empty());
         for (std::uint64_t i = 200; i < 264; ++i)
@@ -242,10 +242,10 @@ private slots:
         QVERIFY(opened.embedded.workpiece.amounts() == recorded.stage.milling.embedded.workpiece.amounts());
 
         const SampleRange stroke{0, 20};
-        QVERIFY(project.undoStretch(recorded.takes.front().info.id, stroke));
+        QVERIFY(project.undoInterval(recorded.takes.front().info.id, stroke));
         QVERIFY(project.keptMoments()->empty());
         QVERIFY(!recordedWork(project)->kept);
-        QVERIFY(project.redoStretch(recorded.takes.front().info.id, stroke));
+        QVERIFY(project.redoInterval(recorded.takes.front().info.id, stroke));
         QCOMPARE(project.keptMoments()->size(), std::size_t{1});
         Setup finer = blockSetup();
         finer.voxel = 0.25;

@@ -45,7 +45,7 @@ bool isAt(const PathPoint& point, const glm::dvec3& place) {
     return glm::distance(point.pose.tip, place) < 1e-9;
 }
 
-constexpr SourceStretch second{1, 600, 1100};
+constexpr SourceInterval second{1, 600, 1100};
 
 } // namespace
 
@@ -53,7 +53,7 @@ class TestArrange : public QObject {
     Q_OBJECT
 
 private slots:
-    void aStretchIsCutOut() {
+    void aIntervalIsCutOut() {
         const auto strokes = strokesAfter({{CutOut{{1, 700, 799}}}});
         QCOMPARE(strokes.size(), std::size_t{4});
         QVERIFY(isAt(strokes[1].back(), {0.02 * 99, 4, -1}) && isAt(strokes[2].front(), {4.0, 4, -1}));
@@ -226,9 +226,9 @@ private slots:
         QVERIFY(std::abs(path->path.points[500].pose.tip.y - 4.0) < 0.2);
     }
 
-    void aStretchIsReplacedByWhatWasDrawn() {
+    void aIntervalIsReplacedByWhatWasDrawn() {
         const std::vector<glm::dvec3> drawn{{2, 5, -1}, {5, 7, -2}, {8, 5, -1}};
-        const auto strokes = strokesAfter({{ReplaceStretch{{1, 700, 1000}, drawn}}});
+        const auto strokes = strokesAfter({{ReplaceInterval{{1, 700, 1000}, drawn}}});
         QCOMPARE(strokes.size(), std::size_t{3});
         std::size_t found = 0;
         for (const PathPoint& point : strokes[1]) {
@@ -241,7 +241,7 @@ private slots:
         }
         QCOMPARE(found, drawn.size());                                            // its corners are kept
         QVERIFY(std::abs(static_cast<double>(strokes[1].size()) - 501.0) <= 2.0); // with the hand's timing
-        QVERIFY(strokesAfter({{CutOut{second}}, {ReplaceStretch{{1, 700, 1000}, drawn}}}).empty()); // refused
+        QVERIFY(strokesAfter({{CutOut{second}}, {ReplaceInterval{{1, 700, 1000}, drawn}}}).empty()); // refused
     }
 
     void anAreaIsRemovedAtItsBorder() {

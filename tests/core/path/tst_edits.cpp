@@ -30,7 +30,7 @@ struct Another {
         return std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0.25}, {0, 1, 0}};
     }
     EditValue operator()(const Moment&) const { return Moment{3, 141}; }
-    EditValue operator()(const SourceStretch&) const { return SourceStretch{2, 7, 18}; }
+    EditValue operator()(const SourceInterval&) const { return SourceInterval{2, 7, 18}; }
 };
 
 /// Invalid values.
@@ -52,7 +52,7 @@ struct Strange {
         return values;
     }
     Values operator()(const Moment&) const { return {Moment{1, -1}, Moment{-1, -1}}; }
-    Values operator()(const SourceStretch&) const { return {SourceStretch{1, 5, 4}, SourceStretch{-1, -2, 4}}; }
+    Values operator()(const SourceInterval&) const { return {SourceInterval{1, 5, 4}, SourceInterval{-1, -2, 4}}; }
 };
 
 } // namespace
@@ -64,8 +64,8 @@ private slots:
     /// The target of a levelled feed is a force or a removal rate, depending on its goal; files of earlier versions do
     /// not state which.
     void theTargetOfALevelHasItsUnitInItsKey() {
-        LevelFeed level;
-        level.goal = LevelFeed::Goal::removal;
+        FeedOptimisation level;
+        level.goal = FeedOptimisation::Goal::removal;
         level.target = 250.0;
         const std::string json = toJson(Edit{level, true});
         QVERIFY(json.find("\"target_mm3_s\":250.0") != std::string::npos);
@@ -193,7 +193,7 @@ private slots:
         row("arcs on what was not held out", {{Smooth{}}, {FitArcs{}}}, editUnguarded);
         row("links of what was not held out", {{HoldOut{}}, {Offset{}}, {Link{}}}, editUnguarded);
         row("simplifying arcs", {{FitArcs{}}, {Simplify{}}}, editMisplaced);
-        row("feeds by engagement before feeds", {{LevelFeed{}}, {SetFeed{}}}, editMisplaced);
+        row("feeds by engagement before feeds", {{FeedOptimisation{}}, {SetFeed{}}}, editMisplaced);
         row("linking twice", {{Link{}}, {Link{}}}, editRepeated);
         row("not a number", {{Smooth{std::numeric_limits<double>::quiet_NaN(), 0.1}}}, argumentInvalid);
         row("cut-off beyond the recording", {{Smooth{500.0, 0.1}}}, argumentInvalid);

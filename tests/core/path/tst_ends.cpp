@@ -291,17 +291,17 @@ private slots:
         QVERIFY(sides);
         const bool stockOnLeft = (stepOver > 0.0) != reversed;
         std::size_t cuts = 0;
-        for (const MillingStretch& stretch : sides->stretches) {
-            for (std::size_t i = stretch.first; i <= stretch.last; ++i) {
+        for (const MillingInterval& interval : sides->intervals) {
+            for (std::size_t i = interval.first; i <= interval.last; ++i) {
                 const PathPoint& point = path->path.points[i];
                 if (point.kind != MoveKind::cut ||
                     glm::distance(point.pose.tip, path->path.points[i - 1].pose.tip) < 10.0)
                     continue;
                 ++cuts;
                 if (point.source == 1)
-                    QVERIFY(stretch.side == MillingSide::neither); // a slot: on both sides
+                    QVERIFY(interval.side == MillingSide::neither); // a slot: on both sides
                 else
-                    QVERIFY(stretch.side == (stockOnLeft ? MillingSide::conventional : MillingSide::climb));
+                    QVERIFY(interval.side == (stockOnLeft ? MillingSide::conventional : MillingSide::climb));
             }
         }
         QCOMPARE(cuts, std::size_t{2});
@@ -319,7 +319,7 @@ private slots:
             const auto sides = millingSides(path->path, context, progress);
             QVERIFY(sides);
             const MillingSide wanted = reversed ? MillingSide::climb : MillingSide::conventional;
-            QCOMPARE(std::ranges::count(sides->stretches, wanted, &MillingStretch::side), std::ptrdiff_t{1});
+            QCOMPARE(std::ranges::count(sides->intervals, wanted, &MillingInterval::side), std::ptrdiff_t{1});
         }
     }
 };

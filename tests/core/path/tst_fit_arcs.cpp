@@ -69,7 +69,7 @@ class TestFitArcs : public QObject {
     Q_OBJECT
 
 private slots:
-    void planarStretchesTakeFewBlocks_data() {
+    void planarIntervalsTakeFewBlocks_data() {
         QTest::addColumn<std::vector<Tick>>("ticks");
         QTest::newRow("circle in XY") << onCurve(
             125.0, [](double t) { return glm::dvec3(20.0 * std::cos(t / 20.0), 20.0 * std::sin(t / 20.0), -3.0); });
@@ -89,7 +89,7 @@ private slots:
             return glm::dvec3(12.0 * std::cos(t / 12.0), 12.0 * std::sin(t / 12.0), -t / 40.0);
         });
     }
-    void planarStretchesTakeFewBlocks() {
+    void planarIntervalsTakeFewBlocks() {
         QFETCH(std::vector<Tick>, ticks);
         const PathContext context = freeContext();
         const FitArcs rules;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A point inserted into a path, against the formulas of its blend.
 #include "core/path/edit_step.h"
-#include "core/path/hand_stretch.h"
+#include "core/path/hand_interval.h"
 #include "core/path/part_guard.h"
 #include "core/path/stroke.h"
 #include "path_fixture.h"

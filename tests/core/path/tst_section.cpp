@@ -16,7 +16,7 @@ using Cooling = SpindleAndCoolant::Cooling;
 namespace {
 
 constexpr double spindle = 6000.0; // 1/min, from the tables
-constexpr SourceStretch second{1, 600, 1100}, middle{1, 725, 975};
+constexpr SourceInterval second{1, 600, 1100}, middle{1, 725, 975};
 
 PathContext shop() {
     static const MeshDistance nothing{TriangleMesh{}};
@@ -47,8 +47,8 @@ Result<EvaluatedPath> edited(const std::vector<Edit>& further, const PathContext
     return run({take}, edits, context);
 }
 
-SpindleAndCoolant edit(const SourceStretch& stretch, double speed, Cooling cooling = Cooling::kept) {
-    return {stretch, speed, 1.0, cooling};
+SpindleAndCoolant edit(const SourceInterval& interval, double speed, Cooling cooling = Cooling::kept) {
+    return {interval, speed, 1.0, cooling};
 }
 
 /// A move to a point, with spindle speed and coolant.

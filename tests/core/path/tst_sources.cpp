@@ -114,7 +114,7 @@ private slots:
     /// A moment identifies a point of generated moves as a tick identifies one of a take, and nothing else.
     void editsNameAPlannersMoments() {
         Trim trim;
-        trim.stretch = {planned, 1002, 3004};
+        trim.interval = {planned, 1002, 3004};
         const Edit edit{trim};
         const Result<Edit> again = editFromJson(toJson(edit));
         QVERIFY(again && toJson(*again) == toJson(edit));

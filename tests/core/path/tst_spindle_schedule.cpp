@@ -17,24 +17,24 @@ namespace {
 constexpr double startTime = 3.0; // s
 constexpr double inf = std::numeric_limits<double>::infinity();
 
-std::vector<SpindleStretch> randomStretches() {
-    std::vector<SpindleStretch> stretches;
+std::vector<SpindleInterval> randomIntervals() {
+    std::vector<SpindleInterval> intervals;
     const int count = *rc::gen::inRange(1, 60);
     double fastest = 12000.0;
     for (int i = 0; i < count; ++i) {
         if (*rc::gen::inRange(0, 4) == 0) fastest = *rc::gen::element(3000.0, 6000.0, 12000.0, 18000.0, inf);
-        stretches.push_back({fastest, *rc::gen::inRange(1, 3000) * 1e-3, i > 0 && *rc::gen::inRange(0, 12) != 0});
+        intervals.push_back({fastest, *rc::gen::inRange(1, 3000) * 1e-3, i > 0 && *rc::gen::inRange(0, 12) != 0});
     }
-    return stretches;
+    return intervals;
 }
 
 /// The oracle: a spindle that approaches its commanded speed evenly, in `time` seconds from the command. Calls
-/// `look(stretch, speed)` a hundred times per stretch. Between cuts it has enough time.
+/// `look(interval, speed)` a hundred times per interval. Between cuts it has enough time.
 template <class Look>
-void turn(const std::vector<SpindleStretch>& stretches, const std::vector<double>& told, double time, Look look) {
+void turn(const std::vector<SpindleInterval>& intervals, const std::vector<double>& told, double time, Look look) {
     double speed = 0.0, from = 0.0, to = 0.0, since = 0.0;
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-        if (!stretches[i].joined) speed = from = to = told[i];
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+        if (!intervals[i].joined) speed = from = to = told[i];
         if (told[i] != to) {
             from = speed;
             to = told[i];
@@ -43,7 +43,7 @@ void turn(const std::vector<SpindleStretch>& stretches, const std::vector<double
         for (int k = 0; k < 100; ++k) {
             speed = time > 0.0 ? from + (to - from) * std::min(1.0, since / time) : to;
             look(i, speed);
-            since += stretches[i].seconds / 100.0;
+            since += intervals[i].seconds / 100.0;
         }
         speed = time > 0.0 ? from + (to - from) * std::min(1.0, since / time) : to;
     }
@@ -59,14 +59,14 @@ private slots:
     /// assumes: chips are no thicker than requested.
     void noMaterialIsCutTooFastAndNoChipIsTooThick() {
         QVERIFY(rc::check([] {
-            const std::vector<SpindleStretch> stretches = randomStretches();
+            const std::vector<SpindleInterval> intervals = randomIntervals();
             RC_PRE(
-                std::ranges::any_of(stretches, [](const SpindleStretch& one) { return std::isfinite(one.fastest); }));
-            const SpindleSpeeds speeds = spindleSchedule(stretches, startTime);
-            RC_ASSERT(speeds.told.size() == stretches.size() && speeds.sureOf.size() == stretches.size());
+                std::ranges::any_of(intervals, [](const SpindleInterval& one) { return std::isfinite(one.fastest); }));
+            const SpindleSpeeds speeds = spindleSchedule(intervals, startTime);
+            RC_ASSERT(speeds.told.size() == intervals.size() && speeds.sureOf.size() == intervals.size());
             for (const double time : {0.0, 0.4 * startTime, startTime})
-                turn(stretches, speeds.told, time, [&](std::size_t i, double speed) {
-                    RC_ASSERT(speed <= stretches[i].fastest + 1e-6);
+                turn(intervals, speeds.told, time, [&](std::size_t i, double speed) {
+                    RC_ASSERT(speed <= intervals[i].fastest + 1e-6);
                     RC_ASSERT(speed >= speeds.sureOf[i] - 1e-6);
                 });
         }));
@@ -74,32 +74,32 @@ private slots:
 
     void aSpeedThatIsRaisedLasts() {
         QVERIFY(rc::check([] {
-            const std::vector<SpindleStretch> stretches = randomStretches();
-            const std::vector<double> told = spindleSchedule(stretches, startTime).told;
+            const std::vector<SpindleInterval> intervals = randomIntervals();
+            const std::vector<double> told = spindleSchedule(intervals, startTime).told;
             for (std::size_t i = 1; i < told.size(); ++i) {
-                if (!stretches[i].joined || told[i] <= told[i - 1]) continue;
+                if (!intervals[i].joined || told[i] <= told[i - 1]) continue;
                 double seconds = 0.0;
                 std::size_t end = i;
-                for (; end < told.size() && (end == i || stretches[end].joined) && told[end] >= told[i]; ++end)
-                    seconds += stretches[end].seconds;
+                for (; end < told.size() && (end == i || intervals[end].joined) && told[end] >= told[i]; ++end)
+                    seconds += intervals[end].seconds;
                 RC_ASSERT(seconds >= startTime - 1e-9);
             }
         }));
     }
 
-    /// 10 s in wood, 10 s in steel, 10 s in wood, half a second per stretch.
+    /// 10 s in wood, 10 s in steel, 10 s in wood, half a second per interval.
     void theSpeedIsThatOfTheMaterial() {
-        std::vector<SpindleStretch> stretches;
-        for (int i = 0; i < 60; ++i) stretches.push_back({i / 20 == 1 ? 3000.0 : 18000.0, 0.5, i > 0});
-        const SpindleSpeeds speeds = spindleSchedule(stretches, startTime);
+        std::vector<SpindleInterval> intervals;
+        for (int i = 0; i < 60; ++i) intervals.push_back({i / 20 == 1 ? 3000.0 : 18000.0, 0.5, i > 0});
+        const SpindleSpeeds speeds = spindleSchedule(intervals, startTime);
         for (int i = 0; i < 60; ++i) {
             // The lower speed is commanded 3 s before the steel; the feed is raised 3 s after it.
             QCOMPARE(speeds.told[static_cast<std::size_t>(i)], i >= 14 && i < 40 ? 3000.0 : 18000.0);
             QCOMPARE(speeds.sureOf[static_cast<std::size_t>(i)], i >= 14 && i < 46 ? 3000.0 : 18000.0);
         }
         // A rib of wood of 2 s in the steel does not justify a change.
-        for (int i = 28; i < 32; ++i) stretches[static_cast<std::size_t>(i)].fastest = 18000.0;
-        QVERIFY(spindleSchedule(stretches, startTime).told == speeds.told);
+        for (int i = 28; i < 32; ++i) intervals[static_cast<std::size_t>(i)].fastest = 18000.0;
+        QVERIFY(spindleSchedule(intervals, startTime).told == speeds.told);
     }
 };
 

@@ -31,11 +31,11 @@ RevolvedPiece grown(const RevolvedPiece& piece, double by) {
 }
 
 /// The lines of a row that are needed.
-LineStretch reachOf(SpanRows& rows, int v) {
+LineInterval reachOf(SpanRows& rows, int v) {
     RowSpans row;
-    const LineStretch all{-1000, 1000};
+    const LineInterval all{-1000, 1000};
     std::vector<BrickOfSpans> bricks(2001);
-    if (rows.stretches(v, 1, all, bricks.data(), &row) == 0) return {};
+    if (rows.intervals(v, 1, all, bricks.data(), &row) == 0) return {};
     return {8 * row.firstGroup, 8 * (row.firstGroup + row.groups) - 1};
 }
 
@@ -71,7 +71,7 @@ private slots:
             const int groups = int((2.0 * radius + glm::length(way)) / 8.0) + 4;
             std::vector<BrickOfSpans> bricks(static_cast<std::size_t>(groups));
             rows.spans(std::array{RowSpans{v, first, groups, bricks.data()}});
-            const LineStretch reach = reachOf(rows, v);
+            const LineInterval reach = reachOf(rows, v);
             for (int i = 0; i < groups * 8; ++i) {
                 const int u = first * 8 + i;
                 const BrickOfSpans& brick = bricks[std::size_t(i) / 8];

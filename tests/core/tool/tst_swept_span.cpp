@@ -97,7 +97,7 @@ private slots:
         }
     }
 
-    void verticalMoveStretchesTheSpan() {
+    void verticalMoveIntervalsTheSpan() {
         const RevolvedPiece flat{0.0, 10.0, 3.0, 3.0, 0.0};
         const std::optional<Span> span = SweptPiece(flat, {1.0, 1.0, 2.0}, {1.0, 1.0, -4.0}).along(2.0, 2.0);
         QVERIFY(span.has_value());

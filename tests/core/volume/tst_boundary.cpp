@@ -99,8 +99,8 @@ private slots:
         QCOMPARE(list.update(volume.snapshot()), std::size_t{9});
         QVERIFY(list.voxels() == denseBoundary(volume));
         QVERIFY(list.line({42, 43}).size() == 2); // floor and bottom
-        QVERIFY((list.line({42, 43})[1] == VoxelStretch{9, 9}));
-        QVERIFY((list.line({41, 43})[1] == VoxelStretch{9, 14})); // the pocket's wall
+        QVERIFY((list.line({42, 43})[1] == VoxelInterval{9, 9}));
+        QVERIFY((list.line({41, 43})[1] == VoxelInterval{9, 14})); // the pocket's wall
     }
 
     void anotherVolumeIsTakenUpWhole() {

@@ -83,13 +83,13 @@ bool isEmptyBelow(const RunVolume& volume) {
     return true;
 }
 
-using Stretches = std::vector<VoxelStretch>;
-VoxelStretch stretch(int first, int last) {
+using Intervals = std::vector<VoxelInterval>;
+VoxelInterval interval(int first, int last) {
     return {first - 1, last - 1};
 }
 /// Boundary voxels of a slice, y = 1 … 9.
-std::vector<Stretches> boundaryRows(const BoundaryList& list, int z) {
-    std::vector<Stretches> rows;
+std::vector<Intervals> boundaryRows(const BoundaryList& list, int z) {
+    std::vector<Intervals> rows;
     for (int y = 1; y <= 9; ++y) {
         const auto line = list.line({y - 1, z - 1});
         rows.emplace_back(line.begin(), line.end());
@@ -195,14 +195,14 @@ private slots:
 
     void boundaryIsTheWholeSlice() { // below and above each voxel is an empty one
         RunVolume volume = paperExample();
-        const std::vector<Stretches> expected{{},
-                                              {stretch(2, 3)},
-                                              {stretch(2, 3)},
-                                              {stretch(2, 3)},
-                                              {stretch(2, 5)},
-                                              {stretch(2, 4)},
-                                              {stretch(3, 4)},
-                                              {stretch(3, 4)},
+        const std::vector<Intervals> expected{{},
+                                              {interval(2, 3)},
+                                              {interval(2, 3)},
+                                              {interval(2, 3)},
+                                              {interval(2, 5)},
+                                              {interval(2, 4)},
+                                              {interval(3, 4)},
+                                              {interval(3, 4)},
                                               {}};
         const BoundaryList list(volume.snapshot());
         QVERIFY(boundaryRows(list, 3) == expected);
@@ -223,13 +223,13 @@ private slots:
             return boundaryRows(list, 3)[static_cast<std::size_t>(y - 1)];
         };
         QVERIFY(volume.insert(voxel(5, 2, 3), wax) == VoxelEdit::done); // insertion A
-        QVERIFY((updated(2) == Stretches{stretch(2, 3), stretch(5, 5)}));
+        QVERIFY((updated(2) == Intervals{interval(2, 3), interval(5, 5)}));
         QVERIFY(volume.insert(voxel(4, 4, 3), wax) == VoxelEdit::done); // insertion B
-        QVERIFY((updated(4) == Stretches{stretch(2, 4)}));
+        QVERIFY((updated(4) == Intervals{interval(2, 4)}));
         QVERIFY(volume.remove(voxel(2, 2, 3)) == VoxelEdit::done); // removal B
-        QVERIFY((updated(2) == Stretches{stretch(3, 3), stretch(5, 5)}));
+        QVERIFY((updated(2) == Intervals{interval(3, 3), interval(5, 5)}));
         QVERIFY(volume.remove(voxel(3, 5, 3)) == VoxelEdit::done); // removal C
-        QVERIFY((updated(5) == Stretches{stretch(2, 2), stretch(4, 5)}));
+        QVERIFY((updated(5) == Intervals{interval(2, 2), interval(4, 5)}));
         QCOMPARE(list.voxelCount(), std::uint64_t{17});
     }
 
@@ -243,18 +243,18 @@ private slots:
             QVERIFY(volume.insert(voxel(4, 4, z), wax) == VoxelEdit::done);
             QVERIFY(volume.insert(voxel(2, 7, z), wax) == VoxelEdit::done);
         }
-        const std::vector<Stretches> outer{{},
-                                           {stretch(2, 3)},
-                                           {stretch(2, 3)},
-                                           {stretch(2, 4)},
-                                           {stretch(2, 5)},
-                                           {stretch(2, 4)},
-                                           {stretch(2, 4)},
-                                           {stretch(3, 4)},
+        const std::vector<Intervals> outer{{},
+                                           {interval(2, 3)},
+                                           {interval(2, 3)},
+                                           {interval(2, 4)},
+                                           {interval(2, 5)},
+                                           {interval(2, 4)},
+                                           {interval(2, 4)},
+                                           {interval(3, 4)},
                                            {}};
-        std::vector<Stretches> middle = outer;
-        middle[5 - 1] = {stretch(2, 2), stretch(4, 5)};
-        middle[6 - 1] = {stretch(2, 2), stretch(4, 4)};
+        std::vector<Intervals> middle = outer;
+        middle[5 - 1] = {interval(2, 2), interval(4, 5)};
+        middle[6 - 1] = {interval(2, 2), interval(4, 4)};
         list.update(volume.snapshot());
         QVERIFY(boundaryRows(list, 1) == outer);
         QVERIFY(boundaryRows(list, 2) == middle);
@@ -264,7 +264,7 @@ private slots:
 
         QVERIFY(volume.remove(voxel(4, 7, 3)) == VoxelEdit::done); // only a corner of (3; 6)
         list.update(volume.snapshot());
-        middle[6 - 1] = {stretch(2, 4)};
+        middle[6 - 1] = {interval(2, 4)};
         QVERIFY(boundaryRows(list, 2) == middle);
         QVERIFY((boundaryOfLine(volume.snapshot(), {5 - 1, 2 - 1}) == middle[5 - 1]));
     }

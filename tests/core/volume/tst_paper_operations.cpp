@@ -126,8 +126,8 @@ private slots:
         RunVolume volume = emptyVolume(cubeGrid({12, 12, 12}));
         QVERIFY(volume.fillBlock({1, 1}, {11, 11}, 256, 11 * 256, wax));
         QCOMPARE(boundaryVoxels(volume.snapshot()).size(), std::size_t{1000 - 512});
-        QVERIFY((boundaryOfLine(volume.snapshot(), {5, 5}) == std::vector<VoxelStretch>{{1, 1}, {10, 10}}));
-        QVERIFY((boundaryOfLine(volume.snapshot(), {1, 5}) == std::vector<VoxelStretch>{{1, 10}}));
+        QVERIFY((boundaryOfLine(volume.snapshot(), {5, 5}) == std::vector<VoxelInterval>{{1, 1}, {10, 10}}));
+        QVERIFY((boundaryOfLine(volume.snapshot(), {1, 5}) == std::vector<VoxelInterval>{{1, 10}}));
         QVERIFY(boundaryOfLine(volume.snapshot(), {0, 5}).empty());
     }
 

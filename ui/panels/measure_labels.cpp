@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/measure_labels.h"
+
+#include "core/base/units.h"
+#include "ui/panels/texts.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace burin {
+
+namespace {
+
+using Kind = MeasuredFace::Kind;
+
+struct MeasureLabels {
+    Q_DECLARE_TR_FUNCTIONS(MeasureLabels)
+};
+
+QString angleText(double radians) {
+    return fixedNumber(radians * 180.0 / pi, 3) + QStringLiteral("°");
+}
+
+QString positionText(const glm::dvec3& place, LengthUnit unit) {
+    return MeasureLabels::tr("X %1, Y %2, Z %3")
+        .arg(lengthText(place.x, unit), lengthText(place.y, unit), lengthText(place.z, unit));
+}
+
+QString shapeText(const MeasuredFace& face, LengthUnit unit) {
+    switch (face.kind) {
+    case Kind::plane:
+        return MeasureLabels::tr("Plane.");
+    case Kind::cylinder:
+        return MeasureLabels::tr("Cylinder, Ø %1.").arg(lengthText(2.0 * face.radius, unit));
+    case Kind::cone:
+        return MeasureLabels::tr("Cone, Ø %1 there, half angle %2.")
+            .arg(lengthText(2.0 * face.radius, unit), angleText(face.taper));
+    case Kind::sphere:
+        return MeasureLabels::tr("Sphere, radius %1.").arg(lengthText(face.radius, unit));
+    case Kind::torus:
+        return MeasureLabels::tr("Torus, radius of the tube %1.").arg(lengthText(face.radius, unit));
+    case Kind::other:
+        break;
+    }
+    return MeasureLabels::tr("Free-form face.");
+}
+
+QStringList faceSentences(const MeasuredFace& face, const glm::dvec3& zero, LengthUnit unit) {
+    QStringList sentences{shapeText(face, unit)};
+    sentences << MeasureLabels::tr("Position %1.").arg(positionText(face.place - zero, unit));
+    if (face.thickness) sentences << MeasureLabels::tr("Wall thickness %1.").arg(lengthText(*face.thickness, unit));
+    if (face.area > 0.0) sentences << MeasureLabels::tr("Face area %1.").arg(areaText(face.area, unit));
+    return sentences;
+}
+
+} // namespace
+
+QString kindText(MeasuredFace::Kind kind, double radius, LengthUnit unit) {
+    switch (kind) {
+    case Kind::plane:
+        return MeasureLabels::tr("Plane");
+    case Kind::cylinder:
+        return MeasureLabels::tr("Cylinder, Ø %1").arg(lengthText(2.0 * radius, unit));
+    case Kind::cone:
+        return MeasureLabels::tr("Cone");
+    case Kind::sphere:
+        return MeasureLabels::tr("Sphere, Ø %1").arg(lengthText(2.0 * radius, unit));
+    case Kind::torus:
+        return MeasureLabels::tr("Torus, tube Ø %1").arg(lengthText(2.0 * radius, unit));
+    case Kind::other:
+        break;
+    }
+    return MeasureLabels::tr("Free-form face");
+}
+
+QString mainFigure(const PartMeasure& measure, LengthUnit unit) {
+    if (measure.pair) {
+        if (measure.pair->apart) return lengthText(*measure.pair->apart, unit);
+        if (measure.pair->angle) return angleText(*measure.pair->angle);
+        return lengthText(measure.pair->places, unit);
+    }
+    const MeasuredFace& face = measure.from;
+    if (face.kind == Kind::cylinder || face.kind == Kind::cone)
+        return QStringLiteral("Ø ") + lengthText(2.0 * face.radius, unit);
+    if (face.kind == Kind::sphere || face.kind == Kind::torus)
+        return QStringLiteral("R ") + lengthText(face.radius, unit);
+    return face.thickness ? lengthText(*face.thickness, unit) : QString();
+}
+
+QString measureText(const PartMeasure& measure, const glm::dvec3& zero, LengthUnit unit) {
+    if (!measure.pair || !measure.to) return faceSentences(measure.from, zero, unit).join(QLatin1Char(' '));
+    const MeasuredPair& pair = *measure.pair;
+    QStringList sentences;
+    if (pair.apart)
+        sentences << MeasureLabels::tr("Parallel, %1 apart.").arg(lengthText(*pair.apart, unit));
+    else if (pair.angle)
+        sentences << MeasureLabels::tr("Angle %1.").arg(angleText(*pair.angle));
+    sentences << MeasureLabels::tr("Distance between the points: %1 (%2).")
+                     .arg(lengthText(pair.places, unit), positionText(measure.to->place - measure.from.place, unit));
+    if (pair.faces)
+        sentences << MeasureLabels::tr("Smallest distance between the faces: %1.").arg(lengthText(*pair.faces, unit));
+    if (pair.corners > 0.0) // otherwise it is the same corner
+        sentences << MeasureLabels::tr("Distance between the nearest corners or circle centres: %1.")
+                         .arg(lengthText(pair.corners, unit));
+    return sentences.join(QLatin1Char(' '));
+}
+
+} // namespace burin
