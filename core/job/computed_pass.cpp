@@ -102,7 +102,7 @@ double plannedFeed(const PlannedPass& planned, std::size_t stroke, std::size_t p
 
 Result<ComputedPass> computePass(const MillingContext& milling, std::vector<PathMatter> before,
                                  const PassRequest& request, Progress& progress) {
-    if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
+    if (Result<void> good = checkPass(request, milling.tool); !good) return std::move(good).error();
     const Result<PassBasis> basis = [&] {
         const ProgressPart part(progress, 0.0, 0.6);
         return passBasis(milling, std::move(before), request.allowance, progress);

@@ -36,9 +36,13 @@ bool mayPlan(PassKind kind, const Tool& tool) {
     return checkTool(kind, tool) && (kind != PassKind::thread || !checkPlannable(tool));
 }
 
+Result<void> checkPass(const PassRequest& request, const Tool& tool) {
+    if (Result<void> valid = validate(request); !valid) return valid;
+    return checkTool(request.kind, tool);
+}
+
 Result<PlannedPass> planPass(const PassRequest& request, const PassGround& ground, Progress& progress) {
-    if (Result<void> valid = validate(request); !valid) return std::move(valid).error();
-    if (Result<void> suited = checkTool(request.kind, ground.tool); !suited) return suited.error();
+    if (Result<void> good = checkPass(request, ground.tool); !good) return std::move(good).error();
     Result<PlannedPass> planned = [&] {
         switch (request.kind) {
         case PassKind::levels:

@@ -12,10 +12,16 @@ namespace burin {
 /// Whether a kind of pass is offered for a tool: each tool drills, mills threads, or does all the rest.
 bool mayPlan(PassKind kind, const Tool& tool);
 
+/// Whether a pass can be planned with a tool, as far as they alone show it: asked before the stock and the field, which
+/// take seconds, are prepared.
+/// Errors: those of validate and checkPlannable; notSupported (a drill for another pass than drilling, drilling with
+/// another tool, or a tool that doesn't turn).
+Result<void> checkPass(const PassRequest& request, const Tool& tool);
+
 /// Plans a pass of any kind. Thread-safe. The work is shared among all cores; the result does not depend on their
 /// number.
-/// Errors: those of validate, checkPlannable and the planner of the kind (level_pass.h, surface_pass.h, drill_pass.h,
-/// thread_pass.h); notSupported (a drill for another pass than drilling, or drilling with another tool); cancelled.
+/// Errors: those of checkPass and the planner of the kind (level_pass.h, surface_pass.h, drill_pass.h, thread_pass.h);
+/// cancelled.
 Result<PlannedPass> planPass(const PassRequest& request, const PassGround& ground, Progress& progress);
 
 /// The length of its strokes, mm.
