@@ -44,30 +44,46 @@ bool makeReady(WindowDriver& driver, double voxel) {
     return driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle();
 }
 
-void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to) {
+/// Waits until the tool has stayed in one position for a while, as it follows the pointer at a limited speed.
+static void waitForRest(WindowDriver& driver) {
+    const SessionRunner& session = driver.window().workbench().session;
+    glm::dvec3 last = session.state().sample.proxy.tip;
+    QElapsedTimer still;
+    still.start();
+    driver.waitFor(
+        [&] {
+            const glm::dvec3 tip = session.state().sample.proxy.tip;
+            if (glm::distance(tip, last) > 1e-3) still.restart(); // mm
+            last = tip;
+            return still.elapsed() >= 100;
+        },
+        2000);
+}
+
+void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, Pace pace) {
     Viewport& viewport = driver.window().viewport();
     const Setup& setup = driver.window().workbench().setup.setup();
     const auto at = [&](const glm::dvec2& place) {
         return viewport.project(setup.workOffset + glm::dvec3(place, 0.0)).toPoint();
     };
     QTest::mouseMove(&viewport, at(from));
-    QTest::qWait(300);
+    waitForRest(driver);
     QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, at(from));
-    constexpr int steps = 40;
+    const int steps = pace == Pace::quick ? 20 : 40, milliseconds = pace == Pace::quick ? 10 : 20;
     for (int i = 0; i <= steps; ++i) {
         QTest::mouseMove(&viewport, at(glm::mix(from, to, static_cast<double>(i) / steps)));
-        QTest::qWait(20);
+        QTest::qWait(milliseconds);
     }
-    QTest::qWait(400);
+    waitForRest(driver);
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, at(to));
-    QTest::qWait(200);
+    QTest::qWait(100);
 }
 
-bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to) {
+bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, Pace pace) {
     Workbench& workbench = driver.window().workbench();
     if (!driver.step(JobStep::mill) || !driver.clickOn("millButton")) return false;
     if (!driver.waitFor([&] { return workbench.mill.active(); }, 5000)) return false;
-    millLine(driver, from, to);
+    millLine(driver, from, to, pace);
     driver.key(Qt::Key_Escape);
     return driver.waitFor([&] { return !workbench.session.running(); }, 5000);
 }

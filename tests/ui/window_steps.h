@@ -25,10 +25,12 @@ QString writeBlock(const WindowDriver& driver, bool closed = true);
 /// Drops the block on the window and embeds it, ready to be milled. Coarse voxels suffice where a test is about the
 /// behaviour of the window, not about how finely it mills. @param voxel  mm
 bool makeReady(WindowDriver& driver, double voxel = 0.5);
+/// How fast a line is drawn: as fast as the window follows, or as a hand does it, for what depends on its samples.
+enum class Pace : std::uint8_t { quick, ofAHand };
 /// Draws a line on the stock's top with the left button down. Positions in mm from the middle of the stock's top.
-void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to);
+void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, Pace pace = Pace::quick);
 /// Records a take of one such line; enters and leaves mill mode.
-bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to);
+bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, Pace pace = Pace::quick);
 /// Makes a path of the recording and waits until it is evaluated.
 bool newPath(WindowDriver& driver);
 /// Posts the program and waits for its check. Returns false if that produced no new program.
