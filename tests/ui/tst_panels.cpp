@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/long_run.h"
 #include "tests/places.h"
 #include "tests/test_program.h"
 #include "tests/ui/panel_examples.h"
@@ -234,7 +235,7 @@ private slots:
     }
 
     /// Runs the same program once more, on a screen of twice the density.
-    void theSameAtScaleTwo() {
+    BURIN_ONLY_IN_LONG_RUNS void theSameAtScaleTwo() {
         if (qApp->devicePixelRatio() > 1.0) return;
         QProcess again;
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();

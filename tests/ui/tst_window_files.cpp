@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/core/geometry/shapes.h"
+#include "tests/long_run.h"
 #include "tests/places.h"
 #include "tests/stl_text.h"
 #include "tests/test_program.h"
@@ -24,10 +25,10 @@ class TestWindowFiles : public QObject {
 private slots:
     void aWrongFileLeavesTheOpenProjectAsItIs();
     void aProgramNeedsAWorkpiece();
-    void theQuestionComesOnceTheFileIsKnownToBeGood();
+    BURIN_ONLY_IN_LONG_RUNS void theQuestionComesOnceTheFileIsKnownToBeGood();
     void aMissingRecentFileIsTakenOffTheList();
     void whatIsOpenAlreadyIsShown();
-    void whatWasSaidOfAFileEndsWithTheNextOne();
+    BURIN_ONLY_IN_LONG_RUNS void whatWasSaidOfAFileEndsWithTheNextOne();
     void aPartThatWasChangedIsReadAgain();
 };
 

@@ -133,9 +133,9 @@ class TestWindowFirstJob : public QObject {
     Q_OBJECT
 private slots:
     void whoFollowsItGetsToAProgram();
-    void whatIsDoneAnotherWayCounts();
+    BURIN_ONLY_IN_LONG_RUNS void whatIsDoneAnotherWayCounts();
     void itSaysWhereToReturn();
-    void itAsksAboutUnsavedWork();
+    BURIN_ONLY_IN_LONG_RUNS void itAsksAboutUnsavedWork();
     void itIsWorkedByKeys();
     void textsFit_data();
     void textsFit();

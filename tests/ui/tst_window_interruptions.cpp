@@ -52,8 +52,8 @@ private slots:
 
     /// Esc ends or cancels only what is under way; the tool is then free for the next stroke.
     void escapeEndsWhatIsUnderWay_data() {
-        addMiddles({Middle::stroke, Middle::line, Middle::rows},
-                   {Middle::rectangle, Middle::repetition, Middle::spindle});
+        addMiddles({Middle::stroke, Middle::line},
+                   {Middle::rows, Middle::rectangle, Middle::repetition, Middle::spindle});
     }
     void escapeEndsWhatIsUnderWay() {
         QFETCH(Middle, middle);
@@ -76,7 +76,7 @@ private slots:
 
     /// While the tool cuts, undo has to wait; what is not yet cut is cancelled together with the stroke that it belongs
     /// to.
-    void undoNeverTakesBackSomethingElse_data() { addMiddles({Middle::line, Middle::rows}, {}); }
+    void undoNeverTakesBackSomethingElse_data() { addMiddles({Middle::rows}, {Middle::line}); }
     void undoNeverTakesBackSomethingElse() {
         QFETCH(Middle, middle);
         begin(middle);

@@ -3,6 +3,7 @@
 #include "core/tool/holder_library.h"
 #include "core/tool/tool_solid.h"
 #include "tests/core/geometry/shapes.h"
+#include "tests/long_run.h"
 #include "tests/places.h"
 #include "tests/stl_text.h"
 #include "tests/test_program.h"
@@ -192,7 +193,7 @@ private slots:
     }
 
     /// Changed values of the stock's material apply to the embedded workpiece.
-    void aChangedMaterialIsThatOfTheWorkpiece() {
+    BURIN_ONLY_IN_LONG_RUNS void aChangedMaterialIsThatOfTheWorkpiece() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
         QVERIFY(open(driver));
@@ -439,7 +440,7 @@ private slots:
         QVERIFY2(width >= 4 && width <= 6, qPrintable(QString::number(width))); // 2 mm, and the mouse may waver
     }
 
-    void theStockComesFromAFile() {
+    BURIN_ONLY_IN_LONG_RUNS void theStockComesFromAFile() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
         QVERIFY(open(driver));

@@ -113,7 +113,7 @@ private slots:
         QVERIFY(removedSoFar(*workbench.workpiece.milling()) > 1.0);
     }
 
-    void aGradedLayerStatesItsError() {
+    BURIN_ONLY_IN_LONG_RUNS void aGradedLayerStatesItsError() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
         QVERIFY(open(driver));

@@ -3,6 +3,7 @@
 // Computed passes, by mouse and keys.
 #include "core/base/units.h"
 #include "core/setup/setup.h"
+#include "tests/long_run.h"
 #include "tests/plate_with_hole.h"
 #include "tests/stl_text.h"
 #include "tests/test_program.h"
@@ -223,7 +224,7 @@ private slots:
 
     /// A plate with a hole of 6 mm: the drill is offered only drilling, which finds the hole. The result is drawn and
     /// described before it is computed.
-    void aHoleIsDrilled() {
+    BURIN_ONLY_IN_LONG_RUNS void aHoleIsDrilled() {
         WindowDriver driver;
         QVERIFY(hasPlateWithHole(driver, 6.0));
         Workbench& workbench = workbenchOf(driver);

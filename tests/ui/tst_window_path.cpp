@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/geometry/arc.h"
 #include "core/path/hand_interval.h"
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/scene/camera_view.h"
@@ -119,8 +120,8 @@ class TestWindowPath : public QObject {
     Q_OBJECT
 private slots:
     void placesAreDraggedIntervalsDrawnAndEditsOrdered();
-    void anAreaIsDrawnAndEmptied();
-    void theMirrorsPlaneIsDrawn();
+    BURIN_ONLY_IN_LONG_RUNS void anAreaIsDrawnAndEmptied();
+    BURIN_ONLY_IN_LONG_RUNS void theMirrorsPlaneIsDrawn();
     void theWorstPlaceOfAnEditIsShown();
     void aPointIsInsertedAndDragged();
 };

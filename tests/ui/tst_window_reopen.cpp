@@ -24,7 +24,7 @@ class TestWindowReopen : public QObject {
     Q_OBJECT
 private slots:
     void aProjectIsWhereItWasLeft();
-    void aWorkpieceIsThereWithoutAStroke();
+    BURIN_ONLY_IN_LONG_RUNS void aWorkpieceIsThereWithoutAStroke();
     void lookingAroundIsNothingToSave();
     BURIN_ONLY_IN_LONG_RUNS void whatCanBeUndoneIsSaid();
     BURIN_ONLY_IN_LONG_RUNS void aProgramThatPassedIsPassedAgain();

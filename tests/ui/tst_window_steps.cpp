@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/visible_texts.h"
 #include "tests/ui/window_steps.h"
@@ -18,7 +19,7 @@ class TestWindowSteps : public QObject {
 private slots:
     void eachStepTellsWhatItHolds();
     void aDoubtfulPartIsObjectedTo();
-    void choosingAMaterialKeepsTheWorkpiece();
+    BURIN_ONLY_IN_LONG_RUNS void choosingAMaterialKeepsTheWorkpiece();
 };
 
 void TestWindowSteps::eachStepTellsWhatItHolds() {

@@ -177,7 +177,7 @@ private slots:
 
     /// "Beside" means to the left in the direction of the stroke: a stroke to +X gets one that is a step-over farther
     /// to +Y.
-    void theLastStrokeIsRepeatedLowerAndBeside() {
+    BURIN_ONLY_IN_LONG_RUNS void theLastStrokeIsRepeatedLowerAndBeside() {
         QVERIFY(driver_->enter("stepOverField", "3"));
         QVERIFY(driver_->enter("depthOfCutField", "0.7"));
         millLine(*driver_, {-12, -4}, {10, -1});

@@ -3,6 +3,7 @@
 // Milling with the pen of a tablet, whose events Qt delivers to the window.
 #include "core/base/units.h"
 #include "core/geometry/angle.h"
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/tablet_pen.h"
 #include "tests/ui/window_steps.h"
@@ -27,7 +28,7 @@ class TestWindowTablet : public QObject {
 
 private slots:
     void thePressureSetsTheDepth();
-    void thePressureSinksTheTool();
+    BURIN_ONLY_IN_LONG_RUNS void thePressureSinksTheTool();
     void aTiltedPenLeansAFreeAxis();
     void aFixedAxisIgnoresTheTilt();
     void theEraserRetractsTheTool();

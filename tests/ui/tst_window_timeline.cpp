@@ -154,7 +154,7 @@ private slots:
     /// Moves a take by key and menu, with undo: the workpiece is unchanged, and at the boundary between the takes the
     /// timeline shows what the earlier takes cut. A copy cuts nothing more, and replaces its original if that is
     /// deleted.
-    void takesAreMovedAndCopied() {
+    BURIN_ONLY_IN_LONG_RUNS void takesAreMovedAndCopied() {
         const std::vector<std::int64_t> ids = listed();
         QVERIFY(goesBy(ids));
         QVERIFY(chooseInMenu(0.5, "takeOffAction"));
@@ -338,7 +338,7 @@ private slots:
     }
 
     /// The distance from the block's top while the tool goes level over it is the height of the tip above it.
-    void theDeviationIsDrawn() {
+    BURIN_ONLY_IN_LONG_RUNS void theDeviationIsDrawn() {
         const auto values = [&](std::size_t take) -> const std::vector<float>& {
             return time().recorded()->tracks[take].curves[static_cast<std::size_t>(TrackCurve::deviation)];
         };

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // The project's tree, and hiding bodies in the view, by mouse and keys.
+#include "tests/long_run.h"
 #include "tests/places.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
@@ -142,7 +143,7 @@ private slots:
 
     /// Moves a take by the keys in its row, and copies it by its menu. The path gets the copy only by its menu, and
     /// each change can be undone.
-    void takesAreMovedAndCopied() {
+    BURIN_ONLY_IN_LONG_RUNS void takesAreMovedAndCopied() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}) && driver.settle());

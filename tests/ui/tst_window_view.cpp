@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -49,7 +50,7 @@ private slots:
     void aClickInTheParallelTopViewCutsThere();
     void thePartAndThePlaceOfAPressAreSeenThroughTheStock();
     void theProjectionIsRemembered();
-    void theSliderShowsThePartThroughTheWorkpiece();
+    BURIN_ONLY_IN_LONG_RUNS void theSliderShowsThePartThroughTheWorkpiece();
     void aSectionShowsWhatIsInside();
 };
 
