@@ -11,6 +11,7 @@
 #include "core/tool/tool_exchange.h"
 #include "core/tool/tool_library.h"
 #include "core/tool/tool_ranges.h"
+#include "core/tool/tool_solid.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,14 +22,19 @@ namespace burin {
 using nlohmann::json;
 
 json briefOf(const Tool& tool, const std::string& library) {
-    return {{"id", tool.id},
-            {"name", tool.name},
-            {"own", !isShippedTool(tool.id)},
-            {"library", library},
-            {"number", tool.number},
-            {"type", cutterTypeName(tool.cutter.type)},
-            {"diameter_mm", tool.cutter.diameter},
-            {"flute_length_mm", tool.cutter.fluteLength}};
+    json brief{{"id", tool.id},
+               {"name", tool.name},
+               {"own", !isShippedTool(tool.id)},
+               {"library", library},
+               {"number", tool.number},
+               {"type", cutterTypeName(tool.cutter.type)},
+               {"diameter_mm", tool.cutter.diameter},
+               {"flute_length_mm", tool.cutter.fluteLength}};
+    if (tool.cutter.isHollow()) {
+        brief["hollow_width_mm"] = tool.cutter.solid->hollowWidth;
+        brief["hollow_depth_mm"] = tool.cutter.solid->hollowDepth;
+    }
+    return brief;
 }
 
 std::string linesOf(const std::vector<std::string>& notes) {
@@ -154,6 +160,17 @@ struct ShapeArguments {
     double angle = 0.0; ///< degrees
 };
 
+/// A line about the hollow of a tool; empty if it has none.
+std::string hollowLine(const ShapedTool& shaped) {
+    if (!shaped.tool.cutter.isHollow()) return {};
+    const ToolSolid& solid = *shaped.tool.cutter.solid;
+    return "\n  " +
+           worded(BURIN_TEXT("Command", "hollow, %1 mm in diameter and %2 mm deep (at most %3 mm narrower than "
+                                        "the model): a core stands in it; the tool stays upright"),
+                  {formatFixed(solid.hollowWidth, 2), formatFixed(solid.hollowDepth, 2),
+                   formatLimit(shaped.hollowExcess, 4)});
+}
+
 int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
     Result<Tool> like = loadTool(arguments.like);
     if (!like) return context.fail(like.error());
@@ -176,13 +193,14 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
     const Result<ShapedTool> shaped = shapedTool(request, context.progress());
     if (!shaped) return context.fail(shaped.error());
     const Cutter& cutter = shaped->tool.cutter;
+    json more{{"lift_mm", shaped->lift},
+              {"excess_mm", shaped->excess},
+              {"profile_lines", cutter.profile.size()},
+              {"coarser_than_asked", shaped->coarser},
+              {"turns", cutter.turns()}};
+    if (cutter.isHollow()) more["hollow_excess_mm"] = shaped->hollowExcess;
     return keepTool(
-        shaped->tool, arguments.replace, arguments.tools->library, context,
-        {{"lift_mm", shaped->lift},
-         {"excess_mm", shaped->excess},
-         {"profile_lines", cutter.profile.size()},
-         {"coarser_than_asked", shaped->coarser},
-         {"turns", cutter.turns()}},
+        shaped->tool, arguments.replace, arguments.tools->library, context, std::move(more),
         "\n  " +
             worded(BURIN_TEXT("Command", "profile of %1 lines, at most %2 mm wider than what the flutes sweep in a "
                                          "turn, never narrower"),
@@ -194,6 +212,7 @@ int shapeTool(const ShapeArguments& arguments, CommandContext& context) {
             "\n  " +
             worded(BURIN_TEXT("Command", "moved along Z by %1 mm, so that the tip is at 0"),
                    {formatShortest(shaped->lift)}) +
+            hollowLine(*shaped) +
             (cutter.turns()
                  ? std::string()
                  : "\n  " + worded(BURIN_TEXT("Command", "does not turn: the models cut and touch the stock, with X "

@@ -6,6 +6,7 @@
 #include "core/cutting/solid_cutter.h"
 #include "core/cutting/window_cutter.h"
 #include "core/geometry/upright.h"
+#include "core/tool/tool_solid.h"
 
 #include <algorithm>
 #include <cassert>
@@ -50,10 +51,15 @@ void keepUsed(CutResult& result) noexcept {
     std::fill(used, end, MaterialVolume{});
 }
 
+SurfaceFlux surfaceOf(const Cutter& cutter, double edge) {
+    if (cutter.isHollow()) return {cutter.solid->section, cutter.fluteLength, edge};
+    return {flutePieces(cutter), edge};
+}
+
 } // namespace
 
 MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing)
-    : sweep_(flutePieces(cutter), grid.edge()), surface_(flutePieces(cutter), grid.edge()) {
+    : sweep_(flutePieces(cutter), grid.edge()), surface_(surfaceOf(cutter, grid.edge())), turns_(cutter.turns()) {
     const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
     const RevolvedPiece& first = flutes.front();
     const bool known = flutes.size() == 1 && WindowCutter::serves(first);
@@ -61,7 +67,7 @@ MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing
     reportsFlux_ = !isBall || first.bottomRadius <= largestFluxBall * grid.edge();
     reach_ = reachOf(flutes);
     cutsSinceLook_ = cutsPerLook; // so that the first cut measures the engagement
-    if (!cutter.turns())
+    if (cutter.solid != nullptr)
         solid_ = std::make_unique<SolidCutter>(*cutter.solid, grid);
     else if (known && writing == Writing::deferred)
         cutter_ = std::make_unique<WindowCutter>(first, grid);
@@ -108,7 +114,7 @@ CutResult MaterialRemoval::cut(RunVolume& workpiece, const ToolPose& from, const
     }
     CutResult result = account(workpiece, removed);
     result.putOff = putOff;
-    if (solid_)
+    if (!turns_)
         reportSpread(workpiece, from, to, result);
     else
         report(workpiece, from, to, result);
@@ -131,7 +137,7 @@ CutResult MaterialRemoval::settle(RunVolume& workpiece) noexcept {
 
 Engagement MaterialRemoval::engagement(const RunVolume& workpiece, const ToolPose& from,
                                        const ToolPose& to) const noexcept {
-    if (solid_) return {}; // its surface is not that of the pieces
+    if (!turns_) return {}; // its surface is not that of the pieces
     SurfaceFlux::Flux flux;
     const bool known = isFinite(from.tip) && isFinite(to.tip) && isFinite(from.axis) && isFinite(to.axis);
     if (known && (from.tip != to.tip || from.axis != to.axis)) surface_.measure(workpiece, window(), from, to, flux);

@@ -58,8 +58,8 @@ enum class Writing : std::uint8_t {
 };
 
 /// Removes the volume that the flutes sweep between two poses from the machinable runs of a workpiece. A tool that
-/// doesn't turn is swept as the solid that it is (SolidCutter), upright, and written with every cut: along the runs
-/// exact to a run unit, sideways within an eighth of a voxel along each axis (SolidColumns).
+/// doesn't turn or is hollow is swept as the solid that it is (SolidCutter), upright, and written with every cut: along
+/// the runs exact to a run unit, sideways within an eighth of a voxel along each axis (SolidColumns).
 /// Keeps the state of the smooth reported volume from tick to tick; use one object for each tool and workpiece.
 /// No allocation, lock or exception in `cut`, `approach` and `settle`. Only on the workpiece's writer thread.
 ///
@@ -81,7 +81,7 @@ public:
     /// the reported volume is the exact one, spread over two voxels of its motion, and the engagement stays 0. Cost:
     /// grows with the scanlines under the cutter, not with the grid.
     CutResult cut(RunVolume& workpiece, const glm::dvec3& fromTip, const glm::dvec3& toTip) noexcept;
-    /// The same with any axis, which may rotate during the move; a tool that doesn't turn has to be upright (asserted).
+    /// The same with any axis, which may rotate during the move; a tool with a solid has to be upright (asserted).
     CutResult cut(RunVolume& workpiece, const ToolPose& from, const ToolPose& to) noexcept;
     /// Prepares, within a tick's bounds, for a cut that may begin at this pose, so that the first contact of a large
     /// tool is not expensive. Cuts nothing. Call it in every tick in which the tool moves without cutting.
@@ -113,10 +113,10 @@ private:
 
     SweepCutter sweep_;
     std::unique_ptr<WindowCutter> cutter_; ///< null: written with every cut, or a form of tool that it does not support
-    std::unique_ptr<SolidCutter> solid_;   ///< null: the tool turns
+    std::unique_ptr<SolidCutter> solid_;   ///< null: the flutes are the pieces
     SurfaceFlux surface_;
     double reach_ = 0.0; ///< mm, largest distance of the flutes from the tip
-    bool reportsFlux_ = true;
+    bool reportsFlux_ = true, turns_ = true;
     Engagement lastLook_; ///< of a cut whose flux is not reported
     int cutsSinceLook_ = 0;
     std::array<double, 256> pending_{}; ///< mm³ by property, lag of the reported sum behind the exact one

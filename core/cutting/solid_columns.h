@@ -22,12 +22,12 @@ struct SolidStay {
     std::int64_t low = 0, high = 0; ///< run units
 };
 
-/// A tool that doesn't turn as runs on the scanlines of a workpiece (paper, eq. 3: an S-RLE of the tool). Across the
-/// runs its tip is moved to the nearest point of a lattice of a quarter of a voxel (of half a voxel or a voxel, if the
-/// tool is so large that its runs would take too much memory): by half of that at most along u and along v. Along the
-/// runs it is exact to a run unit. For each of these positions within a voxel (a layer) the runs of the tool are
-/// computed in advance, so that a pose is a merge of runs, line by line. Immutable after construction; any number of
-/// threads may read it.
+/// A tool that doesn't turn or is hollow as runs on the scanlines of a workpiece (paper, eq. 3: an S-RLE of the tool).
+/// Across the runs its tip is moved to the nearest point of a lattice of a quarter of a voxel (of half a voxel or a
+/// voxel, if the tool is so large that its runs would take too much memory): by half of that at most along u and along
+/// v. Along the runs it is exact to a run unit. For each of these positions within a voxel (a layer) the runs of the
+/// tool are computed in advance, so that a pose is a merge of runs, line by line. Immutable after construction; any
+/// number of threads may read it.
 class SolidColumns {
 public:
     enum class Section : std::uint8_t { flutes, shank };

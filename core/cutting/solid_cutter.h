@@ -10,10 +10,10 @@
 
 namespace burin {
 
-/// Removes what the solid of an upright tool that doesn't turn sweeps on straight moves from the machinable runs of a
-/// workpiece, scanline by scanline and written at once; the deviation is that of SolidColumns. Remembers where its last
-/// move ended: a move from there visits only what the tool enters. No allocation, lock or exception in `cut`. Only on
-/// the workpiece's writer thread.
+/// Removes what the solid of an upright tool, which doesn't turn or is hollow, sweeps on straight moves from the
+/// machinable runs of a workpiece, scanline by scanline and written at once; the deviation is that of SolidColumns.
+/// Remembers where its last move ended: a move from there visits only what the tool enters. No allocation, lock or
+/// exception in `cut`. Only on the workpiece's writer thread.
 class SolidCutter {
 public:
     /// Allocates. @param grid that of every workpiece that is cut

@@ -22,6 +22,7 @@ constexpr PatchBounds fine{1000.0, 240.0, 48.0}, coarse{130.0, 80.0, 32.0};
 constexpr double largestFineRadius = 30.0; // voxels
 // Height of the wall's lowest ring divided by the radius, and of each further ring divided by the height below it.
 constexpr double lowestRing = 0.15, ringGrowth = 0.3;
+constexpr int mostWallRings = 24; // of a wall of a section
 constexpr double lookAhead = 1.0; // voxels
 constexpr int directionCount = 128;
 constexpr double goldenRatio = 0.6180339887498949;
@@ -74,13 +75,43 @@ SurfaceFlux::SurfaceFlux(std::span<const RevolvedPiece> flutes, double edge) : e
     }
 }
 
+SurfaceFlux::SurfaceFlux(const PlanRegion& section, double top, double edge) : edge_(edge) {
+    const Fineness fineness = finenessFor(boundsOf(section).high.x);
+    const auto isUpperEnd = [&](const glm::dvec2& corner) { return corner.y >= top - 1e-3; };
+    for (const PlanRing& ring : oriented(section).rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec2 &from = ring[i], &to = ring[(i + 1) % ring.size()];
+            if (!(isUpperEnd(from) && isUpperEnd(to)) && from.x + to.x > 0.0) addEdge(from, to, fineness);
+        }
+}
+
+SurfaceFlux::Fineness SurfaceFlux::finenessFor(double radius) const noexcept {
+    const PatchBounds& most = radius <= largestFineRadius * edge_ ? fine : coarse;
+    const double around = 2.0 * pi * radius;
+    return {std::max(edge_, radius * std::sqrt(2.0 * pi / most.hemisphere)),
+            std::max(0.5 * edge_, around / most.strips), std::max(edge_, around / most.sectors)};
+}
+
+/// Adds what an edge of a section sweeps in a turn; the section lies on its left.
+void SurfaceFlux::addEdge(const glm::dvec2& from, const glm::dvec2& to, const Fineness& fineness) {
+    const double middle = 0.5 * (from.x + to.x);
+    const bool parallel = from.x == to.x, level = from.y == to.y;
+    if (parallel) addRing({from.x, to.x, from.y, to.y}, countOf(2.0 * pi * middle, fineness.strip), strips_);
+    const double length = level ? fineness.spacing : parallel ? lowestRing * middle : lookAhead * edge_;
+    const int fitting = countOf(glm::distance(from, to), std::max(edge_, length));
+    const int rings = parallel ? std::min(fitting, mostWallRings) : fitting;
+    for (int i = 0; i < rings; ++i) {
+        const glm::dvec2 low = glm::mix(from, to, static_cast<double>(i) / rings),
+                         high = glm::mix(from, to, static_cast<double>(i + 1) / rings);
+        addRing({low.x, high.x, low.y, high.y},
+                countOf(pi * (low.x + high.x), level ? fineness.spacing : fineness.sector), parallel ? wall_ : end_);
+    }
+}
+
 /// @param innerRadius mm, of the part of the bottom that is covered by the piece before
 void SurfaceFlux::addPiece(const RevolvedPiece& piece, double innerRadius) {
     const double radius = piece.widestRadius(), flat = piece.bottomRadius - piece.cornerRadius;
-    const PatchBounds& most = radius <= largestFineRadius * edge_ ? fine : coarse;
-    const double around = 2.0 * pi * radius;
-    const Fineness fineness{std::max(edge_, radius * std::sqrt(2.0 * pi / most.hemisphere)),
-                            std::max(0.5 * edge_, around / most.strips), std::max(edge_, around / most.sectors)};
+    const Fineness fineness = finenessFor(radius);
     const int discs = flat > innerRadius ? countOf(flat - innerRadius, fineness.spacing) : 0;
     for (int i = 0; i < discs; ++i) {
         const double inner = innerRadius + (flat - innerRadius) * i / discs;
@@ -162,8 +193,8 @@ void SurfaceFlux::addRing(const Ring& ring, int sectors, std::vector<Patch>& pat
         Patch patch{{sideways * cosine, sideways * sine, -down},
                     {at.place.x * cosine, at.place.x * sine, at.place.y},
                     {at.normal.x * cosine, at.normal.x * sine, at.normal.y},
-                    ring.low,
-                    ring.high,
+                    std::min(ring.low, ring.high),
+                    std::max(ring.low, ring.high),
                     std::hypot(sideways, down),
                     {}};
         // The directions whose middle lies in the sector, so that a whole ring has each direction once.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/plan_region.h"
 #include "core/geometry/pose.h"
 #include "core/geometry/revolved_piece.h"
 #include "core/volume/runs/run_volume.h"
@@ -50,6 +51,9 @@ public:
     /// @param edge   of a voxel, mm. Allocates at most some two thousand patches a piece, a quarter of that above 30
     /// voxels of radius.
     SurfaceFlux(std::span<const RevolvedPiece> flutes, double edge);
+    /// The same of flutes with a hollow. @param section (distance from the axis, height above the tip), mm
+    /// @param top of the flutes, mm above the tip: material above it meets the shank
+    SurfaceFlux(const PlanRegion& section, double top, double edge);
 
     struct Flux {
         std::array<double, 256> volume{}; ///< mm³ by property; protected ones and air stay 0
@@ -73,7 +77,8 @@ private:
         double size = 0.0;            ///< mm², length of `area`
         Directions directions{};      ///< the directions that it covers
     };
-    /// Ring of the surface between two circles about the axis.
+    /// Ring of the surface between two circles about the axis, with the outside on its right as seen from the inner
+    /// circle; the walls of a hollow go down from `low` to `high`.
     struct Ring {
         double innerRadius = 0.0, outerRadius = 0.0, low = 0.0, high = 0.0; ///< mm
         double bulge = 0.0;     ///< mm, radius of the arc between the circles; 0: straight
@@ -100,7 +105,9 @@ private:
         double strip = 0.0;   ///< mm, width of the wall's strips
         double sector = 0.0;  ///< mm, width of the patches of the wall's rings
     };
+    Fineness finenessFor(double radius) const noexcept;
     void addPiece(const RevolvedPiece& piece, double innerRadius);
+    void addEdge(const glm::dvec2& from, const glm::dvec2& to, const Fineness& fineness);
     void addArc(const RevolvedPiece& piece, const glm::dvec2& centre, double radius, double from, double to,
                 double spacing);
     void addSide(const RevolvedPiece& piece, const Fineness& fineness);

@@ -3,6 +3,7 @@
 #include "core/cutting/tool_beam.h"
 
 #include "core/base/units.h"
+#include "core/tool/hollow_tip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,23 @@ namespace {
 
 constexpr double fluteCore = 0.8; // diameter of the shaft with equal bending, divided by that of the flutes
 
-/// Returns the diameter of the shaft at a height, mm.
-double diameterAt(const Cutter& cutter, const std::vector<RevolvedPiece>& flutes, double height) {
-    if (height >= cutter.fluteLength) return cutter.shankDiameter;
+/// The section of the shaft at a height.
+struct Shaft {
+    double diameter = 0.0; ///< mm
+    double solid = 1.0;    ///< its second moment of area divided by that without the hollow
+};
+
+Shaft shaftAt(const Cutter& cutter, const std::vector<RevolvedPiece>& flutes, double height) {
+    if (height >= cutter.fluteLength) return {cutter.shankDiameter, 1.0};
+    double diameter = cutter.diameter;
     for (const RevolvedPiece& piece : flutes)
-        if (height >= piece.bottom && height <= piece.top) return fluteCore * 2.0 * radiusAt(piece, height);
-    return fluteCore * cutter.diameter;
+        if (height >= piece.bottom && height <= piece.top) {
+            diameter = 2.0 * radiusAt(piece, height);
+            break;
+        }
+    const double bore = cutter.isHollow() ? 2.0 * boreAt(*cutter.solid, height) : 0.0;
+    const double solid = diameter > 0.0 ? 1.0 - std::pow(std::min(1.0, bore / diameter), 4) : 1.0;
+    return {fluteCore * diameter, solid};
 }
 
 } // namespace
@@ -31,8 +43,9 @@ ToolBeam::ToolBeam(const Tool& tool) : modulus_(tool.modulus), top_(tool.cutter.
     for (int i = slices; i-- > 0;) {
         Slice& slice = slices_[static_cast<std::size_t>(i)];
         slice.height = (i + 0.5) * step;
-        const double diameter = std::max(thinnest, diameterAt(tool.cutter, flutes, slice.height));
-        slice.modulus = pi / 32.0 * std::pow(diameter, 3);
+        const Shaft shaft = shaftAt(tool.cutter, flutes, slice.height);
+        const double diameter = std::max(thinnest, shaft.diameter);
+        slice.modulus = std::max(1e-3, shaft.solid) * pi / 32.0 * std::pow(diameter, 3);
         const double inertia = 0.5 * diameter * slice.modulus;
         slice.sum0 = sum0 += step / inertia;
         slice.sum1 = sum1 += slice.height * step / inertia;

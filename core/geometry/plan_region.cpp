@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <polyclipping/clipper.hpp>
 
 namespace burin {
@@ -153,6 +154,15 @@ std::vector<PlanPiece> piecesOf(const PlanRegion& region) {
         pieces.push_back(std::move(piece));
     }
     return pieces;
+}
+
+PlanRegion oriented(const PlanRegion& region) {
+    PlanRegion turned;
+    for (PlanPiece& piece : piecesOf(region)) {
+        turned.rings.push_back(std::move(piece.border));
+        std::ranges::move(piece.holes, std::back_inserter(turned.rings));
+    }
+    return turned;
 }
 
 } // namespace burin

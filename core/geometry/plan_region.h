@@ -57,5 +57,7 @@ PlanRegion filledBy(const std::vector<PlanRing>& rings);
 /// mm²
 double areaInPlan(const PlanRegion& region);
 std::vector<PlanPiece> piecesOf(const PlanRegion& region);
+/// The same region with its rings turned so that it lies on their left.
+PlanRegion oriented(const PlanRegion& region);
 
 } // namespace burin

@@ -88,7 +88,8 @@ StockLeftMeter::StockLeftMeter(const MeshDistance& part, const Box& stock) : par
     }
 }
 
-void StockLeftMeter::sweepTo(const glm::dvec3& tip, std::span<const RevolvedPiece> flutes, double widest) {
+void StockLeftMeter::sweepTo(const glm::dvec3& tip, std::span<const RevolvedPiece> flutes, double widest,
+                             const HollowSpace& hollow) {
     const double reach = widest + square;
     for (std::int64_t row = squareAt(tip.y - reach); row <= squareAt(tip.y + reach); ++row)
         for (std::int64_t column = squareAt(tip.x - reach); column <= squareAt(tip.x + reach); ++column) {
@@ -99,6 +100,7 @@ void StockLeftMeter::sweepTo(const glm::dvec3& tip, std::span<const RevolvedPiec
                 const double radius = glm::distance(glm::dvec2(place.point), glm::dvec2(tip));
                 const double height = place.point.z - tip.z;
                 if (radius > widest + place.left || height < -place.left) continue;
+                if (radius < hollow.radius && height < hollow.height) continue;
                 for (const RevolvedPiece& piece : flutes)
                     place.left = std::min(place.left, std::max(0.0, signedDistance(piece, radius, height)));
             }
@@ -109,6 +111,7 @@ void StockLeftMeter::sweep(std::span<const PathPoint> points, std::size_t from, 
                            const Progress& progress) {
     if (!tool.cutter.turns()) return; // it clears less than its profile
     const std::vector<RevolvedPiece> flutes = flutePieces(tool.cutter);
+    const HollowSpace hollow = tool.cutter.hollow();
     double widest = 0.0;
     for (const RevolvedPiece& piece : flutes) widest = std::max(widest, piece.widestRadius());
     for (std::size_t i = from; i <= to && i < points.size() && !progress.cancelled(); ++i) {
@@ -120,10 +123,10 @@ void StockLeftMeter::sweep(std::span<const PathPoint> points, std::size_t from, 
             const Arc arc{start, end, point.arc->centre, point.arc->axis, point.arc->clockwise};
             const ArcTurn turn = turnOf(arc);
             for (int k = 0; k <= steps; ++k)
-                sweepTo(placeOn(arc, turn, static_cast<double>(k) / steps), flutes, widest);
+                sweepTo(placeOn(arc, turn, static_cast<double>(k) / steps), flutes, widest, hollow);
         } else {
             for (int k = 0; k <= steps; ++k)
-                sweepTo(glm::mix(start, end, static_cast<double>(k) / steps), flutes, widest);
+                sweepTo(glm::mix(start, end, static_cast<double>(k) / steps), flutes, widest, hollow);
         }
     }
 }

@@ -43,7 +43,8 @@ private:
         glm::dvec3 point{0.0}, normal{0.0}; ///< mm; unit, out of the part
         double left = 0.0;                  ///< mm, so far
     };
-    void sweepTo(const glm::dvec3& tip, std::span<const RevolvedPiece> flutes, double widest);
+    void sweepTo(const glm::dvec3& tip, std::span<const RevolvedPiece> flutes, double widest,
+                 const HollowSpace& hollow);
     static std::int64_t squareOf(std::int64_t column, std::int64_t row) noexcept {
         return column * 0x100000000LL + (row & 0xffffffffLL);
     }

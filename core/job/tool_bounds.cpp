@@ -94,8 +94,7 @@ Result<ToolBounds> ToolBounds::withoutField(const MillingContext& milling, const
     if (!axis.free && !(std::abs(glm::length(axis.direction) - 1.0) < 1e-6))
         return Error{ErrorCode::argumentInvalid, "axis", {}, "a vector of unit length"};
     if (axis.free || !isUpright(axis.direction))
-        if (Result<void> turns = checkTurns(tool.cutter, "a tilted axis of a tool that doesn't turn"); !turns)
-            return std::move(turns).error();
+        if (Result<void> tilts = checkTilts(tool.cutter); !tilts) return std::move(tilts).error();
     if (Result<void> usable = checkObstacles(surroundings.obstacles); !usable) return std::move(usable).error();
     ToolBounds bounds;
     bounds.axis_ = axis;

@@ -60,7 +60,7 @@ public:
     /// search tree per obstacle.
     /// @param tool that the milling context has or is about to get
     /// Errors: cancelled, outOfMemory, those of checkObstacle, argumentInvalid (an axis that is not of unit length, too
-    /// many obstacles), notSupported (a tool that doesn't turn, unless it stays upright).
+    /// many obstacles), notSupported (a tool that doesn't turn or is hollow, unless it stays upright).
     static Result<ToolBounds> build(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                     const Surroundings& surroundings, double maximumAllowance, Progress& progress);
 

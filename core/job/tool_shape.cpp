@@ -3,6 +3,7 @@
 #include "core/job/tool_shape.h"
 
 #include "core/base/numbers.h"
+#include "core/tool/hollow_tip.h"
 #include "core/tool/revolution_envelope.h"
 #include "core/tool/tool_solid.h"
 
@@ -78,8 +79,8 @@ Result<ShapedTool> shapedTool(const ToolShapeRequest& request, Progress& progres
         return closedMesh(request.flutes, request.import, progress);
     }();
     if (!flutes) return flutes.error();
-    ShapedTool shaped{request.like, 0.0 - boundingBox(*flutes).low.z, 0.0, false}; // never -0
-    shaped.tool.presets.clear();                                                   // feeds of another shape
+    ShapedTool shaped{request.like, 0.0 - boundingBox(*flutes).low.z}; // never -0
+    shaped.tool.presets.clear();                                       // feeds of another shape
     lift(*flutes, shaped.lift);
     const Result<RevolutionEnvelope> envelope = profileOf(*flutes, request.tolerance);
     if (!envelope) return envelope.error();
@@ -112,7 +113,13 @@ Result<ShapedTool> shapedTool(const ToolShapeRequest& request, Progress& progres
     if (!request.turns) {
         cutter.solid = std::make_shared<const ToolSolid>(std::move(solid));
         tool.source = "models of " + tool.source;
+    } else if (const auto hollow =
+                   hollowSection(solid.flutes, cutter.profile, std::max(request.tolerance, shaped.excess), progress)) {
+        cutter.solid = std::make_shared<const ToolSolid>(turningSolid(hollow->section, cutter.profile));
+        shaped.hollowExcess = hollow->excess;
+        tool.source = "section and " + tool.source;
     }
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, request.flutes.filename().string(), {}, {}};
     if (Result<void> valid = validate(tool); !valid) return valid.error();
     return shaped;
 }

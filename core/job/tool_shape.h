@@ -27,17 +27,19 @@ struct ToolShapeRequest {
 
 /// The tool, and the changes made to the models.
 struct ShapedTool {
-    Tool tool;            ///< valid
-    double lift = 0.0;    ///< mm, by which the models were moved along Z so that the tip is at 0
-    double excess = 0.0;  ///< mm, largest excess of the profile over the volume swept by the flutes; never narrower
-    bool coarser = false; ///< than the requested tolerance: a finer profile has too many lines
+    Tool tool;           ///< valid
+    double lift = 0.0;   ///< mm, by which the models were moved along Z so that the tip is at 0
+    double excess = 0.0; ///< mm, largest excess of the profile over the volume swept by the flutes; never narrower
+    double hollowExcess = 0.0; ///< mm, by which a hollow may be narrower than that of the flutes; never wider
+    bool coarser = false;      ///< than the requested tolerance: a finer profile has too many lines
 };
 
 /// Reads the models and computes the profile of the volume that they sweep while the spindle turns: a rotating tool
-/// cuts like this profile, regardless of the shape of its teeth; a hollow tip is treated as filled. A tool that doesn't
-/// turn keeps the models as its shape, and the profile as the bound that keeps it out of the part.
-/// Errors: those of importModel, argumentInvalid (a surface that is not closed; a shank that protrudes from the flutes
-/// below their end, or ends there), those of `validate`.
+/// cuts like this profile, regardless of the shape of its teeth. Where that volume is hollow, the tool keeps its
+/// section as well (ToolSolid::section). A tool that doesn't turn keeps the models as its shape. In both cases the
+/// profile is the bound that keeps the tool out of the part. Errors: cancelled, those of importModel, argumentInvalid
+/// (a surface that is not closed; a shank that protrudes from the flutes below their end, or ends there), those of
+/// `validate`.
 Result<ShapedTool> shapedTool(const ToolShapeRequest& request, Progress& progress);
 
 } // namespace burin

@@ -24,10 +24,12 @@ double edgeOf(const Box& stock, std::span<const RevolvedPiece> flutes) {
 
 } // namespace
 
-HeightMap::HeightMap(const Box& stock, std::span<const RevolvedPiece> pieces, std::size_t fluteCount)
+HeightMap::HeightMap(const Box& stock, std::span<const RevolvedPiece> pieces, std::size_t fluteCount,
+                     const HollowSpace& hollow)
     : stock_(stock)
     , pieces_(pieces.begin(), pieces.end())
     , fluteCount_(fluteCount)
+    , hollow_(hollow)
     , edge_(edgeOf(stock, pieces.first(fluteCount)))
     , countX_(std::max(0L, static_cast<long>(std::ceil(stock.size().x / edge_))))
     , countY_(std::max(0L, static_cast<long>(std::ceil(stock.size().y / edge_))))
@@ -83,17 +85,20 @@ void HeightMap::cutAt(const glm::dvec3& tip) {
     const auto [front, back] = range(tip.y, widest, 1);
     for (long j = front; j <= back; ++j) {
         const double y = stock_.low.y + static_cast<double>(j) * edge_ - tip.y;
-        const double farY = std::max(std::abs(y), std::abs(y + edge_));
+        const double farY = std::max(std::abs(y), std::abs(y + edge_)), nearY = std::max({y, -y - edge_, 0.0});
         for (long i = left; i <= right; ++i) {
             double& now = height(i, j);
             if (tip.z >= now || tip.z + flutes.back().top < now) continue;
             const double x = stock_.low.x + static_cast<double>(i) * edge_ - tip.x;
             const double farX = std::max(std::abs(x), std::abs(x + edge_));
             const double far = std::hypot(farX, farY);
+            const bool inHollow = std::hypot(std::max({x, -x - edge_, 0.0}), nearY) < hollow_.radius;
+            const double lowest = inHollow ? hollow_.height : 0.0;
             // From the top down: above a piece nothing is cut, so material there stays.
             for (std::size_t piece = flutes.size(); piece-- > 0;) {
                 const auto heights = heightsAt(flutes[piece], far);
-                if (heights && tip.z + heights->high >= now) now = std::min(now, tip.z + heights->low);
+                if (heights && heights->high > lowest && tip.z + heights->high >= now)
+                    now = std::min(now, tip.z + std::max(heights->low, lowest));
             }
         }
     }

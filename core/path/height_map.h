@@ -5,6 +5,7 @@
 #include "core/geometry/arc.h"
 #include "core/geometry/box.h"
 #include "core/geometry/revolved_piece.h"
+#include "core/tool/tool.h"
 
 #include <limits>
 #include <span>
@@ -19,7 +20,9 @@ class HeightMap {
 public:
     /// @param pieces of the tool, upright, in order from below, flutes first
     /// @param fluteCount number of pieces that are flutes, > 0
-    HeightMap(const Box& stock, std::span<const RevolvedPiece> pieces, std::size_t fluteCount);
+    /// @param hollow Cutter::hollow: what lies in it is not taken to be cleared
+    HeightMap(const Box& stock, std::span<const RevolvedPiece> pieces, std::size_t fluteCount,
+              const HollowSpace& hollow = {});
 
     /// Takes over what another map of the same stock knows to be empty; its squares may be larger or smaller.
     void include(const HeightMap& before);
@@ -65,6 +68,7 @@ private:
     Box stock_;
     std::vector<RevolvedPiece> pieces_;
     std::size_t fluteCount_ = 1;
+    HollowSpace hollow_;
     double edge_; // of a square, mm
     long countX_, countY_;
     std::vector<double> heights_;

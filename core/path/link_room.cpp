@@ -18,7 +18,7 @@ LinkRoom::LinkRoom(const Link& edit, const PartGuard& guard, const PathContext& 
     , safeHeight_(safeHeight)
     , reach_(context.tool.cutter.diameter)
     , guard_(guard)
-    , cleared_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {
+    , cleared_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size(), context.tool.cutter.hollow()) {
     if (context.cleared) cleared_.include(*context.cleared);
     area_ = context.stock;
     for (const ObstacleSolid& obstacle : context.obstacles)

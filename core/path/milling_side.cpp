@@ -32,7 +32,7 @@ public:
         : guard_(guard)
         , radius_(context.tool.cutter.radius())
         , edgeHeight_(heightsAt(guard.pieces().front(), beside * radius_).value_or(HeightRange{}).low)
-        , left_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size()) {
+        , left_(context.stock, guard.pieces(), flutePieces(context.tool.cutter).size(), context.tool.cutter.hollow()) {
         if (context.cleared) left_.include(*context.cleared);
     }
 

@@ -19,7 +19,7 @@ struct RevolutionEnvelope {
 
 /// Returns the smallest such profile, simplified by leaving out lines as long as the others are at most `tolerance`
 /// farther from the axis: anything clear of it is clear of the mesh. A hollow tip is filled, as the heights of a
-/// profile never decrease.
+/// profile never decrease (see hollow_tip.h).
 /// @param mesh mm, closed; its lowest vertex at height 0
 /// @param tolerance mm, > 0
 /// Errors: argumentInvalid (a mesh without height, or with a gap between two heights). Allocates.

@@ -43,10 +43,18 @@ Result<void> validateCutter(const Cutter& cutter) {
     if (!std::isfinite(cutter.stickOut) || cutter.stickOut < cutter.fluteLength)
         return invalid("cutter.stick_out_mm", cutter.stickOut, "at least the length of the flutes");
     if (Result<void> holder = validateHolder(cutter.holder); !holder) return holder;
-    return cutter.turns() ? Result<void>() : validateSolid(cutter);
+    return cutter.solid == nullptr ? Result<void>() : validateSolid(cutter);
 }
 
 } // namespace
+
+bool Cutter::turns() const noexcept {
+    return solid == nullptr || solid->turns();
+}
+
+HollowSpace Cutter::hollow() const noexcept {
+    return isHollow() ? HollowSpace{0.5 * solid->hollowWidth, solid->hollowDepth} : HollowSpace{};
+}
 
 double Cutter::length() const noexcept {
     double sum = stickOut;
@@ -79,6 +87,13 @@ Result<void> validate(const Tool& tool) {
 Result<void> checkTurns(const Cutter& cutter, std::string_view request) {
     if (cutter.turns()) return {};
     return Error{ErrorCode::notSupported, std::string(request), "a tool that turns", {}};
+}
+
+Result<void> checkTilts(const Cutter& cutter) {
+    if (cutter.isHollow())
+        return Error{
+            ErrorCode::notSupported, "a tilted axis of a tool with a hollow tip", "a tool without a hollow", {}};
+    return checkTurns(cutter, "a tilted axis of a tool that doesn't turn");
 }
 
 std::vector<RevolvedPiece> pieces(const Cutter& cutter) {

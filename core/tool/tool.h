@@ -34,8 +34,8 @@ std::string_view cutterTypeName(CutterType type) noexcept;
 
 /// One line or arc of a profile, from the end of the previous one (the first: from the tip, radius 0, height 0). The
 /// tool lies between the profile and its axis, so heights never decrease (`validate`): a horizontal line is a face or a
-/// shoulder. A cupped tip can't be represented and has to be given as flat, which is never smaller. Hollow arcs are
-/// replaced by chords (`profileChord`).
+/// shoulder. A cupped tip is given as flat, which is never smaller, and kept by the section of `Cutter::solid`. Hollow
+/// arcs are replaced by chords (`profileChord`).
 struct ProfileElement {
     double radius = 0.0;    ///< mm from the axis, of its end
     double height = 0.0;    ///< mm above the tip, of its end
@@ -48,6 +48,12 @@ struct HolderSegment {
     double lowerDiameter = 0.0; ///< mm
     double upperDiameter = 0.0; ///< mm
     double length = 0.0;        ///< mm
+};
+
+/// The space about the axis in which flutes that turn may be hollow; outside of it they are as the profile says.
+struct HollowSpace {
+    double radius = 0.0; ///< mm
+    double height = 0.0; ///< mm above the tip
 };
 
 /// The geometry of a tool; tip at the origin, axis +Z towards the holder. The flutes are the paper's effective cutting
@@ -63,12 +69,14 @@ struct Cutter {
     double tipDiameter = 0.0; ///< mm: taper and chamfer, of the flat tip, measured at its edge before rounding
     double taperAngle = 0.0;  ///< rad, between axis and cone: taper, taper ball, drill, chamfer (half of a point angle)
     std::vector<ProfileElement> profile{}; ///< of CutterType::profile
-    /// Null: the tool turns and has the shape above. Otherwise it doesn't turn and has this shape (tool_solid.h); the
-    /// profile encloses what it would sweep in a turn. The stock is cut and touched by the solid; whatever keeps the
-    /// tool out of the part, of fixtures and of travel uses the profile, which is never smaller.
+    /// Null: the tool turns and has the shape above. Otherwise it has this shape (tool_solid.h), because it doesn't
+    /// turn or is hollow; the profile encloses what it sweeps in a turn. The stock is cut and touched by the solid;
+    /// whatever keeps the tool out of the part, of fixtures and of travel uses the profile, which is never smaller.
     std::shared_ptr<const ToolSolid> solid{};
 
-    bool turns() const noexcept { return solid == nullptr; }
+    bool turns() const noexcept;
+    bool isHollow() const noexcept { return solid != nullptr && turns(); }
+    HollowSpace hollow() const noexcept; ///< empty if the tool doesn't turn or is not hollow
     double radius() const noexcept { return 0.5 * diameter; }
     double length() const noexcept; ///< tip to the top of the holder, mm
 };
@@ -102,6 +110,8 @@ struct Tool {
 Result<void> validate(const Tool& tool);
 /// Errors: notSupported (subject: `request`), if the tool doesn't turn.
 Result<void> checkTurns(const Cutter& cutter, std::string_view request);
+/// Errors: notSupported, if the tool is cut as a solid and has to stay upright: it doesn't turn, or is hollow.
+Result<void> checkTilts(const Cutter& cutter);
 
 /// Returns the flutes as convex pieces from the tip up: one for ball, flat, bull nose and lollipop, more for the other
 /// types. Exact, except that hollow arcs are replaced by chords, which are farther from the axis by at most

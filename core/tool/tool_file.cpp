@@ -46,7 +46,10 @@ void readCutter(JsonObject& from, Cutter& cutter) {
     cutter.shankDiameter = from.number("shank_diameter_mm", length);
     cutter.stickOut = from.number("stick_out_mm", length);
     readSegments(from, "holder", cutter.holder);
-    if (!from.booleanOr("turns", true)) cutter.solid = std::make_shared<const ToolSolid>(readSolid(from));
+    if (!from.booleanOr("turns", true))
+        cutter.solid = std::make_shared<const ToolSolid>(readSolid(from));
+    else if (from.has("section"))
+        cutter.solid = std::make_shared<const ToolSolid>(readTurningSolid(from, cutter.profile));
 }
 
 /// Reads values that may be missing: files of older tools do not have them. A source for a key that the file lacks is
@@ -102,7 +105,7 @@ nlohmann::ordered_json cutterJson(const Cutter& cutter) {
     json["shank_diameter_mm"] = cutter.shankDiameter;
     json["stick_out_mm"] = cutter.stickOut;
     json["holder"] = holder;
-    if (!cutter.turns()) writeSolid(*cutter.solid, json);
+    if (cutter.solid != nullptr) writeSolid(*cutter.solid, json);
     return json;
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/numbers.h"
 #include "core/base/units.h"
 #include "core/geometry/mesh_parts.h"
+#include "core/tool/hollow_tip.h"
 #include "core/tool/tool.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace burin {
 namespace {
 
 constexpr NumberRange solidCoordinate{-1000.0, 1000.0}; // mm
+constexpr NumberRange sectionCoordinate{0.0, 1000.0};   // mm
 constexpr NumberRange solidTurn{-360.0, 360.0};         // degrees
 constexpr double solidFit = 1e-3;                       // mm, between a model and the profile around it
 
@@ -65,6 +67,31 @@ bool isWithin(const TriangleMesh& mesh, const std::vector<RevolvedPiece>& pieces
            });
 }
 
+/// Checks the section of a tool that turns; it is compared with the profile in a half-plane through the axis.
+Result<void> checkSection(const Cutter& cutter) {
+    std::size_t count = 0;
+    for (const PlanRing& ring : cutter.solid->section.rings) {
+        count += ring.size();
+        if (ring.size() < 3) return badSolid("section", std::to_string(ring.size()), "3 corners or more in each ring");
+    }
+    if (count > ToolSolid::mostCorners)
+        return badSolid("section", std::to_string(count),
+                        "at most " + std::to_string(ToolSolid::mostCorners) + " corners");
+    const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
+    const auto inHalfPlane = [](const glm::dvec2& corner) { return glm::dvec3(corner.x, 0.0, corner.y); };
+    for (const PlanRing& ring : cutter.solid->section.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec3 from = inHalfPlane(ring[i]), to = inHalfPlane(ring[(i + 1) % ring.size()]);
+            const auto holdsCorner = [&](const RevolvedPiece& piece) { return holdsPoint(piece, from); };
+            const auto holdsSide = [&](const RevolvedPiece& piece) { return holdsEdge(piece, from, to); };
+            if (std::ranges::none_of(flutes, holdsCorner) || !std::ranges::all_of(flutes, holdsSide))
+                return badSolid("section", formatShortest(ring[i].x) + ", " + formatShortest(ring[i].y),
+                                "inside the profile: make the tool from its models again");
+        }
+    if (cutter.solid->flutes.empty()) return badSolid("section", {}, "an area");
+    return {};
+}
+
 /// Flat lists of numbers: [x, y, z, x, …] and [a, b, c, a, …].
 void readSolidMesh(JsonObject& from, const char* key, TriangleMesh& mesh) {
     from.object(key, [&](JsonObject& model) {
@@ -103,7 +130,9 @@ Result<void> validateSolid(const Cutter& cutter) {
     const ToolSolid& solid = *cutter.solid;
     const std::size_t triangles = solid.flutes.triangles.size() + solid.shank.triangles.size();
     if (cutter.type != CutterType::profile)
-        return badSolid("type", std::string(cutterTypeName(cutter.type)), "profile: the tool doesn't turn");
+        return badSolid("type", std::string(cutterTypeName(cutter.type)),
+                        solid.turns() ? "profile: the tip is hollow" : "profile: the tool doesn't turn");
+    if (solid.turns()) return checkSection(cutter);
     if (solid.flutes.empty() || triangles > ToolSolid::mostTriangles)
         return badSolid("flutes_mesh", std::to_string(triangles),
                         "1 to " + std::to_string(ToolSolid::mostTriangles) + " triangles");
@@ -130,7 +159,30 @@ ToolSolid readSolid(JsonObject& from) {
     return solid;
 }
 
+ToolSolid readTurningSolid(JsonObject& from, std::span<const ProfileElement> profile) {
+    PlanRegion section;
+    from.objects("section", [&](JsonObject& ring) {
+        const std::vector<double> places = ring.numbers("corners_mm", sectionCoordinate, 2);
+        PlanRing& corners = section.rings.emplace_back();
+        for (std::size_t i = 0; i + 1 < places.size(); i += 2) corners.emplace_back(places[i], places[i + 1]);
+    });
+    if (section.empty()) from.fail("section", "has to hold a ring at least");
+    return turningSolid(std::move(section), profile);
+}
+
 void writeSolid(const ToolSolid& solid, nlohmann::ordered_json& cutter) {
+    if (solid.turns()) {
+        cutter["section"] = nlohmann::ordered_json::array();
+        for (const PlanRing& ring : solid.section.rings) {
+            nlohmann::ordered_json corners = nlohmann::ordered_json::array();
+            for (const glm::dvec2& corner : ring) {
+                corners.push_back(corner.x);
+                corners.push_back(corner.y);
+            }
+            cutter["section"].push_back({{"corners_mm", std::move(corners)}});
+        }
+        return;
+    }
     cutter["turns"] = false;
     cutter["angle_deg"] = roundedDegrees(solid.angle);
     cutter["flutes_mesh"] = solidMeshJson(solid.flutes);

@@ -36,7 +36,11 @@ ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistan
     , upright(grid.axis() == RunAxis::z)
     , near(nearDistance)
     , filter(std::span(stack).first(fluteCount), grid) {
-    if (!cutter.turns()) solid = std::make_shared<const SolidColumns>(*cutter.solid, grid);
+    if (cutter.solid != nullptr) {
+        solid = std::make_shared<const SolidColumns>(*cutter.solid, grid);
+        turns = cutter.turns();
+        section = oriented(cutter.solid->section);
+    }
     const glm::dvec3 axis = inLineFrame(grid, toolAxis);
     for (std::size_t i = 0; i < stack.size(); ++i) {
         if (i < fluteCount) {
@@ -76,9 +80,10 @@ void RowReplay::make(std::uint32_t number) {
     const ReplayTool& tool = tools_[move.tool];
     const glm::dvec3 from = inLineFrame(grid_, move.begin().tip), to = inLineFrame(grid_, move.to.tip);
     UnitSum removed;
-    metered_ = meters_ && !move.rapid && !tool.solid;
+    metered_ = meters_ && !move.rapid && tool.turns;
     if (metered_)
-        meter_.begin(number, std::span(tool.stack).first(tool.fluteCount), from, to, inLineFrame(grid_, toolAxis));
+        meter_.begin(number, std::span(tool.stack).first(tool.fluteCount), tool.section, from, to,
+                     inLineFrame(grid_, toolAxis));
     const std::size_t contacts = result_.contacts.size();
     if (!mayTouch(tool, from, to)) {
         if (tool.upright && !tool.solid)

@@ -31,7 +31,9 @@ struct ReplayTool {
     std::size_t shankCount = 0;       ///< number of pieces after the flutes that belong to the shank
     double near = 0.0;                ///< mm; 0: not requested
     CutFilter filter;
-    std::shared_ptr<const SolidColumns> solid; ///< null: the tool turns
+    std::shared_ptr<const SolidColumns> solid; ///< null: the pieces cut
+    bool turns = true;                         ///< only then it has loads
+    PlanRegion section;                        ///< ToolSolid::section, oriented, of hollow flutes; or empty
 
     /// Number of pieces, from the tip, whose contact with the stock is not judged by the pieces: the flutes, and a
     /// shank that has a model of its own.
@@ -72,8 +74,9 @@ inline constexpr double passResolution = 1.0 / 32.0;
 ///
 /// The flutes of a move cut in one go, swept exactly. The sweep of shank and holder over the whole move is compared
 /// with what stands before the move: if it overlaps nothing, no step of it does. Only otherwise the move is made in
-/// steps of at most a voxel, and each step is cut before it is examined. A tool that doesn't turn cuts, and touches
-/// with its shank, as a solid (SolidColumns); loads, grazes and near passes of that shank are not examined.
+/// steps of at most a voxel, and each step is cut before it is examined. A tool that doesn't turn or is hollow cuts,
+/// and touches with a shank of its own, as a solid (SolidColumns); its grazes and near passes of that shank are not
+/// examined, nor the loads of one that doesn't turn.
 class RowReplay {
 public:
     /// @param meters whether RowResult::steps is requested @param grazes whether RowResult::grazed is requested

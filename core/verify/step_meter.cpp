@@ -50,10 +50,11 @@ StepMeter::StepMeter(const RunVolume& workpiece) : workpiece_(&workpiece), grid_
     }
 }
 
-void StepMeter::begin(std::uint32_t move, std::span<const RevolvedPiece> flutes, const glm::dvec3& from,
-                      const glm::dvec3& to, const glm::dvec3& axis) {
+void StepMeter::begin(std::uint32_t move, std::span<const RevolvedPiece> flutes, const PlanRegion& section,
+                      const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis) {
     move_ = move;
     flutes_ = flutes;
+    section_ = section.empty() ? nullptr : &section;
     from_ = from;
     axis_ = axis;
     length_ = glm::distance(from, to);
@@ -69,7 +70,7 @@ void StepMeter::prepare() {
     slice_ = std::max(1.0, widest / slicesPerRadius / grid_->edge()) * unitsPerVoxel;
     // Upright walls on a level move meet an entire run at once.
     const RevolvedPiece& lowest = flutes_.front();
-    const bool walls = flutes_.size() == 1 && !lowest.bulges() && lowest.cornerRadius == 0.0 &&
+    const bool walls = section_ == nullptr && flutes_.size() == 1 && !lowest.bulges() && lowest.cornerRadius == 0.0 &&
                        lowest.bottomRadius == lowest.topRadius;
     if (walls && std::abs(axis_.z) > 0.5 && std::abs(glm::dot(direction_, axis_)) < 1e-9)
         slice_ = static_cast<double>(grid_->lineEnd());
@@ -105,7 +106,7 @@ void StepMeter::addRun(LineIndex line, double low, double high) {
 
 /// The signed distance to a convex piece is convex along the move, so that Newton's steps from its start never pass the
 /// first zero.
-StepMeter::Met StepMeter::meet(const glm::dvec3& place) const {
+StepMeter::Met StepMeter::meetPieces(const glm::dvec3& place) const {
     constexpr int mostSteps = 12;
     constexpr double near = 1e-6; // mm
     const glm::dvec3 offset = place - from_;
@@ -140,18 +141,79 @@ StepMeter::Met StepMeter::meet(const glm::dvec3& place) const {
     return first;
 }
 
+/// @param normal of the flutes: (away from the axis, along it)
+StepMeter::Met StepMeter::metAt(const glm::dvec3& place, double way, const glm::dvec2& normal) const {
+    const glm::dvec3 at = place - from_ - way * direction_;
+    const double height = glm::dot(at, axis_);
+    const glm::dvec3 across = at - height * axis_;
+    const double radius = glm::length(across);
+    const glm::dvec3 outward = radius > 0.0 ? across / radius : glm::dvec3(0.0);
+    return {way, height, radius, outward, normal.x * outward + normal.y * axis_, 0.0};
+}
+
+/// The first point of the move at which an edge of the section, as it turns, is passed from outside. In the tool's
+/// frame the point moves straight: its height changes evenly, the square of its distance from the axis is a quadratic,
+/// and the edge is a cone. Points that the tool holds from the start, as its tip is cut on a lattice, are met up to a
+/// voxel before. Empty if there is none.
+std::optional<StepMeter::Met> StepMeter::meetSection(const glm::dvec3& place) const {
+    const glm::dvec3 start = place - from_;
+    const double h0 = glm::dot(start, axis_), dh = -glm::dot(direction_, axis_);
+    const glm::dvec3 a = start - h0 * axis_, b = -direction_ - dh * axis_; // across the axis: a + way b
+    std::optional<Met> first;
+    double earliest = length_ + grid_->edge();
+    const auto pass = [&](const glm::dvec2& from, const glm::dvec2& to, double way) {
+        if (!(way >= -grid_->edge() && way < earliest)) return;
+        const glm::dvec2 along = to - from;
+        const glm::dvec2 at(glm::length(a + way * b), h0 + way * dh);
+        const double share = glm::dot(at - from, along) / glm::dot(along, along);
+        const Met met = metAt(place, way, glm::dvec2(along.y, -along.x) / glm::length(along));
+        if (!(share >= 0.0 && share <= 1.0 && glm::dot(met.normal, direction_) > 0.0)) return;
+        earliest = way;
+        first = met;
+        first->way = std::clamp(way, 0.0, length_);
+    };
+    for (const PlanRing& ring : section_->rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const glm::dvec2 &from = ring[i], &to = ring[(i + 1) % ring.size()];
+            if (from.y == to.y) {
+                if (dh != 0.0) pass(from, to, (from.y - h0) / dh);
+                continue;
+            }
+            // |a + way b|² = (r + k (h0 + way dh - from.y))² with k = slope of the edge
+            const double k = (to.x - from.x) / (to.y - from.y), r = from.x + k * (h0 - from.y);
+            const double square = glm::dot(b, b) - k * k * dh * dh, half = glm::dot(a, b) - r * k * dh,
+                         rest = glm::dot(a, a) - r * r;
+            if (std::abs(square) < 1e-12) {
+                if (half != 0.0) pass(from, to, -0.5 * rest / half);
+                continue;
+            }
+            const double under = half * half - square * rest;
+            if (under < 0.0) continue;
+            const double root = std::sqrt(under);
+            pass(from, to, (-half - root) / square);
+            pass(from, to, (-half + root) / square);
+        }
+    return first;
+}
+
+StepMeter::Met StepMeter::meet(const glm::dvec3& place) const {
+    if (section_ == nullptr) return meetPieces(place);
+    const std::optional<Met> met = meetSection(place);
+    return met ? *met : meetPieces(place);
+}
+
 /// 1 / (n · d); where the side of the flutes only grazes the line, its mean over the width of the line.
 double StepMeter::surfaceFor(const Met& met) const {
     const double along = glm::dot(direction_, axis_);
     const glm::dvec3 level = direction_ - along * axis_;
     const double pace = glm::length(level), side = glm::dot(met.normal, met.outward);
     double facing = glm::dot(met.normal, axis_) * along;
-    if (pace > 1e-9 && side > 0.0) {
+    if (pace > 1e-9 && side != 0.0) {
         const double half = 0.5 * grid_->edge(), radius = std::max(met.radius, half);
         const double aside = std::abs(glm::dot(met.outward * met.radius, glm::cross(axis_, level / pace)));
         const auto angle = [&](double at) { return std::asin(std::clamp(at / radius, -1.0, 1.0)); };
         const double spread = radius * (angle(aside + half) - angle(aside - half)) / (2.0 * half);
-        facing += side * pace / std::max(spread, leastFacing);
+        facing += std::abs(side) * pace / std::max(spread, leastFacing);
     }
     return 1.0 / std::max(facing, leastFacing);
 }

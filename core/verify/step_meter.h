@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/plan_region.h"
 #include "core/geometry/revolved_piece.h"
 #include "core/volume/runs/run_volume.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,14 +37,17 @@ struct StepCut {
 };
 
 /// Determines when on a move, and where on the flutes, each piece of a removed run was met: at the first point of the
-/// move at which the flutes contain it. This is exact because the pieces of a tool are convex. Not thread-safe.
+/// move at which the flutes contain it. This is exact because the pieces of a tool are convex; of hollow flutes, the
+/// edges of their section are met one by one. Not thread-safe.
 class StepMeter {
 public:
     explicit StepMeter(const RunVolume& workpiece);
 
-    /// @param flutes must outlive the move @param from, to tips, mm, line frame @param axis of the tool, line frame
-    void begin(std::uint32_t move, std::span<const RevolvedPiece> flutes, const glm::dvec3& from, const glm::dvec3& to,
-               const glm::dvec3& axis);
+    /// @param flutes, section must outlive the move @param section ToolSolid::section of hollow flutes, oriented, or
+    /// empty
+    /// @param from, to tips, mm, line frame @param axis of the tool, line frame
+    void begin(std::uint32_t move, std::span<const RevolvedPiece> flutes, const PlanRegion& section,
+               const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis);
     /// Adds an interval that the move removed from what the workpiece held there before all moves. @param low, high run
     /// units
     void add(LineIndex line, double low, double high);
@@ -65,6 +70,9 @@ private:
     void prepare();
     void addRun(LineIndex line, double low, double high);
     Met meet(const glm::dvec3& place) const;
+    Met meetPieces(const glm::dvec3& place) const;
+    std::optional<Met> meetSection(const glm::dvec3& place) const;
+    Met metAt(const glm::dvec3& place, double way, const glm::dvec2& normal) const;
     double surfaceFor(const Met& met) const;
     void addSlice(const glm::dvec3& place, double volume, double halfHeight);
     void addTo(std::size_t step, const Met& met, const glm::dvec3& place, double volume, double halfHeight);
@@ -75,6 +83,7 @@ private:
     std::array<std::uint8_t, 256> placeOf_{}; ///< index of each property among them; 0 for what can't be milled
     std::size_t material_ = 0;                ///< index of what is being added
     std::span<const RevolvedPiece> flutes_;
+    const PlanRegion* section_ = nullptr; ///< null: the flutes are the pieces
     std::uint32_t move_ = 0;
     glm::dvec3 from_{0.0}, direction_{0.0}, axis_{0.0};
     double length_ = 0.0;     ///< mm

@@ -121,6 +121,16 @@ double sectionAtTip(const Cutter& cutter) {
     return pi * radius * radius;
 }
 
+/// How deep a move straight down has cut below the centre of a tool, mm. A hollow tip leaves a core at first: only what
+/// is removed beyond the ring around it counts, with a margin for the scanlines.
+double depthBelowCentre(const Cutter& cutter, double down, double volume) {
+    constexpr double ringMargin = 1.1;
+    if (!cutter.isHollow()) return std::min(down, volume / sectionAtTip(cutter));
+    const double core = pi * cutter.hollow().radius * cutter.hollow().radius;
+    const double ring = pi * cutter.radius() * cutter.radius() - core;
+    return std::clamp((volume - ringMargin * ring * down) / core, 0.0, down);
+}
+
 /// Reports feeds straight down, or nearly so, into material below the centre of a tool that does not cut there.
 /// Consecutive moves count as one plunge.
 void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
@@ -139,7 +149,7 @@ void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
         if (!(cut.volume > 0.0)) continue;
         if (std::hypot(cut.centroid.x - move.to.tip.x, cut.centroid.y - move.to.tip.y) > 0.5 * tool.cutter.radius())
             continue;
-        depth += std::min(-way.z, cut.volume / sectionAtTip(tool.cutter));
+        depth += depthBelowCentre(tool.cutter, -way.z, cut.volume);
         if (depth > plungeAllowed) findings.add(FindingKind::centrePlunge, move.line, move.to.tip, depth);
     }
 }

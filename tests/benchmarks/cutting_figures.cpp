@@ -233,6 +233,22 @@ void toolsThatDontTurn(Session& session) {
             session,
             {name, block(512), bumpyTool(), upright(walk(512.0, 50.0, each.length, 2000)), nullopt, 700.0, {}});
     }
+    // A core drill of 12 × 60 mm with a bore of 8 mm, in voxels of 0.25 mm.
+    Cutter drill = cutters::annular(60.0);
+    std::vector<ProfileElement> profile = drill.profile;
+    for (ProfileElement& element : profile) element = {4.0 * element.radius, 4.0 * element.height};
+    PlanRegion section = drill.solid->section;
+    for (PlanRing& ring : section.rings)
+        for (glm::dvec2& corner : ring) corner *= 4.0;
+    drill = cutters::make(CutterType::profile, 4.0 * drill.diameter, 0.0, 4.0 * drill.fluteLength);
+    drill.profile = profile;
+    drill.solid = std::make_shared<const ToolSolid>(turningSolid(std::move(section), profile));
+    for (const Walk& each : {Walk{"m005", 0.05}, Walk{"m1", 1.0}}) {
+        const std::string name = std::string("cut.hollow.60mm.") + each.step + ".512";
+        if (session.wants(name))
+            (void)measure(session,
+                          {name, block(512), drill, upright(walk(512.0, 50.0, each.length, 2000)), nullopt, 700.0, {}});
+    }
 }
 
 /// Rows along a block's top at a distance of one radius, each as long as the block, then the same a radius deeper.

@@ -11,6 +11,7 @@
 #include "tests/ui/window_steps.h"
 #include "ui/panels/notice.h"
 #include "ui/panels/row_list.h"
+#include "ui/panels/texts.h"
 #include "ui/scene/viewport.h"
 
 #include <QApplication>
@@ -438,6 +439,54 @@ private slots:
             if (grid.toMillimetres(top) < setup.stock.high.z - 0.05) ++width;
         }
         QVERIFY2(width >= 4 && width <= 6, qPrintable(QString::number(width))); // 2 mm, and the mouse may waver
+    }
+
+    /// A core drill of 12 × 8 mm, made of a model and pressed down with the mouse: the stock inside it stays.
+    void aCoreDrillLeavesACore() {
+        WindowDriver driver(QSize(1280, 800));
+        Workbench& workbench = driver.window().workbench();
+        QVERIFY(makeReady(driver));
+        const QString tube = write(driver, "core drill.stl", stlText(shapes::tube(6.0, 4.0, 20.0, 180)));
+        driver.whenDialogStands([&](QWidget& dialog) {
+            const Closing closing(dialog);
+            chooseFile(driver, tube);
+            click(dialog, "flutesFileButton");
+            click(dialog, "makeToolButton");
+        });
+        driver.window().setFocus();
+        driver.key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver.waitFor([&] { return workbench.tool.current().id == "core-drill"; }, 10000));
+        const Tool& tool = workbench.tool.current();
+        QVERIFY(tool.cutter.turns() && tool.cutter.isHollow());
+        QVERIFY2(toolSummary(tool, LengthUnit::millimetre).contains("hollow Ø"),
+                 qPrintable(toolSummary(tool, LengthUnit::millimetre)));
+        QVERIFY(driver.waitFor([&] {
+            return workbench.workpiece.ready() && workbench.workpiece.milling()->tool.id == "core-drill";
+        }) && driver.settle());
+        QVERIFY(driver.step(JobStep::tool) && driver.settle());
+        driver.shoot("library-21-a-core-drill");
+        for (const VisibleText& cut : clippedTexts(driver.window()))
+            QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(cut.where, cut.text)));
+        QVERIFY(menuAction(driver, "newPassAction")->isEnabled()); // it turns
+        QVERIFY(recordLine(driver, {-0.5, 0.0}, {0.5, 0.0}) && driver.settle());
+        driver.shoot("library-22-its-core");
+        QVERIFY(removedSoFar(*workbench.workpiece.milling()) > 1.0);
+        const RunVolume& workpiece = workbench.workpiece.milling()->embedded.workpiece;
+        const Grid& grid = workpiece.grid();
+        const Setup& setup = workbench.setup.setup();
+        int inside = 0, ring = 0; // lowered scanlines, within 2.5 mm of the centre and from 4.7 to 5.3 mm
+        for (LineIndex line{0, 0}; line.v < grid.lineCountV(); ++line.v)
+            for (line.u = 0; line.u < grid.lineCountU(); ++line.u) {
+                const double radius = glm::distance(grid.lineCentre(line), glm::dvec2(setup.workOffset));
+                const auto runs = workpiece.line(line);
+                const RunPosition top = runs.back().property() != airProperty ? grid.lineEnd()
+                                        : runs.size() > 1                     ? runs[runs.size() - 2].end()
+                                                                              : 0;
+                if (grid.toMillimetres(top) > setup.stock.high.z - 0.05) continue;
+                inside += radius < 2.5 ? 1 : 0;
+                ring += radius > 4.7 && radius < 5.3 ? 1 : 0;
+            }
+        QVERIFY2(inside == 0 && ring > 40, qPrintable(QStringLiteral("%1 %2").arg(inside).arg(ring)));
     }
 
     BURIN_ONLY_IN_LONG_RUNS void theStockComesFromAFile() {

@@ -79,6 +79,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "a program for a tool that doesn't turn"),
     BURIN_TEXT("Subject", "a path of a program for a tool that doesn't turn"),
     BURIN_TEXT("Subject", "a tilted axis of a tool that doesn't turn"),
+    BURIN_TEXT("Subject", "a tilted axis of a tool with a hollow tip"),
     BURIN_TEXT("Subject", "axes other than X, Y and Z"),
     BURIN_TEXT("Subject", "a program with a tool change"),
     BURIN_TEXT("Subject", "a restart of a program that sets its own zero"),

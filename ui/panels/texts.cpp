@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "core/cutting/cutting_force.h"
+#include "core/tool/tool_solid.h"
 #include "ui/panels/quantity.h"
 
 #include <QCoreApplication>
@@ -86,6 +87,10 @@ QString toolSummary(const Tool& tool, LengthUnit unit) {
     QStringList parts{QStringLiteral("Ø ") + shortLength(tool.cutter.diameter, unit)};
     if (tool.cutter.cornerRadius > 0.0)
         parts.append(QStringLiteral("R ") + shortLength(tool.cutter.cornerRadius, unit));
+    if (tool.cutter.isHollow())
+        parts.append(PanelLabels::tr("hollow Ø %1 × %2")
+                         .arg(shortLength(tool.cutter.solid->hollowWidth, unit),
+                              shortLength(tool.cutter.solid->hollowDepth, unit)));
     if (!tool.cutter.turns())
         parts.append(PanelLabels::tr("doesn't turn"));
     else

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/tool_drawing.h"
 
+#include "core/tool/tool_solid.h"
 #include "ui/panels/texts.h"
 #include "ui/theme/colour.h"
 #include "ui/theme/number_font.h"
@@ -72,6 +73,20 @@ QPainterPath fluteOutline(const Cutter& cutter) {
     return path;
 }
 
+QPainterPath hollowOutline(const Cutter& cutter) {
+    QPainterPath solid;
+    for (const double side : {1.0, -1.0}) {
+        QPainterPath half;
+        for (const PlanRing& ring : cutter.solid->section.rings) {
+            half.moveTo(side * ring.front().x, ring.front().y);
+            for (const glm::dvec2& corner : ring) half.lineTo(side * corner.x, corner.y);
+            half.closeSubpath();
+        }
+        solid = solid.united(half);
+    }
+    return fluteOutline(cutter).subtracted(solid);
+}
+
 ToolDrawing::ToolDrawing(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Drawing of the tool, to scale"));
@@ -133,6 +148,11 @@ void ToolDrawing::paintEvent(QPaintEvent*) {
     if (cutter.stickOut > cutter.fluteLength)
         fill(frustum(cutter.fluteLength, cutter.shankDiameter, cutter.stickOut, cutter.shankDiameter), colours.shank);
     fill(fluteOutline(cutter), colours.flutes);
+    if (cutter.isHollow()) {
+        painter.setPen(QPen(mixed(colours.field, colours.flutes, 0.5), 1.0, Qt::DashLine));
+        painter.setBrush(mixed(colours.flutes, colours.field, 0.6));
+        painter.drawPath(toScreen.map(hollowOutline(cutter)));
+    }
     if (!cutter.turns()) return paintHeights(painter, axis);
     painter.save();
     painter.setClipPath(toScreen.map(fluteOutline(cutter)));

@@ -36,5 +36,7 @@ private:
 
 /// The outline of the flutes, x across and y up from the tip, mm.
 QPainterPath fluteOutline(const Cutter& cutter);
+/// The same of what is hollow within them, in a section through the axis.
+QPainterPath hollowOutline(const Cutter& cutter);
 
 } // namespace burin

@@ -107,7 +107,7 @@ void ToolActors::setTool(const std::optional<Tool>& tool) {
     for (std::size_t i = 0; i < stack.size(); ++i) {
         const ToolSection part = sectionOf(tool->cutter, i);
         if (part == ToolSection::flutes) {
-            if (tool->cutter.turns()) add(Section::flutes, surfaceActor(pieceSurface(stack[i])));
+            if (solid == nullptr) add(Section::flutes, surfaceActor(pieceSurface(stack[i])));
             continue;
         }
         const vtkSmartPointer<vtkPolyData> surface = shankMesh && part == ToolSection::shank
@@ -120,10 +120,8 @@ void ToolActors::setTool(const std::optional<Tool>& tool) {
         outline->PickableOff();
         add(Section::outline, outline);
     }
-    if (tool->cutter.turns())
-        add(Section::edges, lineActor(lineData(cuttingEdges(*tool))));
-    else
-        add(Section::flutes, surfaceActor(flutesSurface(tool->cutter)));
+    if (tool->cutter.turns()) add(Section::edges, lineActor(lineData(cuttingEdges(*tool))));
+    if (solid != nullptr) add(Section::flutes, surfaceActor(flutesSurface(tool->cutter)));
     refresh();
 }
 

@@ -79,7 +79,7 @@ vtkSmartPointer<vtkPolyData> meshSurface(const TriangleMesh& mesh) {
 }
 
 vtkSmartPointer<vtkPolyData> flutesSurface(const Cutter& cutter) {
-    if (!cutter.turns()) return meshSurface(turnedAboutAxis(cutter.solid->flutes, cutter.solid->angle));
+    if (cutter.solid != nullptr) return meshSurface(turnedAboutAxis(cutter.solid->flutes, cutter.solid->angle));
     vtkNew<vtkAppendPolyData> all;
     for (const RevolvedPiece& piece : flutePieces(cutter)) all->AddInputData(pieceSurface(piece));
     all->Update();

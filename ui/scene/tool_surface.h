@@ -16,8 +16,8 @@ vtkSmartPointer<vtkPolyData> pieceSurface(const RevolvedPiece& piece);
 /// The surface of a mesh, with normals; sharp edges stay sharp.
 vtkSmartPointer<vtkPolyData> meshSurface(const TriangleMesh& mesh);
 
-/// The surface of the flutes: of their pieces, or of the solid of a tool that doesn't turn; as `pieceSurface`, in the
-/// setup frame's directions.
+/// The surface of the flutes: of their pieces, or of the solid of a tool that doesn't turn or is hollow; as
+/// `pieceSurface`, in the setup frame's directions.
 vtkSmartPointer<vtkPolyData> flutesSurface(const Cutter& cutter);
 
 } // namespace burin

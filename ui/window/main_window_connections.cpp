@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Connections of actions, of completed work, and of requests from the welcome page.
 #include "core/base/numbers.h"
+#include "core/tool/tool_solid.h"
 #include "ui/dialogs/questions.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/program_editor.h"
@@ -294,6 +295,15 @@ void MainWindow::connectWorkbench() {
                                   tr("The tool “%1” is in the library. It doesn't turn: its models cut, and their "
                                      "profile keeps them out of the part.")
                                       .arg(QString::fromStdString(made.tool.name)));
+        if (made.tool.cutter.isHollow())
+            return message_->tell(
+                made.coarser ? Notice::Kind::warning : Notice::Kind::passed,
+                tr("The tool “%1” is in the library. It is hollow, %2 mm in diameter and %3 mm deep, and leaves a core "
+                   "there; its outside is at most %4 mm wider than what its flutes sweep.")
+                    .arg(QString::fromStdString(made.tool.name),
+                         QString::fromStdString(formatFixed(made.tool.cutter.solid->hollowWidth, 2)),
+                         QString::fromStdString(formatFixed(made.tool.cutter.solid->hollowDepth, 2)),
+                         QString::fromStdString(formatLimit(made.excess, 4))));
         message_->tell(
             made.coarser ? Notice::Kind::warning : Notice::Kind::passed,
             tr("The tool “%1” is in the library. Its profile is at most %2 mm wider than what its flutes "

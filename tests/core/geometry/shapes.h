@@ -36,6 +36,14 @@ inline TriangleMesh torus(double major, double minor, std::uint32_t columns, std
     });
 }
 
+/// A tube about Z, from height 0 up, its corners on the two radii.
+inline TriangleMesh tube(double outer, double inner, double height, std::uint32_t columns) {
+    return wrapped(columns, 4, [&](std::uint32_t i, std::uint32_t j) {
+        const double u = 2.0 * std::numbers::pi * i / columns, r = j == 0 || j == 3 ? inner : outer;
+        return glm::dvec3(r * std::cos(u), r * std::sin(u), j < 2 ? 0.0 : height);
+    });
+}
+
 /// @param radius as a function of longitude and latitude, including bumps
 template <class Radius>
 TriangleMesh starShaped(std::uint32_t columns, std::uint32_t rows, const Radius& radius) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/tool/hollow_tip.h"
 #include "core/tool/revolution_envelope.h"
 #include "core/tool/tool_solid.h"
 #include "tests/core/geometry/shapes.h"
@@ -11,7 +12,7 @@
 #include <memory>
 #include <utility>
 
-/// Tools that don't turn. Lengths in mm, angles in rad.
+/// Tools that are cut as solids: they don't turn, or are hollow. Lengths in mm, angles in rad.
 namespace burin::cutters {
 
 /// @param flutes lowest vertex at 0 @param shank may be empty
@@ -25,6 +26,18 @@ inline Cutter fixed(TriangleMesh flutes, TriangleMesh shank, double angle) {
             cutter.shankDiameter = std::max(cutter.shankDiameter, 2.0 * std::hypot(vertex.x, vertex.y));
     }
     cutter.solid = std::make_shared<const ToolSolid>(ToolSolid{std::move(flutes), std::move(shank), angle});
+    return cutter;
+}
+
+/// A core drill: a tube of 12 mm outside and 8 mm inside, hollow up to its shank.
+inline Cutter annular(double length = 60.0) {
+    const TriangleMesh tube = shapes::tube(6.0, 4.0, length, 720);
+    const RevolutionEnvelope envelope = revolutionEnvelope(tube, 0.005).value();
+    Cutter cutter = make(CutterType::profile, 2.0 * envelope.widest, 0.0, length);
+    cutter.profile = envelope.profile;
+    const Progress progress;
+    cutter.solid = std::make_shared<const ToolSolid>(
+        turningSolid(hollowSection(tube, cutter.profile, 0.005, progress).value().section, cutter.profile));
     return cutter;
 }
 
