@@ -98,7 +98,7 @@ Result<Obstacle> addedFixture(const std::string& text, const FixtureSite& site, 
     if (!kind) return Error{ErrorCode::nameUnknown, "kind of fixture", id, known};
     Result<StatedFixture> stated = statedIn(std::span(words).subspan(1), *kind, addOption);
     if (!stated) return std::move(stated).error();
-    if (!stated->at) stated->at = firstPoint(*kind, site.stock);
+    if (!stated->at) stated->at = firstPoint(*kind, site.stock.box());
     FixtureDesign design = standardFixture(*kind);
     apply(design, *stated, site);
     return fixtureOf(design, site.stock, worded(rowOf(*kind).title), clearance);
@@ -147,8 +147,8 @@ void addFixtures(CommandParser command, FixtureArguments& arguments) {
         .oneAtATime();
 }
 
-Result<void> changeFixtures(std::vector<Obstacle>& obstacles, const FixtureArguments& arguments, const Box& stock,
-                            double clearance) {
+Result<void> changeFixtures(std::vector<Obstacle>& obstacles, const FixtureArguments& arguments,
+                            const StockSolid& stock, double clearance) {
     std::vector<Obstacle> changed = obstacles;
     for (const std::string& text : arguments.change)
         if (Result<void> done = changeFixture(changed, text, siteOf(stock, changed)); !done) return done;

@@ -24,9 +24,9 @@ void addFixtures(CommandParser command, FixtureArguments& arguments);
 
 /// Changes fixtures, then adds the new ones, each placed as by a click in the window. Nothing is changed after an
 /// error. Errors: argumentInvalid, nameUnknown, those of fixtureOf.
-/// @param stock mm, setup frame @param clearance of new ones, mm
-Result<void> changeFixtures(std::vector<Obstacle>& obstacles, const FixtureArguments& arguments, const Box& stock,
-                            double clearance);
+/// @param clearance of new ones, mm
+Result<void> changeFixtures(std::vector<Obstacle>& obstacles, const FixtureArguments& arguments,
+                            const StockSolid& stock, double clearance);
 
 /// {"kind", "values_mm", "place_mm", "turn_deg"}
 nlohmann::json jsonOf(const FixtureDesign& design);

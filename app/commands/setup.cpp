@@ -67,11 +67,19 @@ Result<void> changeObstacles(std::vector<Obstacle>& obstacles, const SetupArgume
 }
 
 Result<void> changeLibraryFixtures(const Project& project, std::vector<Obstacle>& obstacles,
-                                   const SetupArguments& arguments) {
+                                   const SetupArguments& arguments, Progress& progress) {
     if (arguments.fixtures.empty()) return {};
     const Result<Setup> setup = project.setup();
     if (!setup) return setup.error();
-    return changeFixtures(obstacles, arguments.fixtures, setup->stock, arguments.around.clearance);
+    auto part = std::make_shared<const Model>();
+    if (setup->form == StockForm::solids) {
+        Result<Model> model = project.model();
+        if (!model) return std::move(model).error();
+        part = placed(std::make_shared<const Model>(std::move(*model)), setup->placement);
+    }
+    const Result<StockSolid> stock = StockSolid::of(*part, *setup, progress);
+    if (!stock) return stock.error();
+    return changeFixtures(obstacles, arguments.fixtures, *stock, arguments.around.clearance);
 }
 
 /// Another machine implies the dialect of its control.
@@ -121,7 +129,7 @@ Result<void> checkTravel(const Around& around) {
 /// Applies the arguments; errors in them are detected before anything is stored.
 Result<void> change(ProjectChange& project, Around& around, const SetupArguments& arguments, Progress& progress) {
     if (Result<void> done = changeObstacles(around.obstacles, arguments, progress); !done) return done;
-    if (Result<void> done = changeLibraryFixtures(*project, around.obstacles, arguments); !done) return done;
+    if (Result<void> done = changeLibraryFixtures(*project, around.obstacles, arguments, progress); !done) return done;
     if (!arguments.around.axis.empty()) {
         const Result<AxisMode> axis = axisModeOf(arguments.around.axis);
         if (!axis) return axis.error();

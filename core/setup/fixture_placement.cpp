@@ -4,6 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/units.h"
+#include "core/setup/fixture_fit.h"
 #include "core/setup/fixture_solid.h"
 
 #include <algorithm>
@@ -21,6 +22,7 @@ constexpr double grippedAtMost = 8.0;   // mm of the stock's height between the 
 constexpr double grippedShare = 0.5;    // of the stock's height, at most
 constexpr double noseAboveStock = 12.0; // mm: the top of a toe clamp's nose above the stock's bottom
 constexpr double firstInset = 10.0;     // mm from the end of the stock
+constexpr double onSpot = 1e-3;         // mm around a point on the stock
 
 /// A side of the stock's box.
 struct StockSide {
@@ -60,22 +62,33 @@ private:
     const std::set<std::string>& given_;
 };
 
+/// Closes on the stock between the jaws.
 void placeVise(FixtureDesign& design, const Follower& follow, const FixtureSite& site, const glm::dvec3& point) {
-    const StockSide side = nearestSide(site.stock, point);
-    const glm::dvec3 centre = site.stock.centre(), size = site.stock.size();
+    const Box& box = site.stock.box();
+    const StockSide side = nearestSide(box, point);
+    const glm::dvec3 centre = box.centre(), size = box.size();
     design.turn = side.turn();
-    design.place = {centre.x, centre.y, site.stock.low.z};
-    follow.set("opening", size[side.axis]);
+    design.place = {centre.x, centre.y, box.low.z};
     follow.set("grip", std::min(grippedAtMost, grippedShare * size.z));
+    const auto gripped = site.stock.extentIn(placementOf(design), gripOf(design), 0);
+    if (gripped) design.place = placementOf(design).point({0.5 * (gripped->low + gripped->high), 0.0, 0.0});
+    follow.set("opening", gripped ? gripped->high - gripped->low : size[side.axis]);
 }
 
 void placeStepClamp(FixtureDesign& design, const Follower& follow, const FixtureSite& site, const glm::dvec3& point) {
-    const glm::dvec3 pressed = onStock(site.stock, point);
-    const StockSide side = nearestSide(site.stock, point);
-    const double toSide = std::abs(side.position(site.stock) - pressed[side.axis]);
+    const Box& box = site.stock.box();
+    const glm::dvec3 pressed = onStock(box, point);
+    const StockSide side = nearestSide(box, point);
     design.turn = side.turn();
-    design.place = {pressed.x, pressed.y, site.stock.high.z};
-    follow.set("height", site.stock.high.z - site.table);
+    design.place = {pressed.x, pressed.y, box.high.z};
+    const auto below = site.stock.extentIn(placementOf(design), gripOf(design), 2);
+    if (below) design.place.z += below->high;
+    // The stud stands beside what the stock has along the bar.
+    const double beside = 0.5 * valueOf(design, "stud") + studClearance;
+    const auto along =
+        site.stock.extentIn(placementOf(design), {{0.0, -beside, site.table - design.place.z}, {0.0, beside, 0.0}}, 0);
+    const double toSide = along ? std::max(along->high, 0.0) : std::abs(side.position(box) - pressed[side.axis]);
+    follow.set("height", design.place.z - site.table);
     follow.setAtLeast("stud-distance", toSide + 0.5 * valueOf(design, "stud") + studClearance);
     follow.setAtLeast("length", 0.5 * valueOf(design, "contact") + valueOf(design, "stud-distance") +
                                     0.5 * std::max(valueOf(design, "slot"), valueOf(design, "washer")) + barBehindNut +
@@ -83,34 +96,38 @@ void placeStepClamp(FixtureDesign& design, const Follower& follow, const Fixture
 }
 
 void placeToeClamp(FixtureDesign& design, const Follower& follow, const FixtureSite& site, const glm::dvec3& point) {
-    const StockSide side = nearestSide(site.stock, point);
-    glm::dvec3 pressed = onStock(site.stock, point);
-    pressed[side.axis] = side.position(site.stock);
+    const Box& box = site.stock.box();
+    const StockSide side = nearestSide(box, point);
+    glm::dvec3 pressed = onStock(box, point);
+    pressed[side.axis] = side.position(box);
     design.turn = side.turn();
     design.place = {pressed.x, pressed.y, site.table};
-    const double lowest = site.stock.low.z - site.table;
-    follow.set("grip-height", lowest + std::min(noseAboveStock, site.stock.size().z));
+    const double lowest = box.low.z - site.table;
+    follow.set("grip-height", lowest + std::min(noseAboveStock, box.size().z));
     follow.setAtLeast("height", valueOf(design, "grip-height"));
+    const auto before = site.stock.extentIn(placementOf(design), gripOf(design), 0);
+    if (before) design.place = placementOf(design).point({before->high, 0.0, 0.0});
 }
 
 /// On top of the stock, or on the table beside it.
 void placeScrew(FixtureDesign& design, const FixtureSite& site, const glm::dvec3& point) {
-    const bool beside = nearestSide(site.stock, point).inside < 0.0;
+    const glm::dvec2 spot(onSpot);
+    const auto below = site.stock.extentIn(movedBy({point.x, point.y, 0.0}), {{-spot, 0.0}, {spot, 0.0}}, 2);
     design.turn = 0.0;
-    design.place = {point.x, point.y, beside ? site.table : site.stock.high.z};
+    design.place = {point.x, point.y, below ? below->high : site.table};
 }
 
 void placeParallels(FixtureDesign& design, const Follower& follow, const FixtureSite& site) {
-    const glm::dvec3 centre = site.stock.centre(), size = site.stock.size();
+    const glm::dvec3 centre = site.stock.box().centre(), size = site.stock.box().size();
     const double thickness = valueOf(design, "thickness");
     design.turn = size.x >= size.y ? 0.0 : 0.5 * pi;
-    design.place = {centre.x, centre.y, site.stock.low.z};
+    design.place = {centre.x, centre.y, site.stock.box().low.z};
     // Each lies as far inside the stock's side as it is thick, if there is room for both.
     follow.set("distance", std::max(std::min(size.x, size.y) - 3.0 * thickness, thickness + 1.0));
 }
 
 void placePlate(FixtureDesign& design, const Follower& follow, const FixtureSite& site) {
-    const glm::dvec3 centre = site.stock.centre(), size = site.stock.size();
+    const glm::dvec3 centre = site.stock.box().centre(), size = site.stock.box().size();
     design.turn = 0.0;
     design.place = {centre.x, centre.y, site.table};
     follow.setAtLeast("length", size.x + 2.0 * plateBeyond);
@@ -119,9 +136,9 @@ void placePlate(FixtureDesign& design, const Follower& follow, const FixtureSite
 
 } // namespace
 
-FixtureSite siteOf(const Box& stock, std::span<const Obstacle> fixtures) {
+FixtureSite siteOf(const StockSolid& stock, std::span<const Obstacle> fixtures) {
     std::optional<double> plate;
-    double lowest = stock.low.z;
+    double lowest = stock.box().low.z;
     for (const Obstacle& fixture : fixtures) {
         if (!fixture.design) continue;
         const FixtureDesign& design = *fixture.design;
@@ -166,7 +183,8 @@ glm::dvec3 firstPoint(FixtureKind kind, const Box& stock) noexcept {
     return {stock.low.x + inset, centre.y, stock.high.z};
 }
 
-Result<Obstacle> fixtureOf(const FixtureDesign& design, const Box& stock, const std::string& name, double margin) {
+Result<Obstacle> fixtureOf(const FixtureDesign& design, const StockSolid& stock, const std::string& name,
+                           double margin) {
     if (Result<void> usable = checkFixture(design); !usable) return std::move(usable).error();
     if (const double depth = depthIn(design, stock); depth > 0.0)
         return Error{ErrorCode::fixtureInStock, name, formatLimit(depth, 3) + " mm", {}};

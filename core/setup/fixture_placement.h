@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/setup/fixture_kind.h"
 #include "core/setup/obstacle.h"
+#include "core/setup/stock_solid.h"
 
 #include <set>
 #include <span>
@@ -14,13 +15,13 @@ namespace burin {
 
 /// Where fixtures are placed: around the stock, on the table. mm, setup frame.
 struct FixtureSite {
-    Box stock;          ///< the stock's box
+    StockSolid stock;
     double table = 0.0; ///< height of the table's top
 };
 
 /// The site of a setup. The table is the top of the table plate that was added last; without one, it is below the
 /// lowest parallels, else below the stock. Fixtures that are not of the library are not looked at.
-FixtureSite siteOf(const Box& stock, std::span<const Obstacle> fixtures);
+FixtureSite siteOf(const StockSolid& stock, std::span<const Obstacle> fixtures);
 
 /// Returns the design placed by a click at a point of the stock or of the table: its origin, its turn to the side of
 /// the stock that is nearest to the point, and the values that follow the stock.
@@ -33,8 +34,9 @@ FixtureDesign placedAt(FixtureDesign design, const std::set<std::string>& given,
 /// so that its spindle is in front.
 glm::dvec3 firstPoint(FixtureKind kind, const Box& stock) noexcept;
 
-/// Returns the fixture as a solid. Errors: those of checkFixture, fixtureInStock if it would enter the stock's box.
+/// Returns the fixture as a solid. Errors: those of checkFixture, fixtureInStock if it would enter the stock.
 /// @param margin distance that the tool keeps from it, mm
-Result<Obstacle> fixtureOf(const FixtureDesign& design, const Box& stock, const std::string& name, double margin);
+Result<Obstacle> fixtureOf(const FixtureDesign& design, const StockSolid& stock, const std::string& name,
+                           double margin);
 
 } // namespace burin

@@ -120,39 +120,6 @@ TriangleMesh roundMesh(const RoundBody& body) {
     return mesh;
 }
 
-/// From the frame of the fixture to the setup frame; exact for quarter turns.
-Placement placementOf(const FixtureDesign& design) noexcept {
-    return {turnedAbout({0.0, 0.0, 1.0}, design.turn, glm::dvec3(0.0)).turn, design.place};
-}
-
-/// How far one interval has to move to get out of another one.
-double overlap(double low, double high, double otherLow, double otherHigh) noexcept {
-    return std::min(high - otherLow, otherHigh - low);
-}
-
-/// The least over the axes that may separate a turned box from an upright one.
-double boxDepth(const Placement& placement, const Box& box, const Box& stock) {
-    const glm::dvec2 x(placement.turn[0]), y(placement.turn[1]);
-    const glm::dvec2 centre(placement.point(box.centre())), stockCentre(stock.centre()), half(0.5 * box.size()),
-        stockHalf(0.5 * stock.size());
-    double depth = overlap(box.low.z + placement.shift.z, box.high.z + placement.shift.z, stock.low.z, stock.high.z);
-    for (const glm::dvec2& axis : {glm::dvec2(1.0, 0.0), glm::dvec2(0.0, 1.0), x, y}) {
-        const double reach = half.x * std::abs(glm::dot(axis, x)) + half.y * std::abs(glm::dot(axis, y)) +
-                             stockHalf.x * std::abs(axis.x) + stockHalf.y * std::abs(axis.y);
-        depth = std::min(depth, reach - std::abs(glm::dot(axis, centre - stockCentre)));
-    }
-    return depth;
-}
-
-double roundDepth(const Placement& placement, const glm::dvec2& middle, const RoundStep& step, const Box& stock) {
-    const glm::dvec2 centre(placement.point(glm::dvec3(middle, 0.0)));
-    const glm::dvec2 out = glm::abs(centre - glm::dvec2(stock.centre())) - 0.5 * glm::dvec2(stock.size());
-    const double away =
-        std::max(out.x, out.y) <= 0.0 ? std::max(out.x, out.y) : glm::length(glm::max(out, glm::dvec2(0.0)));
-    return std::min(step.radius - away,
-                    overlap(step.low + placement.shift.z, step.high + placement.shift.z, stock.low.z, stock.high.z));
-}
-
 } // namespace
 
 FixtureSolids solidsOf(const FixtureDesign& design) {
@@ -174,24 +141,29 @@ FixtureSolids solidsOf(const FixtureDesign& design) {
     return {};
 }
 
+Box gripOf(const FixtureDesign& of) {
+    if (of.kind == FixtureKind::vise) {
+        const double jaw = 0.5 * valueOf(of, "jaw-width"), top = valueOf(of, "grip");
+        return {{0.0, -jaw, top - valueOf(of, "jaw-height")}, {0.0, jaw, top}};
+    }
+    if (of.kind == FixtureKind::stepClamp) {
+        const double half = 0.5 * valueOf(of, "width"), contact = 0.5 * valueOf(of, "contact");
+        return {{-contact, -half, 0.0}, {contact, half, 0.0}};
+    }
+    const double half = 0.5 * valueOf(of, "nose-width"), top = valueOf(of, "grip-height");
+    return {{0.0, -half, top - valueOf(of, "nose-thickness")}, {0.0, half, top}};
+}
+
+Placement placementOf(const FixtureDesign& design) noexcept {
+    return {turnedAbout({0.0, 0.0, 1.0}, design.turn, glm::dvec3(0.0)).turn, design.place};
+}
+
 TriangleMesh meshOf(const FixtureDesign& design) {
     const FixtureSolids solids = solidsOf(design);
     TriangleMesh mesh = boxUnion(solids.boxes, solids.cutAway);
     for (const RoundBody& body : solids.rounds) append(mesh, roundMesh(body));
     place(mesh, placementOf(design));
     return mesh;
-}
-
-double depthIn(const FixtureDesign& design, const Box& stock) {
-    constexpr double touching = 1e-6; // mm, of rounding
-    const FixtureSolids solids = solidsOf(design);
-    const Placement placement = placementOf(design);
-    double deepest = 0.0;
-    for (const Box& box : solids.boxes) deepest = std::max(deepest, boxDepth(placement, box, stock));
-    for (const RoundBody& body : solids.rounds)
-        for (const RoundStep& step : body.steps)
-            if (!step.inStock) deepest = std::max(deepest, roundDepth(placement, body.centre, step, stock));
-    return deepest > touching ? deepest : 0.0;
 }
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/box.h"
+#include "core/geometry/placement.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/setup/fixture_kind.h"
 
@@ -34,13 +35,17 @@ inline constexpr double solidGap = 0.01; ///< mm
 /// @param design has passed checkFixture
 FixtureSolids solidsOf(const FixtureDesign& design);
 
+/// Returns where a vise or a clamp meets the stock, in the fixture's own frame, mm; unbounded in the direction of
+/// clamping: the space between the jaws (along x), below the nose of a step clamp (along z), before the nose of a toe
+/// clamp (along x). @param design a vise, step clamp or toe clamp
+Box gripOf(const FixtureDesign& design);
+
+/// From the frame of the fixture to the setup frame; exact for quarter turns.
+Placement placementOf(const FixtureDesign& design) noexcept;
+
 /// Returns the surface of the fixture in the setup frame, closed and oriented outwards. Boxes are exact, quarter turns
 /// too; round bodies are enclosed, and wider by `cylinderChord` (core/setup/obstacle.h) at most.
 /// @param design has passed checkFixture
 TriangleMesh meshOf(const FixtureDesign& design);
-
-/// Returns how deep the fixture is in a box, mm: the shortest way by which each of its solids gets out of it, the
-/// longest of these. 0: they touch at most. Solids that may be in the stock don't count, nor what is cut away.
-double depthIn(const FixtureDesign& design, const Box& stock);
 
 } // namespace burin

@@ -67,6 +67,25 @@ private slots:
         QCOMPARE(told["values_mm"].toObject()["height"].toDouble(), 20.0);
     }
 
+    /// Of a round bar the bar itself counts, not the box around it: 30 mm in diameter, standing about the cube.
+    void theFormOfTheStockCounts() {
+        const QString bar = folder_.filePath("bar.burin");
+        const ProgramRun embedded =
+            runBurin({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", bar, "--voxel", "1", "--stock-cylinder",
+                      "5,5,-5,0,0,1,15,20", "--material", "machinable-wax"});
+        QVERIFY2(embedded.status == 0, embedded.messages.constData());
+        const ProgramRun run = runBurin({"setup", bar, "--add-fixture", "vise at=20,5", "--add-fixture",
+                                         "socket-screw at=19,19,15 washer=9 head=6 diameter=4"});
+        QVERIFY2(run.status == 0, run.messages.constData()); // the corner of the box is free
+        const std::vector<Obstacle> fixtures = fixturesIn(bar);
+        QCOMPARE(fixtures.size(), std::size_t{2});
+        QVERIFY(std::abs(valueOf(*fixtures[0].design, "opening") - 30.0) < 1e-6);
+        QCOMPARE(fixtures[1].design->place, glm::dvec3(19.0, 19.0, -5.0)); // beside the bar, on the table
+        const ProgramRun refused = runBurin({"setup", bar, "--add-fixture", "vise at=20,5 opening=28"});
+        QCOMPARE(refused.status, 2);
+        QVERIFY2(refused.messages.contains("1.000 mm deep in the stock"), refused.messages.constData());
+    }
+
     void aFixtureIsChanged() {
         QCOMPARE(runBurin({"setup", project_, "--add-fixture", "vise", "--add-fixture", "vise at=-5,5"}).status, 0);
         const ProgramRun run = runBurin({"setup", project_, "--change-fixture", "Vise 2: jaw-width=60 grip=4",

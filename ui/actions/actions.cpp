@@ -132,6 +132,11 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Rotate the part by 90° about Y, through its centre."), "Ctrl+Alt+Y"},
     Row{ActionId::turnAboutZ, "turnAboutZAction", QT_TRANSLATE_NOOP("Actions", "Rotate by 90° about &Z"),
         QT_TRANSLATE_NOOP("Actions", "Rotate the part by 90° about Z, through its centre."), "Ctrl+Alt+Z"},
+    Row{ActionId::placementHandles, "placementHandlesAction", QT_TRANSLATE_NOOP("Actions", "&Handles in the view"),
+        QT_TRANSLATE_NOOP("Actions",
+                          "Show arrows, squares and rings that move and rotate the part, or the fixture that "
+                          "is being placed, by the mouse. Shift: fine; Ctrl: in steps."),
+        "Ctrl+Alt+M", true},
     Row{ActionId::pickZero, "pickZeroAction", QT_TRANSLATE_NOOP("Actions", "&Pick program zero"),
         QT_TRANSLATE_NOOP("Actions", "Click a vertex, an edge or a circle of the part, or a corner of the stock."),
         "Ctrl+Shift+O"},
@@ -317,9 +322,9 @@ constexpr std::array rows{
 static_assert(rows.size() == static_cast<std::size_t>(ActionId::count));
 
 /// Checkable actions that are on by default.
-constexpr ActionId onAtFirst[] = {ActionId::showWorkpiece, ActionId::showTool,       ActionId::showPath,
-                                  ActionId::showGuides,    ActionId::showOtherPaths, ActionId::guides,
-                                  ActionId::showTimeline};
+constexpr ActionId onAtFirst[] = {ActionId::showWorkpiece, ActionId::showTool,        ActionId::showPath,
+                                  ActionId::showGuides,    ActionId::showOtherPaths,  ActionId::guides,
+                                  ActionId::showTimeline,  ActionId::placementHandles};
 
 } // namespace
 

@@ -60,6 +60,7 @@ enum class ActionId : std::size_t {
     turnAboutX,
     turnAboutY,
     turnAboutZ,
+    placementHandles,
     pickZero,
     touchZero,
     embed,

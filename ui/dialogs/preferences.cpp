@@ -16,6 +16,7 @@ constexpr const char* geometryKey = "window_geometry";
 constexpr const char* panelWidthKey = "panel_width";
 constexpr const char* docksKey = "view_docks";
 constexpr const char* programDockedKey = "program_docked";
+constexpr const char* placementHandlesKey = "placement_handles";
 constexpr const char* timelineShownKey = "timeline_shown";
 constexpr const char* timelineCurvesKey = "timeline_curves";
 constexpr const char* metersKey = "meters_folded";
@@ -119,6 +120,14 @@ QStringList UserSettings::timelineCurves() const {
 
 void UserSettings::setTimelineCurves(const QStringList& curves) {
     settings_.setValue(timelineCurvesKey, curves);
+}
+
+bool UserSettings::placementHandles() const {
+    return settings_.value(placementHandlesKey, true).toBool();
+}
+
+void UserSettings::setPlacementHandles(bool shown) {
+    settings_.setValue(placementHandlesKey, shown);
 }
 
 bool UserSettings::programDocked() const {

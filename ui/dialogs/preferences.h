@@ -57,6 +57,8 @@ public:
     void setMetersFolded(bool folded);
     bool parallelView() const;
     void setParallelView(bool parallel);
+    bool placementHandles() const; ///< whether the view shows handles that move the part or a fixture
+    void setPlacementHandles(bool shown);
     int transparency() const; ///< of the workpiece, %
     void setTransparency(int percent);
     /// Id and mode of the stylus chosen last; both empty: the mouse.

@@ -4,7 +4,6 @@
 
 #include "core/base/units.h"
 #include "ui/input/mill_geometry.h"
-#include "ui/input/zero_picker.h"
 
 #include <cmath>
 #include <utility>
@@ -20,14 +19,14 @@ constexpr double smallTurn = pi / 12.0, quarterTurn = pi / 2; // 15°, 90°
 } // namespace
 
 std::optional<glm::dvec3> FixturePlacer::pointOn(const Sight& sight) const {
-    std::optional<glm::dvec3> point = boxOn(sight, site_.stock);
+    std::optional<glm::dvec3> point = site_.stock.hit(sight.seenOrigin(), sight.direction);
     const bool onStock = point.has_value();
     if (!onStock) point = onLevel(sight, site_.table);
     if (!point) return std::nullopt;
-    const glm::dvec3 middle = site_.stock.centre();
+    const glm::dvec3 middle = site_.stock.box().centre();
     for (const int axis : {0, 1})
         (*point)[axis] = middle[axis] + fixtureStep * std::round(((*point)[axis] - middle[axis]) / fixtureStep);
-    return onStock ? keptWithin(site_.stock, *point) : *point;
+    return onStock ? keptWithin(site_.stock.box(), *point) : *point;
 }
 
 bool FixturePlacer::press(const ViewportEvent& event) {

@@ -31,7 +31,8 @@ QString ChoiceBox::elided() const {
     initStyleOption(&option);
     const QRect room = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
     const QString text = currentIndex() < 0 ? placeholderText() : currentText();
-    return fontMetrics().elidedText(text, Qt::ElideRight, room.width() - textPadding);
+    const int icon = option.currentIcon.isNull() ? 0 : option.iconSize.width() + textPadding;
+    return fontMetrics().elidedText(text, Qt::ElideRight, room.width() - textPadding - icon);
 }
 
 void ChoiceBox::showPopup() {

@@ -97,6 +97,8 @@ std::vector<KeyLine> HandKeys::ofTheView() {
         {tr("Shift and middle drag"), tr("Pans the view; so does a drag with both buttons.")},
         {tr("Wheel"), tr("Zooms in on the point under the pointer.")},
         {tr("Click on the cube"), tr("Looks at that side.")},
+        {tr("Drag a handle"),
+         tr("Moves or rotates the part or a fixture; with Shift finely, with Ctrl in steps. Esc takes it back.")},
     };
 }
 

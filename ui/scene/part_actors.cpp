@@ -74,8 +74,10 @@ void PartActors::add(ShadedBody body) {
     shadeSimply(*drawn.surface.actor);
     eachSolid(drawn, [&](vtkActor& actor) {
         clipBy(actor, clip_);
+        actor.SetUserMatrix(motion_);
         solids_.AddActor(&actor);
     });
+    for (vtkActor* ghost : {drawn.ghostSurface.Get(), drawn.ghostEdges.Get()}) ghost->SetUserMatrix(motion_);
     marks_.AddActor(drawn.ghostSurface);
     marks_.AddActor(drawn.ghostEdges);
     triangles_ += drawn.body.mesh->triangles.size() / 3;
@@ -90,6 +92,7 @@ void PartActors::setCoarse(const CoarseBodies& coarse) {
         Piece& piece = bodies_[i].coarse.emplace(Piece{cells, surfaceActor(cells.data())});
         shadeSimply(*piece.actor);
         clipBy(*piece.actor, clip_);
+        piece.actor->SetUserMatrix(motion_);
     }
     drawLast();
     refresh();
@@ -98,6 +101,13 @@ void PartActors::setCoarse(const CoarseBodies& coarse) {
 void PartActors::setClip(vtkPlane* clip) {
     clip_ = clip;
     for (const Drawn& body : bodies_) eachSolid(body, [&](vtkActor& actor) { clipBy(actor, clip_); });
+}
+
+void PartActors::setMotion(const Placement& motion) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) motion_->SetElement(row, column, motion.turn[column][row]);
+        motion_->SetElement(row, 3, motion.shift[row]);
+    }
 }
 
 void PartActors::setColours(const QColor& part, const QColor& edges) {

@@ -3,12 +3,15 @@
 #pragma once
 
 #include "core/cad/model.h"
+#include "core/geometry/placement.h"
 #include "ui/scene/part_cells.h"
 #include "ui/scene/shaded_mesh.h"
 #include "ui/scene/sight.h"
 #include "ui/scene/view_lights.h"
 
 #include <vtkActor.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
 #include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
@@ -76,6 +79,8 @@ public:
     /// Chooses the detail of the surfaces: coarse while something moves, or if the difference would not be visible.
     /// @param pixel length that a screen pixel covers, mm
     void setDetail(bool moving, double pixel);
+    /// Draws the bodies moved from their positions. Picking doesn't follow.
+    void setMotion(const Placement& motion);
     void setLineWidth(double screenPixels);
     void setDepthCue(const DepthCue& cue);
     /// The nearest point on a sight line; std::nullopt if it misses the part or the part isn't shown.
@@ -116,6 +121,7 @@ private:
     std::vector<bool> hidden_;                   ///< by body
     std::vector<std::optional<QColor>> colours_; ///< by body, instead of their own
     vtkSmartPointer<vtkPlane> clip_;
+    vtkNew<vtkMatrix4x4> motion_; ///< shared by all actors
     QColor part_, edges_;
     double lineWidth_ = 1.0;
     std::shared_ptr<const BareBricks> bare_;

@@ -57,6 +57,7 @@ Scene::Scene(vtkRenderWindow& window, std::function<void()> workpieceReady, Guid
     , passPreview_(*marks_)
     , measure_(*marks_)
     , force_(*marks_)
+    , gizmo_(*marks_)
     , cube_(window, 3)
     , excessScale_(*solids_) {
     window.SetNumberOfLayers(4);
@@ -105,6 +106,7 @@ void Scene::setPalette(const Palette& palette) {
     passPreview_.setColours(palette.rapidPath, palette.pathHalo);
     measure_.setPalette(palette);
     force_.setPalette(palette);
+    gizmo_.setPalette(palette);
     cube_.setPalette(palette);
 }
 
@@ -122,7 +124,19 @@ void Scene::setPart(std::vector<ShadedBody> bodies, const Box& box) {
     workpiece_.setPartDrawn(!bodies.empty());
     part_.setBodies(std::move(bodies));
     partBox_ = box;
+    announced_ = {};
+    movePart(moved_);
     refresh();
+}
+
+void Scene::movePart(const Placement& by) {
+    moved_ = by;
+    part_.setMotion(combined(announced_, moved_));
+}
+
+void Scene::announcePart() {
+    announced_ = combined(announced_, moved_);
+    moved_ = {};
 }
 
 void Scene::setPreview(std::vector<ShadedBody> bodies, const Box& content) {
@@ -285,6 +299,7 @@ void Scene::setLineWidths(double ratio) {
     ghost_.setLineWidth(boldLine * ratio);
     touch_.setLineWidth(pathLine * ratio);
     zero_.setLineWidth(boldLine * ratio);
+    gizmo_.setLineWidth(boldLine * ratio);
     moveMark_.setLineWidth(boldLine * ratio);
     measure_.setLineWidth(boldLine * ratio);
     outlines_.setLineWidth(pathLine * ratio);
@@ -323,13 +338,14 @@ std::optional<std::chrono::steady_clock::time_point> Scene::prepare(const Camera
     touch_.place(view, size, ratio);
     measure_.place(view, size, ratio);
     zero_.place(view, size, ratio);
+    gizmo_.place(view, size, ratio);
     section_.place(workpieceSeen() ? shown_ : VolumeSnapshot(), contentBox(), view, size);
     films_->SetDraw(guides_.visible() || obstacles_.filmsVisible() || tool_.filmsVisible() ||
                     workpiece_.filmsVisible());
     marks_->SetDraw(ghost_.visible() || force_.visible() || guides_.visible() || moveMark_.visible() ||
                     outlines_.visible() || strokePlans_.visible() || area_.visible() || passPreview_.visible() ||
                     touch_.visible() || measure_.visible() || touchedVoxels_.visible() || zero_.visible() ||
-                    comparedPath_.marksVisible() || section_.plane().has_value());
+                    comparedPath_.marksVisible() || gizmo_.visible() || section_.plane().has_value());
 
     aimCamera(*solids_, drawnBounds(), view);
     const DepthCue cue = depthCue(*solids_);

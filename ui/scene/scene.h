@@ -8,6 +8,7 @@
 #include "ui/scene/deviation_actors.h"
 #include "ui/scene/edited_path.h"
 #include "ui/scene/force_arrow.h"
+#include "ui/scene/gizmo_actors.h"
 #include "ui/scene/ground_grid.h"
 #include "ui/scene/ground_shadow.h"
 #include "ui/scene/guide_actors.h"
@@ -58,6 +59,10 @@ public:
         fillExcessScale();
     }
     void setPart(std::vector<ShadedBody> bodies, const Box& box);
+    /// Draws the part moved from its position in the newest part that was announced or set.
+    void movePart(const Placement& by);
+    /// Announces a part that will be set and has been moved as the part drawn now.
+    void announcePart();
     void setCoarsePart(const CoarseBodies& coarse) { part_.setCoarse(coarse); }
     void setHiddenBodies(std::vector<bool> hidden) { part_.setHidden(std::move(hidden)); } ///< by body
     void setBodyColours(std::vector<std::optional<QColor>> colours) { part_.setBodyColours(std::move(colours)); }
@@ -102,6 +107,7 @@ public:
     MarkedLines& area() noexcept { return area_; }
     MarkedLines& passPreview() noexcept { return passPreview_; }
     MeasureMarks& measure() noexcept { return measure_; }
+    GizmoActors& gizmo() noexcept { return gizmo_; }
     ViewCube& cube() noexcept { return cube_; }
     const WorkpieceActors& workpiece() const noexcept { return workpiece_; }
 
@@ -154,6 +160,7 @@ private:
     MarkedLines moveMark_, outlines_, strokePlans_, area_, passPreview_;
     MeasureMarks measure_;
     ForceArrow force_;
+    GizmoActors gizmo_;
     ViewCube cube_;
     ColourScale excessScale_;
 
@@ -161,6 +168,7 @@ private:
     QColor partColour_, edgeColour_;
     LengthUnit unit_{}; ///< millimetre
     Box partBox_;
+    Placement announced_, moved_; ///< motion of the part that was announced, and beyond it
     std::optional<bool> partRequest_;
     VolumeSnapshot shown_;
     std::uint64_t workpieceDrawn_ = 0; ///< the volume behind which the part is drawn

@@ -94,6 +94,7 @@ bool Viewport::showsPreview() const {
 void Viewport::Impl::orderPart(std::shared_ptr<const Model> model, std::function<void()> drawn) {
     const std::uint64_t order = ++partOrdered;
     part = model;
+    scene.announcePart();
     if (!model) {
         scene.setPart({}, {});
         contentChanged();
@@ -122,6 +123,11 @@ void Viewport::Impl::orderPart(std::shared_ptr<const Model> model, std::function
         });
         inWindow([coarse = coarseBodies(bodies, glm::length(box.size()))](Scene& of) { of.setCoarsePart(coarse); });
     });
+}
+
+void Viewport::movePart(const Placement& by) {
+    impl_->scene.movePart(by);
+    impl_->moved();
 }
 
 void Viewport::setPartVisible(bool visible) {
@@ -258,6 +264,13 @@ void Viewport::setMeasureMark(const std::optional<MeasureMark>& mark) {
     impl_->refresh();
 }
 
+void Viewport::setGizmo(const std::optional<GizmoMark>& mark) {
+    if (mark == impl_->gizmo) return;
+    impl_->gizmo = mark;
+    impl_->scene.gizmo().set(mark);
+    impl_->refresh();
+}
+
 void Viewport::setPathVisible(bool visible) {
     impl_->scene.setPathVisible(visible);
     impl_->refresh();
@@ -358,6 +371,15 @@ void Viewport::setInteractiveTool(InteractiveTool* tool) {
     if (impl_->tool != nullptr && impl_->tool != tool) impl_->tool->leave();
     impl_->tool = tool;
     emit interactiveToolChanged();
+}
+
+void Viewport::setHandleTool(InteractiveTool* tool) {
+    if (impl_->handles != nullptr && impl_->handles != tool) impl_->handles->leave();
+    impl_->handles = tool;
+}
+
+InteractiveTool* Viewport::handleTool() const {
+    return impl_->handles;
 }
 
 ViewportEvent Viewport::sight(const QPointF& position) const {

@@ -4,6 +4,7 @@
 
 #include "core/cad/model.h"
 #include "core/cad/model_preview.h"
+#include "core/geometry/placement.h"
 #include "core/job/path_values.h"
 #include "core/path/evaluate.h"
 #include "core/recording/sample.h"
@@ -14,6 +15,7 @@
 #include "ui/scene/comparison_mark.h"
 #include "ui/scene/deviation_surface.h"
 #include "ui/scene/excess_colours.h"
+#include "ui/scene/gizmo.h"
 #include "ui/scene/guide_marks.h"
 #include "ui/scene/interactive_tool.h"
 #include "ui/scene/measure_mark.h"
@@ -92,6 +94,8 @@ public:
     /// @param margin around it that is also in the picture, mm
     void setPreview(const std::shared_ptr<const ModelPreview>& preview, double margin = 0.0);
     bool showsPreview() const; ///< whether a preview is drawn
+    /// Draws the part moved from its position in the model that was set last, until the next one is drawn.
+    void movePart(const Placement& by);
     void setPartVisible(bool visible);
     void setHiddenBodies(std::vector<bool> hidden); ///< of the part, by body; the others are drawn
     /// Of the part, by body; empty: the part's blue. The others have the colours of the model.
@@ -151,6 +155,7 @@ public:
     /// Sets the area of the next pass, as lines on the part.
     void setArea(const PlaceChains& lines);
     void setMeasureMark(const std::optional<MeasureMark>& mark); ///< the measurement; std::nullopt: none
+    void setGizmo(const std::optional<GizmoMark>& mark);         ///< std::nullopt: none
     /// Sets the strokes of a pass that is not computed yet.
     void setPassPreview(const PlaceChains& lines);
 
@@ -166,6 +171,10 @@ public:
     /// Not owned; nullptr: only the camera.
     void setInteractiveTool(InteractiveTool* tool);
     InteractiveTool* interactiveTool() const; ///< null: only the camera
+    /// Sets the tool of handles that are drawn over everything: each event is offered to it before the interactive
+    /// tool. Not owned; nullptr: none.
+    void setHandleTool(InteractiveTool* tool);
+    InteractiveTool* handleTool() const; ///< null: none
     /// The sight line through a position of the widget (device-independent pixels).
     ViewportEvent sight(const QPointF& position) const;
     /// The point of workpiece or part that appears at a position, mm, setup frame; std::nullopt if nothing is there, or

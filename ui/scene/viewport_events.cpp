@@ -45,7 +45,8 @@ void Viewport::pressPointer(const QSinglePointEvent& event) {
             return;
         }
     }
-    if (InteractiveTool* tool = impl_->toolInHand(); tool != nullptr && tool->press(impl_->eventAt(event))) return;
+    const ViewportEvent sighted = impl_->eventAt(event);
+    if (impl_->offered([&](InteractiveTool& tool) { return tool.press(sighted); })) return;
     if (event.button() != Qt::MiddleButton && event.button() != Qt::RightButton) return;
     const bool both = event.buttons().testFlags(Qt::MiddleButton | Qt::RightButton);
     const bool pan = both || (event.button() == Qt::MiddleButton && event.modifiers().testFlag(Qt::ShiftModifier));
@@ -61,15 +62,18 @@ void Viewport::movePointer(const QSinglePointEvent& event) {
     }
     if (impl_->sectionGrip) return impl_->dragSection(position);
     const bool pressed = event.buttons() != Qt::NoButton;
-    setCursor(!pressed && impl_->onSectionGrip(position) ? Qt::SizeAllCursor : Qt::ArrowCursor);
+    const ViewportEvent sighted = impl_->eventAt(event);
+    const bool onHandle = impl_->onHandle(sighted);
+    setCursor(onHandle || (!pressed && impl_->onSectionGrip(position)) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     impl_->hoverCube(pressed ? std::nullopt : std::optional(position));
-    if (InteractiveTool* tool = impl_->toolInHand()) tool->move(impl_->eventAt(event));
+    if (InteractiveTool* tool = impl_->toolInHand(); tool != nullptr && !onHandle) tool->move(sighted);
 }
 
 void Viewport::releasePointer(const QSinglePointEvent& event) {
     if (event.button() == Qt::LeftButton && std::exchange(impl_->sectionGrip, std::nullopt)) return;
     if (!event.buttons().testAnyFlags(Qt::MiddleButton | Qt::RightButton)) impl_->motion.endDrag();
-    if (InteractiveTool* tool = impl_->toolInHand()) tool->release(impl_->eventAt(event));
+    const ViewportEvent sighted = impl_->eventAt(event);
+    impl_->offered([&](InteractiveTool& tool) { return tool.release(sighted); });
 }
 
 // Some platforms send the motion of a pen as that of the mouse as well, which then rests.
@@ -122,7 +126,8 @@ void Viewport::losePen() {
     impl_->pen.reset();
     impl_->sectionGrip.reset();
     impl_->motion.endDrag();
-    if (InteractiveTool* tool = impl_->toolInHand()) tool->move(sight(impl_->penAt)); // without a button
+    const ViewportEvent sighted = sight(impl_->penAt); // without a button
+    impl_->offered([&](InteractiveTool& tool) { return tool.move(sighted); });
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -134,7 +139,7 @@ void Viewport::wheelEvent(QWheelEvent* event) {
     const QPoint angle = event->angleDelta(); // some platforms swap the axes while a modifier is down
     ViewportEvent sighted = impl_->eventAt(*event);
     sighted.wheelSteps = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-    if (InteractiveTool* tool = impl_->toolInHand(); tool != nullptr && tool->wheel(sighted)) return;
+    if (impl_->offered([&](InteractiveTool& tool) { return tool.wheel(sighted); })) return;
     impl_->motion.zoom(sighted.wheelSteps, impl_->pivotAt(event->position()));
     impl_->moved();
 }
@@ -143,14 +148,14 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
     // Only keys that move in steps may repeat; a key that switches the spindle would toggle it rapidly while held.
     const bool mayRepeat = event->key() >= Qt::Key_Left && event->key() <= Qt::Key_PageDown;
     if (event->isAutoRepeat() && !mayRepeat) return;
-    if (InteractiveTool* tool = impl_->toolInHand(); tool != nullptr && tool->key(event->key(), event->modifiers()))
-        return;
+    if (impl_->offered([&](InteractiveTool& tool) { return tool.key(event->key(), event->modifiers()); })) return;
     QWidget::keyPressEvent(event);
 }
 
 void Viewport::leaveEvent(QEvent* event) {
     impl_->hoverCube(std::nullopt);
-    if (InteractiveTool* tool = impl_->toolInHand()) tool->leave();
+    for (InteractiveTool* tool : {impl_->handles, impl_->toolInHand()})
+        if (tool != nullptr) tool->leave();
     QWidget::leaveEvent(event);
 }
 

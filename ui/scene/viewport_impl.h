@@ -64,6 +64,15 @@ public:
     }
     /// The tool that receives pointer and key events; null: only the camera.
     InteractiveTool* toolInHand() const { return scene.previewing() ? nullptr : tool; }
+    /// Offers an event to the handles, then to the tool. Returns whether one of them handled it.
+    template <class Offer>
+    bool offered(Offer offer) {
+        if (scene.previewing()) return false;
+        return (handles != nullptr && offer(*handles)) || (tool != nullptr && offer(*tool));
+    }
+    bool onHandle(const ViewportEvent& event) {
+        return !scene.previewing() && handles != nullptr && handles->move(event);
+    }
     bool onSectionGrip(const QPointF& position) {
         return !scene.previewing() && scene.section().gripAt(motion.view(), motion.size(), position);
     }
@@ -119,6 +128,7 @@ public:
     FrameClock::Clock::time_point paintBegan;
     std::optional<FrameClock::Clock::time_point> paintedCut; ///< of the current paint
     InteractiveTool* tool = nullptr;
+    InteractiveTool* handles = nullptr; ///< offered events before the tool
     ToolMarks marks;
     std::optional<PressMark> press;
     std::optional<PenState> pen;        ///< the pen that the current event comes from; empty: the mouse
@@ -130,6 +140,7 @@ public:
     GuideMarks guides;
     std::vector<ObstacleMark> obstacles;
     std::optional<ZeroPlace> zero;
+    std::optional<GizmoMark> gizmo;
     std::shared_ptr<const Model> part;
     std::uint64_t deviationsOrdered = 0; ///< counts setDeviations calls, like partOrdered
     std::uint64_t partOrdered = 0; ///< counts setPart calls: a part that is finished late must not replace a newer one

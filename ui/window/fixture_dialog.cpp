@@ -8,6 +8,7 @@
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/fixture_drawing.h"
 #include "ui/panels/guide_labels.h"
 #include "ui/panels/length_field.h"
 #include "ui/panels/notice.h"
@@ -16,11 +17,14 @@
 #include <QLabel>
 #include <QScrollArea>
 
+#include <cmath>
+
 namespace burin {
 
 namespace {
 
-constexpr int fixtureDialogWidth = 400, sizesHeight = 250; // pixels
+constexpr int fixtureDialogWidth = 400, sizesHeight = 160; // pixels
+constexpr QSize kindPicture(40, 24);                       // pixels
 constexpr double farthestPlace = 1e4;                      // mm
 constexpr int smallAngle = 15, largeAngle = 90;            // degrees
 
@@ -47,6 +51,7 @@ FixtureDialog::FixtureDialog(QWidget* parent) : QDialog(parent) {
     column->addWidget(notices);
     addButtons(*column);
     setFixedWidth(fixtureDialogWidth);
+    installEventFilter(this);
 }
 
 void FixtureDialog::addKind(QVBoxLayout& column) {
@@ -56,6 +61,8 @@ void FixtureDialog::addKind(QVBoxLayout& column) {
         kind_->addItem(Messages::text(row.title));
         kind_->setItemData(kind_->count() - 1, Messages::text(row.toolTip), Qt::ToolTipRole);
     }
+    kind_->setIconSize(kindPicture);
+    paintKinds();
     column.addWidget(
         new FieldRow(tr("Kind"), kind_, tr("Kind of fixture of the library"), this, FieldRow::choiceWidth));
     connect(kind_, &QComboBox::activated, this,
@@ -64,6 +71,25 @@ void FixtureDialog::addKind(QVBoxLayout& column) {
     about_->setProperty("look", "quiet");
     about_->setWordWrap(true);
     column.addWidget(about_);
+    drawing_ = new FixtureDrawing(this);
+    drawing_->setObjectName(QStringLiteral("fixtureDrawing"));
+    column.addWidget(drawing_);
+}
+
+void FixtureDialog::paintKinds() {
+    for (int i = 0; i < kind_->count(); ++i)
+        kind_->setItemIcon(
+            i, fixturePicture(fixtureKinds[static_cast<std::size_t>(i)].kind, kindPicture, devicePixelRatioF()));
+}
+
+/// The drawing marks the size whose field has the focus; after a change of theme, the list shows the new colours.
+bool FixtureDialog::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut)
+        for (std::size_t i = 0; i < values_.size(); ++i)
+            if (watched == values_[i])
+                drawing_->mark(event->type() == QEvent::FocusIn ? std::optional(i) : std::nullopt);
+    if (watched == this && event->type() == QEvent::PaletteChange) paintKinds();
+    return QDialog::eventFilter(watched, event);
 }
 
 void FixtureDialog::addSizes(QVBoxLayout& column) {
@@ -141,6 +167,7 @@ void FixtureDialog::addButtons(QVBoxLayout& column) {
 
 void FixtureDialog::rebuildSizes(FixtureKind kind) {
     values_.clear();
+    drawing_->mark({});
     auto* column = static_cast<QVBoxLayout*>(sizes_->layout());
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
@@ -158,8 +185,10 @@ void FixtureDialog::rebuildSizes(FixtureKind kind) {
         const std::size_t index = values_.size();
         connect(field, &QuantityField::valueEdited, this,
                 [this, index](double value) { emit valueEdited(index, value); });
+        field->installEventFilter(this);
         column->addWidget(
-            new FieldRow(Messages::text(parameter.label), field, Messages::text(parameter.toolTip), sizes_));
+            new FieldRow(QStringLiteral("%1  %2").arg(measureLetter(index), Messages::text(parameter.label)), field,
+                         Messages::text(parameter.toolTip), sizes_));
         values_.push_back(field);
     }
     column->addStretch(1);
@@ -178,6 +207,8 @@ void FixtureDialog::setState(const FixtureDialogState& state) {
         values_[i]->setLengthUnit(state.unit);
         values_[i]->showValue(design.values[i]);
     }
+    drawing_->setUnit(state.unit);
+    drawing_->setDesign(checkFixture(design) ? std::optional(design) : std::nullopt);
     placeTitle_->setText(tr("%1 X, Y, Z, in %2").arg(tr("Position"), unitText(state.unit)));
     for (std::size_t i = 0; i < place_.size(); ++i) {
         const auto axis = static_cast<int>(i);
@@ -189,7 +220,13 @@ void FixtureDialog::setState(const FixtureDialogState& state) {
     accept_->setText(state.changing ? tr("Change") : tr("Add"));
     enableUnless(accept_, state.problem,
                  state.changing ? tr("Change the fixture of the setup") : tr("Add the fixture to the setup"));
-    notice_->tell(Notice::Kind::error, state.problem);
+    if (state.problem.isEmpty() && state.gap > 0.0)
+        notice_->tell(Notice::Kind::warning, std::isinf(state.gap)
+                                                 ? tr("There is no stock where the fixture clamps.")
+                                                 : tr("The fixture doesn't touch the stock: a gap of %1 remains.")
+                                                       .arg(lengthText(state.gap, state.unit)));
+    else
+        notice_->tell(Notice::Kind::error, state.problem);
     if (isVisible()) fit(); // what is said about a kind takes one line or two
 }
 

@@ -6,6 +6,7 @@
 #include "ui/theme/length_unit.h"
 
 #include <QDialog>
+#include <QEvent>
 
 #include <array>
 #include <optional>
@@ -18,6 +19,7 @@ class QVBoxLayout;
 namespace burin {
 
 class ChoiceBox;
+class FixtureDrawing;
 class Notice;
 class QuantityField;
 
@@ -28,10 +30,11 @@ struct FixtureDialogState {
     LengthUnit unit = LengthUnit::millimetre;
     bool changing = false; ///< whether a fixture of the setup is being changed, whose kind stays
     QString problem;       ///< why it can't be accepted; empty: it can
+    double gap = 0.0;      ///< between it and the stock that it has to touch, mm; infinity: no stock is there
 };
 
 /// A modeless dialog for kind, sizes and position of a fixture of the library. Its object name is "fixtureDialog"; it
-/// contains "fixtureKind", a field for each size ("fixture-KEY"), "fixturePlaceX" …, "fixtureTurn",
+/// contains "fixtureKind", "fixtureDrawing", a field for each size ("fixture-KEY"), "fixturePlaceX" …, "fixtureTurn",
 /// "acceptFixtureButton", "cancelFixtureButton", "fixtureNotice".
 class FixtureDialog final : public QDialog {
     Q_OBJECT
@@ -39,6 +42,7 @@ public:
     explicit FixtureDialog(QWidget* parent);
     void fit();                                     ///< gives it the height that its content needs
     void setState(const FixtureDialogState& state); ///< never emits
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
     void kindChosen(burin::FixtureKind kind);
@@ -50,6 +54,7 @@ signals:
 
 private:
     void addKind(QVBoxLayout& column);
+    void paintKinds();
     void addSizes(QVBoxLayout& column);
     void addPosition(QVBoxLayout& column);
     void addTurns(QVBoxLayout& column);
@@ -60,6 +65,7 @@ private:
     std::optional<FixtureKind> built_; ///< whose sizes have fields
     ChoiceBox* kind_ = nullptr;
     QLabel *about_ = nullptr, *placeTitle_ = nullptr;
+    FixtureDrawing* drawing_ = nullptr;
     QWidget* sizes_ = nullptr;
     std::vector<QuantityField*> values_;
     std::array<QuantityField*, 3> place_{};

@@ -105,6 +105,7 @@ FixtureDialogState FixturePresenter::state() const {
     state.zero = workbench_.setup.setup().workOffset;
     state.unit = unit();
     state.changing = fixtures.instead().has_value();
+    state.gap = fixtures.gap();
     if (fixtures.problem()) state.problem = problemText(state.design, *fixtures.problem());
     return state;
 }

@@ -217,6 +217,8 @@ void MainWindow::escape() {
     if (coach_->hasKeyboard()) return coach_->end();
     if (pages_->currentWidget() == welcome_) return goBack();
     if (workbench_.time.away()) return workbench_.time.backToPresent();
+    InteractiveTool* handles = viewport_->handleTool();
+    if (handles != nullptr && handles->key(Qt::Key_Escape, Qt::NoModifier)) return;
     InteractiveTool* tool = viewport_->interactiveTool();
     if (tool == nullptr || !tool->key(Qt::Key_Escape, Qt::NoModifier)) {
         activateWindow(); // a floating dock may be the active window
@@ -243,6 +245,7 @@ void MainWindow::showStep(JobStep step) {
     }
     presenters_->zero.setShown(step);
     presenters_->fixtures.setShown(step);
+    presenters_->gizmo.setShown(step);
     presenters_->holes.setShown(step);
     if (step != JobStep::path) presenters_->area.setShown(step);
     if (step == JobStep::program) presenters_->pathScene.setShown(step);

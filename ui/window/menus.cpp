@@ -46,8 +46,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              pathColours, excess,    showGuides,    line,     showTimeline, showTree,     resetLayout,
              line,        nextStep,  previousStep});
     addMenu(bar, tr("&Setup"), "setupMenu", actions,
-            {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, line, pickZero,
-             touchZero});
+            {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, placementHandles,
+             line, pickZero, touchZero});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
             {embed,       stockFile,   toolShape,  libraryFixture, addFixtureFile, axisOfView, line,        millMode,
              raster,      repeatLower, repeatLeft, repeatRight,    line,           playTime,   presentTime, punchIn,

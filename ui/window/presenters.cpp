@@ -39,7 +39,8 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , faces(workbench, stage.viewport, stage.panels.program->deviation(), this)
     , comparison(workbench, stage.viewport, this)
     , fixtures(workbench, stage.viewport, this)
-    , holes(workbench, stage.viewport, this) {
+    , holes(workbench, stage.viewport, this)
+    , gizmo(workbench, stage.viewport, part, actions, this) {
     connect(&scene, &ScenePresenter::hiddenBodiesChanged, this, [this](const std::set<std::size_t>& bodies) {
         part.setHiddenBodies(bodies);
         setups.setHiddenBodies(bodies);
@@ -48,6 +49,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     });
     connect(&pathScene, &PathScenePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&area, &AreaPresenter::escapeChanged, &status, &Presenter::presentSoon);
+    connect(&gizmo, &GizmoPresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&fixtures, &FixturePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(stage.panels.program, &ProgramPanel::lineChosen, &workbench.time, &TimeController::followLine);
     connect(&time, &TimePresenter::breakpointAsked, this,
@@ -87,7 +89,7 @@ void Presenters::setUnit(LengthUnit unit) {
              &part,    &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
              &mill,    &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
              &status,  &job,          &scene,  &guideScene, &programScene, &deviation, &area,    &time,
-             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures,  &holes})
+             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures,  &holes,   &gizmo})
         presenter->setUnit(unit);
 }
 

@@ -8,6 +8,7 @@
 #include "ui/window/excess_presenter.h"
 #include "ui/window/face_presenter.h"
 #include "ui/window/fixture_presenter.h"
+#include "ui/window/gizmo_presenter.h"
 #include "ui/window/guide_presenter.h"
 #include "ui/window/guide_scene_presenter.h"
 #include "ui/window/hand_presenter.h"
@@ -81,6 +82,7 @@ public:
     ComparisonPresenter comparison;
     FixturePresenter fixtures;
     HolePresenter holes;
+    GizmoPresenter gizmo;
 };
 
 } // namespace burin

@@ -25,6 +25,7 @@ public:
     void setUnit(LengthUnit unit) override;
     /// While its step is shown, a click in the viewport selects a body.
     void setShown(bool shown);
+    bool pointing() const { return viewport_.interactiveTool() == &picker_; } ///< whether it does
 
     void setHiddenBodies(const std::set<std::size_t>& bodies) { picker_.setHidden(bodies); }
 

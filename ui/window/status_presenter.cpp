@@ -77,7 +77,9 @@ void StatusPresenter::presentStroke() {
     const bool recording = workbench_.session.running() && session.recording;
     line_.setRecording(recording ? tr("● Recording %1").arg(durationText(session.recordedSeconds)) : QString());
     InteractiveTool* tool = viewport_.interactiveTool();
-    line_.setEscape(tool != nullptr ? tool->escapeMeaning() : QString());
+    InteractiveTool* handles = viewport_.handleTool();
+    const QString meaning = handles != nullptr ? handles->escapeMeaning() : QString();
+    line_.setEscape(meaning.isEmpty() && tool != nullptr ? tool->escapeMeaning() : meaning);
 }
 
 void StatusPresenter::presentSession() {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/surroundings_presenter.h"
 
-#include "core/setup/fixture_solid.h"
-
 namespace burin {
 
 namespace {
@@ -19,7 +17,8 @@ BoundNews newsOf(const std::optional<LayerNews>& news) {
 SurroundingsPresenter::SurroundingsPresenter(Workbench& workbench, SurroundingsPanel& panel, BoundsPanel& switches,
                                              Viewport& viewport, QObject* parent)
     : Presenter(workbench,
-                {&workbench.surroundings, &workbench.setup, &workbench.workpiece, &workbench.mill, &workbench.fixtures},
+                {&workbench.surroundings, &workbench.setup, &workbench.stockSolid, &workbench.workpiece,
+                 &workbench.mill, &workbench.fixtures},
                 parent)
     , panel_(panel)
     , switches_(switches)
@@ -77,8 +76,7 @@ void SurroundingsPresenter::present() {
     for (std::size_t i = 0; i < surroundings.obstacles().size(); ++i) {
         const PlacedObstacle& placed = surroundings.obstacles()[i];
         const BoundNews news = newsOf(surroundings.news(i));
-        const std::optional<FixtureDesign>& design = placed.obstacle->design;
-        const double inStock = design && state.hasPart ? depthIn(*design, workbench_.setup.setup().stock) : 0.0;
+        const double inStock = state.hasPart ? workbench_.stockSolid.depthOf(placed.obstacle) : 0.0;
         state.obstacles.push_back({placed.obstacle, placed.on, news, inStock});
         if (i != workbench_.fixtures.instead() || !workbench_.fixtures.preview())
             marks.push_back({placed.obstacle, placed.on, news == BoundNews::holds});

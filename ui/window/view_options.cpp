@@ -29,6 +29,9 @@ ViewOptions::ViewOptions(Viewport& viewport, ViewBar& bar, const Actions& action
         viewport_.setParallel(wanted);
         settings_.setParallelView(wanted);
     });
+    QAction* handles = actions[ActionId::placementHandles];
+    handles->setChecked(settings.placementHandles());
+    connect(handles, &QAction::toggled, this, [this](bool shown) { settings_.setPlacementHandles(shown); });
     setTransparency(settings.transparency());
     connect(&bar, &ViewBar::transparencyChosen, this, &ViewOptions::setTransparency);
     connect(actions[ActionId::seeThrough], &QAction::triggered, this,

@@ -3,6 +3,7 @@
 #include "ui/workbench/fixture_controller.h"
 
 #include "core/base/units.h"
+#include "core/setup/fixture_fit.h"
 #include "core/setup/fixture_solid.h"
 #include "ui/messages/messages.h"
 #include "ui/workbench/undo_refusal.h"
@@ -12,9 +13,12 @@
 
 namespace burin {
 
-FixtureController::FixtureController(const Desk& desk, WorkpieceController& workpiece,
+FixtureController::FixtureController(const Desk& desk, WorkpieceController& workpiece, StockSolidController& stock,
                                      SurroundingsController& surroundings, QObject* parent)
-    : Controller(desk, parent), workpiece_(workpiece), surroundings_(surroundings) {
+    : Controller(desk, parent), workpiece_(workpiece), stock_(stock), surroundings_(surroundings) {
+    connect(&stock, &Controller::changed, this, [this] {
+        if (placing()) refresh();
+    });
     connect(&surroundings, &Controller::changed, this, &FixtureController::follow);
 }
 
@@ -33,7 +37,7 @@ std::vector<Obstacle> FixtureController::others() const {
 }
 
 FixtureSite FixtureController::site() const {
-    return siteOf(workpiece_.wantedStock(), others());
+    return siteOf(stock_.stock(), others());
 }
 
 void FixtureController::begin() {
@@ -131,8 +135,10 @@ void FixtureController::follow() {
 void FixtureController::refresh() {
     problem_.reset();
     preview_.reset();
-    const Result<Obstacle> fixture = fixtureOf(*design_, workpiece_.wantedStock(), name(), margin());
+    gap_ = 0.0;
+    const Result<Obstacle> fixture = fixtureOf(*design_, stock_.stock(), name(), margin());
     if (!fixture) problem_ = fixture.error();
+    if (fixture) gap_ = gapTo(*design_, stock_.stock()).value_or(0.0);
     if (fixture || fixture.error().code == ErrorCode::fixtureInStock) {
         Obstacle shown = fixture ? *fixture : Obstacle{name(), meshOf(*design_), margin(), true, {}, design_};
         if (changed_) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/setup/fixture_placement.h"
+#include "ui/workbench/stock_solid_controller.h"
 #include "ui/workbench/surroundings_controller.h"
 
 #include <memory>
@@ -17,8 +18,8 @@ namespace burin {
 class FixtureController final : public Controller {
     Q_OBJECT
 public:
-    FixtureController(const Desk& desk, WorkpieceController& workpiece, SurroundingsController& surroundings,
-                      QObject* parent);
+    FixtureController(const Desk& desk, WorkpieceController& workpiece, StockSolidController& stock,
+                      SurroundingsController& surroundings, QObject* parent);
 
     bool possible() const; ///< whether there is a part and no recording is running
     bool placing() const noexcept { return design_.has_value(); }
@@ -28,6 +29,8 @@ public:
     /// The solid as it would be added, null if its sizes can't be used; `problem` is why it can't be accepted.
     const std::shared_ptr<const Obstacle>& preview() const noexcept { return preview_; }
     const std::optional<Error>& problem() const noexcept { return problem_; }
+    /// The gap between the fixture and the stock, mm, as gapTo (core/setup/fixture_fit.h); 0: it touches, or need not.
+    double gap() const noexcept { return gap_; }
     FixtureSite site() const;
 
     void begin(); ///< with the kind used last
@@ -52,6 +55,7 @@ private:
     std::vector<Obstacle> others() const;
 
     WorkpieceController& workpiece_;
+    StockSolidController& stock_;
     SurroundingsController& surroundings_;
     FixtureKind last_ = FixtureKind::vise;
     std::optional<FixtureDesign> design_;
@@ -60,6 +64,7 @@ private:
     std::shared_ptr<const Obstacle> changed_; ///< the fixture at `instead_`
     std::shared_ptr<const Obstacle> preview_;
     std::optional<Error> problem_;
+    double gap_ = 0.0;
 };
 
 } // namespace burin

@@ -53,7 +53,8 @@ enum class TaskKind {
     punchingIn,
     faces,
     score,
-    deviation
+    deviation,
+    stockSolid
 };
 
 /// A task as the status line shows it.

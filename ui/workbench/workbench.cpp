@@ -28,6 +28,7 @@ Workbench::Workbench(QObject* parent)
     , document(desk_, this)
     , model(desk_, this)
     , setup(desk_, this)
+    , stockSolid(desk_, setup, this)
     , material(desk_, this)
     , tool(desk_, this)
     , target(desk_, this)
@@ -39,7 +40,7 @@ Workbench::Workbench(QObject* parent)
     , viewDevice(desk_, styluses, session, this)
     , mill(desk_, workpiece, session, styluses, this)
     , surroundings(desk_, workpiece, mill, session, this)
-    , fixtures(desk_, workpiece, surroundings, this)
+    , fixtures(desk_, workpiece, stockSolid, surroundings, this)
     , guides(desk_, workpiece, mill, session, this)
     , hand(desk_, workpiece, mill, session, styluses, guides, this)
     , showMe(desk_, workpiece, session, this)
@@ -75,7 +76,7 @@ std::vector<Controller*> Workbench::controllers() {
             &styluses,     &session, &deviceTester, &viewDevice, &mill,       &surroundings, &guides,
             &hand,         &showMe,  &path,         &area,       &passes,     &passMeasurer, &pathValuer,
             &measure,      &program, &setups,       &sheet,      &time,       &keeper,       &faces,
-            &pathComparer, &score,   &fixtures,     &axisTuner,  &deviations, &growing};
+            &pathComparer, &score,   &fixtures,     &axisTuner,  &deviations, &growing,      &stockSolid};
 }
 
 void Workbench::wire() {

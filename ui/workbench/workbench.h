@@ -55,6 +55,7 @@ public:
     DocumentController document;
     ModelController model;
     SetupController setup;
+    StockSolidController stockSolid;
     MaterialController material;
     ToolController tool;
     TargetController target;

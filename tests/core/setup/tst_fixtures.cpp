@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/geometry/mesh_distance.h"
+#include "core/setup/fixture_fit.h"
 #include "core/setup/fixture_library.h"
+#include "core/setup/fixture_measures.h"
 #include "core/setup/fixture_placement.h"
 #include "core/setup/fixture_solid.h"
 #include "tests/test_program.h"
@@ -139,6 +141,32 @@ private slots:
         QVERIFY(at(35.0, 0.0, 50.0) > 0.0);         // above the stud
         QVERIFY(near(at(35.0, 0.0, 26.01 + 10.8 + 10.0 + 3.0), 3.0, 1e-6));
         QVERIFY(at(90.0, 0.0, -29.0) < 0.0 && at(60.0, 0.0, -15.0) > 0.0); // step block, and the space before it
+    }
+
+    /// In a drawing, each measure is as long as its parameter, in the plane of its view and beside the solids.
+    void measuresHaveTheLengthOfTheirParameter() {
+        std::mt19937 random(7);
+        for (const FixtureKindRow& row : fixtureKinds)
+            for (int i = 0; i < 50; ++i) {
+                FixtureDesign design = randomFixture(row.kind, random);
+                if (i == 0) design = standardFixture(row.kind);
+                if (!checkFixture(design)) continue;
+                const std::vector<FixtureMeasure> measures = measuresOf(design);
+                QCOMPARE(measures.size(), design.values.size());
+                design.turn = 0.0;
+                design.place = glm::dvec3(0.0);
+                const Box bounds = boundingBox(meshOf(design)).grown(1e-6);
+                for (std::size_t p = 0; p < measures.size(); ++p) {
+                    const FixtureMeasure& measure = measures[p];
+                    QVERIFY2(near(glm::distance(measure.from, measure.to), design.values[p]), row.parameters[p].key);
+                    const int across = measure.view == FixtureView::side ? 1 : 2;
+                    for (glm::dvec3 end : {measure.from, measure.to}) {
+                        QCOMPARE(end[across], 0.0);
+                        end[across] = bounds.centre()[across];
+                        QVERIFY2(bounds.contains(end), row.parameters[p].key);
+                    }
+                }
+            }
     }
 
     void aViseGripsTheWidthOfTheStock() {
