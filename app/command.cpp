@@ -4,11 +4,13 @@
 
 #include "app/wording.h"
 #include "core/base/clean_text.h"
+#include "core/base/numbers.h"
 #include "core/document/project.h"
 #include "ui/messages/messages.h"
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <iostream>
 #include <mutex>
@@ -34,6 +36,13 @@ std::string written(const nlohmann::json& object) {
     return object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+/// What the work is doing, to follow its percentage; amounts as whole numbers if the total is one.
+std::string wordsOf(const ProgressStep& step) {
+    if (*step.text.text == '\0') return {};
+    const int decimals = step.total == std::floor(step.total) ? 0 : 1;
+    return "  " + worded(step.text, {formatFixed(step.done, decimals), formatFixed(step.total, decimals)});
+}
+
 } // namespace
 
 /// Shows stage and progress in one line of a terminal, from a thread of its own, until it is destroyed.
@@ -52,7 +61,7 @@ private:
     void show() {
         while (!ended_) {
             std::cerr << "\r\033[K" << title_ << "  " << static_cast<int>(theProgress.fraction() * 100.0) << " %"
-                      << std::flush;
+                      << wordsOf(theProgress.step()) << std::flush;
             for (int i = 0; i < 10 && !ended_; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
         }
     }

@@ -9,9 +9,25 @@
 #include "core/verify/report_json.h"
 #include "ui/panels/embedding_labels.h"
 
+#include <array>
+#include <map>
+
 namespace burin {
 
 using nlohmann::json;
+
+namespace {
+
+/// Each colour that single faces have, with the number of triangles in it.
+json faceColoursOf(const Body& body) {
+    std::map<std::array<std::uint8_t, 3>, std::uint64_t> triangles;
+    for (const ColouredTriangles& part : body.faceColours) triangles[part.colour] += part.count;
+    json colours = json::array();
+    for (const auto& [colour, count] : triangles) colours.push_back({{"colour", colour}, {"triangles", count}});
+    return colours;
+}
+
+} // namespace
 
 json jsonOf(const glm::dvec3& v) {
     return json::array({v.x, v.y, v.z});
@@ -36,6 +52,7 @@ json jsonOf(const Model& model) {
                    {"faces", body.faceCount},     {"triangles", body.mesh.triangles.size()},
                    {"open_edges", body.openEdges}};
         entry["colour"] = body.colour ? json(*body.colour) : json(nullptr);
+        entry["face_colours"] = faceColoursOf(body);
         bodies.push_back(std::move(entry));
     }
     json healing = json::array(), warnings = json::array(), leftOut = json::array();

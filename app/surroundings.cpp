@@ -58,6 +58,8 @@ const char* kindName(BoundLayer::Kind kind) {
         return "keep-out";
     case BoundLayer::Kind::machineTravel:
         return "machine travel";
+    case BoundLayer::Kind::stock:
+        return "stock";
     }
     return "";
 }
@@ -253,6 +255,8 @@ std::string textOf(const BoundLayer& layer) {
         return worded(BURIN_TEXT("Command", "the part"));
     case BoundLayer::Kind::machineTravel:
         return worded(BURIN_TEXT("Command", "the machine's travel"));
+    case BoundLayer::Kind::stock:
+        return worded(BURIN_TEXT("Command", "the stock"));
     case BoundLayer::Kind::fixture:
     case BoundLayer::Kind::keepOut:
         break;

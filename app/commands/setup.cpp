@@ -6,6 +6,7 @@
 #include "app/report.h"
 #include "app/setups.h"
 #include "app/surroundings.h"
+#include "app/touch_arguments.h"
 #include "app/wording.h"
 #include "app/zero_arguments.h"
 #include "core/base/numbers.h"
@@ -27,12 +28,13 @@ struct SetupArguments {
     FixtureArguments fixtures;
     SetupsArguments setups;
     ZeroArguments zero;
+    TouchArguments touch;
     std::vector<std::string> remove, switchOn, switchOff;
     double fileUnit = 1.0;
     std::string machine, dialect, units;
 
     bool changes() const {
-        return setups.changes() || !zero.empty() || !fixtures.empty() ||
+        return setups.changes() || !zero.empty() || !touch.empty() || !fixtures.empty() ||
                !(machine.empty() && dialect.empty() && units.empty() && around.fixtures.empty() &&
                  around.keepOuts.empty() && around.axis.empty() && around.travel.empty() && remove.empty() &&
                  switchOn.empty() && switchOff.empty());
@@ -98,8 +100,9 @@ Result<void> changeTarget(ProgramTarget& target, const SetupArguments& arguments
 }
 
 /// Recordings do not depend on program zero: it may change at any time.
-Result<void> changeZero(Project& project, const ZeroArguments& arguments, Progress& progress) {
-    if (arguments.empty()) return {};
+Result<void> changeZero(Project& project, const ZeroArguments& arguments, const TouchArguments& touch,
+                        Progress& progress) {
+    if (arguments.empty() && touch.empty()) return {};
     Result<Setup> setup = project.setup();
     if (!setup) return std::move(setup).error();
     const Result<std::shared_ptr<const Model>> part = project.placedModel();
@@ -107,7 +110,8 @@ Result<void> changeZero(Project& project, const ZeroArguments& arguments, Progre
     const Result<ProgramZero> zero = changedZero(setup->zero, arguments, **part, progress);
     if (!zero) return zero.error();
     setup->zero = *zero;
-    const Result<Setup> complete = placeZero(**part, std::move(*setup));
+    Result<Setup> complete = placeZero(**part, std::move(*setup));
+    if (complete) complete = touchedOff(std::move(*complete), touch, project, **part);
     return complete ? project.setSetup(*complete) : Result<void>(complete.error());
 }
 
@@ -143,7 +147,7 @@ Result<void> change(ProjectChange& project, Around& around, const SetupArguments
     if (Result<void> done = changeTarget(around.target, arguments); !done) return done;
     if (!arguments.around.travel.empty() || !arguments.machine.empty())
         if (Result<void> reached = checkTravel(around); !reached) return reached;
-    return inOrder([&] { return changeZero(*project, arguments.zero, progress); },
+    return inOrder([&] { return changeZero(*project, arguments.zero, arguments.touch, progress); },
                    [&] { return project->setObstacles(around.obstacles); },
                    [&] { return project->setAxisMode(around.axis); },
                    [&] { return project->setTravelPlacement(around.travel); },
@@ -231,6 +235,7 @@ void registerSetup(CommandParser program, CommandContext& context, int& status) 
         .required();
     addSetups(command, arguments->setups);
     addZero(command, arguments->zero);
+    addTouches(command, arguments->touch);
     addSurroundings(command, arguments->around);
     addFixtures(command, arguments->fixtures);
     const auto addNames = [&](const char* option, std::vector<std::string>& names, TextId help) {

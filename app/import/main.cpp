@@ -60,11 +60,25 @@ std::string readInput() {
     }
 }
 
+/// The progress that was sent last.
+burin::WorkerProgress shown;
+
+// Some hundred messages are enough.
+constexpr double leastAdvance = 0.002;
+
 void reportFraction(double fraction) {
-    static double last = -1.0;
-    if (fraction < last + 0.01) return; // a hundred messages are enough
-    last = fraction;
-    send(burin::encodeFrame(burin::WorkerProgress{fraction}));
+    if (fraction < shown.fraction + leastAdvance && fraction < 1.0) return;
+    shown.fraction = fraction;
+    send(burin::encodeFrame(shown));
+}
+
+void reportStage(burin::ImportStage stage, double done, double total) {
+    const bool same = stage == shown.stage && total == shown.total;
+    if (same && done < shown.done + leastAdvance * total) return;
+    shown.stage = stage;
+    shown.done = done;
+    shown.total = total;
+    send(burin::encodeFrame(shown));
 }
 
 void sendPreview(const burin::ModelPreview& preview) {
@@ -79,7 +93,7 @@ burin::WorkerAnswer toAnswer(burin::Result<T> result) {
 
 burin::WorkerAnswer answerTo(const burin::WorkerRequest& request) {
     if (const auto* read = std::get_if<burin::ReadRequest>(&request))
-        return toAnswer(burin::readModel(*read, {reportFraction, sendPreview}));
+        return toAnswer(burin::readModel(*read, {reportFraction, sendPreview, reportStage}));
     if (const auto* edges = std::get_if<burin::EdgeRequest>(&request)) return toAnswer(burin::followEdges(*edges));
     if (const auto* face = std::get_if<burin::FaceRequest>(&request)) return toAnswer(burin::findFace(*face));
     if (const auto* measure = std::get_if<burin::MeasureRequest>(&request))

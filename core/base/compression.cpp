@@ -14,11 +14,18 @@ constexpr int level = 3; // Zstandard's default: higher levels gained little on 
 constexpr std::size_t evenBytes = 64U << 10U, mostPacking = 256;
 constexpr std::size_t skippableHeader = 8;
 
-/// RFC 8878, 3.1.2: a magic number for skippable frames and the size of the content, both little-endian.
+// Magic numbers of skippable frames, little-endian: what follows them is skipped by every reader.
+constexpr std::string_view zerosMark("\x50\x2a\x4d\x18", 4), attachmentMark("\x51\x2a\x4d\x18", 4);
+
+/// RFC 8878, 3.1.2: the magic number and the size of the content, both little-endian.
+std::string skippableHead(std::string_view mark, std::size_t size) {
+    std::string head(mark);
+    for (std::size_t i = 0; i < 4; ++i) head.push_back(static_cast<char>((size >> (8 * i)) & 0xff));
+    return head;
+}
+
 std::string skippableFrame(std::size_t zeros) {
-    std::string frame("\x50\x2a\x4d\x18", 4);
-    for (std::size_t i = 0; i < 4; ++i) frame.push_back(static_cast<char>((zeros >> (8 * i)) & 0xff));
-    return frame.append(zeros, '\0');
+    return skippableHead(zerosMark, zeros).append(zeros, '\0');
 }
 } // namespace
 
@@ -37,6 +44,20 @@ std::string compress(std::string_view bytes) {
         frame += skippableFrame(lacking > skippableHeader ? lacking - skippableHeader : 0);
     }
     return frame;
+}
+
+std::string attached(std::string_view bytes) {
+    return skippableHead(attachmentMark, bytes.size()).append(bytes);
+}
+
+std::string_view attachmentOf(std::string_view frames) noexcept {
+    while (!frames.empty()) {
+        const std::size_t size = ZSTD_findFrameCompressedSize(frames.data(), frames.size());
+        if (ZSTD_isError(size) != 0 || size > frames.size()) return {};
+        if (frames.starts_with(attachmentMark)) return frames.substr(skippableHeader, size - skippableHeader);
+        frames.remove_prefix(size);
+    }
+    return {};
 }
 
 std::optional<std::string> decompress(std::string_view frame, std::size_t maximumSize) try {

@@ -18,6 +18,13 @@ std::string compress(std::string_view bytes);
 /// bytes.
 std::optional<std::string> decompress(std::string_view frame, std::size_t maximumSize);
 
+/// Bytes that follow the last frame in a form that older readers skip (a skippable frame, RFC 8878, 3.1.2).
+/// @param bytes at most 4 GiB
+std::string attached(std::string_view bytes);
+/// Returns the content of the frame that `attached` made, behind any number of other frames; empty if there is none, or
+/// a frame before it is damaged.
+std::string_view attachmentOf(std::string_view frames) noexcept;
+
 /// The largest content of a frame of `packed` bytes, in bytes. A frame that claims more was not made by Burin, and is
 /// refused before memory is allocated for it.
 constexpr std::size_t mostUnpacked(std::size_t packed) {

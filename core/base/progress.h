@@ -2,10 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/text.h"
+
 #include <algorithm>
 #include <atomic>
 
 namespace burin {
+
+/// What a long work is doing, for display.
+struct ProgressStep {
+    TextId text;                    ///< empty: the work does not say
+    double done = 0.0, total = 0.0; ///< %1 and %2 of the text
+};
 
 /// Progress of a long work, and a request to stop it. One writer (the work), any number of readers and cancellers;
 /// never blocks.
@@ -20,9 +28,23 @@ public:
     void stage(double low, double high) noexcept {
         low_ = low;
         high_ = high;
+        describe(noText_);
         report(0.0);
     }
     double fraction() const noexcept { return fraction_.load(std::memory_order_relaxed); }
+    /// Fraction of this stage that is done, 0 … 1. The work's thread.
+    double fractionOfStage() const noexcept { return high_ > low_ ? (fraction() - low_) / (high_ - low_) : 0.0; }
+
+    /// States what the work is doing within its stage, until the next call or the next stage. @param text static
+    void describe(const TextId& text, double done = 0.0, double total = 0.0) noexcept {
+        done_.store(done, std::memory_order_relaxed);
+        total_.store(total, std::memory_order_relaxed);
+        text_.store(&text, std::memory_order_relaxed);
+    }
+    ProgressStep step() const noexcept {
+        return {*text_.load(std::memory_order_relaxed), done_.load(std::memory_order_relaxed),
+                total_.load(std::memory_order_relaxed)};
+    }
 
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
     /// For loops that need a plain flag.
@@ -33,6 +55,9 @@ private:
     friend class ProgressPart;
     std::atomic<double> fraction_{0.0};
     std::atomic<bool> cancelled_{false};
+    static constexpr TextId noText_{};
+    std::atomic<const TextId*> text_{&noText_};
+    std::atomic<double> done_{0.0}, total_{0.0};
     double low_ = 0.0, high_ = 1.0; // the work's thread only
 };
 

@@ -81,8 +81,10 @@ Result<Model> importModel(const fs::path& file, const ImportOptions& options, Pr
     auto answers = runWorkers({request}, options, whole.string(), progress, sink);
     if (!answers && answers.error().code == ErrorCode::importCrashed) {
         request.careful = true;
+        const ProgressPart rest(progress, progress.fractionOfStage(), 1.0); // what was shown is not taken back
         answers = runWorkers({request}, options, whole.string(), progress, sink);
     }
+    progress.describe(textOf(ImportStage::none));
     if (!answers) return std::move(answers).error();
     auto* model = std::get_if<Model>(&answers->front());
     if (!model) return Error{ErrorCode::importCrashed, whole.string(), {}, "it answered something else"};

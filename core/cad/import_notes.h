@@ -63,24 +63,58 @@ inline constexpr TextId noVolume = BURIN_TEXT("ImportNote", "%1 has no volume, s
 inline constexpr TextId partsMissing =
     BURIN_TEXT("ImportNote", "Parts are missing because they are in other files: %1. Copy those files into the folder "
                              "of the model and import it again.");
-/// The data of a file that a body does not keep.
+/// The wording of earlier versions, which drew each body in one colour.
 inline constexpr TextId faceColourLeftOut = BURIN_TEXT(
     "ImportNote", "1 face has a colour of its own, which is not shown; Burin shows each body in one colour.");
 inline constexpr TextId faceColoursLeftOut = BURIN_TEXT(
     "ImportNote", "%1 faces have colours of their own, which are not shown; Burin shows each body in one colour.");
+/// The data of a file that a body does not keep.
+inline constexpr TextId repairedFaceColourLost =
+    BURIN_TEXT("ImportNote", "The colour of 1 face was lost when the face was repaired.");
+inline constexpr TextId repairedFaceColoursLost =
+    BURIN_TEXT("ImportNote", "The colours of %1 faces were lost when these faces were repaired.");
 inline constexpr TextId transparencyLeftOut = BURIN_TEXT("ImportNote", "The transparency of colours was not imported.");
 inline constexpr TextId layersLeftOut = BURIN_TEXT("ImportNote", "Layers were not imported (number of layers: %1).");
 inline constexpr TextId annotationsLeftOut = BURIN_TEXT(
     "ImportNote", "Dimensions, tolerances and other annotations (PMI) were not imported (number of entries: %1).");
 
-inline constexpr std::array all{
-    unitConverted,     unitsMixed,         brepWithoutUnit,     stlWithoutUnit,  sizeDoubtful,
-    repaired,          notRepaired,        solidOpen,           insideOut,       faceSewn,
-    facesSewn,         faceLeftOut,        facesLeftOut,        curvesLeftOut,   facesFilled,
-    meshOpen,          meshVolumeDiffers,  facesApart,          trianglesTurned, stlOpen,
-    piecesApart,       fileWithoutUnit,    coloursLeftOut,      restLeftOut,     endMissing,
-    endMissingBefore,  noVolume,           partsMissing,        solidEmpty,      unitReplaced,
-    faceColourLeftOut, faceColoursLeftOut, transparencyLeftOut, layersLeftOut,   annotationsLeftOut};
+inline constexpr std::array all{unitConverted,
+                                unitsMixed,
+                                brepWithoutUnit,
+                                stlWithoutUnit,
+                                sizeDoubtful,
+                                repaired,
+                                notRepaired,
+                                solidOpen,
+                                insideOut,
+                                faceSewn,
+                                facesSewn,
+                                faceLeftOut,
+                                facesLeftOut,
+                                curvesLeftOut,
+                                facesFilled,
+                                meshOpen,
+                                meshVolumeDiffers,
+                                facesApart,
+                                trianglesTurned,
+                                stlOpen,
+                                piecesApart,
+                                fileWithoutUnit,
+                                coloursLeftOut,
+                                restLeftOut,
+                                endMissing,
+                                endMissingBefore,
+                                noVolume,
+                                partsMissing,
+                                solidEmpty,
+                                unitReplaced,
+                                faceColourLeftOut,
+                                faceColoursLeftOut,
+                                transparencyLeftOut,
+                                layersLeftOut,
+                                annotationsLeftOut,
+                                repairedFaceColourLost,
+                                repairedFaceColoursLost};
 
 /// Names given to bodies, assemblies and solids that have none in the file; %1: a number from 1.
 inline constexpr TextId unnamedBody = BURIN_TEXT("ImportNote", "Body %1");

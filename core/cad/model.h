@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/cad/face_colours.h"
 #include "core/geometry/placement.h"
 #include "core/geometry/triangle_mesh.h"
 
@@ -27,6 +28,7 @@ struct Body {
     TriangleMesh mesh;   ///< chord `Model::meshChord`, closed unless `openEdges` > 0
     std::size_t openEdges = 0;
     std::size_t faceCount = 0; ///< B-rep faces; 0 for a mesh file
+    FaceColours faceColours;   ///< of the triangles of `mesh` whose faces have a colour of their own
 };
 
 /// What the import found, healed or could not heal, in the order of its steps.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/cad/face_colours.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -25,6 +27,7 @@ struct PreviewBody {
     std::string name;                                  ///< as `Body::name`
     std::optional<std::array<std::uint8_t, 3>> colour; ///< as `Body::colour`
     PreviewMesh mesh;
+    FaceColours faceColours{}; ///< as `Body::faceColours`
 };
 
 struct ModelPreview {

@@ -52,6 +52,15 @@ void write(ByteWriter& to, const BodyColour& colour) {
     to.value(colour.value_or(std::array<std::uint8_t, 3>{}));
 }
 
+void write(ByteWriter& to, const FaceColours& colours) {
+    to.value(static_cast<std::uint64_t>(colours.size()));
+    for (const ColouredTriangles& part : colours) {
+        to.value(part.first);
+        to.value(part.count);
+        to.value(part.colour);
+    }
+}
+
 void write(ByteWriter& to, const Body& body) {
     to.text(body.name);
     write(to, body.colour);
@@ -62,6 +71,7 @@ void write(ByteWriter& to, const Body& body) {
     to.list(body.mesh.triangles);
     to.value(static_cast<std::uint64_t>(body.openEdges));
     to.value(static_cast<std::uint64_t>(body.faceCount));
+    write(to, body.faceColours);
 }
 
 void write(ByteWriter& to, const Model& model) {
@@ -89,6 +99,7 @@ void write(ByteWriter& to, const ModelPreview& preview) {
         write(to, body.colour);
         to.list(body.mesh.vertices);
         to.list(body.mesh.triangles);
+        write(to, body.faceColours);
     }
 }
 
@@ -116,7 +127,7 @@ bool isSoundMesh(const Mesh& mesh) {
 
 bool isSound(const Body& body) {
     return std::isfinite(body.volume) && std::isfinite(body.area) && isFinite(body.box.low) &&
-           isFinite(body.box.high) && isSoundMesh(body.mesh);
+           isFinite(body.box.high) && isSoundMesh(body.mesh) && areSound(body.faceColours, body.mesh.triangles.size());
 }
 
 Error readError(ByteReader& from) {
@@ -134,6 +145,18 @@ BodyColour readColour(ByteReader& from) {
     return coloured ? std::optional(colour) : std::nullopt;
 }
 
+FaceColours readFaceColours(ByteReader& from) {
+    constexpr std::size_t size = 11; // bytes
+    FaceColours colours;
+    for (std::uint64_t left = from.count(size); left > 0; --left) {
+        ColouredTriangles& part = colours.emplace_back();
+        part.first = from.value<std::uint32_t>();
+        part.count = from.value<std::uint32_t>();
+        part.colour = from.value<std::array<std::uint8_t, 3>>();
+    }
+    return colours;
+}
+
 Body readBody(ByteReader& from) {
     Body body;
     body.name = from.text();
@@ -145,6 +168,7 @@ Body readBody(ByteReader& from) {
     body.mesh.triangles = from.list<std::array<std::uint32_t, 3>>();
     body.openEdges = from.value<std::uint64_t>();
     body.faceCount = from.value<std::uint64_t>();
+    body.faceColours = readFaceColours(from);
     return body;
 }
 
@@ -156,7 +180,7 @@ std::optional<Model> readModel(ByteReader& from) {
     model.unitScale = from.value<double>();
     model.statedUnit = from.value<double>();
     model.meshChord = from.value<double>();
-    constexpr std::size_t leastBody = 64, leastNote = 9; // bytes
+    constexpr std::size_t leastBody = 72, leastNote = 9; // bytes
     for (std::uint64_t left = from.count(leastBody); left > 0; --left) {
         model.bodies.push_back(readBody(from));
         if (!from.good() || !isSound(model.bodies.back())) return std::nullopt;
@@ -172,7 +196,7 @@ std::optional<Model> readModel(ByteReader& from) {
 }
 
 std::optional<ModelPreview> readPreview(ByteReader& from) {
-    constexpr std::size_t leastBody = 28; // bytes
+    constexpr std::size_t leastBody = 36; // bytes
     ModelPreview preview;
     preview.sourceFile = from.text();
     for (std::uint64_t left = from.count(leastBody); left > 0; --left) {
@@ -181,7 +205,9 @@ std::optional<ModelPreview> readPreview(ByteReader& from) {
         body.colour = readColour(from);
         body.mesh.vertices = from.list<glm::vec3>();
         body.mesh.triangles = from.list<std::array<std::uint32_t, 3>>();
+        body.faceColours = readFaceColours(from);
         if (!from.good() || !isSoundMesh(body.mesh)) return std::nullopt;
+        if (!areSound(body.faceColours, body.mesh.triangles.size())) return std::nullopt;
     }
     if (!from.finished()) return std::nullopt;
     return preview;
@@ -307,8 +333,14 @@ std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
     ByteReader from(bytes);
     switch (kind) {
     case FrameKind::progress: {
-        const WorkerProgress progress{from.value<double>()};
-        if (from.finished() && std::isfinite(progress.fraction)) return progress;
+        WorkerProgress progress;
+        progress.fraction = from.value<double>();
+        progress.stage = from.value<ImportStage>();
+        progress.done = from.value<double>();
+        progress.total = from.value<double>();
+        const bool sound = std::isfinite(progress.fraction) && progress.stage <= ImportStage::meshing &&
+                           std::isfinite(progress.done) && std::isfinite(progress.total);
+        if (from.finished() && sound) return progress;
         return std::nullopt;
     }
     case FrameKind::error: {
@@ -359,6 +391,9 @@ std::optional<WorkerFrame> readFrame(FrameKind kind, std::string_view bytes) {
 FrameKind writeFrame(ByteWriter& to, const WorkerFrame& frame) {
     if (const auto* progress = std::get_if<WorkerProgress>(&frame)) {
         to.value(progress->fraction);
+        to.value(progress->stage);
+        to.value(progress->done);
+        to.value(progress->total);
         return FrameKind::progress;
     }
     if (const auto* preview = std::get_if<ModelPreview>(&frame)) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/cad/import_stages.h"
 #include "core/cad/model.h"
 #include "core/cad/model_preview.h"
 #include "core/cad/part_edge.h"
@@ -78,15 +79,17 @@ using WorkerRequest =
 using WorkerAnswer = std::variant<Error, Model, std::vector<double>, std::vector<PartEdge>, PartFace, PartMeasure,
                                   std::vector<PartFacePatch>>;
 
-/// The progress of the program, 0 … 1.
+/// The progress of the program.
 struct WorkerProgress {
-    double fraction = 0.0;
+    double fraction = 0.0; ///< of its work, 0 … 1
+    ImportStage stage = ImportStage::none;
+    double done = 0.0, total = 0.0; ///< amounts of the stage
 };
 
 using WorkerFrame = std::variant<WorkerProgress, WorkerAnswer, ModelPreview>;
 
 /// Written into every request and frame; those of another version are not read.
-inline constexpr std::uint32_t workerMessageVersion = 8;
+inline constexpr std::uint32_t workerMessageVersion = 9;
 
 std::string encodeRequest(const WorkerRequest& request);
 /// Empty if the bytes are not a request of this version.

@@ -163,7 +163,7 @@ WorkerProcess::WorkerProcess(WorkerProcess&& other) noexcept
     , process_(std::exchange(other.process_, -1))
     , output_(std::exchange(other.output_, -1))
     , frames_(std::move(other.frames_))
-    , fraction_(other.fraction_)
+    , progress_(other.progress_)
     , preview_(std::move(other.preview_))
     , previewed_(other.previewed_)
     , answer_(std::move(other.answer_)) {}
@@ -235,9 +235,11 @@ void WorkerProcess::readFrames() {
         else if (frames_.waitingBytes() > limits_.memoryBytes)
             finish(crashed("its answer has no end"));
         if (!frame || finished()) return;
-        if (const auto* progress = std::get_if<WorkerProgress>(&*frame))
-            fraction_ = progress->fraction;
-        else if (auto* preview = std::get_if<ModelPreview>(&*frame)) {
+        if (const auto* progress = std::get_if<WorkerProgress>(&*frame)) {
+            const double before = progress_.fraction;
+            progress_ = *progress;
+            progress_.fraction = std::max(before, progress_.fraction);
+        } else if (auto* preview = std::get_if<ModelPreview>(&*frame)) {
             if (!std::exchange(previewed_, true)) preview_ = std::move(*preview);
         } else
             finish(std::move(*std::get_if<WorkerAnswer>(&*frame)));
@@ -279,9 +281,11 @@ Result<bool> advanceAll(std::vector<WorkerProcess>& workers, std::vector<std::op
         if (answers[i])
             if (auto* error = std::get_if<Error>(&*answers[i])) return std::move(*error);
         all = all && answers[i].has_value();
-        fractions += answers[i] ? 1.0 : workers[i].fraction();
+        fractions += answers[i] ? 1.0 : workers[i].progress().fraction;
     }
     progress.report(fractions / static_cast<double>(workers.size()));
+    const WorkerProgress& first = workers.front().progress();
+    progress.describe(textOf(first.stage), first.done, first.total);
     return all;
 }
 

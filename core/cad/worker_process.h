@@ -30,7 +30,8 @@ public:
     /// Reads what the program wrote, and checks whether it ended or exceeded its limits. Never blocks.
     void advance();
     bool finished() const noexcept { return answer_.has_value(); }
-    double fraction() const noexcept { return fraction_; }
+    /// The newest progress; its fraction never decreases.
+    const WorkerProgress& progress() const noexcept { return progress_; }
     /// Returns the preview; empty if there is none yet, or if it was taken already. A program sends at most one.
     std::optional<ModelPreview> takePreview() { return std::exchange(preview_, std::nullopt); }
     /// Returns the answer of the program, or the error that corresponds to how it ended. Call only when finished.
@@ -53,15 +54,15 @@ private:
     pid_t process_ = -1;
     int output_ = -1;
     FrameReader frames_;
-    double fraction_ = 0.0;
+    WorkerProgress progress_;
     std::optional<ModelPreview> preview_;
     bool previewed_ = false;
     std::optional<WorkerAnswer> answer_;
 };
 
 /// Runs one program for each request, in parallel, until all have answered or one has failed. Returns the answers in
-/// order of the requests. `progress` shows their mean and stops them all when it is cancelled; `show` receives the
-/// previews as they arrive.
+/// order of the requests. `progress` shows their mean and what the first one is doing, and stops them all when it is
+/// cancelled; `show` receives the previews as they arrive.
 Result<std::vector<WorkerAnswer>> runWorkers(const std::vector<WorkerRequest>& requests, const ImportOptions& options,
                                              const std::string& subject, Progress& progress,
                                              const PreviewSink& show = {});

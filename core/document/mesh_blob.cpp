@@ -78,6 +78,43 @@ std::optional<TriangleMesh> decodeMesh(std::string_view blob) {
     return mesh;
 }
 
+std::string encodeFaceColours(const FaceColours& colours) {
+    if (colours.empty()) return {};
+    std::vector<Column> columns(3);
+    for (const ColouredTriangles& part : colours) {
+        columns[0].push_back(part.first);
+        columns[1].push_back(part.count);
+        columns[2].push_back(std::uint64_t{part.colour[0]} << 16 | std::uint64_t{part.colour[1]} << 8 | part.colour[2]);
+    }
+    std::string bytes;
+    appendWord(bytes, colours.size());
+    return attached(bytes + encodeColumns(columns));
+}
+
+std::optional<FaceColours> decodeFaceColours(std::string_view blob, std::size_t triangles) {
+    if (blob.size() < headerSize) return std::nullopt;
+    const std::uint64_t vertexBytes = wordAt(blob, 1 + 2 * wordBytes);
+    if (vertexBytes > blob.size() - headerSize) return std::nullopt;
+    const std::string_view bytes = attachmentOf(blob.substr(headerSize + vertexBytes));
+    FaceColours colours;
+    if (bytes.empty()) return colours;
+    if (bytes.size() < wordBytes) return std::nullopt;
+    const std::uint64_t count = wordAt(bytes, 0);
+    if (count > largestCount) return std::nullopt;
+    const auto columns = decodeColumns(bytes.substr(wordBytes), 3, count);
+    if (!columns) return std::nullopt;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint64_t first = (*columns)[0][i], size = (*columns)[1][i], colour = (*columns)[2][i];
+        if (first > largestCount || size > largestCount) return std::nullopt;
+        const auto channel = [colour](unsigned shift) { return static_cast<std::uint8_t>(colour >> shift & 0xff); };
+        colours.push_back({static_cast<std::uint32_t>(first),
+                           static_cast<std::uint32_t>(size),
+                           {channel(16), channel(8), channel(0)}});
+    }
+    if (!areSound(colours, triangles)) return std::nullopt;
+    return colours;
+}
+
 bool MeshesTogether::add(const TriangleMesh& mesh, std::size_t packed) noexcept {
     taken_ += mesh.vertices.size() * sizeof(mesh.vertices[0]) + mesh.triangles.size() * sizeof(mesh.triangles[0]);
     packed_ += packed;

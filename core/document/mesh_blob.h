@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/cad/face_colours.h"
 #include "core/geometry/triangle_mesh.h"
 
 #include <cstddef>
@@ -16,6 +17,12 @@ std::string encodeMesh(const TriangleMesh& mesh);
 
 /// Empty if the blob is damaged or a triangle names a vertex that does not exist.
 std::optional<TriangleMesh> decodeMesh(std::string_view blob);
+
+/// Returns the bytes that follow a mesh in its blob, and that `decodeMesh` and older versions of Burin skip; empty if
+/// no face has a colour of its own.
+std::string encodeFaceColours(const FaceColours& colours);
+/// Empty if the blob is damaged; no colours if it has none. @param triangles of its mesh
+std::optional<FaceColours> decodeFaceColours(std::string_view blob, std::size_t triangles);
 
 /// Limits the total memory of the meshes of one file. `decodeMesh` limits each mesh by its packed size; many small
 /// blobs could still expand to gigabytes.

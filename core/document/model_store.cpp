@@ -65,7 +65,7 @@ std::array<std::uint8_t, 3> unpacked(std::int64_t colour) {
 Result<void> storeBodies(Database& database, const std::vector<Body>& bodies) {
     std::int64_t position = 0;
     for (const Body& body : bodies) {
-        const std::string box = encodeBox(body.box), mesh = encodeMesh(body.mesh);
+        const std::string box = encodeBox(body.box), mesh = encodeMesh(body.mesh) + encodeFaceColours(body.faceColours);
         if (Result<void> done = run(database, "INSERT INTO body VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)", position++,
                                     body.name, packed(body.colour), body.volume, body.area, BlobView{box},
                                     BlobView{mesh}, body.openEdges, body.faceCount);
@@ -100,8 +100,11 @@ Result<void> loadBodies(Database& database, std::vector<Body>& bodies) {
         const std::optional<Box> box = decodeBox(rows->blob(4));
         std::optional<TriangleMesh> mesh = decodeMesh(rows->blob(5));
         if (!box || !mesh || !together.add(*mesh, rows->blob(5).size())) return damaged(database, "body " + body.name);
+        std::optional<FaceColours> colours = decodeFaceColours(rows->blob(5), mesh->triangles.size());
+        if (!colours) return damaged(database, "body " + body.name);
         body.box = *box;
         body.mesh = std::move(*mesh);
+        body.faceColours = std::move(*colours);
         body.openEdges = static_cast<std::size_t>(rows->integer(6));
         body.faceCount = static_cast<std::size_t>(rows->integer(7));
         bodies.push_back(std::move(body));

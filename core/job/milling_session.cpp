@@ -26,6 +26,12 @@ Error nothingToDo(const char* what, const char* needed) {
     return {ErrorCode::argumentInvalid, what, {}, needed};
 }
 
+std::optional<std::size_t> stockLayerOf(const ToolBounds& bounds) {
+    const auto stock = std::ranges::find(bounds.layers(), BoundLayer::Kind::stock, &BoundLayer::kind);
+    if (stock == bounds.layers().end()) return std::nullopt;
+    return static_cast<std::size_t>(stock - bounds.layers().begin());
+}
+
 } // namespace
 
 MillingSession::MillingSession(Project& project, MillingContext& milling, const ToolBounds& bounds,
@@ -38,6 +44,7 @@ MillingSession::MillingSession(Project& project, MillingContext& milling, const 
     , axis_(bounds.axis())
     , growth_(bounds.growth())
     , layerCount_(bounds.layers().size())
+    , stockLayer_(stockLayerOf(bounds))
     , traceOutput_(request.traceOutput)
     , servo_(servoSettings(stylus, request))
     , step_(milling.embedded.workpiece, bounds.boundaryLayers(), milling.tool,
@@ -133,6 +140,7 @@ Result<void> MillingSession::startRecording(const std::string& name) {
 }
 
 Result<void> MillingSession::beginTake(const std::string& name) {
+    if (stockLayer_) tell(LayerSwitch{*stockLayer_, false});
     if (Result<void> kept = project_.setTool(milling_.tool); !kept) return kept;
     TakeInfo info;
     info.name = name;
@@ -206,6 +214,8 @@ Result<void> MillingSession::setLayer(std::size_t layer, bool on) {
     if (layer == 0 || layer >= layerCount_)
         return Error{ErrorCode::argumentInvalid, "layer", std::to_string(layer),
                      layerCount_ > 1 ? "1 to " + std::to_string(layerCount_ - 1) : "none: the part alone is there"};
+    if (on && layer == stockLayer_ && recorder_)
+        return Error{ErrorCode::argumentInvalid, "layer", std::to_string(layer), "another one during a recording"};
     tell(LayerSwitch{layer, on});
     return {};
 }

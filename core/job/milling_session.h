@@ -41,9 +41,9 @@ public:
     MillingSession& operator=(const MillingSession&) = delete;
     ~MillingSession(); ///< as `end`; its result is discarded
 
-    /// Starts a take: every tick from the next one on is recorded; ticks and time of its samples begin with 0.
-    /// Errors: those of Project::setTool and beginTake, argumentInvalid (a take is being recorded, or the loop has
-    /// ended).
+    /// Starts a take: the stock's layer is switched off, and every tick from the next one on is recorded; ticks and
+    /// time of its samples begin with 0. Errors: those of Project::setTool and beginTake, argumentInvalid (a take is
+    /// being recorded, or the loop has ended).
     Result<void> startRecording(const std::string& name);
     /// Ends the take; all of it is on the disk when this returns. Errors: those of Recorder::finish, argumentInvalid
     /// (no take is being recorded).
@@ -62,7 +62,7 @@ public:
     /// Switches a fixture, a keep-out volume or the machine's travel on or off, from the next tick on and without a
     /// jump in force: a layer that the tool is inside of takes effect once the tool has left it. @param layer its
     /// number in ToolBounds::layers Errors: argumentInvalid (there is no such layer, or it is the part, which is always
-    /// on).
+    /// on; the stock during a recording: a tool that it holds could not cut it).
     Result<void> setLayer(std::size_t layer, bool on);
 
     /// Takes effect from the next tick on, without a jump in force. The guides' curves must outlive the session.
@@ -123,6 +123,7 @@ private:
     const AxisMode axis_;
     const std::optional<TracedSession::Growth> growth_;
     const std::size_t layerCount_;
+    const std::optional<std::size_t> stockLayer_;
     std::optional<StagedFile>* const traceOutput_;
     const ServoSettings servo_;
     std::atomic<bool> stop_{false}, ended_{false};

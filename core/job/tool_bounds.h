@@ -36,9 +36,9 @@ Surroundings surroundingsOf(const MillingContext& milling, const TravelPlacement
 
 /// One of the layers that bound a tool, for displaying and switching it.
 struct BoundLayer {
-    enum class Kind : std::uint8_t { part, fixture, keepOut, machineTravel };
+    enum class Kind : std::uint8_t { part, fixture, keepOut, machineTravel, stock };
     Kind kind = Kind::part;
-    std::string name; ///< of the obstacle; empty for part and travel
+    std::string name; ///< of the obstacle; empty for part, travel and stock
     bool on = true;   ///< initially
 };
 
@@ -76,6 +76,11 @@ public:
     /// also traceInvalid (it names something that this milling context does not have).
     static Result<ToolBounds> asGrown(const MillingContext& milling, const Tool& tool, const AxisMode& axis,
                                       const Surroundings& surroundings, const SessionTrace& trace, Progress& progress);
+
+    /// Adds the stock before milling as the last layer, off until a session switches it on: for touching it off with a
+    /// tool that doesn't cut. Nothing is added for a stock that cannot be touched (touchableStock), or beyond
+    /// `capacity`.
+    void addStock(const Setup& setup);
 
     /// Blocks until the field has nothing left to compute for the tool's present position; returns immediately if no
     /// field grows.
@@ -124,6 +129,7 @@ private:
     Tool tool_;
     std::vector<ObstacleSolid> obstacles_;
     Envelope envelope_;
+    std::shared_ptr<const MeshDistance> stock_; ///< null: it is no layer
     std::vector<BoundLayer> layers_;
 };
 

@@ -17,8 +17,11 @@ struct TouchedFace {
         aslant   ///< the tool is tilted, or the face is not parallel to a plane of two axes
     };
     Outcome outcome = Outcome::nothing;
-    int axis = 0;          ///< 0, 1, 2: the axis that the face is perpendicular to
-    glm::dvec3 place{0.0}; ///< mm, setup frame: where the tool touches
+    int axis = 0;      ///< 0, 1, 2: the axis that the face is perpendicular to
+    bool high = false; ///< of the two faces of a block along this axis, the one at the larger coordinate
+    /// mm, setup frame: where the tool touches. For a side face at the height at which a ball or a rounded edge reaches
+    /// the cutter's radius, as there the contact is certain.
+    glm::dvec3 place{0.0};
 };
 
 /// Returns the side and the position at which a boundary pushes the tool back: a side face is found with the cutter's

@@ -63,6 +63,23 @@ private slots:
         QCOMPARE(zeroIn({}), before);
     }
 
+    /// Three sides of the stock make its corner zero: the cube of 10 mm in its margins of 5 mm, from -5 to 15 mm.
+    void theCornerOfTheStockIsTouchedOff() {
+        const QStringList setup{"setup", in("p.burin"), "--json"};
+        const ProgramRun run =
+            runBurin(setup + QStringList{"--touch=-30,5,5=x", "--touch=5,40,5=-y", "--touch=5,5,60=-z"});
+        QVERIFY2(run.status == 0, run.messages.constData());
+        QCOMPARE(zeroIn({}), glm::dvec3(-5.0, 15.0, 15.0));
+        const ProgramRun inside = runBurin(setup + QStringList{"--touch=5,5,5=x"});
+        QVERIFY2(inside.status != 0 && inside.messages.contains("clear of the stock"), inside.messages.constData());
+        const ProgramRun aside = runBurin(setup + QStringList{"--touch=-30,5,13=x"});
+        QVERIFY2(aside.status != 0 && aside.messages.contains("squarely"), aside.messages.constData());
+        const ProgramRun wrong = runBurin(setup + QStringList{"--touch=1,2=x"});
+        QVERIFY2(wrong.status != 0 && wrong.messages.contains("X,Y,Z=AXIS"), wrong.messages.constData());
+        QCOMPARE(zeroIn({}), glm::dvec3(-5.0, 15.0, 15.0));
+        QCOMPARE(runBurin({"setup", in("p.burin"), "--zero", "stock:middle,middle,high"}).status, 0);
+    }
+
     void eachDialectCallsTheWorkOffsetItsOwnWay_data() {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QString>("dialect");

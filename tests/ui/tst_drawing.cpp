@@ -56,6 +56,24 @@ private slots:
         }
     }
 
+    /// Two squares in one plane, shaded as one surface: where their colours differ, each has points of its own; the
+    /// shading stays the same.
+    void coloursDivideASmoothSurface() {
+        TriangleMesh mesh;
+        mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
+        mesh.triangles = {{0, 0, 1}, {0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}}; // the first has no area
+        QCOMPARE(shaded(mesh, crease).points.size(), std::size_t{6});
+        const ShadedMesh two = shaded(mesh, crease, {{3, 2, {10, 20, 30}}});
+        QCOMPARE(two.points.size(), std::size_t{8}); // the edge between the squares is there twice
+        QCOMPARE(two.colours.size(), two.points.size());
+        QVERIFY(two.creases.empty() == shaded(mesh, crease).creases.empty());
+        for (std::size_t i = 0; i < two.triangles.size(); ++i) {
+            const std::array<std::uint8_t, 4> expected =
+                i < 6 ? std::array<std::uint8_t, 4>{} : std::array<std::uint8_t, 4>{10, 20, 30, 255};
+            QVERIFY(two.colours[two.triangles[i]] == expected);
+        }
+    }
+
     /// A surface that was divided for the deviation map has no long edge and no gap, and its position is unchanged.
     void aDividedSurfaceIsClosedAndFine() {
         const ShadedMesh mesh = divided(shaded(fixture::dome({24.0, 16.0, 14.0}, 9, 4), crease), 1.5);

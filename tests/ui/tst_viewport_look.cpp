@@ -138,6 +138,41 @@ private slots:
         QVERIFY(rig_->save("viewport-prism"));
     }
 
+    /// The top is red as the file has it and stays so whatever the colour of the body; bare in the workpiece all of the
+    /// part is blue.
+    void facesHaveTheirOwnColours() {
+        auto model = std::make_shared<Model>(*bossOnPlate());
+        model->bodies.front().faceColours = {{32, 2, {220, 20, 20}}}; // after 4 rings of 4 sides with 2 triangles each
+        viewport_->setPart(model);
+        const glm::dvec3 top(2.0, 1.0, 13.0), floor(18.0, 13.0, 4.0);
+        const auto isRed = [&](const QImage& image, const glm::dvec3& place) {
+            const QColor colour = pixelAt(image, place);
+            return colour.red() > colour.blue() + 60 && colour.red() > colour.green() + 60;
+        };
+        const auto isBlue = [&](const QImage& image, const glm::dvec3& place) {
+            const QColor colour = pixelAt(image, place);
+            return colour.blue() > colour.red() + 40;
+        };
+        QTRY_VERIFY(isRed(viewport_->grabFramebuffer(), top));
+        QImage image = viewport_->grabFramebuffer();
+        QVERIFY(isBlue(image, floor) && isBlue(image, {-10.0, 1.0, 11.0}));
+        QVERIFY(rig_->save("viewport-face-colours", image));
+        viewport_->setBodyColours({QColor(240, 220, 40)});
+        QTRY_VERIFY(!isBlue(viewport_->grabFramebuffer(), floor));
+        image = viewport_->grabFramebuffer();
+        QVERIFY(isRed(image, top));
+        QVERIFY(pixelAt(image, floor).green() > pixelAt(image, floor).blue() + 60);
+        viewport_->setBodyColours({});
+        viewport_->setPartVisible(false);
+        viewport_->setWorkpiece(blockUpTo(6.0));
+        rig_->settle();
+        QVERIFY(isBlue(viewport_->grabFramebuffer(), top));
+        viewport_->setWorkpiece({});
+        viewport_->setPartVisible(true);
+        viewport_->setPart(bossOnPlate());
+        QTRY_VERIFY(rig_->ready());
+    }
+
     /// From above a vertical wall is only a line, so that line has to be dark.
     void edgesOfAPrismAreDarkLines() {
         const QImage image = viewport_->grabFramebuffer();

@@ -9,8 +9,10 @@
 #include <QApplication>
 #include <QDirIterator>
 #include <QLabel>
+#include <QProgressBar>
 #include <QtTest>
 
+#include <algorithm>
 #include <csignal>
 #include <sys/types.h>
 
@@ -95,6 +97,7 @@ private slots:
     void aPartIsSeenBeforeItsMesh();
     void stoppingBringsTheOpenJobBack();
     void fromTheWelcomePageAndBack();
+    void theStatusLineNamesEachStep();
 };
 
 void TestWindowPreview::aPartIsSeenBeforeItsMesh() {
@@ -123,6 +126,30 @@ void TestWindowPreview::aPartIsSeenBeforeItsMesh() {
     QTest::qWait(400);
     QVERIFY(sameView(viewOf(driver).cameraView(), before));
     driver.shoot("61-after-preview");
+}
+
+/// The bar moves to its end and never back, and the step is named; here by what the user reads.
+void TestWindowPreview::theStatusLineNamesEachStep() {
+    WindowDriver driver;
+    Workbench& workbench = driver.window().workbench();
+    std::vector<int> values;
+    std::vector<QString> texts;
+    const QObject watch; // ends before the vectors
+    connect(&workbench.tasks(), &TaskRunner::changed, &watch, [&] {
+        if (!workbench.model.importing()) return;
+        if (const auto* bar = driver.visible<QProgressBar>("taskProgress")) values.push_back(bar->value());
+        if (const auto* label = driver.visible<QLabel>("taskStatus")) texts.push_back(label->text());
+    });
+    drop(driver.window(), part);
+    QVERIFY(driver.waitFor([&] { return workbench.model.model() != nullptr; }, 120000));
+    QVERIFY(std::ranges::is_sorted(values));
+    const auto says = [&](const char* words) {
+        return std::ranges::any_of(texts, [&](const QString& text) { return text.contains(QLatin1String(words)); });
+    };
+    QVERIFY(says("Importing mouse-cover.step"));
+    QVERIFY(says("meshing, body 1 of 1"));
+    const auto end = std::unique(values.begin(), values.end());
+    QVERIFY2(end - values.begin() >= 5, qPrintable(QString::number(end - values.begin())));
 }
 
 void TestWindowPreview::stoppingBringsTheOpenJobBack() {

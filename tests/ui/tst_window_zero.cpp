@@ -132,6 +132,75 @@ private slots:
         QVERIFY(std::abs(setupOf(driver).workOffset.z - setupOf(driver).stock.low.z) < 1e-9);
     }
 
+    /// With the stylus that the mouse leads, three sides of the stock are touched with a ball: zero is its corner.
+    /// Before there is contact nothing is set. A recording ends the stop.
+    void theCornerOfTheStockIsTouchedOff() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(driver.step(JobStep::mill));
+        driver.key(Qt::Key_M);
+        QTRY_VERIFY(workbenchOf(driver).session.running());
+        const Box stock = setupOf(driver).stock;
+        const glm::dvec3 before = setupOf(driver).workOffset, middle = stock.centre();
+        QTRY_VERIFY(menuAction(driver, "holdAtStockAction")->isEnabled());
+        driver.key(Qt::Key_U, Qt::ControlModifier | Qt::AltModifier);
+        QTRY_VERIFY(workbenchOf(driver).surroundings.stockHolds());
+        QVERIFY(menuAction(driver, "holdAtStockAction")->isChecked());
+        // A new zero ends mill mode for a moment, and with it the stylus.
+        const auto lead = [&](const glm::dvec3& tip) {
+            const MillController& mill = workbenchOf(driver).mill;
+            for (int attempt = 0; attempt < 5; ++attempt) {
+                if (!driver.settle() || !driver.waitFor([&] { return mill.active() && mill.stylus() != nullptr; }))
+                    return false;
+                SimulatedStylus* const stylus = mill.stylus();
+                StylusTarget target;
+                target.tip = tip;
+                const auto there = [&] { return glm::distance(stylus->tip(), tip) < 0.01; };
+                if (stylus->request(target) && driver.waitFor([&] { return mill.stylus() != stylus || there(); }) &&
+                    mill.stylus() == stylus)
+                    return true;
+            }
+            return false;
+        };
+        const auto touch = [&] { driver.key(Qt::Key_O, Qt::ControlModifier | Qt::AltModifier); };
+        const auto held = [&] {
+            const auto news = workbenchOf(driver).surroundings.stockNews();
+            return news && news->holds;
+        };
+
+        QVERIFY(lead({stock.low.x - 15.0, middle.y, middle.z}));
+        touch();
+        QTRY_VERIFY2(driver.message().contains("touches nothing"), qPrintable(driver.message()));
+        QVERIFY(near(setupOf(driver).workOffset, before));
+        QVERIFY(lead({stock.low.x + 1.0, middle.y, middle.z})); // a hand 4 mm beyond the contact: the radius is 3 mm
+        QTRY_VERIFY(held());
+        driver.shoot("zero-6-stock-is-touched");
+        touch();
+        QTRY_VERIFY(near(setupOf(driver).workOffset, {stock.low.x, before.y, before.z}));
+
+        QVERIFY(lead({stock.low.x - 15.0, stock.high.y + 15.0, middle.z}));
+        QVERIFY(lead({middle.x, stock.high.y + 15.0, middle.z}));
+        QVERIFY(lead({middle.x, stock.high.y - 1.0, middle.z}));
+        QTRY_VERIFY(held());
+        touch();
+        QTRY_VERIFY(near(setupOf(driver).workOffset, {stock.low.x, stock.high.y, before.z}));
+
+        QVERIFY(lead({middle.x, stock.high.y + 15.0, middle.z}));
+        QVERIFY(lead({middle.x, middle.y, stock.high.z + 15.0}));
+        QVERIFY(lead({middle.x, middle.y, stock.high.z - 1.0}));
+        QTRY_VERIFY(held());
+        touch();
+        const glm::dvec3 corner(stock.low.x, stock.high.y, stock.high.z);
+        QTRY_VERIFY(near(setupOf(driver).workOffset, corner));
+        QCOMPARE(setupOf(driver).zero.on, ZeroReference::point);
+        QVERIFY(lead({middle.x, middle.y, stock.high.z + 15.0}));
+        driver.shoot("zero-7-corner-of-the-stock-touched");
+        workbenchOf(driver).mill.startRecording();
+        QTRY_VERIFY(workbenchOf(driver).mill.recording());
+        QTRY_VERIFY(!workbenchOf(driver).surroundings.stockHolds());
+        QVERIFY(!menuAction(driver, "holdAtStockAction")->isChecked());
+    }
+
     /// Where the tool hangs free there is nothing to touch off.
     void aToolThatTouchesNothingSetsNoZero() {
         WindowDriver driver;

@@ -41,6 +41,7 @@ void ActionStates::update() {
         enable(id, workbench.setup.hasPart() && !workbench.setup.locked() && !workbench.setup.placing() && free);
     enable(ActionId::exportSheet, workbench.setup.usable() && !workbench.sheet.writing());
     enable(ActionId::pickZero, workbench.setup.usable() && free);
+    enable(ActionId::holdAtStock, workbench.surroundings.canHoldAtStock() && !showing);
     enable(ActionId::touchZero, workbench.mill.active() && !showing);
     enable(ActionId::embed, workbench.setup.usable() && !workbench.setup.locked() && !workbench.workpiece.embedding());
     enable(ActionId::stockFile,

@@ -140,10 +140,14 @@ constexpr std::array rows{
     Row{ActionId::pickZero, "pickZeroAction", QT_TRANSLATE_NOOP("Actions", "&Pick program zero"),
         QT_TRANSLATE_NOOP("Actions", "Click a vertex, an edge or a circle of the part, or a corner of the stock."),
         "Ctrl+Shift+O"},
+    Row{ActionId::holdAtStock, "holdAtStockAction", QT_TRANSLATE_NOOP("Actions", "&Stop the tool at the stock"),
+        QT_TRANSLATE_NOOP("Actions", "Until a recording starts, a stock that is a box or a cylinder stops the tool, as "
+                                     "it was before milling, so that its sides can be touched off."),
+        "Ctrl+Alt+U", true},
     Row{ActionId::touchZero, "touchZeroAction", QT_TRANSLATE_NOOP("Actions", "&Touch off program zero"),
         QT_TRANSLATE_NOOP("Actions",
-                          "The face of the part that the tool touches becomes zero along its axis, as with an edge "
-                          "finder."),
+                          "The face of the part or stock that the tool touches becomes zero along its axis, as with an "
+                          "edge finder."),
         "Ctrl+Alt+O"},
     Row{ActionId::embed, "embedAction", QT_TRANSLATE_NOOP("Actions", "&Embed the part"),
         QT_TRANSLATE_NOOP("Actions", "Embed the part in its stock; this makes the workpiece."), "Ctrl+B"},

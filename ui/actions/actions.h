@@ -62,6 +62,7 @@ enum class ActionId : std::size_t {
     turnAboutZ,
     placementHandles,
     pickZero,
+    holdAtStock,
     touchZero,
     embed,
     stockFile,

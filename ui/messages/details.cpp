@@ -308,6 +308,10 @@ constexpr std::array details{
     // computed passes
     BURIN_TEXT("Detail", "fixtures or keep-out volumes are in the way: move them"),
     BURIN_TEXT("Detail", "another tool was loaded before it was computed"),
+    BURIN_TEXT("Detail", "another one during a recording"),
+    BURIN_TEXT("Detail", "a stock that is a box or a cylinder"),
+    BURIN_TEXT("Detail", "a tip from which the tool is clear of the stock"),
+    BURIN_TEXT("Detail", "a tip from which the tool meets the stock in this direction"),
     BURIN_TEXT("Detail", "%1 recordings and passes"),
     BURIN_TEXT("Detail", "too much stock is in the way of the tool: rough it first, or use a longer tool"),
     BURIN_TEXT("Detail", "no stock is left there"),

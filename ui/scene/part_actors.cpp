@@ -28,8 +28,8 @@ constexpr double edgeHeight = 0.3; // just above their own faces, so that coveri
 } // namespace
 
 ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour,
-                      double crease) {
-    ShadedBody body{std::make_shared<const ShadedMesh>(shaded(mesh, crease)), std::nullopt};
+                      const FaceColours& faces, double crease) {
+    ShadedBody body{std::make_shared<const ShadedMesh>(shaded(mesh, crease, faces)), std::nullopt};
     if (colour) body.colour = colourFrom(colour);
     return body;
 }
@@ -37,7 +37,7 @@ ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<s
 std::vector<ShadedBody> shadedBodies(const Model& model) {
     std::vector<ShadedBody> bodies;
     bodies.reserve(model.bodies.size());
-    for (const Body& body : model.bodies) bodies.push_back(shadedBody(body.mesh, body.colour));
+    for (const Body& body : model.bodies) bodies.push_back(shadedBody(body.mesh, body.colour, body.faceColours));
     return bodies;
 }
 
@@ -180,6 +180,19 @@ void PartActors::show(Piece& piece, bool shown) const {
     piece.actor->SetVisibility(shown && piece.cells.count() > 0);
 }
 
+/// Where the part is drawn in its blue, so are all of its faces.
+void PartActors::colour(Piece& piece, const QColor& body) const {
+    setColour(*piece.actor, body);
+    vtkPolyData& surface = *piece.cells.data();
+    if (!hasFaceColours(surface)) return;
+    vtkMapper& mapper = *piece.actor->GetMapper();
+    mapper.SetScalarVisibility(inWorkpiece_ ? 0 : 1);
+    if (inWorkpiece_ || piece.coloured == body) return;
+    mapper.SetColorModeToDirectScalars();
+    colourFaces(surface, body);
+    piece.coloured = body;
+}
+
 std::size_t PartActors::triangles() const {
     std::size_t count = 0;
     for (const Drawn& body : bodies_) {
@@ -224,10 +237,10 @@ std::optional<glm::dvec3> PartActors::pick(const Sight& sight) const {
 
 void PartActors::refresh() {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        const Drawn& body = bodies_[i];
+        Drawn& body = bodies_[i];
         const QColor colour = colourOf(i);
-        setColour(*body.surface.actor, colour);
-        if (body.coarse) setColour(*body.coarse->actor, colour);
+        this->colour(body.surface, colour);
+        if (body.coarse) this->colour(*body.coarse, colour);
         setColour(*body.edges.actor, edges_);
         setBlended(*body.edges.actor, edgeOpacity);
         burin::setLineWidth(*body.edges.actor, lineWidth_);

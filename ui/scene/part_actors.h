@@ -33,7 +33,7 @@ struct ShadedBody {
 
 /// @param crease rad, as in `shaded`
 ShadedBody shadedBody(const TriangleMesh& mesh, const std::optional<std::array<std::uint8_t, 3>>& colour,
-                      double crease = creaseAngle);
+                      const FaceColours& faces, double crease = creaseAngle);
 /// Takes some tenths of a second for a large model: call on a worker thread.
 std::vector<ShadedBody> shadedBodies(const Model& model);
 
@@ -59,7 +59,8 @@ public:
     void setColours(const QColor& part, const QColor& edges);
     void setVisible(bool visible);
     void setHidden(std::vector<bool> hidden); ///< by body; bodies beyond its size are drawn
-    /// By body, instead of those in ShadedBody; empty: the part's blue. Bodies beyond its size keep their own.
+    /// By body, instead of those in ShadedBody; empty: the part's blue. Bodies beyond its size keep their own. Faces
+    /// with a colour of their own keep it.
     void setBodyColours(std::vector<std::optional<QColor>> colours);
     /// Whether the part is drawn in its blue where the workpiece is bare, whether visible or not; this doesn't make it
     /// pickable.
@@ -92,6 +93,7 @@ private:
     struct Piece {
         PartCells cells;
         vtkSmartPointer<vtkActor> actor;
+        std::optional<QColor> coloured{}; ///< the body's colour for which its points were coloured last
     };
     struct Drawn {
         Piece surface;
@@ -109,6 +111,7 @@ private:
         visit(*body.edges.actor);
     }
     void show(Piece& piece, bool shown) const;
+    void colour(Piece& piece, const QColor& body) const;
     bool drawn() const noexcept { return visible_ || inWorkpiece_; }
     bool hides(std::size_t body) const noexcept { return body < hidden_.size() && hidden_[body]; }
     QColor colourOf(std::size_t body) const;

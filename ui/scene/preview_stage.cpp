@@ -21,7 +21,7 @@ std::vector<ShadedBody> shadedBodies(const ModelPreview& preview) {
         TriangleMesh mesh;
         mesh.vertices.assign(body.mesh.vertices.begin(), body.mesh.vertices.end());
         mesh.triangles = body.mesh.triangles;
-        bodies.push_back(shadedBody(mesh, body.colour, previewCrease));
+        bodies.push_back(shadedBody(mesh, body.colour, body.faceColours, previewCrease));
     }
     return bodies;
 }

@@ -13,6 +13,7 @@ namespace burin {
 namespace {
 
 using Corners = std::array<std::uint32_t, 3>;
+using PointColour = std::array<std::uint8_t, 4>; ///< as ShadedMesh::colours
 
 /// The triangle corners that meet in each vertex, without a separate list per vertex.
 class Fans {
@@ -37,10 +38,10 @@ private:
 
 class Shading {
 public:
-    Shading(const TriangleMesh& mesh, double crease)
+    Shading(const TriangleMesh& mesh, double crease, const FaceColours& colours)
         : vertices_(mesh.vertices)
         , cosine_(std::cos(crease))
-        , triangles_(usable(mesh))
+        , triangles_(usable(mesh, colours))
         , fans_(triangles_, mesh.vertices.size()) {}
 
     ShadedMesh make() {
@@ -53,11 +54,14 @@ public:
     }
 
 private:
-    std::vector<Corners> usable(const TriangleMesh& mesh) {
+    std::vector<Corners> usable(const TriangleMesh& mesh, const FaceColours& colours) {
         const std::vector<std::uint32_t> first = firstAtSamePlace(mesh);
         std::vector<Corners> kept;
         kept.reserve(mesh.triangles.size());
-        for (const Corners& corners : mesh.triangles) {
+        auto next = colours.begin();
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+            while (next != colours.end() && i >= std::size_t{next->first} + next->count) ++next;
+            const Corners& corners = mesh.triangles[i];
             const Corners merged{first[corners[0]], first[corners[1]], first[corners[2]]};
             const glm::dvec3 area =
                 glm::cross(vertices_[merged[1]] - vertices_[merged[0]], vertices_[merged[2]] - vertices_[merged[0]]);
@@ -65,6 +69,10 @@ private:
             if (!(length > 0.0)) continue;
             kept.push_back(merged);
             normals_.push_back(area / length);
+            if (colours.empty()) continue;
+            const bool own = next != colours.end() && i >= next->first;
+            colours_.push_back(own ? PointColour{next->colour[0], next->colour[1], next->colour[2], 255}
+                                   : PointColour{});
         }
         return kept;
     }
@@ -88,13 +96,20 @@ private:
             const double length = glm::length(sum);
             const glm::vec3 normal(length > 0.0 ? sum / length : own);
             std::size_t point = firstPoint;
-            while (point < result.points.size() && glm::dot(result.normals[point], normal) < 0.99999F) ++point;
+            while (point < result.points.size() &&
+                   (glm::dot(result.normals[point], normal) < 0.99999F || !hasColour(result, point, corner / 3)))
+                ++point;
             if (point == result.points.size()) {
                 result.points.emplace_back(vertices_[vertex]);
                 result.normals.push_back(normal);
+                if (!colours_.empty()) result.colours.push_back(colours_[corner / 3]);
             }
             result.triangles[corner] = static_cast<std::uint32_t>(point);
         }
+    }
+
+    bool hasColour(const ShadedMesh& result, std::size_t point, std::uint32_t triangle) const {
+        return colours_.empty() || result.colours[point] == colours_[triangle];
     }
 
     /// Adds the edge from corner i to the next one; only the triangle in which it runs towards the larger index adds
@@ -113,7 +128,8 @@ private:
 
     const std::vector<glm::dvec3>& vertices_;
     double cosine_;
-    std::vector<glm::dvec3> normals_; ///< one per triangle
+    std::vector<glm::dvec3> normals_;  ///< one per triangle
+    std::vector<PointColour> colours_; ///< one per triangle; empty: none has its own
     std::vector<Corners> triangles_;
     Fans fans_;
 };
@@ -131,8 +147,8 @@ std::optional<double> distanceAlong(const ShadedMesh& mesh, const glm::dvec3& or
     return nearest;
 }
 
-ShadedMesh shaded(const TriangleMesh& mesh, double crease) {
-    return Shading(mesh, crease).make();
+ShadedMesh shaded(const TriangleMesh& mesh, double crease, const FaceColours& colours) {
+    return Shading(mesh, crease, colours).make();
 }
 
 } // namespace burin

@@ -7,6 +7,8 @@
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
+#include <QColor>
+
 namespace burin {
 
 /// A shaded mesh as VTK data.
@@ -15,5 +17,10 @@ struct ShadedPolyData {
     vtkSmartPointer<vtkPolyData> creases; ///< lines
 };
 ShadedPolyData polyDataOf(const ShadedMesh& mesh);
+
+/// Whether faces of a surface that polyDataOf made, or one that was made of it, have colours of their own.
+bool hasFaceColours(vtkPolyData& surface);
+/// Sets the colours of such a surface's points. @param body colour of the faces without one of their own
+void colourFaces(vtkPolyData& surface, const QColor& body);
 
 } // namespace burin

@@ -47,7 +47,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              line,        nextStep,  previousStep});
     addMenu(bar, tr("&Setup"), "setupMenu", actions,
             {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, placementHandles,
-             line, pickZero, touchZero});
+             holdAtStock, line, pickZero, touchZero});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
             {embed,       stockFile,   toolShape,  libraryFixture, addFixtureFile, axisOfView, line,        millMode,
              raster,      repeatLower, repeatLeft, repeatRight,    line,           playTime,   presentTime, punchIn,

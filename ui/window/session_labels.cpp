@@ -34,6 +34,7 @@ QString boundSentence(const SessionState& state, const ToolBounds& bounds) {
         if (!state.layers[i].holds) continue;
         const BoundLayer& layer = bounds.layers()[i];
         if (layer.kind == BoundLayer::Kind::machineTravel) return MillLabels::tr("The machine's travel ends here.");
+        if (layer.kind == BoundLayer::Kind::stock) return MillLabels::tr("The stock holds the tool.");
         return MillLabels::tr("“%1” holds the tool.").arg(QString::fromStdString(layer.name));
     }
     return {};

@@ -25,7 +25,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     size_ = add("sizeStatus", tr("Voxels of the workpiece, the memory reserved for it, and a hash of it: the same "
                                  "recordings and settings give the same hash."));
     saved_ = add("savedStatus", tr("Whether all changes are saved in the project file."));
-    task_ = new QLabel(this);
+    task_ = new ElidedLabel({}, this);
     task_->setObjectName(QStringLiteral("taskStatus"));
     task_->setToolTip(tr("Work in the background."));
     progress_ = new QProgressBar(this);
@@ -113,6 +113,7 @@ void StatusLine::setSaved(const QString& text) {
 
 void StatusLine::setTask(const QString& title, double fraction, bool cancelling) {
     task_->setText(cancelling ? tr("Stopping") : title);
+    if (!title.isEmpty()) task_->setToolTip(title); // the label may be elided
     progress_->setValue(static_cast<int>(std::lround(fraction * 1000.0)));
     for (QWidget* widget : std::initializer_list<QWidget*>{task_, progress_, cancel_})
         widget->setVisible(!title.isEmpty());

@@ -106,7 +106,10 @@ void StatusPresenter::presentTask() {
     if (rows.empty())
         line_.setTask({}, 0.0, false);
     else
-        line_.setTask(rows.front().title, rows.front().fraction, rows.front().cancelling);
+        line_.setTask(rows.front().step.isEmpty()
+                          ? rows.front().title
+                          : QStringLiteral("%1 · %2").arg(rows.front().title, rows.front().step),
+                      rows.front().fraction, rows.front().cancelling);
 }
 
 } // namespace burin

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/zero_presenter.h"
 
-#include "core/job/touched_face.h"
+#include "core/job/touched_stock.h"
 #include "core/nc/work_offset.h"
 
 #include <utility>
@@ -24,6 +24,9 @@ ZeroPresenter::ZeroPresenter(Workbench& workbench, Viewport& viewport, ZeroPanel
 void ZeroPresenter::connectActions(const Actions& actions) {
     connect(actions[ActionId::pickZero], &QAction::triggered, this, [this] { pick(true); });
     connect(actions[ActionId::touchZero], &QAction::triggered, this, &ZeroPresenter::touch);
+    hold_ = actions[ActionId::holdAtStock];
+    connect(hold_, &QAction::triggered, &workbench_.surroundings, &SurroundingsController::holdAtStock);
+    connect(&workbench_.surroundings, &Controller::changed, this, &ZeroPresenter::showHold);
 }
 
 void ZeroPresenter::setUnit(LengthUnit unit) {
@@ -95,9 +98,12 @@ void ZeroPresenter::touch() {
     const TouchedFace touched =
         touchedFace(workbench_.session.state().sample, milling->tool, workbench_.mill.allowance());
     if (touched.outcome == TouchedFace::Outcome::nothing)
-        return emit refused(tr("The tool touches nothing. Hold it against a face of the part."));
+        return emit refused(
+            tr("The tool touches nothing. Hold it against a face of the part, or of the stock after “Stop the "
+               "tool at the stock”."));
     if (touched.outcome == TouchedFace::Outcome::aslant)
         return emit refused(tr("Touching off needs a vertical tool and a face that is parallel to two axes."));
+    if (const auto stock = workbench_.surroundings.stockNews(); stock && stock->holds) return touchStock(touched);
     workbench_.setup.examineFace(touched.place, [this, touched](const PartFace& face) {
         const int axis = touched.axis;
         if (glm::distance(face.place, touched.place) > workbench_.setup.setup().voxel)
@@ -106,6 +112,18 @@ void ZeroPresenter::touch() {
         place[axis] = face.place[axis]; // the exact coordinate, without the error of the voxels
         placeAt(place);
     });
+}
+
+void ZeroPresenter::touchStock(const TouchedFace& touched) {
+    const std::optional<double> side = sideTouched(workbench_.setup.setup(), touched);
+    if (!side) return emit refused(tr("Touching off needs a vertical tool and a face that is parallel to two axes."));
+    glm::dvec3 place = workbench_.setup.setup().workOffset;
+    place[touched.axis] = *side;
+    placeAt(place);
+}
+
+void ZeroPresenter::showHold() {
+    hold_->setChecked(workbench_.surroundings.stockHolds());
 }
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/job/touched_face.h"
 #include "ui/actions/actions.h"
 #include "ui/input/zero_picker.h"
 #include "ui/panels/job_states.h"
@@ -33,7 +34,10 @@ private:
     void placeOnStock(const std::array<BoxSide, 3>& sides);
     void placeAt(const glm::dvec3& point);
     void touch();
+    void touchStock(const TouchedFace& touched);
+    void showHold();
 
+    QAction* hold_ = nullptr; ///< that the stock stops the tool
     Viewport& viewport_;
     ZeroPanel& panel_;
     ZeroPicker picker_;

@@ -33,11 +33,13 @@ SurroundingsController::SurroundingsController(const Desk& desk, WorkpieceContro
     : Controller(desk, parent), workpiece_(workpiece), mill_(mill), session_(session) {
     connect(&mill_, &MillController::entered, this, &SurroundingsController::switchLayers);
     connect(&session_, &SessionRunner::changed, this, &Controller::changed);
+    connect(&session_, &SessionRunner::recordingStarted, this, &SurroundingsController::letGoOfStock);
 }
 
 void SurroundingsController::load(std::vector<Obstacle> obstacles, const AxisMode& axis,
                                   const TravelPlacement& travel) {
     wanted_ = {placed(std::move(obstacles)), axis, travel};
+    stockHolds_ = false;
     emit changed();
 }
 
@@ -194,12 +196,12 @@ std::optional<std::size_t> SurroundingsController::layerOf(std::size_t place) co
     return place + 1;
 }
 
-std::optional<std::size_t> SurroundingsController::travelLayer() const {
+std::optional<std::size_t> SurroundingsController::layerOfKind(BoundLayer::Kind kind) const {
     if (!mill_.active() || !workpiece_.bounds()) return std::nullopt;
     const std::vector<BoundLayer>& layers = workpiece_.bounds()->layers();
-    const auto travel = std::ranges::find(layers, BoundLayer::Kind::machineTravel, &BoundLayer::kind);
-    if (travel == layers.end()) return std::nullopt;
-    return static_cast<std::size_t>(travel - layers.begin());
+    const auto layer = std::ranges::find(layers, kind, &BoundLayer::kind);
+    if (layer == layers.end()) return std::nullopt;
+    return static_cast<std::size_t>(layer - layers.begin());
 }
 
 std::optional<LayerNews> SurroundingsController::newsOf(std::optional<std::size_t> layer) const {
@@ -212,14 +214,38 @@ std::optional<LayerNews> SurroundingsController::news(std::size_t place) const {
 }
 
 std::optional<LayerNews> SurroundingsController::travelNews() const {
-    return newsOf(travelLayer());
+    return newsOf(layerOfKind(BoundLayer::Kind::machineTravel));
 }
 
+/// The session has switched the layer off.
+void SurroundingsController::letGoOfStock() {
+    if (std::exchange(stockHolds_, false)) emit changed();
+}
+
+bool SurroundingsController::canHoldAtStock() const {
+    return layerOfKind(BoundLayer::Kind::stock) && !mill_.recording();
+}
+
+void SurroundingsController::holdAtStock(bool hold) {
+    if (hold == stockHolds_ || (hold && !canHoldAtStock())) return;
+    stockHolds_ = hold;
+    if (const std::optional<std::size_t> layer = layerOfKind(BoundLayer::Kind::stock)) session_.setLayer(*layer, hold);
+    emit changed();
+}
+
+std::optional<LayerNews> SurroundingsController::stockNews() const {
+    return newsOf(layerOfKind(BoundLayer::Kind::stock));
+}
+
+/// After a break of mill mode, as each new program zero causes, the stock holds the tool as before.
 void SurroundingsController::switchLayers() {
+    if (const std::optional<std::size_t> stock = layerOfKind(BoundLayer::Kind::stock); stock && stockHolds_)
+        session_.setLayer(*stock, true);
     for (std::size_t place = 0; place < wanted_.obstacles.size(); ++place)
         if (const std::optional<std::size_t> layer = layerOf(place))
             session_.setLayer(*layer, wanted_.obstacles[place].on);
-    if (const std::optional<std::size_t> layer = travelLayer()) session_.setLayer(*layer, wanted_.travel.on);
+    if (const std::optional<std::size_t> layer = layerOfKind(BoundLayer::Kind::machineTravel))
+        session_.setLayer(*layer, wanted_.travel.on);
 }
 
 } // namespace burin

@@ -51,19 +51,28 @@ public:
     void setOn(std::size_t place, bool on);
     void setTravelOn(bool on);
 
+    /// Whether the stock holds the tool in mill mode, so that it can be touched off, until a recording starts. Part of
+    /// no project, nor of the undo stack.
+    bool stockHolds() const noexcept { return stockHolds_; }
+    bool canHoldAtStock() const;
+    void holdAtStock(bool hold);
+    std::optional<LayerNews> stockNews() const; ///< as `news`
+
 private:
     void setObstacles(const QString& title, std::vector<PlacedObstacle> obstacles, int kind = -1);
     void apply(const std::vector<PlacedObstacle>& obstacles);
     void switchLayers();
+    void letGoOfStock();
     QString nameFor(ObstacleKind kind) const;
     std::optional<std::size_t> layerOf(std::size_t place) const;
-    std::optional<std::size_t> travelLayer() const;
+    std::optional<std::size_t> layerOfKind(BoundLayer::Kind kind) const;
     std::optional<LayerNews> newsOf(std::optional<std::size_t> layer) const;
 
     WorkpieceController& workpiece_;
     MillController& mill_;
     SessionRunner& session_;
     RequestedBounds wanted_;
+    bool stockHolds_ = false;
 };
 
 } // namespace burin

@@ -3,11 +3,30 @@
 #include "ui/workbench/task_runner.h"
 
 #include "core/base/background.h"
+#include "ui/messages/messages.h"
+
+#include <QLocale>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace burin {
+
+namespace {
+
+/// Amounts are shown as whole numbers if the total is one, otherwise with one decimal.
+QString wordsOf(const ProgressStep& step) {
+    if (*step.text.text == '\0') return {};
+    const int decimals = step.total == std::floor(step.total) ? 0 : 1;
+    const QLocale locale;
+    QString words = Messages::text(step.text);
+    words.replace(QLatin1String("%1"), locale.toString(step.done, 'f', decimals));
+    words.replace(QLatin1String("%2"), locale.toString(step.total, 'f', decimals));
+    return words;
+}
+
+} // namespace
 
 TaskRunner::TaskRunner(QObject* parent) : QObject(parent) {
     helpInBackground();
@@ -129,7 +148,8 @@ double TaskRunner::fraction(TaskKind kind) const {
 std::vector<TaskRow> TaskRunner::rows() const {
     std::vector<TaskRow> rows;
     for (const auto& task : tasks_)
-        rows.push_back({task->kind, task->title, task->progress.fraction(), task->progress.cancelled()});
+        rows.push_back({task->kind, task->title, wordsOf(task->progress.step()), task->progress.fraction(),
+                        task->progress.cancelled()});
     // Tasks that nobody waits for are listed last.
     std::ranges::stable_partition(rows, [](const TaskRow& row) { return row.kind != TaskKind::growth; });
     return rows;

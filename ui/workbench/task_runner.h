@@ -61,6 +61,7 @@ enum class TaskKind {
 struct TaskRow {
     TaskKind kind = TaskKind::importing;
     QString title;
+    QString step;          ///< what the task is doing; empty: it does not say
     double fraction = 0.0; ///< 0 … 1
     bool cancelling = false;
 };

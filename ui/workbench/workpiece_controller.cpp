@@ -287,6 +287,7 @@ void WorkpieceController::buildBounds() {
                 ToolBounds::grow(*milling, part, tool, wanted.axis, surroundingsOf(*milling, travel, wanted.axis),
                                  maximumAllowance, {}, progress);
             if (!bounds) return std::move(bounds).error();
+            bounds->addStock(milling->setup);
             return std::make_shared<const ToolBounds>(std::move(*bounds));
         },
         [this, milling = milling_, tool = tool_, wanted = wanted_](Result<std::shared_ptr<const ToolBounds>> outcome) {

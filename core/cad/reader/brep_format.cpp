@@ -39,7 +39,7 @@ FormatMatch matchFormat(BrepFormat, std::string_view content) {
 }
 
 Result<Model> readFormat(BrepFormat, ModelSource& source) {
-    return modelOf(readBrepFile(source.content, isBinary(source.content)), source);
+    return modelOf(readBrepFile(source.content, isBinary(source.content), source.report), source);
 }
 
 } // namespace burin

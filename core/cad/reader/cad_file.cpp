@@ -8,6 +8,7 @@
 #include "core/cad/reader/external_files.h"
 #include "core/cad/reader/file_format.h"
 #include "core/cad/reader/left_out.h"
+#include "core/cad/reader/measured_text.h"
 
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepTools.hxx>
@@ -107,10 +108,21 @@ void stateStepUnit(CadFile& file, STEPControl_Reader& reader) {
             {ImportNote::Kind::unit, import_notes::fill(import_notes::unitsMixed, {std::to_string(units.size())})});
 }
 
-void takeShapes(CadFile& file, const Handle(TDocStd_Document) & document) {
-    DocumentShapes content = documentShapes(document);
-    file.shapes = std::move(content.shapes);
-    noteFaceColours(file, content.faceColours);
+double megabytes(std::size_t bytes) {
+    return 1e-6 * static_cast<double>(bytes);
+}
+
+/// Reads the text through a stream, as only then it is known how far the parser is.
+bool parseStep(STEPControl_Reader& reader, const std::string& file, std::string_view content,
+               const ReaderReports& report) {
+    const double size = static_cast<double>(content.size());
+    MeasuredText text(content, [&](std::size_t taken) {
+        if (taken == content.size()) return report.tell(ImportStage::interpreting);
+        report.tell(ImportStage::reading, megabytes(taken), megabytes(content.size()));
+        report.fraction(textRead * static_cast<double>(taken) / size);
+    });
+    std::istream stream(&text);
+    return reader.ReadStream(file.c_str(), stream) == IFSelect_RetDone;
 }
 
 } // namespace
@@ -126,12 +138,12 @@ void replaceUnit(CadFile& file, double scale) {
     }
 }
 
-Result<CadFile> readStepFile(const std::string& file, std::string_view content, const ReportFraction& report) {
+Result<CadFile> readStepFile(const std::string& file, std::string_view content, const ReaderReports& report) {
     stateSettings();
     STEPCAFControl_Reader reader;
     reader.SetNameMode(Standard_True);
     reader.SetColorMode(Standard_True);
-    if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return damaged("");
+    if (!parseStep(reader.ChangeReader(), file, content, report)) return damaged("");
     CadFile read;
     read.format = stepProtocol(content);
     const ExternalFiles others = externalFilesOf(reader.Reader(), file);
@@ -141,22 +153,24 @@ Result<CadFile> readStepFile(const std::string& file, std::string_view content, 
     read.missingFiles = joined(others.missing);
     stateStepUnit(read, reader.ChangeReader());
     Handle(TDocStd_Document) document = newDocument();
-    const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.1, 0.4);
+    report.tell(ImportStage::converting);
+    const Handle(ReaderProgress) progress = new ReaderProgress(report.fraction, fileRead, shapesConverted);
     const bool tessellated = content.find("TESSELLATED_") != std::string_view::npos;
     const Error noSolid{
         ErrorCode::modelHasNoSolid, {}, tessellated ? "a tessellation alone" : "no shape", read.missingFiles};
     if (reader.NbRootsForTransfer() == 0) return noSolid;
     if (!reader.Transfer(document, progress->Start())) return tessellated ? noSolid : damaged("");
-    takeShapes(read, document);
+    read.shapes = documentShapes(document);
     noteLeftOut(read, *reader.Reader().StepModel());
     return read;
 }
 
-Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& report) {
+Result<CadFile> readIgesFile(const std::string& file, std::size_t bytes, const ReaderReports& report) {
     stateSettings();
     IGESCAFControl_Reader reader;
     reader.SetNameMode(Standard_True);
     reader.SetColorMode(Standard_True);
+    report.tell(ImportStage::readingBlind, 0.0, megabytes(bytes));
     if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return damaged("");
     CadFile read;
     read.format = "IGES";
@@ -168,21 +182,24 @@ Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& repo
     }
     stateUnit(read, head.UnitValue(), head.UnitName().IsNull() ? "mm" : head.UnitName()->ToCString());
     Handle(TDocStd_Document) document = newDocument();
-    const Handle(ReaderProgress) progress = new ReaderProgress(report, 0.1, 0.4);
+    report.tell(ImportStage::converting);
+    const Handle(ReaderProgress) progress = new ReaderProgress(report.fraction, fileRead, shapesConverted);
     if (!reader.Transfer(document, progress->Start())) return damaged("");
-    takeShapes(read, document);
+    read.shapes = documentShapes(document);
     noteLeftOut(read, *reader.IGESModel());
     return read;
 }
 
-Result<CadFile> readBrepFile(const std::string& content, bool binary) {
+Result<CadFile> readBrepFile(const std::string& content, bool binary, const ReaderReports& report) {
     TopoDS_Shape shape;
     std::istringstream stream(content);
+    report.tell(ImportStage::converting);
+    const Handle(ReaderProgress) progress = new ReaderProgress(report.fraction, 0.0, shapesConverted);
     if (binary) {
-        BinTools::Read(shape, stream);
+        BinTools::Read(shape, stream, progress->Start());
     } else {
         BRep_Builder builder;
-        BRepTools::Read(shape, stream, builder);
+        BRepTools::Read(shape, stream, builder, progress->Start());
     }
     if (shape.IsNull() || stream.fail()) return damaged("");
     CadFile read{"BREP", "mm", 1.0, false, {}, {}, {}};

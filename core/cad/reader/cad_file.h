@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/cad/model.h"
+#include "core/cad/reader/reader.h"
 #include "core/cad/reader/reader_progress.h"
 
 #include <TopoDS_Shape.hxx>
@@ -27,6 +28,8 @@ struct NamedShape {
     BodyColour colour;      ///< sRGB
     std::string assembly{}; ///< path of the assemblies around it, as in body_path.h
     PlacedPart from{};
+    /// Of each face, in the order of TopExp_Explorer; empty: no face has a colour of its own.
+    std::vector<BodyColour> faceColours{};
 };
 
 /// A B-rep file as it was read, before any healing.
@@ -42,9 +45,12 @@ struct CadFile {
 
 /// @param content of the file. Parts that are stored in other files are read if these lie in the same folder. Errors,
 /// with an empty subject: fileDamaged, modelHasNoSolid (detail: files of an assembly that can't be read).
-Result<CadFile> readStepFile(const std::string& file, std::string_view content, const ReportFraction& report);
-Result<CadFile> readIgesFile(const std::string& file, const ReportFraction& report);
-Result<CadFile> readBrepFile(const std::string& content, bool binary);
+Result<CadFile> readStepFile(const std::string& file, std::string_view content, const ReaderReports& report);
+Result<CadFile> readIgesFile(const std::string& file, std::size_t bytes, const ReaderReports& report);
+Result<CadFile> readBrepFile(const std::string& content, bool binary, const ReaderReports& report);
+
+/// The parts of an import's progress at which its steps end, 0 … 1: the rest is meshing.
+inline constexpr double textRead = 0.06, fileRead = 0.1, shapesConverted = 0.4, solidsChecked = 0.5;
 
 /// Scales a file that was read in its own unit to another one. @param scale mm per unit
 void replaceUnit(CadFile& file, double scale);

@@ -4,9 +4,11 @@
 
 #include "core/base/numbers.h"
 #include "core/cad/import_notes.h"
+#include "core/cad/reader/face_patches.h"
 #include "core/cad/reader/measure.h"
 #include "core/cad/reader/occt_vectors.h"
 #include "core/cad/reader/preview.h"
+#include "core/cad/reader/solid_colours.h"
 #include "core/cad/reader/solid_mesh.h"
 #include "core/cad/reader/solids.h"
 #include "core/cad/reader/unit_note.h"
@@ -17,8 +19,10 @@
 #include <TopoDS_Compound.hxx>
 #include <TopoDS_TShape.hxx>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -55,13 +59,15 @@ public:
     Result<void> add(std::string name, const NamedSolid& solid, const ReportFraction& report) {
         Body body;
         body.name = std::move(name);
-        body.colour = solid.colour;
+        const SolidColours colours = coloursOf(solid);
+        body.colour = colours.body;
         body.box = exactBox(solid.solid); // before meshing, so that triangles have no influence
         SolidMesh mesh;
         if (const Made* same = sameAs(solid.from))
             copy(*same, solid.from, body, mesh);
         else if (Result<void> meshed = measure(solid, report, body, mesh); !meshed)
             return meshed;
+        body.faceColours = faceColoursOf(colours, mesh.faceOf);
         noteMesh(model_, body, mesh);
         // The gaps between the faces in the file itself: no mesh can be nearer to both sides.
         if (const double gap = BRep_Tool::MaxTolerance(solid.solid, TopAbs_EDGE); gap > request_.meshChord)
@@ -77,6 +83,7 @@ private:
         PlacedPart from;
         std::size_t body;
         std::size_t openEdges, facesFilled;
+        std::vector<std::uint32_t> faceOf; ///< as SolidMesh::faceOf, of the solid; empty if no face has a colour
     };
 
     const Made* sameAs(const PlacedPart& from) const {
@@ -92,6 +99,7 @@ private:
         body.faceCount = first.faceCount;
         body.openEdges = mesh.openEdges = made.openEdges;
         mesh.facesFilled = made.facesFilled;
+        mesh.faceOf = made.faceOf;
         body.mesh = first.mesh;
         const gp_Trsf move = from.place * made.from.place.Inverted();
         for (glm::dvec3& vertex : body.mesh.vertices) vertex = toVector(toPoint(vertex).Transformed(move).XYZ());
@@ -108,12 +116,23 @@ private:
                          std::to_string(mesh.facesWithoutTriangles) + " of " + std::to_string(body.faceCount) +
                              " faces of \"" + body.name + "\"",
                          {}};
+        numberFaces(solid, mesh);
         body.mesh = std::move(mesh.mesh);
         body.openEdges = mesh.openEdges;
         if (!solid.from.part.IsNull())
             made_.try_emplace(solid.from.part.TShape().get(),
-                              Made{solid.from, model_.bodies.size(), mesh.openEdges, mesh.facesFilled});
+                              Made{solid.from, model_.bodies.size(), mesh.openEdges, mesh.facesFilled, mesh.faceOf});
         return {};
+    }
+
+    /// Makes `faceOf` name the faces of the solid itself; drops it if none of them has a colour.
+    static void numberFaces(const NamedSolid& solid, SolidMesh& mesh) {
+        if (solid.faceColours.empty()) {
+            mesh.faceOf = {};
+        } else if (mesh.divided) {
+            const std::vector<std::uint32_t> owners = ownersOf(solid.solid, mesh);
+            for (std::uint32_t& face : mesh.faceOf) face = owners[face];
+        }
     }
 
     Model& model_;
@@ -121,9 +140,27 @@ private:
     std::map<const TopoDS_TShape*, Made> made_;
 };
 
+/// The share of each solid in the work of meshing: by its faces; instances of a part that was meshed take no time.
+std::vector<double> meshingShares(const std::vector<NamedSolid>& solids) {
+    std::vector<double> shares;
+    std::set<const TopoDS_TShape*> parts;
+    double sum = 0.0;
+    for (const NamedSolid& solid : solids) {
+        const bool first = solid.from.part.IsNull() || parts.insert(solid.from.part.TShape().get()).second;
+        shares.push_back(first ? static_cast<double>(countFaces(solid.solid)) : 0.0);
+        sum += shares.back();
+    }
+    for (double& share : shares) share /= std::max(sum, 1.0);
+    return shares;
+}
+
 Result<Model> makeModel(CadFile file, const ReadRequest& request, const ReaderReports& report) {
     const double chord = request.meshChord;
-    Result<std::vector<NamedSolid>> solids = makeSolids(file);
+    Result<std::vector<NamedSolid>> solids = makeSolids(file, [&](std::size_t done, std::size_t total) {
+        report.tell(ImportStage::checking, static_cast<double>(done), static_cast<double>(total));
+        report.fraction(
+            std::lerp(shapesConverted, solidsChecked, static_cast<double>(done) / static_cast<double>(total)));
+    });
     if (!solids) return std::move(solids).error();
     // A file that crashed the mesher is not meshed more often than necessary.
     if (request.preview && !request.careful)
@@ -142,9 +179,12 @@ Result<Model> makeModel(CadFile file, const ReadRequest& request, const ReaderRe
     const std::vector<std::string> names = bodyNames(*solids);
     BodyMaker maker(model, request);
     const auto count = static_cast<double>(solids->size());
-    for (std::size_t i = 0; i < solids->size(); ++i) {
+    const std::vector<double> shares = meshingShares(*solids);
+    double meshed = 0.0;
+    for (std::size_t i = 0; i < solids->size(); meshed += shares[i++]) {
+        report.tell(ImportStage::meshing, static_cast<double>(i + 1), count);
         const auto part = [&](double fraction) {
-            report.fraction(0.5 + 0.5 * (static_cast<double>(i) + fraction) / count);
+            report.fraction(std::lerp(solidsChecked, 1.0, meshed + shares[i] * fraction));
         };
         if (Result<void> added = maker.add(names[i], (*solids)[i], part); !added) return std::move(added).error();
     }

@@ -4,15 +4,14 @@
 
 #include "core/cad/body_path.h"
 #include "core/cad/import_notes.h"
+#include "core/cad/reader/solid_colours.h"
 
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRep_Builder.hxx>
 #include <Quantity_Color.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
-#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS_Compound.hxx>
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -20,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace burin {
 
@@ -33,11 +31,6 @@ struct Inherited {
     std::string name;     ///< its own; may be empty
     std::string instance; ///< its own with its number among instances of that name
     BodyColour colour;
-};
-
-struct FaceColour {
-    TopoDS_Shape face;
-    std::array<std::uint8_t, 3> colour;
 };
 
 std::uint8_t channel(double value) {
@@ -92,7 +85,7 @@ public:
         : shapes_(XCAFDoc_DocumentTool::ShapeTool(document->Main()))
         , colours_(XCAFDoc_DocumentTool::ColorTool(document->Main())) {}
 
-    DocumentShapes read() {
+    std::vector<NamedShape> read() {
         TDF_LabelSequence labels;
         shapes_->GetFreeShapes(labels);
         std::vector<Entry> roots;
@@ -160,7 +153,7 @@ private:
     void visitPart(const Entry& entry, bool root) {
         const Inherited& from = entry.data;
         const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(entry.label);
-        const std::vector<FaceColour> faces = coloursOfFaces(entry.label);
+        const ColoursByFace faces = coloursOfFaces(entry.label);
         std::size_t count = 0;
         for (TopExp_Explorer solids(shape, TopAbs_SOLID); solids.More(); solids.Next()) ++count;
         const bool several = count > 1 && !root && !from.instance.empty();
@@ -174,13 +167,18 @@ private:
             if (several) solid.assembly = bodyPath(from.assembly, from.instance);
             if (count == 1 && !from.instance.empty() && (own.empty() || !root)) solid.name = from.instance;
             if (count > 1 && own.empty() && !from.name.empty()) solid.name = from.name + " " + std::to_string(number);
-            solid.colour = colourOfSolid(entry, solids.Current(), faces);
-            found_.shapes.push_back(std::move(solid));
+            solid.colour = colourOfSolid(entry, solids.Current());
+            solid.faceColours = coloursIn(solids.Current(), faces);
+            found_.push_back(std::move(solid));
         }
         const TopoDS_Shape loose = outsideSolids(shape);
         if (!loose.IsNull())
-            found_.shapes.push_back(
-                {placed(loose.Moved(from.place)), from.name, colourOfSolid(entry, loose, faces), from.assembly});
+            found_.push_back({placed(loose.Moved(from.place)),
+                              from.name,
+                              colourOfSolid(entry, loose),
+                              from.assembly,
+                              {},
+                              coloursIn(loose, faces)});
     }
 
     std::string nameOfSolid(const TDF_Label& part, const TopoDS_Shape& solid) const {
@@ -188,48 +186,36 @@ private:
         return shapes_->FindSubShape(part, solid, label) ? nameOf(label) : std::string();
     }
 
-    std::vector<FaceColour> coloursOfFaces(const TDF_Label& part) const {
+    ColoursByFace coloursOfFaces(const TDF_Label& part) const {
         TDF_LabelSequence labels;
         XCAFDoc_ShapeTool::GetSubShapes(part, labels);
-        std::vector<FaceColour> faces;
+        ColoursByFace faces;
         for (const TDF_Label& label : labels) {
             const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
             if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE) continue;
-            if (const BodyColour colour = colourOf(label)) faces.push_back({shape, *colour});
+            if (const BodyColour colour = colourOf(label)) faces.Bind(shape, *colour);
         }
         return faces;
     }
 
-    /// The colour that a solid inherits, its own, that of its part, or the most frequent one of its faces, in this
-    /// order. Counts the faces of another colour.
-    BodyColour colourOfSolid(const Entry& entry, const TopoDS_Shape& solid, const std::vector<FaceColour>& faces) {
-        BodyColour colour = entry.data.colour;
+    /// The colour that a solid inherits, its own, or that of its part, in this order. Colours of its faces are drawn
+    /// over it, as in OpenCASCADE's own viewer.
+    BodyColour colourOfSolid(const Entry& entry, const TopoDS_Shape& solid) const {
+        if (entry.data.colour) return entry.data.colour;
         TDF_Label label;
-        if (!colour && shapes_->FindSubShape(entry.label, solid, label)) colour = colourOf(label);
-        if (!colour) colour = colourOf(entry.label);
-        if (faces.empty()) return colour;
-        TopTools_IndexedMapOfShape own;
-        TopExp::MapShapes(solid, TopAbs_FACE, own);
-        std::map<std::array<std::uint8_t, 3>, std::size_t> counts;
-        for (const FaceColour& face : faces)
-            if (own.Contains(face.face)) ++counts[face.colour];
-        const auto most = std::max_element(counts.begin(), counts.end(),
-                                           [](const auto& a, const auto& b) { return a.second < b.second; });
-        if (!colour && most != counts.end()) colour = most->first;
-        for (const auto& [other, count] : counts)
-            if (other != colour) found_.faceColours += count;
-        return colour;
+        const BodyColour own = shapes_->FindSubShape(entry.label, solid, label) ? colourOf(label) : std::nullopt;
+        return own ? own : colourOf(entry.label);
     }
 
     Handle(XCAFDoc_ShapeTool) shapes_;
     Handle(XCAFDoc_ColorTool) colours_;
-    DocumentShapes found_;
+    std::vector<NamedShape> found_;
     std::size_t unnamed_ = 0; ///< assemblies without a name so far
 };
 
 } // namespace
 
-DocumentShapes documentShapes(const Handle(TDocStd_Document) & document) {
+std::vector<NamedShape> documentShapes(const Handle(TDocStd_Document) & document) {
     return DocumentReader(document).read();
 }
 

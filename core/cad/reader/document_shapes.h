@@ -8,13 +8,8 @@
 
 namespace burin {
 
-struct DocumentShapes {
-    std::vector<NamedShape> shapes;
-    std::size_t faceColours = 0; ///< faces whose colour differs from that of their body
-};
-
 /// Returns the shapes of an OpenCASCADE document with their assemblies, names and colours; placements are applied.
-DocumentShapes documentShapes(const Handle(TDocStd_Document) & document);
+std::vector<NamedShape> documentShapes(const Handle(TDocStd_Document) & document);
 
 /// Returns one entry for each solid of a shape and one for everything that belongs to no solid; the placement is
 /// applied to the geometry.

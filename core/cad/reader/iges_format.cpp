@@ -48,7 +48,7 @@ FormatMatch matchFormat(IgesFormat, std::string_view content) {
 }
 
 Result<Model> readFormat(IgesFormat, ModelSource& source) {
-    return modelOf(readIgesFile(source.request.file, source.report.fraction), source);
+    return modelOf(readIgesFile(source.request.file, source.content.size(), source.report), source);
 }
 
 } // namespace burin

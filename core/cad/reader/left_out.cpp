@@ -43,11 +43,11 @@ bool isAnnotation(const Standard_Transient& entity) {
 
 } // namespace
 
-void noteFaceColours(CadFile& file, std::size_t count) {
+void noteLostFaceColours(CadFile& file, std::size_t count) {
     if (count == 1)
-        add(file, import_notes::faceColourLeftOut.text);
+        add(file, import_notes::repairedFaceColourLost.text);
     else
-        addCounted(file, import_notes::faceColoursLeftOut, count);
+        addCounted(file, import_notes::repairedFaceColoursLost, count);
 }
 
 void noteLeftOut(CadFile& file, const StepData_StepModel& model) {

@@ -13,8 +13,8 @@ namespace burin {
 
 // Notes on what a file has and a model does not keep.
 
-/// @param count faces whose colour differs from that of their body
-void noteFaceColours(CadFile& file, std::size_t count);
+/// @param count faces whose colour the repair of a solid lost
+void noteLostFaceColours(CadFile& file, std::size_t count);
 void noteLeftOut(CadFile& file, const StepData_StepModel& model);
 void noteLeftOut(CadFile& file, const IGESData_IGESModel& model);
 

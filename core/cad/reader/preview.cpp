@@ -3,6 +3,7 @@
 #include "core/cad/reader/preview.h"
 
 #include "core/cad/reader/shape_mesh.h"
+#include "core/cad/reader/solid_colours.h"
 
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
@@ -57,7 +58,9 @@ double diagonalOf(std::span<const NamedSolid> solids) {
     return box.IsVoid() || box.IsOpen() ? 0.0 : std::sqrt(box.SquareExtent());
 }
 
-PreviewMesh meshCoarsely(const TopoDS_Solid& solid, double chord, const Handle(TimeLimit) & limit) {
+/// @param faceOf receives the number of the face of each triangle, in `meshedFaces`
+PreviewMesh meshCoarsely(const TopoDS_Solid& solid, double chord, const Handle(TimeLimit) & limit,
+                         std::vector<std::uint32_t>& faceOf) {
     IMeshTools_Parameters parameters;
     parameters.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
     parameters.Deflection = chord;
@@ -69,7 +72,7 @@ PreviewMesh meshCoarsely(const TopoDS_Solid& solid, double chord, const Handle(T
     parameters.InternalVerticesMode = Standard_True; // a face bulges between its edges
     BRepTools::Clean(solid);                         // the triangulation stored in the file
     const BRepMesh_IncrementalMesh mesher(solid, parameters, limit->Start());
-    const TriangleMesh mesh = ShapeMesh(solid, chord).mesh();
+    const TriangleMesh mesh = ShapeMesh(solid, chord).mesh(&faceOf);
     BRepTools::Clean(solid);
     PreviewMesh preview;
     preview.vertices.assign(mesh.vertices.begin(), mesh.vertices.end());
@@ -88,9 +91,12 @@ std::optional<ModelPreview> previewOf(std::span<const NamedSolid> solids, double
     ModelPreview preview;
     const std::vector<std::string> names = bodyNames(solids);
     for (const NamedSolid& solid : solids) {
-        PreviewMesh mesh = meshCoarsely(solid.solid, coarse, limit);
+        std::vector<std::uint32_t> faceOf;
+        PreviewMesh mesh = meshCoarsely(solid.solid, coarse, limit, faceOf);
         if (limit->over()) return std::nullopt;
-        preview.bodies.push_back({names[preview.bodies.size()], solid.colour, std::move(mesh)});
+        const SolidColours colours = coloursOf(solid);
+        preview.bodies.push_back(
+            {names[preview.bodies.size()], colours.body, std::move(mesh), faceColoursOf(colours, faceOf)});
     }
     return preview;
 } catch (const Standard_Failure&) {

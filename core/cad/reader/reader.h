@@ -15,6 +15,12 @@ namespace burin {
 struct ReaderReports {
     std::function<void(double)> fraction;                     ///< 0 … 1
     std::function<void(const ModelPreview& preview)> preview; ///< called at most once, if the request asks for it
+    /// What the reader is doing, with the amounts of ImportStage; before the fractions of that stage.
+    std::function<void(ImportStage stage, double done, double total)> stage;
+
+    void tell(ImportStage now, double done = 0.0, double total = 0.0) const {
+        if (stage) stage(now, done, total);
+    }
 };
 
 /// Reads, heals, meshes and measures a model file. Errors, with an empty subject: as importModel.

@@ -4,18 +4,22 @@
 
 #include "core/cad/body_path.h"
 #include "core/cad/import_notes.h"
+#include "core/cad/reader/left_out.h"
+#include "core/cad/reader/solid_colours.h"
 
 #include <BRepBuilderAPI_MakeSolid.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepLib.hxx>
 #include <BRep_Tool.hxx>
+#include <ShapeBuild_ReShape.hxx>
 #include <ShapeFix_Shape.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 
+#include <algorithm>
 #include <span>
 #include <string_view>
 
@@ -50,34 +54,83 @@ void note(CadFile& file, ImportNote::Kind kind, std::string text) {
     file.notes.push_back({kind, std::move(text)});
 }
 
-/// Returns the closed shells among loose faces, as solids.
-std::vector<TopoDS_Solid> sewn(std::span<const NamedShape> loose, int& openEdges) {
+/// Returns the colours of loose faces after sewing: their own or, where the entries differ, that of their entry.
+ColoursByFace sewnColours(std::span<const NamedShape> loose, const BRepBuilderAPI_Sewing& sewing) {
+    const bool differ =
+        std::ranges::any_of(loose, [&](const NamedShape& entry) { return entry.colour != loose.front().colour; });
+    ColoursByFace colours;
+    for (const NamedShape& entry : loose) {
+        auto own = entry.faceColours.begin();
+        for (TopExp_Explorer faces(entry.shape, TopAbs_FACE); faces.More(); faces.Next()) {
+            BodyColour colour = own == entry.faceColours.end() ? BodyColour() : *own++;
+            if (!colour && differ) colour = entry.colour;
+            if (colour) colours.Bind(sewing.ModifiedSubShape(faces.Current()), *colour);
+        }
+    }
+    return colours;
+}
+
+/// The closed shells among loose faces, as solids.
+struct SewnSolids {
+    std::vector<TopoDS_Solid> solids;
+    ColoursByFace colours;
+};
+
+SewnSolids sewn(std::span<const NamedShape> loose, int& openEdges) {
     BRepBuilderAPI_Sewing sewing(sewingTolerance);
     for (const NamedShape& entry : loose) sewing.Add(entry.shape);
     sewing.Perform();
     openEdges += sewing.NbFreeEdges();
-    std::vector<TopoDS_Solid> solids;
+    SewnSolids found{{}, sewnColours(loose, sewing)};
     for (TopExp_Explorer shells(sewing.SewedShape(), TopAbs_SHELL); shells.More(); shells.Next()) {
         const TopoDS_Shell shell = TopoDS::Shell(shells.Current());
         if (!BRep_Tool::IsClosed(shell)) continue;
         BRepBuilderAPI_MakeSolid solid(shell);
-        if (solid.IsDone()) solids.push_back(solid.Solid());
+        if (solid.IsDone()) found.solids.push_back(solid.Solid());
     }
-    return solids;
+    return found;
+}
+
+/// Repairs a shape. @param colours as NamedShape::faceColours; replaced by those of the repaired shape
+/// @param lost receives the number of coloured faces that the result does not have
+TopoDS_Shape repaired(const TopoDS_Shape& shape, std::vector<BodyColour>& colours, std::size_t& lost) {
+    const Handle(ShapeFix_Shape) fix = new ShapeFix_Shape(shape);
+    fix->Perform();
+    TopoDS_Shape result = fix->Shape();
+    if (colours.empty()) return result;
+    TopTools_IndexedMapOfShape there;
+    TopExp::MapShapes(result, TopAbs_FACE, there);
+    const ColoursByFace before = coloursByFace(shape, colours);
+    ColoursByFace after;
+    for (ColoursByFace::Iterator face(before); face.More(); face.Next()) {
+        bool found = false;
+        for (TopExp_Explorer parts(fix->Context()->Apply(face.Key()), TopAbs_FACE); parts.More(); parts.Next()) {
+            if (!there.Contains(parts.Current())) continue;
+            after.Bind(parts.Current(), face.Value());
+            found = true;
+        }
+        lost += found ? 0 : 1;
+    }
+    colours = coloursIn(result, after);
+    return result;
 }
 
 /// Repairs one solid if needed, and orients it so that its material is inside.
 void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& solids) {
     const std::string title = quoted(from, solids.size() + 1);
     TopoDS_Shape shape = from.shape;
+    std::vector<BodyColour> colours = from.faceColours;
     if (!BRepCheck_Analyzer(shape).IsValid()) {
-        shape = healed(shape);
+        std::size_t lost = 0;
+        shape = repaired(shape, colours, lost);
+        noteLostFaceColours(file, lost);
         if (BRepCheck_Analyzer(shape).IsValid())
             note(file, ImportNote::Kind::healing, fill(import_notes::repaired, {title}));
         else
             note(file, ImportNote::Kind::warning, fill(import_notes::notRepaired, {title}));
     }
     const PlacedPart part = count(shape, TopAbs_SOLID) == 1 ? from.from : PlacedPart();
+    const ColoursByFace byFace = coloursByFace(shape, colours);
     for (TopExp_Explorer parts(shape, TopAbs_SOLID); parts.More(); parts.Next()) {
         TopoDS_Solid solid = TopoDS::Solid(parts.Current());
         if (count(solid, TopAbs_FACE) == 0) {
@@ -89,7 +142,7 @@ void addHealed(CadFile& file, const NamedShape& from, std::vector<NamedSolid>& s
             note(file, ImportNote::Kind::warning, fill(import_notes::solidOpen, {title}));
         else if (solid.Orientation() != before)
             note(file, ImportNote::Kind::healing, fill(import_notes::insideOut, {title}));
-        solids.push_back({solid, from.name, from.colour, from.assembly, part});
+        solids.push_back({solid, from.name, from.colour, from.assembly, part, coloursIn(solid, byFace)});
     }
 }
 
@@ -100,9 +153,10 @@ int countFaces(std::span<const NamedShape> entries) {
 }
 
 /// Adds the solids that several entries of loose faces form together; returns false if there are none. Names,
-/// assemblies or colours of the entries are used for the solid only if all are the same.
+/// assemblies or colours of the entries are used for the solid only if all are the same; different colours become those
+/// of its faces.
 bool addSewn(CadFile& file, std::span<const NamedShape> loose, std::vector<NamedSolid>& solids, int& openEdges) {
-    const std::vector<TopoDS_Solid> closed = sewn(loose, openEdges);
+    const SewnSolids closed = sewn(loose, openEdges);
     NamedShape entry = loose.front();
     for (const NamedShape& other : loose) {
         if (other.name != entry.name) entry.name.clear();
@@ -110,16 +164,17 @@ bool addSewn(CadFile& file, std::span<const NamedShape> loose, std::vector<Named
         if (other.assembly != entry.assembly) entry.assembly.clear();
     }
     int left = countFaces(loose);
-    for (const TopoDS_Solid& solid : closed) {
+    for (const TopoDS_Solid& solid : closed.solids) {
         const int faces = count(solid, TopAbs_FACE);
         left -= faces;
         note(file, ImportNote::Kind::healing, counted(faces, import_notes::faceSewn, import_notes::facesSewn));
         entry.shape = solid;
+        entry.faceColours = coloursIn(solid, closed.colours);
         addHealed(file, entry, solids);
     }
-    if (!closed.empty() && left > 0)
+    if (!closed.solids.empty() && left > 0)
         note(file, ImportNote::Kind::warning, counted(left, import_notes::faceLeftOut, import_notes::facesLeftOut));
-    return !closed.empty();
+    return !closed.solids.empty();
 }
 
 /// Describes the content of a file without a solid.
@@ -146,16 +201,18 @@ std::vector<std::string> bodyNames(std::span<const NamedSolid> solids) {
 }
 
 TopoDS_Shape healed(const TopoDS_Shape& shape) {
-    const Handle(ShapeFix_Shape) fix = new ShapeFix_Shape(shape);
-    fix->Perform();
-    return fix->Shape();
+    std::vector<BodyColour> colours;
+    std::size_t lost = 0;
+    return repaired(shape, colours, lost);
 }
 
-Result<std::vector<NamedSolid>> makeSolids(CadFile& file) {
+Result<std::vector<NamedSolid>> makeSolids(CadFile& file, const ReportShapes& report) {
     std::vector<NamedSolid> solids;
     std::vector<NamedShape> loose; // entries that form no solid by themselves
     int looseEdges = 0, openEdges = 0;
+    std::size_t done = 0;
     for (const NamedShape& entry : file.shapes) {
+        if (report) report(done++, file.shapes.size());
         if (count(entry.shape, TopAbs_SOLID) > 0)
             addHealed(file, entry, solids);
         else if (count(entry.shape, TopAbs_FACE) == 0)

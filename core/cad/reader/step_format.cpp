@@ -17,7 +17,7 @@ FormatMatch matchFormat(StepFormat, std::string_view content) {
 }
 
 Result<Model> readFormat(StepFormat, ModelSource& source) {
-    return modelOf(readStepFile(source.request.file, source.content, source.report.fraction), source);
+    return modelOf(readStepFile(source.request.file, source.content, source.report), source);
 }
 
 std::string stepProtocol(std::string_view content) {

@@ -29,4 +29,7 @@ void blockScale(Session& session);
 void pointScale(Session& session);
 void solidScale(Session& session); ///< voxels and triangles
 
+/// import.cancel.*: the time from cancelling an import to its return.
+void importFigures(Session& session);
+
 } // namespace burin::benchmarks

@@ -8,6 +8,6 @@ int main(int argc, char** argv) {
     using namespace burin::benchmarks;
     return run({"burin-bench-scale",
                 "How costs grow with samples, blocks, points, voxels and triangles",
-                {sampleScale, blockScale, pointScale, solidScale}},
+                {sampleScale, blockScale, pointScale, solidScale, importFigures}},
                argc, argv);
 }

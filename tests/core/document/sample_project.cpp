@@ -78,7 +78,8 @@ bool identical(const Body& one, const Body& other) {
     return one.name == other.name && one.colour == other.colour && sameBits(one.volume, other.volume) &&
            sameBits(one.area, other.area) && sameBits(one.box.low, other.box.low) &&
            sameBits(one.box.high, other.box.high) && one.openEdges == other.openEdges &&
-           one.faceCount == other.faceCount && one.mesh.triangles == other.mesh.triangles &&
+           one.faceCount == other.faceCount && one.faceColours == other.faceColours &&
+           one.mesh.triangles == other.mesh.triangles &&
            std::ranges::equal(one.mesh.vertices, other.mesh.vertices,
                               [](const glm::dvec3& a, const glm::dvec3& b) { return sameBits(a, b); });
 }

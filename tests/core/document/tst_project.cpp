@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/document/mesh_blob.h"
 #include "core/document/project.h"
 #include "core/document/setup_record.h"
 #include "tests/core/document/sample_project.h"
@@ -48,6 +49,29 @@ private slots:
         Result<Project> project = Project::open(fileIn(folder));
         QVERIFY(project && !project->recovered() && !*project->unsaved());
         QVERIFY(fixture::holdsFixture(*project));
+    }
+
+    /// Colours of faces come back, and the mesh before them is as without: as older versions read it.
+    void coloursOfFacesComeBack() {
+        const QTemporaryDir folder;
+        Model model = fixture::model();
+        FaceColours& colours = model.bodies.back().faceColours;
+        colours = {{0, 2, {1, 2, 3}}, {2, 1, {255, 254, 253}}, {7, 5, {1, 2, 3}}}; // of twelve triangles
+        {
+            Result<Project> project = Project::create(fileIn(folder));
+            QVERIFY(project && project->setModel(model) && project->save());
+        }
+        Result<Project> project = Project::open(fileIn(folder));
+        QVERIFY(project);
+        const Result<Model> read = project->model();
+        QVERIFY(read && fixture::identical(*read, model));
+        const std::string mesh = encodeMesh(model.bodies.back().mesh), blob = mesh + encodeFaceColours(colours);
+        QVERIFY(decodeMesh(blob)->triangles == decodeMesh(mesh)->triangles);
+        QVERIFY(decodeMesh(blob)->vertices == decodeMesh(mesh)->vertices);
+        QVERIFY(decodeFaceColours(blob, 12) == colours && decodeFaceColours(mesh, 12)->empty());
+        // Colours of triangles that the mesh does not have, and a blob that was cut off.
+        QVERIFY(!decodeFaceColours(blob, 11));
+        QVERIFY(!decodeMesh(std::string_view(blob).substr(0, blob.size() - 1)));
     }
 
     /// Files written by each version, kept in the repository.

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/haptics/boundary/proxy.h"
 #include "core/haptics/trace/trace_stylus.h"
 #include "core/job/job_paths.h"
 #include "core/job/milling_session.h"
 #include "core/job/recorded_cuts.h"
+#include "core/job/touched_stock.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/core/job/part_milling.h"
 #include "tests/core/job/session_stage.h"
@@ -306,6 +308,40 @@ private slots:
         QVERIFY(!evaluated);
         QCOMPARE(evaluated.error().code, ErrorCode::notSupported);
         QVERIFY(evaluated.error().place.find("--axis fixed") != std::string::npos);
+    }
+
+    /// The stock from 0 to 20 mm holds a tool that does not cut where its layer is switched on, and a face is found on
+    /// it within the contact gap; without contact none is. A recording switches the layer off: the tool goes on into
+    /// the stock and cuts it.
+    void theStockHoldsAToolUntilItIsToCut() {
+        const QTemporaryDir folder;
+        AroundStage stage(folder, {}, {}, 0);
+        stage.bounds->addStock(stage.milling.setup);
+        QCOMPARE(stage.bounds->layers().back().kind, BoundLayer::Kind::stock);
+        const std::size_t stock = stage.bounds->layers().size() - 1;
+        stage.hand.letButton(false);
+        const Tool& tool = stage.milling.tool;
+        const glm::dvec3 before(-12.0, 10.0, 5.0), inside(3.0, 10.0, 5.0);
+        stage.hand.leadTo(before);
+        const auto session = stage.begin(handRequest(Pace::realtime));
+        QVERIFY(session && session->setLayer(stock, true));
+        SessionState state;
+        const auto tip = [&] { return session->newest(state), state.sample.proxy.tip; };
+        QVERIFY(await([&] { return stage.hand.arrived() && glm::length(tip() - before) < 0.01; }));
+        QCOMPARE(touchedFace(state.sample, tool, 0.0).outcome, TouchedFace::Outcome::nothing);
+
+        stage.hand.leadTo(inside);
+        QVERIFY(await([&] { return stage.hand.arrived() && session->newest(state) && state.layers[stock].holds; }));
+        const TouchedFace face = touchedFace(state.sample, tool, 0.0);
+        QCOMPARE(face.outcome, TouchedFace::Outcome::found);
+        QVERIFY(face.axis == 0 && !face.high && std::abs(face.place.x) <= Proxy::contactGap);
+        QCOMPARE(sideTouched(stage.milling.setup, face), std::optional(0.0));
+
+        QVERIFY(session->startRecording("cut"));
+        QVERIFY(!session->setLayer(stock, true));
+        QVERIFY(await([&] { return glm::length(tip() - inside) < 0.01; }));
+        QCOMPARE(state.layers[stock].state, BoundaryLayers::State::off);
+        QVERIFY(session->stopRecording() && session->end());
     }
 
     /// Switched off, a fixture lets the tool in; switched on again around it, the fixture waits, and the tool stays
