@@ -109,18 +109,17 @@ Result<void> addPainted(const PassArguments& arguments, const Project& project, 
 
 Result<void> addLines(const PassArguments& arguments, const Project& project, CommandContext& context,
                       PassRequest& request) {
-    const auto add = [&request](std::vector<PassLine>& lines) {
-        std::ranges::move(lines, std::back_inserter(request.lines));
-    };
+    std::vector<TakeLines> takes;
     for (const std::int64_t take : arguments.leads) {
         Result<std::vector<PassLine>> lines = linesOfTake(project, take, context.progress());
         if (!lines) return std::move(lines).error();
-        add(*lines);
+        takes.push_back({take, std::move(*lines)});
     }
+    leadBy(takes, request);
     if (arguments.lines.empty()) return {};
     Result<PassRequest> shapes = shapesIn(arguments.lines, false, arguments, context);
     if (!shapes) return std::move(shapes).error();
-    add(shapes->lines);
+    std::ranges::move(shapes->lines, std::back_inserter(request.lines));
     return {};
 }
 
@@ -209,6 +208,19 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
                     BURIN_TEXT("Help", "Takes whose strokes the rows of flow follow, or beside which pencil looks for "
                                        "edges"))
             .separatedBy(','));
+    withPass(
+        command
+            .option("--hand", arguments.hand,
+                    BURIN_TEXT("Help", "What rows do where takes earlier in the path have finished the part: ignore "
+                                       "(default), keep-off, blend (go on over its border by --overlap, without a "
+                                       "step), extend (flow: its rows continue those strokes sideways)"))
+            .choices(std::vector<std::string>(handStrokesIds.begin(), handStrokesIds.end())));
+    withPass(command.option("--overlap", request.overlap,
+                            BURIN_TEXT("Help", "--hand blend: how far rows go on over the border, mm (default: 0.5)")));
+    withPass(command.option(
+        "--finished-within", request.finishedWithin,
+        BURIN_TEXT("Help", "--hand: largest height that takes may have left on what counts as finished, mm (default: "
+                           "0.02)")));
     withPass(command.option("--move", arguments.move, BURIN_TEXT("Help", "Move the drawing by X,Y, mm")));
     withPass(command
                  .option("--unit", arguments.unit,
@@ -225,6 +237,8 @@ Result<PassRequest> requestOf(const PassArguments& arguments, const Project& pro
     const Result<PassKind> kind = passKindWithId(arguments.kind);
     if (!kind) return kind.error();
     request.kind = *kind;
+    const auto hand = std::ranges::find(handStrokesIds, arguments.hand); // the parser knows no others
+    request.hand = static_cast<HandStrokes>(hand - handStrokesIds.begin());
     request.direction = glm::radians(arguments.directionDegrees);
     if (arguments.flattestDegrees) request.flattest = glm::radians(*arguments.flattestDegrees);
     if (arguments.steepestDegrees) request.steepest = glm::radians(*arguments.steepestDegrees);

@@ -16,7 +16,7 @@ namespace burin {
 
 /// The arguments for a computed pass, as given by the user.
 struct PassArguments {
-    std::string kind, tool, area, lines, move, unit;
+    std::string kind, tool, area, lines, move, unit, hand{"ignore"};
     std::vector<std::int64_t> leads, paint;
     std::vector<std::string> faces; ///< points on the part
     HoleArguments holes;

@@ -127,6 +127,20 @@ std::string textOf(const std::vector<PassFigures>& figures) {
     return text;
 }
 
+void addOutdated(const std::vector<std::int64_t>& outdated, json& passes) {
+    for (json& pass : passes)
+        pass["out_of_date"] = std::ranges::find(outdated, pass["id"].get<std::int64_t>()) != outdated.end();
+}
+
+std::string textOfOutdated(const std::vector<std::int64_t>& outdated) {
+    std::string text;
+    for (const std::int64_t pass : outdated)
+        text += "\n  " + worded(BURIN_TEXT("Command", "pass %1 is out of date: the strokes that lead it have changed. "
+                                                      "Compute it again with \"recompute --outdated\"."),
+                                {std::to_string(pass)});
+    return text;
+}
+
 int saveAndAnswer(ProjectChange& project, const StoredPath& path, CommandContext& context, json further,
                   const std::string& furtherText) {
     const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);

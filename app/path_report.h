@@ -28,6 +28,10 @@ std::string textOf(const StoredPath& path, const std::vector<GeneratedInfo>& pas
 void addFigures(const std::vector<PassFigures>& figures, nlohmann::json& passes);
 /// The same as readable text, one line each.
 std::string textOf(const std::vector<PassFigures>& figures);
+/// Adds to each pass of `jsonOf` whether it is out of date: strokes that lead it have changed since it was computed.
+void addOutdated(const std::vector<std::int64_t>& outdated, nlohmann::json& passes);
+/// The same as readable text, one line for each that is.
+std::string textOfOutdated(const std::vector<std::int64_t>& outdated);
 /// The points as CSV, one line each, with units in the heading.
 std::string csvOf(const Path& path);
 

@@ -39,6 +39,7 @@ struct PathArguments {
     PassArguments pass;
     CompareArguments compare;
     std::optional<std::int64_t> meantPass; ///< the pass to be deleted or recomputed
+    bool outdatedOnly = false;             ///< recompute those passes only
 };
 
 int list(const PathArguments& arguments, CommandContext& context) {
@@ -163,7 +164,7 @@ int computeAgain(const PathArguments& arguments, CommandContext& context) {
     if (!project) return context.fail(project.error());
     const Result<StoredPath> path = pathWithId(**project, arguments.path);
     if (!path) return context.fail(path.error());
-    return recompute(*project, *path, arguments.meantPass, arguments.machine, context);
+    return recompute(*project, *path, {arguments.meantPass, arguments.outdatedOnly}, arguments.machine, context);
 }
 
 Result<void> checkPosition(const StoredPath& path, const PathArguments& arguments) {
@@ -228,6 +229,9 @@ int show(const PathArguments& arguments, CommandContext& context) {
     const Result<std::vector<PassFigures>> figures = passFigures(*matter, *milling, *stored, *path, context.progress());
     if (!figures) return context.fail(figures.error());
     addFigures(*figures, answer["passes"]);
+    const Result<std::vector<std::int64_t>> outdated = outdatedPassesOf(*project, *stored, *milling, context);
+    if (!outdated) return context.fail(outdated.error());
+    addOutdated(*outdated, answer["passes"]);
     answer["reports"] = burin::jsonOf(path->reports);
     answer["points"] = path->path.points.size();
     answer["error_budget_mm"] = path->errorBudget;
@@ -236,7 +240,7 @@ int show(const PathArguments& arguments, CommandContext& context) {
                  conventional = bySide[static_cast<std::size_t>(MillingSide::conventional)];
     answer["climb_mm"] = climb;
     answer["conventional_mm"] = conventional;
-    std::string text = textOf(*stored, *passes) + textOf(*figures) + "\n" +
+    std::string text = textOf(*stored, *passes) + textOf(*figures) + textOfOutdated(*outdated) + "\n" +
                        worded(BURIN_TEXT("Command", "%1 points, error budget %2 mm, climb %3 mm, conventional %4 mm"),
                               {std::to_string(path->path.points.size()), formatFixed(path->errorBudget, 4),
                                formatFixed(climb, 1), formatFixed(conventional, 1)});
@@ -372,6 +376,9 @@ void registerPath(CommandParser program, CommandContext& context, int& status) {
                                              remove));
     const CommandParser again = withPath(add(
         "recompute", BURIN_TEXT("Help", "Compute the passes of a path again, as each was asked for"), computeAgain));
+    again.flag("--outdated", arguments->outdatedOnly,
+               BURIN_TEXT("Help", "Only the passes whose strokes (--lead, --hand) have changed since they were "
+                                  "computed, as \"path P show\" reports them"));
     again.option("--machine", arguments->machine, BURIN_TEXT("Help", "Machine (default: the project's)"));
     const CommandParser order =
         withPath(add("order", BURIN_TEXT("Help", "Move a pass or take to another position in its path"),

@@ -26,6 +26,8 @@ std::string textOfOmissions(const Pass& pass, bool threads) {
     add(pass.leftOut, BURIN_TEXT("Command", "%1 mm were skipped: too much stock is in the way of the tool. Rough it "
                                             "first, or use a longer tool."));
     add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were skipped: fixtures or keep-out volumes are in the way."));
+    add(pass.leftToHand, BURIN_TEXT("Command", "%1 mm were left to strokes of the hand, which have finished the part "
+                                               "there."));
     if (pass.unreachedHoles > 0) text += "\n" + unreachedHolesText(pass.unreachedHoles, threads).toStdString();
     return text;
 }
@@ -65,6 +67,7 @@ struct KeptPass {
                 {"length_mm", pass.length},
                 {"left_out_mm", pass.leftOut},
                 {"in_the_way_mm", pass.inTheWay},
+                {"left_to_hand_mm", pass.leftToHand},
                 {"unreached_holes", pass.unreachedHoles},
                 {"strokes", pass.moves.strokes.size()}};
     }
@@ -106,7 +109,8 @@ int tellPreview(const Project& project, const MillingContext& milling, const Sto
     context.stage(BURIN_TEXT("Command", "Computing the preview"));
     Result<std::vector<PathMatter>> before = pathsBeforePass(project, path, milling.tool.id, request, instead);
     if (!before) return context.fail(before.error());
-    const Result<PassBasis> basis = passBasis(milling, std::move(*before), request.allowance, context.progress());
+    const Result<PassBasis> basis = passBasis(milling, std::move(*before), request.allowance,
+                                              request.hand != HandStrokes::ignore, context.progress());
     if (!basis) return context.fail(basis.error());
     const Result<PassPreview> preview = previewPass(*basis, milling, request, context.progress());
     if (!preview) return context.fail(preview.error());
@@ -128,6 +132,13 @@ Result<void> checkPassOf(const StoredPath& path, std::optional<std::int64_t> pas
 }
 
 } // namespace
+
+Result<std::vector<std::int64_t>> outdatedPassesOf(const Project& project, const StoredPath& path,
+                                                   const MillingContext& milling, CommandContext& context) {
+    Result<LedPasses> led = ledPasses(project, path, context.progress());
+    if (!led) return std::move(led).error();
+    return outdatedPasses(std::move(*led), milling, context.progress());
+}
 
 int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& arguments, const std::string& machine,
               CommandContext& context) {
@@ -157,8 +168,9 @@ int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& argu
     return saveAndAnswer(project, kept->path, context, kept->json(), kept->text());
 }
 
-int recompute(ProjectChange& project, StoredPath path, std::optional<std::int64_t> pass, const std::string& machine,
+int recompute(ProjectChange& project, StoredPath path, const PassChoice& choice, const std::string& machine,
               CommandContext& context) {
+    const std::optional<std::int64_t> pass = choice.pass;
     if (const Result<void> known = checkPassOf(path, pass); !known) return context.fail(known.error());
     Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
     if (!passes) return context.fail(passes.error());
@@ -172,11 +184,20 @@ int recompute(ProjectChange& project, StoredPath path, std::optional<std::int64_
     const Result<MillingContext> milling =
         makeMillingContext(*project, *tool, machineFor(*project, machine, context), context.progress());
     if (!milling) return context.fail(milling.error());
+    if (choice.outdatedOnly) {
+        const Result<std::vector<std::int64_t>> outdated = outdatedPassesOf(*project, path, *milling, context);
+        if (!outdated) return context.fail(outdated.error());
+        std::erase_if(*passes, [&](const GeneratedInfo& each) {
+            return std::ranges::find(*outdated, each.id) == outdated->end();
+        });
+    }
     nlohmann::json made = nlohmann::json::array();
     std::string text;
+    if (passes->empty()) text = "\n" + worded(BURIN_TEXT("Command", "all passes are up to date"));
     for (const GeneratedInfo& each : *passes) {
         if (pass && each.id != *pass) continue;
-        const Result<PassRequest> request = passRequestFromJson(each.request, each.name);
+        Result<PassRequest> request = passRequestFromJson(each.request, each.name);
+        if (request) request = ledAnew(*project, std::move(*request), context.progress());
         if (!request) return context.fail(request.error());
         Result<KeptPass> kept = keepPass(*project, *milling, std::move(path), *request, each.id, context);
         if (!kept) return context.fail(kept.error());

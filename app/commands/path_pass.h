@@ -4,6 +4,7 @@
 
 #include "app/pass_arguments.h"
 #include "core/document/project_change.h"
+#include "core/job/milling_context.h"
 
 #include <optional>
 
@@ -15,10 +16,20 @@ namespace burin {
 int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& arguments, const std::string& machine,
               CommandContext& context);
 
-/// Recomputes passes of a path from their stored requests, keeping their positions, saves and answers.
-/// @param pass id; empty: all passes of the path @return exit status
-int recompute(ProjectChange& project, StoredPath path, std::optional<std::int64_t> pass, const std::string& machine,
+/// Which passes of a path are recomputed.
+struct PassChoice {
+    std::optional<std::int64_t> pass; ///< id; empty: all
+    bool outdatedOnly = false;        ///< of all, those whose strokes have changed since they were computed
+};
+/// Recomputes passes of a path from their stored requests, with the strokes that lead them as they are now, keeping
+/// their positions, saves and answers. @return exit status
+int recompute(ProjectChange& project, StoredPath path, const PassChoice& choice, const std::string& machine,
               CommandContext& context);
+
+/// Ids of the passes of a path whose strokes have changed since they were computed. @param milling with the path's tool
+/// Errors: those of ledPasses and outdatedPasses.
+Result<std::vector<std::int64_t>> outdatedPassesOf(const Project& project, const StoredPath& path,
+                                                   const MillingContext& milling, CommandContext& context);
 
 /// Removes a path from a project, or one pass from a path, saves and answers; passes that no path uses any more are
 /// removed as well. @param pass id; empty: the whole path @return exit status

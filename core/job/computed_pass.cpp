@@ -23,6 +23,7 @@ constexpr std::int64_t yetToCome = std::numeric_limits<std::int64_t>::min();
 std::string whyEmpty(const PlannedPass& planned, const PassRequest& request) {
     if (planned.inTheWay > 0.0) return "fixtures or keep-out volumes are in the way: move them";
     if (planned.leftOut > 0.0) return "too much stock is in the way of the tool: rough it first, or use a longer tool";
+    if (planned.leftToHand > 0.0) return "strokes of the hand have finished the part there";
     if (request.kind == PassKind::pencil && !request.restOnly)
         return "the part has no concave edge for this tool there";
     if (planned.unreachedHoles > 0 && request.kind == PassKind::thread)
@@ -54,11 +55,20 @@ Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, StoredPa
 }
 
 Result<PassBasis> passBasis(const MillingContext& milling, std::vector<PathMatter> before, double allowance,
-                            Progress& progress) {
+                            bool heedsHand, Progress& progress) {
     PassBasis basis;
     basis.allowance = allowance;
+    // The path of the pass itself is the last, and the only one of its tool.
+    if (heedsHand) basis.handStrokes.emplace();
+    if (heedsHand && !before.empty() && before.back().tool.id == milling.tool.id) {
+        const ProgressPart part(progress, 0.0, 0.1);
+        Result<std::vector<TipLine>> strokes =
+            handStrokes(before.back().sources, before.back().path, milling, progress);
+        if (!strokes) return std::move(strokes).error();
+        basis.handStrokes = std::move(*strokes);
+    }
     {
-        const ProgressPart part(progress, 0.0, 0.7);
+        const ProgressPart part(progress, 0.1, 0.7);
         const auto look = [&](RunVolume& stock) -> Result<void> {
             basis.standing = seenFromAbove(stock);
             return {};
@@ -88,7 +98,8 @@ Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling
                             steps.levelDepth,
                             stated > 0.0 ? stated : tool.cutter.fluteLength,
                             coarseness,
-                            steps.stepOver};
+                            steps.stepOver,
+                            basis.handStrokes.value_or(std::vector<TipLine>{})};
     return planPass(request, ground, progress);
 }
 
@@ -105,7 +116,7 @@ Result<ComputedPass> computePass(const MillingContext& milling, std::vector<Path
     if (Result<void> good = checkPass(request, milling.tool); !good) return std::move(good).error();
     const Result<PassBasis> basis = [&] {
         const ProgressPart part(progress, 0.0, 0.6);
-        return passBasis(milling, std::move(before), request.allowance, progress);
+        return passBasis(milling, std::move(before), request.allowance, request.hand != HandStrokes::ignore, progress);
     }();
     if (!basis) return basis.error();
     const ProgressPart part(progress, 0.6, 1.0);
@@ -117,11 +128,13 @@ Result<ComputedPass> computePass(const MillingContext& milling, std::vector<Path
     info.name = rowOf(request.kind).title.text;
     info.toolId = milling.tool.id;
     info.allowance = request.allowance;
-    info.request = toJson(request);
+    PassRequest computed = request;
+    computed.strokesDigest = basis->handStrokes ? digestOf(*basis->handStrokes) : std::string();
+    info.request = toJson(computed);
     GeneratedMoves moves = movesOf(*planned, std::move(info));
     stateFeeds(*planned, milling.conditions, moves);
-    return ComputedPass{std::move(moves), lengthOf(*planned), planned->leftOut, planned->inTheWay,
-                        planned->unreachedHoles};
+    return ComputedPass{std::move(moves),  lengthOf(*planned),  planned->leftOut,
+                        planned->inTheWay, planned->leftToHand, planned->unreachedHoles};
 }
 
 bool millsThreads(const GeneratedInfo& pass) {
@@ -158,28 +171,6 @@ Result<std::vector<PathSource>> movedSource(std::vector<PathSource> sources, Pat
     sources.erase(found);
     sources.insert(sources.begin() + static_cast<std::ptrdiff_t>(position), moved);
     return sources;
-}
-
-Result<std::vector<PassLine>> linesOfTake(const Project& project, std::int64_t take, Progress& progress) {
-    const Result<Take> recorded = project.take(take);
-    if (!recorded) return recorded.error();
-    const Result<Tool> tool = toolFor(project, recorded->info.toolId);
-    if (!tool) return tool.error();
-    constexpr double tremor = 6.0, follows = 0.2, apart = 0.2; // mm
-    const std::vector<Edit> edits{{DropDwells{}}, {SmoothShape{tremor, follows}}};
-    PathContext context;
-    context.tool = *tool;
-    const Result<EvaluatedPath> path = evaluate(recorded->info.name, {*recorded}, edits, context, progress);
-    if (!path) return path.error();
-    std::vector<PassLine> lines;
-    for (const PathPoint& point : path->path.points) {
-        if (point.kind == MoveKind::rapid || lines.empty()) lines.emplace_back();
-        if (lines.back().empty() || glm::distance(lines.back().back(), point.pose.tip) >= apart)
-            lines.back().push_back(point.pose.tip);
-    }
-    std::erase_if(lines, [](const PassLine& line) { return line.size() < 2; });
-    if (lines.empty()) return Error{ErrorCode::pathEmpty, recorded->info.name, "", "it has no stroke"};
-    return lines;
 }
 
 } // namespace burin

@@ -4,6 +4,7 @@
 
 #include "core/job/job_paths.h"
 #include "core/job/milling_context.h"
+#include "core/job/pass_strokes.h"
 #include "core/passes/pass_ground.h"
 #include "core/passes/pass_request.h"
 #include "core/recording/generated_moves.h"
@@ -19,6 +20,7 @@ struct ComputedPass {
     GeneratedMoves moves;                 ///< with its request; no id yet
     double length = 0.0;                  ///< mm, of its strokes
     double leftOut = 0.0, inTheWay = 0.0; ///< mm, see PlannedPass
+    double leftToHand = 0.0;              ///< mm, see PlannedPass
     std::size_t unreachedHoles = 0;
 };
 
@@ -34,12 +36,14 @@ Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, StoredPa
 struct PassBasis {
     StandingStock standing; ///< the stock left by the preceding paths
     std::shared_ptr<const ClearanceField> field;
-    double allowance = 0.0; ///< mm, up to which the field has full resolution
+    double allowance = 0.0;                          ///< mm, up to which the field has full resolution
+    std::optional<std::vector<TipLine>> handStrokes; ///< before the pass in its own path; empty: not asked for
 };
-/// Thread-safe. @param milling with the pass's tool @param allowance mm, the largest that a pass may leave on the part
-/// Errors: those of clearanceField and lendStockBehind.
+/// Thread-safe. @param milling with the pass's tool @param before as pathsBeforePass returns them @param allowance mm,
+/// the largest that a pass may leave on the part @param heedsHand whether the strokes of the hand are needed
+/// Errors: those of clearanceField, lendStockBehind and handStrokes.
 Result<PassBasis> passBasis(const MillingContext& milling, std::vector<PathMatter> before, double allowance,
-                            Progress& progress);
+                            bool heedsHand, Progress& progress);
 
 /// Plans a pass. Thread-safe. @param milling with the pass's tool @param coarseness see PassGround
 /// Errors: those of planPass.
@@ -72,10 +76,5 @@ StoredPath withPass(StoredPath path, const GeneratedInfo& pass, std::int64_t sou
 /// order; a pass keeps its computed moves until it is computed again.
 /// Errors: nameUnknown (not a source of the path), argumentInvalid (place: the position, detail: the valid positions).
 Result<std::vector<PathSource>> movedSource(std::vector<PathSource> sources, PathSource moved, std::size_t position);
-
-/// Returns the strokes of a take as guide lines for a pass, smoothed so that no row contains the tremor of the hand.
-/// mm, setup frame.
-/// Errors: those of Project::take and evaluate; pathEmpty.
-Result<std::vector<PassLine>> linesOfTake(const Project& project, std::int64_t take, Progress& progress);
 
 } // namespace burin

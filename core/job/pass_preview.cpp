@@ -73,6 +73,7 @@ Result<PassPreview> previewPass(const PassBasis& basis, const MillingContext& mi
     preview.duration = preview.every * durationOf(*planned, conditions);
     preview.leftOut = preview.every * planned->leftOut;
     preview.inTheWay = preview.every * planned->inTheWay;
+    preview.leftToHand = preview.every * planned->leftToHand;
     preview.unreachedHoles = planned->unreachedHoles;
     preview.strokes = std::move(planned->strokes);
     return preview;

@@ -13,6 +13,7 @@ struct PassPreview {
     double length = 0.0;                  ///< mm, of the complete pass, estimated
     double duration = 0.0;                ///< s, of the complete pass at the feed of tool and material, without links
     double leftOut = 0.0, inTheWay = 0.0; ///< mm of the complete pass, estimated, see PlannedPass
+    double leftToHand = 0.0;              ///< the same
     std::size_t unreachedHoles = 0;
 };
 

@@ -29,6 +29,8 @@ struct PassGround {
     /// Factor for the distances of rows, rasters and points; > 1 for a preview, 1 for the pass itself.
     double coarseness = 1.0;
     double loopStep = 0.0; ///< mm: between loops of a level where the request states none; 0: a share of the diameter
+    /// Strokes of the hand that come before the pass in its path; a request decides whether they matter.
+    std::vector<std::vector<glm::dvec3>> handStrokes{};
 };
 
 /// The tip positions of one continuous part of a pass, mm.
@@ -47,7 +49,8 @@ struct PlannedPass {
     /// Length of path that was left out, mm: so much stock stands there that the shank or holder would touch it, or
     /// that the cut would be deeper than the tool can bear. Rough first, or use a longer tool.
     double leftOut = 0.0;
-    double inTheWay = 0.0; ///< length of path left out because of fixtures and keep-out volumes, mm
+    double inTheWay = 0.0;   ///< length of path left out because of fixtures and keep-out volumes, mm
+    double leftToHand = 0.0; ///< length of path left out because strokes of the hand have finished the part there, mm
     /// of `drill`: holes whose bottom cannot be reached because of the part or the length of the drill; of `thread`:
     /// holes left without a thread, as they, or their drillings, are not as deep as it
     std::size_t unreachedHoles = 0;

@@ -44,6 +44,8 @@ const std::array<PassKindRow, 15> passKinds{{
      BURIN_TEXT("Pass", "Mills internal threads in drilled holes that are modelled with the thread's major diameter")},
 }};
 
+const std::array<std::string_view, 4> handStrokesIds{"ignore", "keep-off", "blend", "extend"};
+
 namespace {
 
 Result<void> within(const char* key, double value, double low, double high) {
@@ -82,7 +84,9 @@ Result<void> checkLines(const PassRequest& request) {
                 return Error{ErrorCode::argumentInvalid, "lines_mm",
                              formatShortest(place.x) + ", " + formatShortest(place.y), "places within 1e5 mm"};
     }
-    if (request.lines.empty() && (request.kind == PassKind::engrave || request.kind == PassKind::flow))
+    const bool needed =
+        request.kind == PassKind::engrave || (request.kind == PassKind::flow && request.hand != HandStrokes::extend);
+    if (request.lines.empty() && needed)
         return Error{ErrorCode::argumentInvalid, "lines_mm", "none", "a line at least: a stroke or curves of a file"};
     return {};
 }
@@ -139,7 +143,34 @@ Result<void> checkThread(const PassRequest& request) {
     return {};
 }
 
+/// Strokes of the hand: rejects the values for passes that would ignore them.
+Result<void> checkHand(const PassRequest& request) {
+    const auto refused = [&](const char* key, std::string allowed) -> Result<void> {
+        return Error{ErrorCode::argumentInvalid, key,
+                     std::string(handStrokesIds[static_cast<std::size_t>(request.hand)]), std::move(allowed)};
+    };
+    if (request.hand != HandStrokes::ignore && !heedsHandStrokes(request.kind))
+        return refused("hand", "ignore: only passes on the surface of the part heed strokes of the hand");
+    if (request.hand == HandStrokes::extend && request.kind != PassKind::flow)
+        return refused("hand", "ignore, keep-off or blend; only flow extends strokes of the hand");
+    if (request.hand == HandStrokes::extend && !request.lines.empty())
+        return refused("hand", "no lines to follow: the rows follow the strokes of the path");
+    if (request.overlap != 0.0 && request.hand != HandStrokes::blend) return refused("overlap_mm", "blend");
+    if (request.finishedWithin != 0.0 && request.hand == HandStrokes::ignore)
+        return refused("finished_within_mm", "keep-off, blend or extend");
+    std::int64_t led = 0;
+    for (const PassLead& lead : request.leads) led += lead.lines;
+    if (led > static_cast<std::int64_t>(request.lines.size()))
+        return Error{ErrorCode::argumentInvalid, "leads", std::to_string(led),
+                     "at most " + std::to_string(request.lines.size()) + ", the number of lines"};
+    return {};
+}
+
 } // namespace
+
+bool heedsHandStrokes(PassKind kind) noexcept {
+    return kind >= PassKind::parallel && kind <= PassKind::rest;
+}
 
 bool isInHoles(PassKind kind) noexcept {
     return kind == PassKind::drill || kind == PassKind::thread;
@@ -188,6 +219,10 @@ Result<void> validate(const PassRequest& request) {
           checkLines(request),
           checkPlaces(request),
           checkOutline(request),
+          within("overlap_mm", request.overlap, 0.0, 100.0),
+          length("finished_within_mm", request.finishedWithin, 0.001),
+          within("finished_within_mm", request.finishedWithin, 0.0, 1.0),
+          checkHand(request),
           checkThread(request)})
         if (!checked) return checked;
     if (request.top && request.bottom && *request.bottom >= *request.top)

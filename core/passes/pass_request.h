@@ -65,6 +65,27 @@ inline constexpr int mostRadialPasses = 20;
 /// Value of PassRequest::steepest that means no limit; more than a right angle.
 inline constexpr double anySlope = 1.6; // rad
 
+/// What a pass does where strokes of the hand, earlier in the same path, have finished the part.
+enum class HandStrokes : std::uint8_t {
+    ignore,  ///< mills there like anywhere else
+    keepOff, ///< stays so far away that it cuts nothing of what they finished
+    blend,   ///< goes on over the border for an overlap, and rises there to the height that the hand left
+    extend,  ///< of `flow`: its rows continue those strokes sideways, step by step, up to the border of the area
+};
+/// Their ids, "ignore" and so on, in the order of the enumeration.
+extern const std::array<std::string_view, 4> handStrokesIds;
+/// Whether a kind of pass may do anything but ignore them.
+bool heedsHandStrokes(PassKind kind) noexcept;
+/// Defaults of PassRequest::overlap and PassRequest::finishedWithin, mm.
+inline constexpr double usualOverlap = 0.5, usualFinish = 0.02;
+
+/// A take whose strokes lead a pass.
+struct PassLead {
+    std::int64_t take = 0;
+    int lines = 0; ///< how many of the request's lines came from it
+    friend bool operator==(const PassLead&, const PassLead&) = default;
+};
+
 /// The request to a planner. Lengths in mm, angles in rad, setup frame; upright tools.
 struct PassRequest {
     PassKind kind = PassKind::levels;
@@ -86,6 +107,14 @@ struct PassRequest {
     bool areaOnPart = false; ///< of rows and waterlines: the area limits the contact points of the tool, not its tip
     PlanRegion area;         ///< where the tip may be; of pocket and profile: the shape to cut. Empty: everywhere
     std::vector<PassLine> lines;
+    std::vector<PassLead> leads{}; ///< where the first of the lines come from, in their order
+    HandStrokes hand = HandStrokes::ignore;
+    double overlap = 0.0; ///< of `HandStrokes::blend`, along a row; 0: usualOverlap
+    /// Unless strokes are ignored: the height that they may leave above this pass on what counts as finished; 0:
+    /// usualFinish
+    double finishedWithin = 0.0;
+    /// Identifies the strokes of the hand that the pass was computed on (digestOf); empty: they were ignored
+    std::string strokesDigest{};
     /// of `engrave` and `drill`, below the top; of `thread`, below the top of its hole; `drill`, `thread`: 0: from the
     /// hole of the part
     double depth = 0.0;

@@ -30,6 +30,8 @@ constexpr NumberKey numberKeys[] = {
     {"tab_height_mm", &PassRequest::tabHeight},
     {"pitch_mm", &PassRequest::pitch},
     {"major_diameter_mm", &PassRequest::majorDiameter},
+    {"overlap_mm", &PassRequest::overlap},
+    {"finished_within_mm", &PassRequest::finishedWithin},
 };
 struct SwitchKey {
     const char* key;
@@ -76,6 +78,9 @@ std::string toJson(const PassRequest& request) {
         text["places_mm"].push_back(place.x);
         text["places_mm"].push_back(place.y);
     }
+    for (const PassLead& lead : request.leads) text["leads"].push_back({{"take", lead.take}, {"lines", lead.lines}});
+    if (request.hand != HandStrokes::ignore) text["hand"] = handStrokesIds[static_cast<std::size_t>(request.hand)];
+    if (!request.strokesDigest.empty()) text["strokes_digest"] = request.strokesDigest;
     if (request.tabs != 0) text["tabs"] = request.tabs;
     if (request.radialPasses != 1) text["radial_passes"] = request.radialPasses;
     return text.dump();
@@ -102,6 +107,15 @@ Result<PassRequest> passRequestFromJson(std::string_view text, const std::string
             PassLine& places = request.lines.emplace_back();
             for (std::size_t i = 0; i + 2 < flat.size(); i += 3) places.emplace_back(flat[i], flat[i + 1], flat[i + 2]);
         });
+    if (file->has("leads"))
+        file->objects("leads", [&](JsonObject& lead) {
+            request.leads.push_back(
+                {static_cast<std::int64_t>(lead.number("take", {1.0, 1e15})), lead.integer("lines", 1, 1'000'000)});
+        });
+    if (file->has("hand"))
+        request.hand = static_cast<HandStrokes>(
+            file->choice("hand", std::vector<std::string_view>(handStrokesIds.begin(), handStrokesIds.end())));
+    if (file->has("strokes_digest")) request.strokesDigest = file->text("strokes_digest");
     if (file->has("places_mm")) {
         const std::vector<double> flat = file->numbers("places_mm", coordinates, 2);
         for (std::size_t i = 0; i + 1 < flat.size(); i += 2) request.places.emplace_back(flat[i], flat[i + 1]);

@@ -4,6 +4,7 @@
 
 #include "core/geometry/upright.h"
 #include "core/passes/drill_pass.h"
+#include "core/passes/hand_finish.h"
 #include "core/passes/keep_clear.h"
 #include "core/passes/level_pass.h"
 #include "core/passes/milling_plan.h"
@@ -71,6 +72,7 @@ Result<PlannedPass> planPass(const PassRequest& request, const PassGround& groun
         }
         return planRows(request, ground, progress);
     }();
+    if (planned) heedHandStrokes(*planned, request, ground, progress);
     if (planned) keepClear(*planned, pieces(ground.tool.cutter), ground.obstacles, progress);
     if (planned && progress.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
     if (planned) std::erase_if(planned->strokes, [](const TipLine& line) { return line.size() < 2; });

@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/base/parallel_progress.h"
 #include "core/geometry/segment.h"
+#include "core/passes/hand_finish.h"
 #include "core/passes/raster_borders.h"
 #include "core/passes/surface_distance.h"
 #include "core/passes/surface_pass.h"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace burin {
 namespace {
@@ -19,12 +21,17 @@ constexpr double mostSquares = 1500.0;  // along a side of the raster
 constexpr double gap = 0.58;            // of the step-over: distance from the middle between two rows to the next one
 // of the distance of the tips: where the tool rolls around an edge it cuts next to nothing
 constexpr double leastShare = 0.3;
+constexpr double closeBy = 6.0; // squares around a stroke whose distance from it is measured directly
 
-/// Rows at even distances on a surface of tips.
+/// Rows at even distances on a surface of tips: from the border of the area inwards, or from strokes of the hand
+/// outwards.
 class ScallopRows {
 public:
-    ScallopRows(const SurfaceTrace& trace, double stepOver, double coarseness, bool ball, Progress& progress)
-        : trace_(trace), step_(stepOver), ball_(ball), progress_(progress), bounds_(trace.bounds()) {
+    /// @param hand null: from the border
+    ScallopRows(const SurfaceTrace& trace, double stepOver, double coarseness, bool ball, const HandFinish* hand,
+                Progress& progress)
+        : trace_(trace), step_(stepOver), ball_(ball), hand_(hand), progress_(progress), bounds_(trace.bounds()) {
+        if (hand_ != nullptr) bounds_ = {bounds_.low - 2.0 * stepOver, bounds_.high + 2.0 * stepOver};
         const glm::dvec2 size = bounds_.high - bounds_.low;
         edge_ = std::max(std::clamp(0.5 * stepOver, 0.1, 0.3 * coarseness), std::max(size.x, size.y) / mostSquares);
         surface_.columns = static_cast<int>(std::ceil(size.x / edge_)) + 1;
@@ -34,10 +41,11 @@ public:
     std::vector<PlanRow> rows() {
         look();
         if (progress_.cancelled()) return {};
-        distance_ = distancesFromBorder(
-            surface_, [this](std::size_t one, std::size_t other) { return lengthBetween(one, other); }, 0.5 * edge_);
+        const auto length = [this](std::size_t one, std::size_t other) { return lengthBetween(one, other); };
+        distance_ = hand_ != nullptr ? distancesFrom(surface_, length, besideStrokes())
+                                     : distancesFromBorder(surface_, length, 0.5 * edge_);
         const double farthest = distance_.empty() ? 0.0 : *std::ranges::max_element(distance_);
-        const auto count = static_cast<std::size_t>(std::max(0.0, std::ceil(farthest / step_ - 0.5)));
+        const auto count = static_cast<std::size_t>(std::max(0.0, std::ceil((farthest - levelOf(0)) / step_)));
         std::vector<std::vector<PlanRing>> rings(count + 1); // the last is empty
         parallelFor(std::size_t{0}, count, [&](std::size_t i) { rings[i] = ringsAt(levelOf(i)); });
         std::vector<std::vector<PlanRow>> rowsAt(count);
@@ -45,6 +53,7 @@ public:
             if (progress_.cancelled()) return;
             for (const PlanRing& ring : ringsAt(levelOf(i) + 0.5 * step_)) addGaps(ring, rings[i + 1], rowsAt[i]);
             for (const PlanRing& ring : rings[i]) rowsAt[i].push_back(closed(ring));
+            if (hand_ != nullptr) rowsAt[i] = withoutMargin(rowsAt[i]);
         });
         std::vector<PlanRow> rows;
         for (std::vector<PlanRow>& level : rowsAt) std::ranges::move(level, std::back_inserter(rows));
@@ -52,7 +61,35 @@ public:
     }
 
 private:
-    double levelOf(std::size_t row) const { return (static_cast<double>(row) + 0.5) * step_; } ///< mm from the border
+    /// Distance of a row, mm: the first is half a step from the border, or a step from a stroke.
+    double levelOf(std::size_t row) const {
+        return (static_cast<double>(row) + (hand_ != nullptr ? 1.0 : 0.5)) * step_;
+    }
+    /// The distances of the points close to strokes; infinite for all others.
+    std::vector<double> besideStrokes() const {
+        std::vector<double> distances(tips_.size(), std::numeric_limits<double>::infinity());
+        parallelFor(std::size_t{0}, tips_.size(), [&](std::size_t i) {
+            if (const auto near = hand_->nearest(tips_[i], closeBy * edge_)) distances[i] = near->distance;
+        });
+        return distances;
+    }
+    /// Rows from strokes lead out of the raster: borders of the raster itself, which close them, are no rows.
+    std::vector<PlanRow> withoutMargin(const std::vector<PlanRow>& rows) const {
+        const glm::dvec2 low = bounds_.low + 0.6 * edge_;
+        const glm::dvec2 high = bounds_.low + edge_ * (glm::dvec2(surface_.columns, surface_.rows) - 1.6);
+        std::vector<PlanRow> kept;
+        for (const PlanRow& row : rows) {
+            bool open = false;
+            for (const glm::dvec2& place : row) {
+                const bool inside = place.x > low.x && place.y > low.y && place.x < high.x && place.y < high.y;
+                if (inside && !open) kept.emplace_back();
+                open = inside;
+                if (inside) kept.back().push_back(place);
+            }
+        }
+        std::erase_if(kept, [](const PlanRow& row) { return row.size() < 2; });
+        return kept;
+    }
     void look() {
         const std::size_t count = static_cast<std::size_t>(surface_.columns) * static_cast<std::size_t>(surface_.rows);
         surface_.on.assign(count, 0);
@@ -65,11 +102,13 @@ private:
             for (int column = 0; column < surface_.columns; ++column) {
                 const std::size_t i = surface_.indexOf(column, row);
                 const SurfacePlace place = trace_.at(bounds_.low + edge_ * glm::dvec2(column, row), probe);
-                tips_[i] = place.tip;
-                if (!place.onPart || !trace_.isRequested(place, probe)) continue;
+                tips_[i] = touched_[i] = place.tip;
+                // Rows from strokes are cut to the area later, so that they meet its border in any direction.
+                if (hand_ != nullptr) surface_.on[i] = 1;
+                if (!place.onPart || (hand_ == nullptr && !trace_.isRequested(place, probe))) continue;
                 const ToolClearance touch = probe.touch(place.tip);
                 touched_[i] = touch.meshPoint;
-                surface_.on[i] = touch.away.z >= leastUpwards ? 1 : 0;
+                if (hand_ == nullptr) surface_.on[i] = touch.away.z >= leastUpwards ? 1 : 0;
             }
             done.add();
         });
@@ -169,6 +208,7 @@ private:
     const SurfaceTrace& trace_;
     double step_;
     bool ball_;
+    const HandFinish* hand_;
     Progress& progress_;
     PlanBounds bounds_;
     double edge_ = 0.0; // mm
@@ -181,7 +221,12 @@ private:
 
 std::vector<PlanRow> scallopRows(const SurfaceTrace& trace, double stepOver, double coarseness, bool ball,
                                  Progress& progress) {
-    return ScallopRows(trace, stepOver, coarseness, ball, progress).rows();
+    return ScallopRows(trace, stepOver, coarseness, ball, nullptr, progress).rows();
+}
+
+std::vector<PlanRow> extendedRows(const SurfaceTrace& trace, const HandFinish& hand, double stepOver, double coarseness,
+                                  bool ball, Progress& progress) {
+    return ScallopRows(trace, stepOver, coarseness, ball, &hand, progress).rows();
 }
 
 } // namespace burin

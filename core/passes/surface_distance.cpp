@@ -23,11 +23,23 @@ public:
     FastMarch(const SurfaceRaster& surface, const std::function<double(std::size_t, std::size_t)>& length)
         : surface_(surface), length_(length), distance_(surface.on.size(), farAway), fixed_(surface.on.size(), 0) {}
 
-    std::vector<double> from(double beginning) {
+    std::vector<double> fromBorder(double beginning) {
         for (int row = 0; row < surface_.rows; ++row)
             for (int column = 0; column < surface_.columns; ++column)
                 if (surface_.on[surface_.indexOf(column, row)] && isBorder(column, row))
                     reach(surface_.indexOf(column, row), beginning);
+        return spread();
+    }
+    std::vector<double> from(const std::vector<double>& beginnings) {
+        for (std::size_t i = 0; i < beginnings.size(); ++i)
+            if (surface_.on[i]) reach(i, beginnings[i]);
+        return spread();
+    }
+
+private:
+    using Open = std::pair<double, std::size_t>;
+
+    std::vector<double> spread() {
         while (!open_.empty()) {
             const auto [distance, place] = open_.top();
             open_.pop();
@@ -43,9 +55,6 @@ public:
             if (distance == farAway) distance = 0.0; // outside the surface
         return std::move(distance_);
     }
-
-private:
-    using Open = std::pair<double, std::size_t>;
 
     std::optional<std::size_t> at(int column, int row) const {
         if (column < 0 || row < 0 || column >= surface_.columns || row >= surface_.rows) return {};
@@ -107,7 +116,13 @@ private:
 std::vector<double> distancesFromBorder(const SurfaceRaster& surface,
                                         const std::function<double(std::size_t, std::size_t)>& length,
                                         double beginning) {
-    return FastMarch(surface, length).from(beginning);
+    return FastMarch(surface, length).fromBorder(beginning);
+}
+
+std::vector<double> distancesFrom(const SurfaceRaster& surface,
+                                  const std::function<double(std::size_t, std::size_t)>& length,
+                                  const std::vector<double>& beginnings) {
+    return FastMarch(surface, length).from(beginnings);
 }
 
 } // namespace burin

@@ -26,5 +26,9 @@ struct SurfaceRaster {
 std::vector<double> distancesFromBorder(const SurfaceRaster& surface,
                                         const std::function<double(std::size_t, std::size_t)>& length,
                                         double beginning);
+/// The same from given points. @param beginnings distance of each point, mm; infinite where it is to be found
+std::vector<double> distancesFrom(const SurfaceRaster& surface,
+                                  const std::function<double(std::size_t, std::size_t)>& length,
+                                  const std::vector<double>& beginnings);
 
 } // namespace burin

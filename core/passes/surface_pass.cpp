@@ -30,7 +30,9 @@ public:
         const Result<double> stepOver = stepOverOf(request_, ground_.tool.cutter);
         if (!stepOver) return stepOver.error();
         stepOver_ = *stepOver * ground_.coarseness;
-        const std::vector<PlanRow> rows = rowsOnPart();
+        const Result<std::vector<PlanRow>> made = rowsOnPart();
+        if (!made) return made.error();
+        const std::vector<PlanRow>& rows = *made;
         const ProgressPart part(progress_, 0.5, 1.0);
         std::vector<std::vector<TipLine>> intervals(rows.size());
         std::vector<double> leftOut(rows.size(), 0.0);
@@ -48,10 +50,17 @@ public:
     }
 
 private:
-    std::vector<PlanRow> rowsOnPart() const {
-        if (request_.kind != PassKind::scallop) return rowsOf(request_, trace_.bounds(), stepOver_);
+    Result<std::vector<PlanRow>> rowsOnPart() const {
         const ProgressPart part(progress_, 0.0, 0.5);
         const bool ball = ground_.tool.cutter.cornerRadius >= ground_.tool.cutter.radius();
+        if (request_.hand == HandStrokes::extend) {
+            const HandFinish hand(request_, ground_, trace_, progress_);
+            if (hand.empty() && !progress_.cancelled())
+                return Error{ErrorCode::argumentInvalid, "hand", "extend",
+                             "a stroke of the hand before it in its path that has finished the part"};
+            return extendedRows(trace_, hand, stepOver_, ground_.coarseness, ball, progress_);
+        }
+        if (request_.kind != PassKind::scallop) return rowsOf(request_, trace_.bounds(), stepOver_);
         return scallopRows(trace_, stepOver_, ground_.coarseness, ball, progress_);
     }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/progress.h"
+#include "core/passes/hand_finish.h"
 #include "core/passes/pass_ground.h"
 #include "core/passes/pass_request.h"
 #include "core/passes/surface_trace.h"
@@ -21,6 +22,12 @@ std::vector<PlanRow> rowsOf(const PassRequest& request, const PlanBounds& bounds
 /// its ridges then have the same height on curved faces as on a plane
 std::vector<PlanRow> scallopRows(const SurfaceTrace& trace, double stepOver, double coarseness, bool ball,
                                  Progress& progress);
+
+/// The rows of `HandStrokes::extend`: beside the strokes of the hand, the first a step-over from them, and so on
+/// outwards beyond the area, measured as those of scallop. Where rows from two strokes meet, part of a row fills the
+/// gap. When cancelled, rows are missing. Parameters as scallopRows.
+std::vector<PlanRow> extendedRows(const SurfaceTrace& trace, const HandFinish& hand, double stepOver, double coarseness,
+                                  bool ball, Progress& progress);
 
 /// The step-over of a request: the stated one, or the one that gives the requested scallop height with a ball or corner
 /// radius, or a fifteenth of the diameter. Errors: argumentInvalid (a scallop height for a tool with a sharp edge, or

@@ -150,6 +150,75 @@ private slots:
         QVERIFY(beside.status != 0 && beside.messages.contains("point on the part"));
     }
 
+    /// When the take that leads a pass changes, this pass is out of date and no other; it alone is computed again.
+    void aChangedStrokeConcernsItsPassAlone() {
+        QCOMPARE(
+            run({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", in("l.burin"), "--voxel", "0.5", "--margin", "1"})
+                .status,
+            0);
+        const ProgramRun recorded = run({"mill", in("l.burin"), "--tool", "ball-6", "--seconds", "2"});
+        QVERIFY2(recorded.status == 0, recorded.messages.constData());
+        const ProgramRun led = run({"path", in("l.burin"), "new", "--pass", "radial", "--tool", "ball-4", "--step-over",
+                                    "2", "--steepest", "30", "--lead", "1"});
+        QVERIFY2(led.status == 0, led.messages.constData());
+        const QString path = QString::number(led.json()["id"].toInt());
+        QCOMPARE(led.json()["passes"][0]["request"]["leads"][0]["take"].toInt(), 1);
+        const ProgramRun plain =
+            run({"path", in("l.burin"), "apply", path, "--pass", "parallel", "--step-over", "2", "--steepest", "30"});
+        QVERIFY2(plain.status == 0, plain.messages.constData());
+        const auto outdated = [&] {
+            QList<bool> each;
+            for (const QJsonValue& pass : run({"path", in("l.burin"), "show", path}).json()["passes"].toArray())
+                each.append(pass["out_of_date"].toBool());
+            return each;
+        };
+        QCOMPARE(outdated(), (QList<bool>{false, false}));
+        const ProgramRun nothing = run({"path", in("l.burin"), "recompute", path, "--outdated"});
+        QVERIFY2(nothing.status == 0, nothing.messages.constData());
+        QVERIFY(nothing.json()["computed"].toArray().isEmpty());
+        const QJsonArray before = nothing.json()["passes"].toArray();
+        const ProgramRun off = run({"take", "off", in("l.burin"), "1", "--from", "1"});
+        QVERIFY2(off.status == 0, off.messages.constData());
+        QCOMPARE(outdated(), (QList<bool>{true, false}));
+        const ProgramRun told = runBurin({"path", in("l.burin"), "show", path});
+        QVERIFY2(told.output.contains("out of date"), told.output.constData());
+        const ProgramRun again = run({"path", in("l.burin"), "recompute", path, "--outdated"});
+        QVERIFY2(again.status == 0, again.messages.constData());
+        QCOMPARE(again.json()["computed"].toArray().size(), 1);
+        const QJsonArray after = again.json()["passes"].toArray();
+        QVERIFY(after.at(0) != before.at(0));
+        QCOMPARE(after.at(1), before.at(1)); // the same pass, not one like it
+        QCOMPARE(outdated(), (QList<bool>{false, false}));
+        QCOMPARE(run({"take", "on", in("l.burin"), "1"}).status, 0);
+        QCOMPARE(outdated(), (QList<bool>{true, false}));
+    }
+
+    /// A pass heeds the takes before it in its path, and is out of date when they change.
+    void handStrokesOfAPathAreHeeded() {
+        const ProgramRun made = run({"path", in("l.burin"), "new", "--takes", "1"});
+        QVERIFY2(made.status == 0, made.messages.constData());
+        const QString path = QString::number(made.json()["id"].toInt());
+        const ProgramRun kept = run({"path", in("l.burin"), "apply", path, "--pass", "parallel", "--step-over", "2",
+                                     "--steepest", "30", "--hand", "keep-off", "--finished-within", "1"});
+        QVERIFY2(kept.status == 0, kept.messages.constData());
+        QVERIFY(kept.json().contains("left_to_hand_mm"));
+        const QJsonObject request = kept.json()["passes"][0]["request"].toObject();
+        QCOMPARE(request["hand"].toString(), QString("keep-off"));
+        QCOMPARE(request["strokes_digest"].toString().size(), qsizetype(16));
+        const auto outdated = [&] {
+            return run({"path", in("l.burin"), "show", path}).json()["passes"][0]["out_of_date"].toBool();
+        };
+        QVERIFY(!outdated());
+        QCOMPARE(run({"take", "off", in("l.burin"), "1", "--from", "0.5"}).status, 0);
+        QVERIFY(outdated());
+        QCOMPARE(run({"path", in("l.burin"), "recompute", path, "--outdated"}).status, 0);
+        QVERIFY(!outdated());
+        const ProgramRun wrong =
+            runBurin({"path", in("l.burin"), "apply", path, "--pass", "parallel", "--hand", "extend"});
+        QVERIFY(wrong.status != 0);
+        QVERIFY2(wrong.messages.contains("only flow extends"), wrong.messages.constData());
+    }
+
     /// A line of a drawing in inches is engraved on a plate: the tool moves along it at the requested depth.
     void linesAreEngraved() {
         QCOMPARE(
@@ -262,6 +331,8 @@ private slots:
         QTest::newRow("no drawing") << QStringList{"--pass", "pocket", "--tool",
                                                    "flat-6", "--area", BURIN_FIXTURES "/models/cube.brep"}
                                     << "neither";
+        QTest::newRow("overlap without blending")
+            << QStringList{"--pass", "parallel", "--tool", "ball-6", "--overlap", "1"} << "blend";
         QTest::newRow("no such take") << QStringList{"--pass", "flow", "--tool", "ball-6", "--lead", "7"}
                                       << "recording";
     }

@@ -386,6 +386,95 @@ private slots:
         QVERIFY(workbenchOf(driver).path.stored() == nullptr);
     }
 
+    /// Show me plays the sample stroke, the directions and rows; Esc stops it and leaves the dialog open; nothing
+    /// changes.
+    void aPassIsShownBeingMade() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(hasTool(driver, "ball-6"));
+        QVERIFY(driver.step(JobStep::path));
+        Workbench& workbench = workbenchOf(driver);
+        driver.whenDialogStands([&](QWidget& dialog) {
+            QVERIFY(choose(dialog, "passKind", static_cast<int>(PassKind::flow)));
+            QVERIFY(press(dialog, "passShowMeButton"));
+            QTRY_VERIFY_WITH_TIMEOUT(workbench.passShow.picture() != nullptr, 30000);
+            QVERIFY(workbench.passShow.picture()->tip.has_value());
+            QTest::qWait(1200);
+            driver.shoot("passes-20-show-stroke");
+            QTRY_VERIFY_WITH_TIMEOUT(workbench.passShow.picture() && !workbench.passShow.picture()->tip, 5000);
+            QTest::qWait(200);
+            driver.shoot("passes-21-show-directions");
+            QTRY_VERIFY_WITH_TIMEOUT(workbench.passShow.picture() && workbench.passShow.picture()->tip, 5000);
+            QTest::qWait(1500);
+            driver.shoot("passes-22-show-rows");
+            QTest::keyClick(&dialog, Qt::Key_Escape);
+            QVERIFY(!workbench.passShow.showing());
+            QVERIFY(dialog.isVisible());
+            QTest::keyClick(&dialog, Qt::Key_Escape);
+            QVERIFY(!dialog.isVisible());
+        });
+        QVERIFY(driver.clickOn("newPassButton"));
+        QVERIFY(workbench.path.stored() == nullptr);
+        QVERIFY(workbench.passPreview.preview() == nullptr);
+    }
+
+    /// A recorded line leads a pass that blends into it. When the path mills the line no more, the pass is
+    /// marked, and one key computes it again; undone, it is out of date again, until the take is back as well.
+    void aChangedStrokeMarksItsPass() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(hasTool(driver, "ball-6"));
+        QVERIFY(recordLine(driver, {-10.0, -5.0}, {10.0, -5.0}));
+        Workbench& workbench = workbenchOf(driver);
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.passes.possible(), 90000);
+        QVERIFY(driver.step(JobStep::path));
+        QVERIFY(newPath(driver));
+        driver.whenDialogStands([&](QWidget& dialog) {
+            QVERIFY(choose(dialog, "passKind", static_cast<int>(PassKind::flow)));
+            auto* hand = dialog.findChild<QWidget*>("passHand");
+            auto* lines = dialog.findChild<QComboBox*>("passLines");
+            lines->setFocus();
+            QTest::keyClicks(lines, "s"); // strokes of the take
+            QCOMPARE(lines->currentIndex(), 2);
+            QVERIFY(choose(dialog, "passHand", 2));
+            QVERIFY(dialog.findChild<QWidget*>("passOverlap")->isVisible());
+            QVERIFY(enter(dialog, "passOverlap", "0.8"));
+            QVERIFY(enter(dialog, "passStepOver", "2"));
+            QTest::qWait(500);
+            driver.shoot("passes-23-hand-strokes");
+            QVERIFY(hand->height() >= hand->sizeHint().height()); // the dialog has room for all of its fields
+            QVERIFY(press(dialog, "computePassButton"));
+        });
+        QVERIFY(driver.clickOn("newPassButton"));
+        QTRY_COMPARE_WITH_TIMEOUT(workbench.path.passes().size(), std::size_t(1), 90000);
+        const Result<PassRequest> request = passRequestFromJson(workbench.path.passes().front().request, "the pass");
+        QVERIFY(request);
+        QCOMPARE(request->hand, HandStrokes::blend);
+        QCOMPARE(request->overlap, 0.8);
+        QCOMPARE(request->leads.size(), std::size_t(1));
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 90000);
+        QVERIFY(driver.settle());
+        QVERIFY(workbench.passRefresher.outdated().empty());
+        // The pass is led by the take, but has no more strokes of the hand before it.
+        const std::int64_t pass = workbench.path.passes().front().id;
+        workbench.path.millTake(workbench.mill.takes().front().id, false);
+        QTRY_COMPARE_WITH_TIMEOUT(workbench.passRefresher.outdated(), std::vector<std::int64_t>{pass}, 90000);
+        QTRY_VERIFY(driver.window().findChild<QLabel*>("passOutdated0") != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.passRefresher.possible(), 90000);
+        QTest::qWait(300);
+        driver.shoot("passes-24-out-of-date");
+        driver.key(Qt::Key_R, Qt::ControlModifier | Qt::AltModifier);
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.path.passes().front().id != pass, 90000);
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 90000);
+        QVERIFY(driver.settle());
+        QVERIFY(workbench.passRefresher.outdated().empty());
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(workbench.path.passes().front().id, pass);
+        QTRY_COMPARE_WITH_TIMEOUT(workbench.passRefresher.outdated(), std::vector<std::int64_t>{pass}, 90000);
+        driver.key(Qt::Key_Z, Qt::ControlModifier); // the take is back
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.passRefresher.outdated().empty(), 90000);
+    }
+
     /// An impossible request is reported in the dialog, where it can be corrected; so is an invalid drawing.
     void whatCannotBeIsToldInTheDialog() {
         WindowDriver driver;

@@ -67,6 +67,7 @@ void ActionStates::update() {
            (workbench.path.hasTakes() || !workbench.path.toolsWithoutPath().empty()) && workbench.workpiece.embedded());
     enable(ActionId::programPath, workbench.passes.possible());
     enable(ActionId::measurePasses, workbench.passMeasurer.possible());
+    enable(ActionId::refreshPasses, workbench.passRefresher.possible());
     const bool paintable = workbench.workpiece.milling() && !workbench.workpiece.milling()->part.bounds().empty();
     for (const ActionId id : {ActionId::brushArea, ActionId::lassoArea, ActionId::faceArea}) enable(id, paintable);
     enable(ActionId::clearArea, !workbench.area.area().empty());

@@ -217,6 +217,11 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions",
                           "Length, time, share of air and engagement of each pass, and the stock that it leaves."),
         "Ctrl+Alt+P"},
+    Row{ActionId::refreshPasses, "refreshPassesAction", QT_TRANSLATE_NOOP("Actions", "Compute ou&tdated passes again"),
+        QT_TRANSLATE_NOOP("Actions",
+                          "Compute those passes of the path again whose strokes have changed; all others stay "
+                          "as they are."),
+        "Ctrl+Alt+R"},
     Row{ActionId::brushArea, "brushAreaAction", QT_TRANSLATE_NOOP("Actions", "Paint an area with the &brush"),
         QT_TRANSLATE_NOOP("Actions", "Paint the area of the next pass on the part; Shift erases."), "Ctrl+Shift+A"},
     Row{ActionId::lassoArea, "lassoAreaAction", QT_TRANSLATE_NOOP("Actions", "Draw an area with the &lasso"),

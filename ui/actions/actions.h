@@ -91,6 +91,7 @@ enum class ActionId : std::size_t {
     newPass,
     programPath,
     measurePasses,
+    refreshPasses,
     brushArea,
     lassoArea,
     faceArea,

@@ -46,6 +46,7 @@ private:
     void refreshButtons();
     void refreshFigures();
     void refreshPasses();
+    void addPassText(const QString& text, const QString& name);
     void refreshEdits();
     void makeCards();
     void makeCard(std::size_t place);
@@ -58,7 +59,7 @@ private:
 
     PathPanel* panel_;
     QVBoxLayout* column_;
-    QPushButton *new_, *update_, *pass_, *measure_, *add_;
+    QPushButton *new_, *update_, *pass_, *refresh_, *measure_, *add_;
     QToolButton* eye_;
     ChoiceBox* tool_;
     Notice* notice_;
@@ -95,6 +96,10 @@ PathPanel::Fields::Fields(PathPanel* panel)
     passList_ = new QVBoxLayout;
     passList_->setSpacing(4);
     inner->addLayout(passList_);
+    refresh_ = makeButton(PathPanel::tr("Compute outdated passes again"), QStringLiteral("refresh"),
+                          QStringLiteral("refreshPassesButton"), panel_);
+    connect(refresh_, &QPushButton::clicked, panel_, &PathPanel::refreshRequested);
+    inner->addWidget(refresh_);
     measure_ = makeButton(PathPanel::tr("Measure the passes"), QStringLiteral("information"),
                           QStringLiteral("measurePassesButton"), panel_);
     connect(measure_, &QPushButton::clicked, panel_, &PathPanel::measureRequested);
@@ -192,6 +197,12 @@ void PathPanel::Fields::refreshButtons() {
                              : PathPanel::tr("Wait until the workpiece is ready and no pass is being computed."),
         PathPanel::tr(
             "Compute roughing, finishing, a pocket, a profile, drilling, threads or engraving with the loaded tool"));
+    refresh_->setVisible(std::ranges::any_of(state.passes, &PassRow::outdated));
+    enableUnless(refresh_,
+                 state.refreshPossible
+                     ? QString()
+                     : PathPanel::tr("Wait until the workpiece is ready and no pass is being computed."),
+                 PathPanel::tr("Compute those passes again whose strokes have changed; all others stay as they are"));
     measure_->setVisible(!state.passes.empty());
     enableUnless(measure_,
                  state.measurePossible ? QString() : PathPanel::tr("Wait until the path is up to date and measured."),
@@ -234,14 +245,21 @@ void PathPanel::Fields::refreshPasses() {
         line->addWidget(remove);
         passList_->addWidget(row);
         passRows_.push_back(row);
-        if (pass.measured.isEmpty()) continue;
-        auto* measured = new QLabel(pass.measured, content_);
-        measured->setObjectName(QStringLiteral("passMeasured%1").arg(i));
-        measured->setWordWrap(true);
-        measured->setTextInteractionFlags(Qt::TextSelectableByMouse);
-        passList_->addWidget(measured);
-        passRows_.push_back(measured);
+        if (pass.outdated)
+            addPassText(PathPanel::tr("Out of date: the strokes that lead this pass have changed."),
+                        QStringLiteral("passOutdated%1").arg(i));
+        if (!pass.measured.isEmpty()) addPassText(pass.measured, QStringLiteral("passMeasured%1").arg(i));
     }
+}
+
+/// A text below the row of a pass.
+void PathPanel::Fields::addPassText(const QString& text, const QString& name) {
+    auto* label = new QLabel(text, content_);
+    label->setObjectName(name);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    passList_->addWidget(label);
+    passRows_.push_back(label);
 }
 
 QString PathPanel::Fields::withoutTakes() const {

@@ -27,6 +27,7 @@ signals:
     void newPathRequested();
     void passRequested();
     void measureRequested();
+    void refreshRequested(); ///< of the passes that are out of date
     // `id`: of one of the path's passes. `index`: of one of its edits, in their order.
     void passRemoved(std::int64_t id);
     void passChangeRequested(std::int64_t id);

@@ -24,8 +24,9 @@ enum class DragChoice { level, x, y, z, surface };
 struct PassRow {
     std::int64_t id = 0;
     QString name, figures;
-    bool computed = true; ///< whether it can be computed again; false: it comes from a program
-    QString measured{};   ///< its effect on the stock, several lines; empty: not measured
+    bool computed = true;  ///< whether it can be computed again; false: it comes from a program
+    QString measured{};    ///< its effect on the stock, several lines; empty: not measured
+    bool outdated = false; ///< strokes that lead it have changed since it was computed
     friend bool operator==(const PassRow&, const PassRow&) = default;
 };
 
@@ -46,6 +47,7 @@ struct PathState {
     double passLeftOut = 0.0, passInTheWay = 0.0; ///< mm of the newest pass, see PlannedPass
     std::size_t unreachedHoles = 0;               ///< of the newest pass
     bool threads = false;                         ///< whether the newest pass mills threads
+    bool refreshPossible = false;                 ///< whether the passes that are out of date can be computed now
     bool measurePossible = false;                 ///< whether the passes can be measured now
     bool passPossible = false;                    ///< whether a pass can be computed now
     bool toolTurns = true;                        ///< whether the loaded tool turns; one that doesn't has no passes

@@ -55,8 +55,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              levelAbove,  levelBelow,  line,       clutch,         recentre,       alignHand,  finerHand,   coarserHand,
              rateControl, line,        showMe,     stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
-            {newPath, newPass, programPath, measurePasses, brushArea, lassoArea, faceArea, clearArea, pickHoles,
-             evaluatePath, comparePaths, line, drawInterval, insertPoint, drawEdit});
+            {newPath, newPass, programPath, measurePasses, refreshPasses, brushArea, lassoArea, faceArea, clearArea,
+             pickHoles, evaluatePath, comparePaths, line, drawInterval, insertPoint, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
             {post, exportProgram, overrideCheck, restart, inspectFaces, line, findInProgram, breakpoint, programDock,
              line, machines});

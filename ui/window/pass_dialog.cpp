@@ -15,6 +15,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
+#include <QScreen>
 #include <QShortcut>
 
 #include <algorithm>
@@ -82,14 +83,19 @@ void PassDialog::layOut(const Offer& offer) {
     compute->setDefault(true);
     auto* cancel = makeButton(tr("Cancel"), QStringLiteral("cancel"), QStringLiteral("cancelPassButton"), this);
     cancel->setToolTip(tr("Change nothing"));
+    showMe_ = makeButton(tr("Show me"), QStringLiteral("play"), QStringLiteral("passShowMeButton"), this);
+    showMe_->setToolTip(
+        tr("Plays in the view how this pass is made: the stroke that leads it, the directions, then its "
+           "rows one after the other. Changes nothing; Esc stops it"));
     auto* row = new QHBoxLayout;
+    row->addWidget(showMe_);
     row->addStretch(1);
     row->addWidget(compute);
     row->addWidget(cancel);
     column->addLayout(row);
     connect(form_, &PassForm::kindChanged, this, &PassDialog::update);
     connect(form_, &PassForm::changed, this, [this] {
-        adjustSize();
+        fit();
         previewSoon();
     });
     previewTimer_.setSingleShot(true);
@@ -98,7 +104,31 @@ void PassDialog::layOut(const Offer& offer) {
     connect(areaOnPart_, &QCheckBox::toggled, this, &PassDialog::previewSoon);
     connect(fileUnit_, &QComboBox::activated, this, &PassDialog::previewSoon);
     connect(compute, &QPushButton::clicked, this, &PassDialog::confirm);
-    connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+    connect(showMe_, &QPushButton::clicked, this, &PassDialog::toggleShow);
+    connect(cancel, &QPushButton::clicked, this, [this] { done(Rejected); });
+}
+
+void PassDialog::toggleShow() {
+    if (showing_) return emit showStopped();
+    form_->commitTyping();
+    const Result<RequestedPass> wanted = wantedNow();
+    if (!wanted) return notice_->tell(Notice::Kind::error, Messages::sentence(wanted.error()));
+    previewTimer_.stop(); // it would replace what is shown
+    emit showMeRequested(*wanted);
+}
+
+void PassDialog::setShowing(bool showing) {
+    if (showing == showing_) return;
+    showing_ = showing;
+    showMe_->setText(showing ? tr("Stop showing") : tr("Show me"));
+    if (!showing) previewSoon(); // a sample may have been shown
+}
+
+void PassDialog::reject() {
+    if (showing_)
+        emit showStopped();
+    else
+        QDialog::reject();
 }
 
 /// The part's holes, those that were picked, and the buttons to pick them and to use all of them.
@@ -196,6 +226,11 @@ void PassDialog::addDrawings(const Offer& offer) {
         lines_->addItem(tr("lines of this pass"));
         lines_->setCurrentIndex(lines_->count() - 1);
     }
+    // A pass that one take leads follows the strokes that this take has now.
+    if (const auto& leads = wanted_.request.leads;
+        leads.size() == 1 && leads.front().lines == static_cast<int>(wanted_.request.lines.size()))
+        if (const int take = lines_->findData(static_cast<qlonglong>(leads.front().take)); take > 0)
+            lines_->setCurrentIndex(take);
     linesRow_ =
         new FieldRow(tr("Lines"), lines_,
                      tr("What the rows follow, or what is engraved: strokes of a recording or curves of a drawing"),
@@ -235,12 +270,20 @@ void PassDialog::update() {
     areaRow_->setVisible(chosen != PassKind::engrave && !(isInHoles(chosen) && !picked_.empty()));
     holesBox_->setVisible(isInHoles(chosen));
     areaOnPart_->setVisible(laidOnPart(chosen) && area_->currentIndex() != 0);
-    linesRow_->setVisible(chosen == PassKind::engrave || chosen == PassKind::flow || chosen == PassKind::pencil);
+    linesRow_->setVisible(chosen == PassKind::engrave || (chosen == PassKind::flow && !form_->extendsStrokes()) ||
+                          chosen == PassKind::pencil);
     fileUnitRow_->setVisible(area_->currentIndex() == areaDrawing ||
                              (linesRow_->isVisibleTo(this) && lines_->currentIndex() == 1));
     notice_->clear();
-    adjustSize();
+    fit();
     previewSoon();
+}
+
+/// As high as its fields need: adjustSize would squeeze them into two thirds of the screen.
+void PassDialog::fit() {
+    layout()->activate();
+    const int needed = layout()->totalHeightForWidth(passDialogWidth);
+    resize(passDialogWidth, std::min(needed, screen()->availableGeometry().height()));
 }
 
 void PassDialog::showPreview(const QString& text) {
@@ -272,7 +315,7 @@ QString PassDialog::missing(const RequestedPass& wanted) const {
         return tr("Paint an area, or choose a drawing with the outline to follow.");
     if (lines_->currentIndex() == 0 && request.kind == PassKind::engrave)
         return tr("Choose the strokes or the drawing to engrave.");
-    if (lines_->currentIndex() == 0 && request.kind == PassKind::flow)
+    if (lines_->currentIndex() == 0 && request.kind == PassKind::flow && request.hand != HandStrokes::extend)
         return tr("Choose the strokes or the drawing that the rows follow.");
     if (request.kind == PassKind::engrave && request.depth == 0.0) return tr("Enter the depth of the lines.");
     if (request.kind == PassKind::thread && request.pitch == 0.0) return tr("Choose a thread, or enter its pitch.");
@@ -303,6 +346,7 @@ Result<RequestedPass> PassDialog::wantedNow() {
         request.lines = linesOf(*drawing);
     } else if (linesRow_->isVisibleTo(this) && lines_->currentIndex() > 1 && lines_->currentData().isNull()) {
         request.lines = wanted_.request.lines;
+        request.leads = wanted_.request.leads;
     } else if (linesRow_->isVisibleTo(this) && lines_->currentIndex() > 1) {
         wanted.leads.push_back(lines_->currentData().toLongLong());
     }

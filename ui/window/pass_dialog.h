@@ -27,7 +27,7 @@ class Notice;
 
 /// Asks for the parameters of a pass: its kind and values (PassForm), the drawing of its area and its guiding lines, or
 /// its holes. Dialog "passDialog" with "passArea", "passLines", "passUnit", "passPickedHoles", "pickHolesButton",
-/// "allHolesButton", "computePassButton", "cancelPassButton".
+/// "allHolesButton", "passShowMeButton", "computePassButton", "cancelPassButton".
 class PassDialog final : public QDialog {
     Q_OBJECT
 public:
@@ -49,13 +49,20 @@ public:
     static constexpr int pickHoles = 2;
     const RequestedPass& wanted() const noexcept { return wanted_; } ///< after it was accepted, or with `pickHoles`
 
+    void fit(); ///< the height of the dialog to its fields
     /// Shows the estimate of the pass: "passPreview". @param text empty: none
     void showPreview(const QString& text);
+    /// Whether the view plays how the pass is made; Esc stops that then, instead of closing the dialog.
+    void setShowing(bool showing);
+    void reject() override;
 
 signals:
     /// Requests a preview of the pass as entered, a moment after a change.
     void previewRequested(const burin::RequestedPass& wanted);
     void previewUnwanted(); ///< the entered pass is incomplete
+    /// Requests to play how the pass as entered is made; it may lack lines or an area.
+    void showMeRequested(const burin::RequestedPass& wanted);
+    void showStopped();
 
 private:
     void layOut(const Offer& offer);
@@ -72,6 +79,7 @@ private:
     Result<PlanDrawing> drawingOf(const QString& file);
     /// Without the requirements of each kind. Errors: those of readDrawing, regionOf and validate.
     Result<RequestedPass> wantedNow();
+    void toggleShow();
     void confirm();
 
     QString folder_, areaFile_, linesFile_;
@@ -89,7 +97,8 @@ private:
     QLabel* preview_ = nullptr;
     QWidget* holesBox_ = nullptr;
     QListWidget* holeList_ = nullptr;
-    QPushButton* allHoles_ = nullptr;
+    QPushButton *allHoles_ = nullptr, *showMe_ = nullptr;
+    bool showing_ = false;
     QTimer previewTimer_;
     struct {
         QString file;

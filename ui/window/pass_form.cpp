@@ -68,6 +68,7 @@ PassForm::PassForm(const PassRequest& last, const PassDefaults& defaults, Length
     addKinds(kinds, last.kind);
     addThread(last.radialPasses);
     addFigures();
+    addHand(last.hand);
     addTabs(last.tabs);
     addSwitches(last);
     showLast(last);
@@ -143,6 +144,50 @@ void PassForm::addFigures() {
     addFigure(height(&PassRequest::bottom, without(millingKinds, PassKind::engrave)), "passBottom",
               tr("Down to height"), tr("Lowest height of the tip, in the coordinates of the setup"), Quantity::length,
               -farthestInPlan, farthestInPlan);
+}
+
+/// What the rows do about strokes of the hand, and the values that belong to it.
+void PassForm::addHand(HandStrokes chosen) {
+    hand_ = new ChoiceBox(this);
+    hand_->setObjectName(QStringLiteral("passHand"));
+    handRow_ = new FieldRow(
+        tr("Hand strokes"), hand_,
+        tr("What the rows do where strokes of the hand, earlier in this path, have finished the part. Keep off: cut "
+           "nothing there. Blend: go on over the border by the overlap, without a step. Extend: the rows of a flow "
+           "continue these strokes sideways"),
+        this, FieldRow::choiceWidth);
+    layout()->addWidget(handRow_);
+    offerHand(chosen);
+    const auto figure = [](double PassRequest::*member) {
+        return Figure{nullptr, nullptr, member, nullptr, surfaceKinds};
+    };
+    addFigure(figure(&PassRequest::overlap), "passOverlap", tr("Overlap"),
+              tr("How far rows go on over the border of what the hand has finished"), Quantity::length, 0.01, 100.0);
+    addFigure(figure(&PassRequest::finishedWithin), "passFinishedWithin", tr("Finished within"),
+              tr("Largest height that the hand may have left on what counts as finished"), Quantity::length, 0.001,
+              1.0);
+    connect(hand_, &QComboBox::activated, this, [this] {
+        update();
+        emit kindChanged();
+    });
+}
+
+void PassForm::offerHand(HandStrokes chosen) {
+    QStringList texts{tr("ignore"), tr("keep off"), tr("blend")};
+    if (kind() == PassKind::flow) texts.append(tr("extend"));
+    QStringList ids;
+    for (qsizetype i = 0; i < texts.size(); ++i) ids.append(QString::number(i));
+    const auto index = static_cast<qsizetype>(chosen);
+    hand_->offer(texts, ids, ids[index < ids.size() ? index : 0]);
+}
+
+HandStrokes PassForm::hand() const {
+    return heedsHandStrokes(kind()) ? static_cast<HandStrokes>(std::max(0, hand_->currentIndex()))
+                                    : HandStrokes::ignore;
+}
+
+bool PassForm::extendsStrokes() const {
+    return hand() == HandStrokes::extend;
 }
 
 void PassForm::addTabs(int count) {
@@ -282,6 +327,8 @@ double PassForm::defaultOf(const Figure& figure) const {
     const PassKind chosen = kind();
     if (figure.height == &PassRequest::top) return defaults_.top;
     if (figure.height == &PassRequest::bottom) return chosen == PassKind::face ? defaults_.partTop : defaults_.bottom;
+    if (figure.member == &PassRequest::overlap) return usualOverlap;
+    if (figure.member == &PassRequest::finishedWithin) return usualFinish;
     if (figure.member == &PassRequest::stepOver)
         return contains(clearingKinds, chosen) ? defaults_.roughStep : defaults_.fineStep;
     if (figure.member == &PassRequest::levelDepth) return chosen == PassKind::drill ? 0.0 : defaults_.levelDepth;
@@ -298,12 +345,16 @@ void PassForm::update() {
     const PassKind chosen = kind();
     for (const PassKindRow& row : passKinds)
         if (row.kind == chosen) kind_->setToolTip(passWords(row.toolTip));
+    offerHand(static_cast<HandStrokes>(std::max(0, hand_->currentIndex())));
+    handRow_->setVisible(heedsHandStrokes(chosen));
     tabsRow_->setVisible(chosen == PassKind::profile);
     for (FieldRow* row : {threadSizeRow_, radialPassesRow_}) row->setVisible(chosen == PassKind::thread);
     for (const Figure& figure : figures_) {
         if (!figure.edited) figure.field->showValue(defaultOf(figure));
         const bool ofTab = figure.member == &PassRequest::tabWidth || figure.member == &PassRequest::tabHeight;
-        figure.row->setVisible(contains(figure.kinds, chosen) && (!ofTab || tabs_->value() > 0));
+        const bool ofHand = (figure.member == &PassRequest::overlap && hand() != HandStrokes::blend) ||
+                            (figure.member == &PassRequest::finishedWithin && hand() == HandStrokes::ignore);
+        figure.row->setVisible(contains(figure.kinds, chosen) && (!ofTab || tabs_->value() > 0) && !ofHand);
     }
     for (const Switch& one : switches_) one.box->setVisible(contains(one.kinds, chosen));
     showThreadSize();
@@ -332,6 +383,9 @@ void PassForm::writeTo(PassRequest& request) const {
     if (request.scallop > 0.0) request.stepOver = 0.0; // an explicit step-over would take precedence
     request.tabs = request.kind == PassKind::profile ? tabs_->value() : 0;
     request.radialPasses = request.kind == PassKind::thread ? radialPasses_->value() : 1;
+    request.hand = hand();
+    if (request.hand != HandStrokes::blend) request.overlap = 0.0;
+    if (request.hand == HandStrokes::ignore) request.finishedWithin = 0.0;
     if (request.tabs == 0) request.tabWidth = request.tabHeight = 0.0;
     for (const Switch& one : switches_)
         if (contains(one.kinds, request.kind)) request.*one.member = one.box->isChecked();

@@ -40,14 +40,15 @@ public:
              QWidget* parent);
 
     PassKind kind() const;
+    bool extendsStrokes() const; ///< whether the rows continue strokes of the hand, and follow no lines
     /// Accepts text that is being typed.
     void commitTyping();
     /// Kind and values; values that the user did not enter are left to the planner if it can determine them.
     void writeTo(PassRequest& request) const;
 
 signals:
-    void kindChanged();
-    void changed(); ///< of a value
+    void kindChanged(); ///< or what the pass does about strokes of the hand: other choices may apply
+    void changed();     ///< of a value
 
 private:
     /// One value, and the kinds that it applies to.
@@ -69,6 +70,9 @@ private:
     void addSwitches(const PassRequest& last);
     void addTabs(int count);
     void addThread(int radialPasses);
+    void addHand(HandStrokes chosen);
+    void offerHand(HandStrokes chosen);
+    HandStrokes hand() const;
     void takeThreadSize(int index);
     void showThreadSize();
     void setFigure(double PassRequest::*member, double value);
@@ -84,6 +88,8 @@ private:
     ChoiceBox* kind_ = nullptr;
     QSpinBox* tabs_ = nullptr;
     FieldRow* tabsRow_ = nullptr;
+    ChoiceBox* hand_ = nullptr;
+    FieldRow* handRow_ = nullptr;
     ChoiceBox* threadSize_ = nullptr;
     QSpinBox* radialPasses_ = nullptr;
     FieldRow *threadSizeRow_ = nullptr, *radialPassesRow_ = nullptr;

@@ -90,6 +90,9 @@ QString previewText(const PassPreviewer& previewer, LengthUnit unit) {
     if (preview->strokes.empty()) return PathPresenter::tr("Preview: nothing is left to do there.");
     QString text = PathPresenter::tr("Preview: about %1 of cutting, %2 without links.")
                        .arg(wayText(preview->length, unit), durationText(preview->duration));
+    if (preview->leftToHand > 0.0)
+        text += QLatin1Char(' ') +
+                PathPresenter::tr("%1 are left to strokes of the hand.").arg(wayText(preview->leftToHand, unit));
     if (preview->every > 1.5)
         text += QLatin1Char(' ') + PathPresenter::tr("One row in %1 is drawn.").arg(std::lround(preview->every));
     return text;
@@ -144,8 +147,8 @@ QString programName(const Workbench& workbench) {
 
 PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePresenter& scene, QObject* parent)
     : Presenter(workbench,
-                {&workbench.path, &workbench.passes, &workbench.passMeasurer, &workbench.mill, &workbench.workpiece,
-                 &workbench.tool},
+                {&workbench.path, &workbench.passes, &workbench.passMeasurer, &workbench.passRefresher, &workbench.mill,
+                 &workbench.workpiece, &workbench.tool},
                 parent)
     , panel_(panel)
     , scene_(scene) {
@@ -158,6 +161,7 @@ PathPresenter::PathPresenter(Workbench& workbench, PathPanel& panel, PathScenePr
     connect(&panel, &PathPanel::toolChosen, &workbench.tool, &ToolController::choose);
     connect(&panel, &PathPanel::newPathRequested, &workbench.path, &PathController::makeNew);
     connect(&panel, &PathPanel::measureRequested, &workbench.passMeasurer, &PassMeasurer::measure);
+    connect(&panel, &PathPanel::refreshRequested, &workbench.passRefresher, &PassRefresher::refresh);
     connect(&panel, &PathPanel::passRemoved, &workbench.path, &PathController::removePass);
     connect(&panel, &PathPanel::passMovedUp, &workbench.path, &PathController::movePassUp);
     connect(&panel, &PathPanel::passRequested, this, &PathPresenter::askPass);
@@ -181,6 +185,7 @@ void PathPresenter::connectActions(const Actions& actions) {
     connect(actions[ActionId::newPass], &QAction::triggered, this, &PathPresenter::askPass);
     connect(actions[ActionId::pickHoles], &QAction::triggered, this, [this] { emit holesRequested(lastPass_); });
     connect(actions[ActionId::measurePasses], &QAction::triggered, &workbench_.passMeasurer, &PassMeasurer::measure);
+    connect(actions[ActionId::refreshPasses], &QAction::triggered, &workbench_.passRefresher, &PassRefresher::refresh);
     connect(actions[ActionId::evaluatePath], &QAction::triggered, &path, [&path] { path.evaluate(); });
     connect(actions[ActionId::drawInterval], &QAction::triggered, this,
             [this] { scene_.setDrawing(!scene_.drawing()); });
@@ -259,11 +264,21 @@ std::optional<RequestedPass> PathPresenter::asked(const RequestedPass& last, con
     connect(&dialog, &PassDialog::previewRequested, &previewer, &PassPreviewer::show);
     connect(&dialog, &PassDialog::previewUnwanted, &previewer, &PassPreviewer::clear);
     connect(&previewer, &PassPreviewer::changed, &dialog, [&] { dialog.showPreview(previewText(previewer, unit())); });
+    PassShow& show = workbench_.passShow;
+    connect(&dialog, &PassDialog::showMeRequested, &show, [&](RequestedPass shown) {
+        if (shown.leads.empty()) shown.request = withSample(shown.request, free ? milling.setup.stock : part);
+        previewer.show(shown);
+        show.start();
+        dialog.setShowing(show.showing());
+    });
+    connect(&dialog, &PassDialog::showStopped, &show, &PassShow::stop);
+    connect(&show, &PassShow::finished, &dialog, [&] { dialog.setShowing(false); });
     // Next to the part, which shows the preview.
-    dialog.adjustSize();
+    dialog.fit();
     const QRect window = panel_.window()->geometry();
     dialog.move(window.right() - dialog.width() - panelMargin, window.top() + panelMargin);
     const int answer = dialog.exec();
+    show.stop();
     previewer.end();
     if (answer == PassDialog::pickHoles) emit holesRequested(dialog.wanted());
     return answer == QDialog::Accepted ? std::optional(dialog.wanted()) : std::nullopt;
@@ -301,11 +316,14 @@ void PathPresenter::present() {
     state.exists = path.stored() != nullptr;
     if (path.stored()) state.path = *path.stored();
     const std::vector<PassFigures> measured = workbench_.passMeasurer.figures();
+    const std::vector<std::int64_t>& outdated = workbench_.passRefresher.outdated();
     for (const GeneratedInfo& pass : path.passes()) {
         state.passes.push_back(rowOf(pass, unit()));
         const auto figures = std::ranges::find(measured, pass.id, &PassFigures::pass);
         if (figures != measured.end()) state.passes.back().measured = measuredText(*figures, unit());
+        state.passes.back().outdated = std::ranges::find(outdated, pass.id) != outdated.end();
     }
+    state.refreshPossible = workbench_.passRefresher.possible();
     state.measurePossible = workbench_.passMeasurer.possible();
     state.takes = workbench_.mill.takes();
     if (workbench_.workpiece.milling()) state.zero = workbench_.workpiece.milling()->setup.workOffset;

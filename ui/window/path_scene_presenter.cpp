@@ -47,9 +47,14 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
     : Presenter(workbench, {&workbench.path, &workbench.mill}, parent)
     , viewport_(viewport)
     , hand_([&viewport](const glm::dvec3& place) { return viewport.project(place); }) {
-    connect(&workbench.passPreview, &PassPreviewer::changed, this, [this] {
+    const auto showPreview = [this] {
         const PassPreview* preview = workbench_.passPreview.preview();
         viewport_.setPassPreview(preview != nullptr ? preview->strokes : PlaceChains{});
+    };
+    connect(&workbench.passPreview, &PassPreviewer::changed, this, showPreview);
+    connect(&workbench.passShow, &PassShow::finished, this, showPreview);
+    connect(&workbench.passShow, &PassShow::moved, this, [this] {
+        if (const PassFilm::Picture* picture = workbench_.passShow.picture()) viewport_.setPassPreview(picture->lines);
     });
     connect(&workbench.time, &Controller::changed, this, &PathScenePresenter::followTime);
     connect(&workbench.time, &TimeController::momentChanged, this, &PathScenePresenter::followTime);

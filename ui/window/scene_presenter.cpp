@@ -27,6 +27,11 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
     });
     connect(&workbench.path, &PathController::othersChanged, this,
             [this] { viewport_.setOtherPaths(workbench_.path.others()); });
+    connect(&workbench.passShow, &PassShow::moved, this, [this] {
+        const PassFilm::Picture* picture = workbench_.passShow.picture();
+        if (picture != nullptr && picture->tip) showToolAt(*picture->tip, nullptr);
+    });
+    connect(&workbench.passShow, &PassShow::finished, this, &ScenePresenter::parkTool);
     for (const ActionId id : {ActionId::showPart, ActionId::showWorkpiece, ActionId::showTool})
         connect(actions[id], &QAction::toggled, this, &Presenter::presentSoon);
     const std::pair<ActionId, StandardView> views[] = {

@@ -58,11 +58,13 @@ void PassController::goOn() {
         [wanted = *wanted_, path, tool = tool_, load = loads_](const Project& project) -> Result<Matter> {
             Matter matter{wanted.request, {}, wanted.instead, load};
             Progress unseen;
+            std::vector<TakeLines> takes;
             for (const std::int64_t take : wanted.leads) {
                 Result<std::vector<PassLine>> lines = linesOfTake(project, take, unseen);
                 if (!lines) return std::move(lines).error();
-                for (PassLine& line : *lines) matter.request.lines.push_back(std::move(line));
+                takes.push_back({take, std::move(*lines)});
             }
+            leadBy(takes, matter.request);
             Result<std::vector<PathMatter>> before =
                 pathsBeforePass(project, path, tool, matter.request, matter.instead);
             if (!before) return std::move(before).error();

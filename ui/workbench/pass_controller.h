@@ -15,7 +15,7 @@ namespace burin {
 /// A pass as requested by the user.
 struct RequestedPass {
     PassRequest request;
-    std::vector<std::int64_t> leads;     ///< takes whose strokes are added as lines of the request
+    std::vector<std::int64_t> leads;     ///< takes whose strokes become lines of the request
     std::optional<std::int64_t> instead; ///< the pass of the path in force that it replaces
 };
 

@@ -47,7 +47,7 @@ void PassPreviewer::goOn() {
         std::ranges::find_if(wanted_->leads, [this](std::int64_t take) { return !lines_.contains(take); });
     if (unknown != wanted_->leads.end())
         askLines(*unknown);
-    else if (!basis_ || basis_->allowance < wanted_->request.allowance)
+    else if (!basis_ || basis_->allowance < wanted_->request.allowance || (heedsHand() && !basis_->handStrokes))
         makeBasis();
     else
         plan();
@@ -86,9 +86,9 @@ void PassPreviewer::makeBasis() {
         if (!before) return fail(before.error());
         desk_.tasks.start(
             TaskKind::previewBasis, tr("Preparing the preview"),
-            [milling = workpiece_.milling(), before = std::move(*before),
-             allowance](Progress& progress) mutable -> Result<std::shared_ptr<const PassBasis>> {
-                Result<PassBasis> basis = passBasis(*milling, std::move(before), allowance, progress);
+            [milling = workpiece_.milling(), before = std::move(*before), allowance,
+             heeds = heedsHand()](Progress& progress) mutable -> Result<std::shared_ptr<const PassBasis>> {
+                Result<PassBasis> basis = passBasis(*milling, std::move(before), allowance, heeds, progress);
                 if (!basis) return std::move(basis).error();
                 return std::make_shared<const PassBasis>(std::move(*basis));
             },
@@ -109,8 +109,10 @@ void PassPreviewer::makeBasis() {
 
 void PassPreviewer::plan() {
     PassRequest request = wanted_->request;
-    for (const std::int64_t take : wanted_->leads)
-        request.lines.insert(request.lines.end(), lines_[take].begin(), lines_[take].end());
+    std::vector<TakeLines> takes;
+    for (const std::int64_t take : wanted_->leads) takes.push_back({take, lines_[take]});
+    leadBy(takes, request);
+    leads_ = request.lines;
     desk_.tasks.start(
         TaskKind::preview, tr("Computing the preview"),
         [milling = workpiece_.milling(), basis = basis_,

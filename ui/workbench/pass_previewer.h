@@ -26,10 +26,13 @@ public:
 
     /// Of the pass requested last; null if not ready or not possible.
     const PassPreview* preview() const noexcept { return preview_.get(); }
+    /// The lines of the pass requested last, also those of takes; mm, setup frame.
+    const std::vector<PassLine>& leads() const noexcept { return leads_; }
     const std::optional<Error>& problem() const noexcept { return problem_; }
     bool busy() const noexcept { return wanted_.has_value(); }
 
 private:
+    bool heedsHand() const { return wanted_ && wanted_->request.hand != HandStrokes::ignore; }
     void goOn();
     void askLines(std::int64_t take);
     void makeBasis();
@@ -42,6 +45,7 @@ private:
     std::optional<RequestedPass> wanted_; ///< until its preview is ready
     std::shared_ptr<const PassBasis> basis_;
     std::map<std::int64_t, std::vector<PassLine>> lines_; ///< of takes
+    std::vector<PassLine> leads_;
     std::shared_ptr<const PassPreview> preview_;
     std::optional<Error> problem_;
     bool asked_ = false; ///< the project is being read, or the basis made

@@ -14,6 +14,12 @@
 
 namespace burin {
 
+/// A pass that was computed again.
+struct ReplacedPass {
+    GeneratedMoves moves;
+    std::int64_t instead = 0; ///< id of the pass whose position it takes
+};
+
 /// The job's paths, one for each tool: all recordings made with it, with their edits. They are evaluated in the
 /// background; a change while a path is being evaluated restarts its evaluation. Edits apply to the path of the tool in
 /// force.
@@ -60,6 +66,8 @@ public:
     /// Adds a computed pass as the last source of its tool's path, or of a new path. An entry of the undo stack.
     /// @param tool of the pass; it is added to the project @param instead the pass of that path that it replaces
     void addPass(const GeneratedMoves& moves, const Tool& tool, std::optional<std::int64_t> instead = std::nullopt);
+    /// Replaces passes of its tool's path. One entry of the undo stack.
+    void replacePasses(const std::vector<ReplacedPass>& passes, const Tool& tool);
     /// Adds the passes of a program as the last sources of the paths of their tools, or of new paths. An entry of the
     /// undo stack.
     void addProgram(const std::vector<ProgramPass>& passes);

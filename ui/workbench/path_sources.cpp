@@ -31,6 +31,16 @@ void PathController::addPass(const GeneratedMoves& moves, const Tool& tool, std:
                                       }}});
 }
 
+void PathController::replacePasses(const std::vector<ReplacedPass>& passes, const Tool& tool) {
+    std::vector<NewSource> added;
+    for (const ReplacedPass& pass : passes)
+        added.push_back(
+            {pass.moves, tool, [info = pass.moves.info, instead = pass.instead](StoredPath path, std::int64_t source) {
+                 return withPass(std::move(path), info, source, instead);
+             }});
+    addSources(tr("passes computed again"), std::move(added));
+}
+
 void PathController::addProgram(const std::vector<ProgramPass>& passes) {
     std::vector<NewSource> added;
     for (const ProgramPass& pass : passes)

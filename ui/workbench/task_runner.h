@@ -54,6 +54,7 @@ enum class TaskKind {
     faces,
     score,
     deviation,
+    outdated
     stockSolid
 };
 

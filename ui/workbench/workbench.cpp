@@ -48,7 +48,9 @@ Workbench::Workbench(QObject* parent)
     , area(desk_, this)
     , passes(desk_, workpiece, path, tool, this)
     , passPreview(desk_, workpiece, path, tool, this)
+    , passShow(desk_, passPreview, this)
     , passMeasurer(desk_, workpiece, path, this)
+    , passRefresher(desk_, workpiece, path, tool, this)
     , pathValuer(desk_, workpiece, path, this)
     , pathComparer(desk_, workpiece, path, this)
     , measure(desk_, setup, this)
@@ -72,11 +74,11 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document,     &model,   &setup,        &material,   &tool,       &target,       &workpiece,
-            &styluses,     &session, &deviceTester, &viewDevice, &mill,       &surroundings, &guides,
-            &hand,         &showMe,  &path,         &area,       &passes,     &passMeasurer, &pathValuer,
-            &measure,      &program, &setups,       &sheet,      &time,       &keeper,       &faces,
-            &pathComparer, &score,   &fixtures,     &axisTuner,  &deviations, &growing,      &stockSolid};
+    return {&document,   &model,        &setup,      &material,     &tool,         &target,  &workpiece, &styluses,
+            &session,    &deviceTester, &viewDevice, &mill,         &surroundings, &guides,  &hand,      &showMe,
+            &path,       &area,         &passes,     &passMeasurer, &pathValuer,   &measure, &program,   &setups,
+            &sheet,      &time,         &keeper,     &faces,        &pathComparer, &score,   &fixtures,  &axisTuner,
+            &deviations, &growing,      &stockSolid,      &passShow,   &passRefresher};
 }
 
 void Workbench::wire() {
@@ -161,6 +163,7 @@ void Workbench::load(const ProjectContents& contents) {
     passes.forget();
     passPreview.end();
     passMeasurer.forget();
+    passRefresher.forget();
     pathValuer.forget();
     pathComparer.close();
     time.forget();

@@ -17,6 +17,8 @@
 #include "ui/workbench/model_controller.h"
 #include "ui/workbench/pass_measurer.h"
 #include "ui/workbench/pass_previewer.h"
+#include "ui/workbench/pass_refresher.h"
+#include "ui/workbench/pass_show.h"
 #include "ui/workbench/path_comparer.h"
 #include "ui/workbench/path_controller.h"
 #include "ui/workbench/path_valuer.h"
@@ -75,7 +77,9 @@ public:
     AreaController area;
     PassController passes;
     PassPreviewer passPreview;
+    PassShow passShow;
     PassMeasurer passMeasurer;
+    PassRefresher passRefresher;
     PathValuer pathValuer;
     PathComparer pathComparer;
     MeasureController measure;

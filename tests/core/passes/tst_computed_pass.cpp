@@ -17,36 +17,6 @@ using namespace burin::test;
 
 namespace {
 
-/// A closed block from z = 0 up to a surface over a square grid.
-TriangleMesh blockUnder(const std::function<double(double, double)>& top, double half, int cells) {
-    TriangleMesh mesh;
-    const auto corner = [&](int i) { return -half + 2.0 * half * i / cells; };
-    const auto index = [&](int i, int j, bool above) {
-        return static_cast<std::uint32_t>(2 * (j * (cells + 1) + i) + (above ? 1 : 0));
-    };
-    for (int j = 0; j <= cells; ++j)
-        for (int i = 0; i <= cells; ++i) {
-            mesh.vertices.emplace_back(corner(i), corner(j), 0.0);
-            mesh.vertices.emplace_back(corner(i), corner(j), top(corner(i), corner(j)));
-        }
-    const auto quad = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-        mesh.triangles.push_back({a, b, c});
-        mesh.triangles.push_back({a, c, d});
-    };
-    for (int j = 0; j < cells; ++j)
-        for (int i = 0; i < cells; ++i) {
-            quad(index(i, j, true), index(i + 1, j, true), index(i + 1, j + 1, true), index(i, j + 1, true));
-            quad(index(i, j, false), index(i, j + 1, false), index(i + 1, j + 1, false), index(i + 1, j, false));
-        }
-    for (int i = 0; i < cells; ++i) {
-        quad(index(i, 0, false), index(i + 1, 0, false), index(i + 1, 0, true), index(i, 0, true));
-        quad(index(i + 1, cells, false), index(i, cells, false), index(i, cells, true), index(i + 1, cells, true));
-        quad(index(0, i + 1, false), index(0, i, false), index(0, i, true), index(0, i + 1, true));
-        quad(index(cells, i, false), index(cells, i + 1, false), index(cells, i + 1, true), index(cells, i, true));
-    }
-    return mesh;
-}
-
 /// Lowers a cutter onto every triangle by the closed formulas for vertex and facet; on an edge the height is concave,
 /// and its maximum is found by ternary search. Independent of the code under test.
 class BruteDrop {

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/job/pass_strokes.h"
+
+#include "core/job/program_job.h"
+#include "core/path/edit_step.h"
+#include "core/path/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace burin {
+
+namespace {
+
+int countOf(const std::vector<PassLead>& leads) {
+    int lines = 0;
+    for (const PassLead& lead : leads) lines += lead.lines;
+    return lines;
+}
+
+/// The edits that shape strokes: what links them and sets their feeds leaves their shape as it is.
+std::vector<Edit> shapingEdits(const std::vector<Edit>& edits) {
+    std::vector<Edit> shaping;
+    for (const Edit& edit : edits)
+        if (traitsOf(edit.parameters).step <= EditStep::surface) shaping.push_back(edit);
+    return shaping;
+}
+
+} // namespace
+
+Result<std::vector<PassLine>> linesOfTake(const Project& project, std::int64_t take, Progress& progress) {
+    const Result<Take> recorded = project.take(take);
+    if (!recorded) return recorded.error();
+    const Result<Tool> tool = toolFor(project, recorded->info.toolId);
+    if (!tool) return tool.error();
+    constexpr double tremor = 6.0, follows = 0.2, apart = 0.2; // mm
+    const std::vector<Edit> edits{{DropDwells{}}, {SmoothShape{tremor, follows}}};
+    PathContext context;
+    context.tool = *tool;
+    const Result<EvaluatedPath> path = evaluate(recorded->info.name, {*recorded}, edits, context, progress);
+    if (!path) return path.error();
+    std::vector<PassLine> lines;
+    for (const PathPoint& point : path->path.points) {
+        if (point.kind == MoveKind::rapid || lines.empty()) lines.emplace_back();
+        if (lines.back().empty() || glm::distance(lines.back().back(), point.pose.tip) >= apart)
+            lines.back().push_back(point.pose.tip);
+    }
+    std::erase_if(lines, [](const PassLine& line) { return line.size() < 2; });
+    if (lines.empty()) return Error{ErrorCode::pathEmpty, recorded->info.name, "", "it has no stroke"};
+    return lines;
+}
+
+void leadBy(const std::vector<TakeLines>& takes, PassRequest& request) {
+    std::vector<PassLine> lines;
+    for (const TakeLines& each : takes) {
+        request.leads.push_back({each.take, static_cast<int>(each.lines.size())});
+        lines.insert(lines.end(), each.lines.begin(), each.lines.end());
+    }
+    request.lines.insert(request.lines.begin(), lines.begin(), lines.end());
+}
+
+Result<PassRequest> ledAnew(const Project& project, PassRequest request, Progress& progress) {
+    std::vector<TakeLines> takes;
+    for (const PassLead& lead : request.leads) {
+        Result<std::vector<PassLine>> lines = linesOfTake(project, lead.take, progress);
+        if (!lines) return std::move(lines).error();
+        takes.push_back({lead.take, std::move(*lines)});
+    }
+    request.lines.erase(request.lines.begin(), request.lines.begin() + countOf(request.leads));
+    request.leads.clear();
+    leadBy(takes, request);
+    return request;
+}
+
+Result<std::vector<TipLine>> handStrokes(std::vector<SourceStrokes> sources, const StoredPath& path,
+                                         const MillingContext& milling, Progress& progress) {
+    std::erase_if(sources, [](const SourceStrokes& each) { return !each.info.source.isTake(); });
+    if (sources.empty()) return std::vector<TipLine>{};
+    PathContext context;
+    context.part = &milling.part;
+    context.tool = milling.tool;
+    context.conditions = milling.conditions;
+    context.machine = milling.machine;
+    context.stock = milling.setup.stock;
+    context.obstacles = solidsOf(milling.surroundings());
+    context.workOffset = milling.setup.workOffset;
+    if (sources.front().info.tickPeriod > 0.0) context.tickPeriod = sources.front().info.tickPeriod;
+    const Result<EvaluatedPath> shaped =
+        evaluate(path.name, std::move(sources), shapingEdits(path.edits), context, progress);
+    if (!shaped && shaped.error().code == ErrorCode::pathEmpty) return std::vector<TipLine>{};
+    if (!shaped) return shaped.error();
+    std::vector<TipLine> strokes;
+    for (const PathPoint& point : shaped->path.points) {
+        if (point.kind == MoveKind::rapid || strokes.empty()) strokes.emplace_back();
+        strokes.back().push_back(point.pose.tip);
+    }
+    std::erase_if(strokes, [](const TipLine& stroke) { return stroke.size() < 2; });
+    return strokes;
+}
+
+std::string digestOf(const std::vector<TipLine>& strokes) {
+    constexpr double unit = 1e-6;                 // mm
+    std::uint64_t digest = 14695981039346656037u; // FNV-1a
+    const auto add = [&digest](std::uint64_t value) {
+        for (int byte = 0; byte < 8; ++byte) {
+            digest ^= (value >> (8 * byte)) & 255u;
+            digest *= 1099511628211u;
+        }
+    };
+    for (const TipLine& stroke : strokes) {
+        add(stroke.size());
+        for (const glm::dvec3& tip : stroke)
+            for (int axis = 0; axis < 3; ++axis) add(static_cast<std::uint64_t>(std::llround(tip[axis] / unit)));
+    }
+    std::string text(16, '0');
+    for (std::size_t i = 0; i < text.size(); ++i) text[i] = "0123456789abcdef"[(digest >> (60 - 4 * i)) & 15u];
+    return text;
+}
+
+Result<LedPasses> ledPasses(const Project& project, const StoredPath& path, Progress& progress) {
+    const Result<std::vector<GeneratedInfo>> passes = project.generated();
+    if (!passes) return passes.error();
+    LedPasses led{{}, path};
+    StoredPath before = path; // its takes up to a pass
+    before.sources.clear();
+    for (const PathSource source : path.sources) {
+        if (source.isTake()) before.sources.push_back(source);
+        const auto info = std::ranges::find(*passes, source.id, &GeneratedInfo::id);
+        if (info == passes->end() || info->request.empty()) continue;
+        const Result<PassRequest> request = passRequestFromJson(info->request, info->name);
+        if (!request || (request->leads.empty() && request->hand == HandStrokes::ignore)) continue;
+        LedPasses::Pass pass{info->id, false, request->strokesDigest, {}};
+        const Result<PassRequest> anew = ledAnew(project, *request, progress);
+        if (!anew && anew.error().code == ErrorCode::cancelled) return anew.error();
+        pass.linesChanged = !anew || anew->lines != request->lines; // also if a take is gone or empty
+        if (request->hand != HandStrokes::ignore && !before.sources.empty()) {
+            Result<std::vector<SourceStrokes>> strokes = strokesOf(project, before);
+            if (!strokes) return std::move(strokes).error();
+            pass.before = std::move(*strokes);
+        }
+        led.passes.push_back(std::move(pass));
+    }
+    return led;
+}
+
+Result<std::vector<std::int64_t>> outdatedPasses(LedPasses led, const MillingContext& milling, Progress& progress) {
+    std::vector<std::int64_t> outdated;
+    for (LedPasses::Pass& pass : led.passes) {
+        bool changed = pass.linesChanged;
+        if (!changed && !pass.digest.empty()) {
+            const Result<std::vector<TipLine>> strokes =
+                handStrokes(std::move(pass.before), led.path, milling, progress);
+            if (!strokes) return strokes.error();
+            changed = digestOf(*strokes) != pass.digest;
+        }
+        if (changed) outdated.push_back(pass.id);
+    }
+    return outdated;
+}
+
+} // namespace burin

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/workbench/pass_refresher.h"
+
+#include "core/path/stroke.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace burin {
+
+/// What is needed to compute a pass again without the project.
+struct PassRefresher::Matter {
+    std::int64_t pass = 0;
+    PassRequest request; ///< with its lines as they are now
+    std::vector<PathMatter> before;
+};
+
+namespace {
+
+using Refreshed = std::vector<ReplacedPass>;
+
+/// Computes passes one after the other; each stands on those computed before it.
+template <class Matter>
+Result<Refreshed> computedAgain(const MillingContext& milling, std::vector<Matter> matters, Progress& progress) {
+    Refreshed done;
+    for (Matter& matter : matters) {
+        const auto count = static_cast<double>(matters.size()), number = static_cast<double>(done.size());
+        const ProgressPart part(progress, number / count, (number + 1.0) / count);
+        for (PathMatter& path : matter.before)
+            for (SourceStrokes& source : path.sources)
+                for (const ReplacedPass& earlier : done) {
+                    if (source.info.source.id != earlier.instead) continue;
+                    Result<SourceStrokes> strokes = strokesOf(earlier.moves);
+                    if (!strokes) return std::move(strokes).error();
+                    strokes->info.source.id = earlier.instead; // its position in the path
+                    source = std::move(*strokes);
+                }
+        Result<ComputedPass> pass = computePass(milling, std::move(matter.before), matter.request, progress);
+        if (!pass) return std::move(pass).error();
+        done.push_back({std::move(pass->moves), matter.pass});
+    }
+    return done;
+}
+
+bool heedsStrokes(const GeneratedInfo& pass) {
+    const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
+    return request && (!request->leads.empty() || request->hand != HandStrokes::ignore);
+}
+
+} // namespace
+
+PassRefresher::PassRefresher(const Desk& desk, const WorkpieceController& workpiece, PathController& path,
+                             const ToolController& tools, QObject* parent)
+    : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools) {
+    connect(&path_, &PathController::changed, this, &PassRefresher::look);
+    connect(&path_, &PathController::versionChanged, this, &PassRefresher::look);
+    connect(&workpiece_, &Controller::changed, this, &PassRefresher::look);
+}
+
+bool PassRefresher::ready() const {
+    return workpiece_.embedded() && workpiece_.milling() && !workpiece_.changing() &&
+           workpiece_.milling()->tool.id == tools_.current().id;
+}
+
+bool PassRefresher::possible() const {
+    return !refreshing_ && !outdated_.empty() && ready() && path_.stored() != nullptr &&
+           !desk_.tasks.running(TaskKind::pass);
+}
+
+/// Asks again when path or recordings have changed.
+void PassRefresher::look() {
+    const StoredPath* path = path_.stored();
+    const std::optional<Key> key = path != nullptr ? std::optional<Key>({path->id, path_.version()}) : std::nullopt;
+    if (key && looked_ == key) return;
+    const bool any = key && std::ranges::any_of(path_.passes(), heedsStrokes);
+    if (any && !ready()) return;
+    looked_ = key;
+    ++questions_;
+    know({});
+    if (!any) return;
+    desk_.project.ask(
+        [path = *path](const Project& project) {
+            Progress unseen;
+            return ledPasses(project, path, unseen);
+        },
+        [this, question = questions_](Result<LedPasses> led) {
+            if (question != questions_) return;
+            if (led) return find(std::move(*led));
+            emit failed(led.error());
+        });
+}
+
+void PassRefresher::find(LedPasses led) {
+    if (!workpiece_.milling()) return looked_.reset();
+    desk_.tasks.start(
+        TaskKind::outdated, tr("Looking for passes that are out of date"),
+        [led = std::move(led), milling = workpiece_.milling()](Progress& progress) mutable {
+            return outdatedPasses(std::move(led), *milling, progress);
+        },
+        [this, question = questions_](const Result<std::vector<std::int64_t>>& outdated) {
+            if (question != questions_) return;
+            if (outdated) return know(*outdated);
+            if (outdated.error().code != ErrorCode::cancelled) emit failed(outdated.error());
+        });
+}
+
+void PassRefresher::know(std::vector<std::int64_t> outdated) {
+    if (outdated == outdated_) return;
+    outdated_ = std::move(outdated);
+    emit changed();
+}
+
+void PassRefresher::refresh() {
+    if (!possible()) return;
+    refreshing_ = true;
+    emit changed();
+    std::vector<GeneratedInfo> passes = path_.passes();
+    std::erase_if(
+        passes, [this](const GeneratedInfo& pass) { return std::ranges::find(outdated_, pass.id) == outdated_.end(); });
+    desk_.project.ask(
+        [passes = std::move(passes), path = *path_.stored()](const Project& project) -> Result<std::vector<Matter>> {
+            Progress unseen;
+            std::vector<Matter> matters;
+            for (const GeneratedInfo& pass : passes) {
+                Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
+                if (request) request = ledAnew(project, std::move(*request), unseen);
+                if (!request) return std::move(request).error();
+                Result<std::vector<PathMatter>> before = pathsBeforePass(project, path, pass.toolId, *request, pass.id);
+                if (!before) return std::move(before).error();
+                matters.push_back({pass.id, std::move(*request), std::move(*before)});
+            }
+            return matters;
+        },
+        [this, load = loads_](Result<std::vector<Matter>> matters) {
+            if (load != loads_) return; // another project
+            if (matters && ready()) return compute(std::move(*matters));
+            if (!matters) emit failed(matters.error());
+            end();
+        });
+}
+
+void PassRefresher::compute(std::vector<Matter> matters) {
+    desk_.tasks.start(
+        TaskKind::pass, tr("Computing the passes that are out of date"),
+        [milling = workpiece_.milling(), matters = std::move(matters)](Progress& progress) mutable {
+            return computedAgain(*milling, std::move(matters), progress);
+        },
+        [this, load = loads_, tool = tools_.current()](const Result<Refreshed>& passes) {
+            if (load != loads_) return; // another project
+            if (passes)
+                path_.replacePasses(*passes, tool);
+            else if (passes.error().code != ErrorCode::cancelled)
+                emit failed(passes.error());
+            end();
+        });
+}
+
+void PassRefresher::end() {
+    refreshing_ = false;
+    emit changed();
+}
+
+void PassRefresher::forget() {
+    ++questions_;
+    ++loads_;
+    looked_.reset();
+    outdated_.clear();
+    desk_.tasks.abandon(TaskKind::outdated);
+    end();
+}
+
+} // namespace burin
