@@ -69,6 +69,7 @@ json jsonOf(const TakeOutcome& outcome, const ToolBounds& bounds, const Property
             {"layers", layers},
             {"obstacle_ticks", outcome.obstacleTicks},
             {"axis_held_ticks", outcome.axisHeldTicks},
+            {"stock_distance_ticks", outcome.stockTicks},
             {"samples", outcome.samples},
             {"ticks", outcome.loop.ticks},
             {"rate_hz", outcome.loop.rateHz},
@@ -88,6 +89,7 @@ json jsonOf(const TakeOutcome& outcome, const ToolBounds& bounds, const Property
             {"workpiece_drop_mm3", outcome.drop},
             {"shank_contact_ticks", outcome.shankTicks},
             {"force_max_n", outcome.largestForce},
+            {"torque_max_n_mm", outcome.largestTorque},
             {"cutting_force_max_n", outcome.largestCuttingForce},
             {"heaviest_cut", heaviestCutOf(outcome, properties)}};
 }
@@ -101,6 +103,7 @@ std::string alarmsOf(const TakeOutcome& outcome, const ToolBounds& bounds) {
     add(outcome.shankTicks, BURIN_TEXT("Command", "; shank or holder touched in %1 ticks"));
     for (std::size_t i = 1; i < bounds.layers().size(); ++i)
         add(outcome.layerTicks[i], BURIN_TEXT("Command", "; %2 held the tool in %1 ticks"), textOf(bounds.layers()[i]));
+    add(outcome.stockTicks, BURIN_TEXT("Command", "; shank or holder were kept away from the stock in %1 ticks"));
     add(outcome.axisHeldTicks, BURIN_TEXT("Command", "; the axis was held in %1 ticks"));
     return text;
 }
@@ -145,6 +148,15 @@ void tellFelt(const FeltCutting& felt, const char* source, json& answer) {
     answer["felt"] = {{"gain", felt.gain}, {"friction", felt.friction}, {"source", source}};
 }
 
+/// Reports the distance that shank and holder keep from the stock, mm; null: none.
+void tellStockDistance(const StockLayer& stock, json& answer) {
+    answer["stock_distance_mm"] = stock.distance > 0.0 && stock.on ? json(stock.distance) : json(nullptr);
+}
+
+StockLayer askedStock(const MillArguments& arguments) {
+    return {arguments.stockDistance.value_or(0.0), arguments.stockDistance.has_value()};
+}
+
 /// For a trace of an older version, a hand-written one or that of a take: readings alone do not say what was felt.
 FeltCutting feltWithout(const std::string& file, const MillWork& work) {
     FeltCutting felt = feltByPlannedHand;
@@ -180,6 +192,12 @@ Result<void> playAgain(const SessionTrace& trace, const MillWork& work, TakeRequ
             ErrorCode::argumentInvalid, "--stylus", work.arguments.stylus,
             worded(BURIN_TEXT("Command",
                               "with --felt, a trace that does not state how much of the cutting force was felt"))};
+    if (work.arguments.stockDistance)
+        return Error{
+            ErrorCode::argumentInvalid, "--stylus", work.arguments.stylus,
+            worded(BURIN_TEXT("Command", "with --stock-distance, a trace that does not state this distance itself"))};
+    request.stock = trace.began->stock;
+    tellStockDistance(request.stock, work.answer);
     request.felt = trace.began->felt;
     tellFelt(request.felt, "trace", work.answer);
     request.allowance = work.arguments.allowance.value_or(trace.began->allowance);
@@ -201,6 +219,8 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     request.traceOutput = &work.trace;
     request.saves = false;
     request.guides = work.guides;
+    request.stock = askedStock(work.arguments);
+    tellStockDistance(request.stock, work.answer);
     if (work.arguments.deadMan > 0) request.forceButtons = 1U << static_cast<unsigned>(work.arguments.deadMan - 1);
     request.heardFault = [&work](const Error& fault) { work.context.message(Messages::sentence(fault).toStdString()); };
     if (work.arguments.seconds > 0.0) request.maximumSeconds = work.arguments.seconds;
@@ -280,6 +300,8 @@ Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     request.intent = intentOf(work.arguments);
     request.allowance = work.arguments.allowance.value_or(request.allowance);
     request.timeLimit = work.arguments.seconds;
+    request.stock = askedStock(work.arguments);
+    tellStockDistance(request.stock, work.answer);
     request.pace = work.pace;
     request.saves = false;
     Result<OperatorOutcome> outcome =

@@ -91,6 +91,11 @@ void addMillOptions(CommandParser command, MillArguments& arguments) {
                        "Share of the cutting force that is felt with a device, or was felt while a trace was recorded "
                        "that does not state it, 0 to 1"))
         .range(0.0, 1.0);
+    command
+        .option("--stock-distance", arguments.stockDistance,
+                BURIN_TEXT("Help", "Distance that shank and holder keep from the stock, mm (default: they are stopped "
+                                   "when they touch it)"))
+        .range(StockLayer::distances.low, StockLayer::distances.high);
     addAxis(command, arguments.axis);
     addOperator(command, arguments);
 }

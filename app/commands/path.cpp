@@ -16,6 +16,7 @@
 #include "core/job/computed_pass.h"
 #include "core/job/job_paths.h"
 #include "core/job/path_takes.h"
+#include "core/job/take_trace.h"
 #include "core/path/milling_side.h"
 #include "core/recording/take_csv.h"
 #include "core/setup/material_change.h"
@@ -280,7 +281,7 @@ int exportTake(const PathArguments& arguments, bool asTrace, CommandContext& con
     const SampleSource source = [&](const SampleVisitor& visit) {
         return project->visitSamples(arguments.take, visit);
     };
-    const Result<void> written = asTrace ? writeTakeTrace(arguments.output, source)
+    const Result<void> written = asTrace ? writeTakeTrace(arguments.output, *take, source)
                                          : writeTakeCsv(arguments.output, source, materialIdsOf(*project, take->info));
     if (!written) return context.fail(written.error());
     const std::uint64_t samples = take->info.sampleCount;

@@ -4,23 +4,25 @@
 
 #include "core/document/column_codec.h"
 
+#include <algorithm>
 #include <array>
 
 namespace burin {
 
 namespace {
 
-constexpr char chunkFormVersion = 1;
+constexpr char forceForm = 1, torqueForm = 2; // without and with the torque of the device
 
-// Columns of form 1, in this order. The proxy's tip comes three columns after the stylus's, so that free motion, in
-// which both are equal, is not stored twice.
+// Columns of both forms, in this order; the last three exist only in form 2. The proxy's tip comes three columns after
+// the stylus's, so that free motion, in which both are equal, is not stored twice.
 constexpr std::size_t tickColumn = 0, timeColumn = 1, deviceColumn = 2, stylusTipColumn = 9, proxyColumn = 12,
                       forceColumn = 18, cuttingForceColumn = 21, reportedColumn = 24, removedColumn = 25,
-                      propertiesColumn = 33, buttonsColumn = 34, flagsColumn = 35, columnCount = 36;
+                      propertiesColumn = 33, buttonsColumn = 34, flagsColumn = 35, forceColumns = 36, torqueColumn = 36,
+                      torqueColumns = 39;
 constexpr std::size_t lookBack = proxyColumn - stylusTipColumn;
 static_assert(std::tuple_size_v<decltype(Sample::removed)> == propertiesColumn - removedColumn);
 
-using Row = std::array<std::uint64_t, columnCount>;
+using Row = std::array<std::uint64_t, torqueColumns>;
 
 void put(Row& row, std::size_t column, const glm::dvec3& vector) {
     for (int axis = 0; axis < 3; ++axis) row[column + static_cast<std::size_t>(axis)] = wordOf(vector[axis]);
@@ -50,6 +52,7 @@ Row rowOf(const Sample& sample) {
     }
     row[buttonsColumn] = sample.buttons;
     row[flagsColumn] = sample.flags;
+    put(row, torqueColumn, sample.torque);
     return row;
 }
 
@@ -71,29 +74,41 @@ Sample sampleOf(const Row& row) {
     }
     sample.buttons = static_cast<std::uint32_t>(row[buttonsColumn]);
     sample.flags = static_cast<std::uint32_t>(row[flagsColumn]);
+    sample.torque = vectorAt(row, torqueColumn);
     return sample;
+}
+
+/// Of most devices no sample has any: its columns would be the same words again and again.
+bool hasTorque(const Sample& sample) {
+    const std::uint64_t none = wordOf(0.0);
+    return wordOf(sample.torque.x) != none || wordOf(sample.torque.y) != none || wordOf(sample.torque.z) != none;
 }
 
 } // namespace
 
 std::string encodeSamples(std::span<const Sample> samples) {
-    std::vector<Column> columns(columnCount, Column(samples.size()));
+    const bool turns = std::ranges::any_of(samples, hasTorque);
+    std::vector<Column> columns(turns ? torqueColumns : forceColumns, Column(samples.size()));
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const Row row = rowOf(samples[i]);
-        for (std::size_t column = 0; column < columnCount; ++column) columns[column][i] = row[column];
+        for (std::size_t column = 0; column < columns.size(); ++column) columns[column][i] = row[column];
     }
-    return chunkFormVersion + encodeColumns(columns, lookBack);
+    return (turns ? torqueForm : forceForm) + encodeColumns(columns, lookBack);
 }
 
 std::optional<std::vector<Sample>> decodeSamples(std::string_view chunk, std::size_t count) {
-    if (chunk.empty() || chunk.front() != chunkFormVersion || count > samplesPerChunk) return std::nullopt;
-    const std::optional<std::vector<Column>> columns = decodeColumns(chunk.substr(1), columnCount, count);
+    if (chunk.empty() || count > samplesPerChunk) return std::nullopt;
+    const bool turns = chunk.front() == torqueForm;
+    if (!turns && chunk.front() != forceForm) return std::nullopt;
+    const std::optional<std::vector<Column>> columns =
+        decodeColumns(chunk.substr(1), turns ? torqueColumns : forceColumns, count);
     if (!columns) return std::nullopt;
     std::vector<Sample> samples;
     samples.reserve(count);
     Row row{};
+    put(row, torqueColumn, glm::dvec3(0.0));
     for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t column = 0; column < columnCount; ++column) row[column] = (*columns)[column][i];
+        for (std::size_t column = 0; column < columns->size(); ++column) row[column] = (*columns)[column][i];
         samples.push_back(sampleOf(row));
     }
     return samples;

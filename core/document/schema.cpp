@@ -325,6 +325,11 @@ Result<void> addStatedFeeds(Database&) {
     return {};
 }
 
+/// Chunks of samples may have a further form, which is written only from this version on.
+Result<void> addTorque(Database&) {
+    return {};
+}
+
 Result<void> checkIdentity(Database& file, int newest) {
     const Result<std::int64_t> application = file.integer("PRAGMA application_id");
     if (!application) return application.error();

@@ -31,6 +31,7 @@ Result<void> addProgramZero(Database& file);
 Result<void> addPassRequests(Database& file);
 Result<void> addTime(Database& file);
 Result<void> addStatedFeeds(Database& file);
+Result<void> addTorque(Database& file);
 inline constexpr std::array projectMigrations{
     Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneIntervals},
     Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool axis and guides are kept."), addSurroundings},
@@ -44,6 +45,7 @@ inline constexpr std::array projectMigrations{
     Migration{9, BURIN_TEXT("Migration", "Takes can be switched off from a moment on, and the workpiece is kept."),
               addTime},
     Migration{10, BURIN_TEXT("Migration", "Paths can be made of programs, and keep their feeds."), addStatedFeeds},
+    Migration{11, BURIN_TEXT("Migration", "Recordings keep the torque that a device gave."), addTorque},
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 

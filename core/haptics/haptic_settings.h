@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/number_range.h"
 #include "core/device/stylus.h"
 #include "core/haptics/workspace_mapping.h"
 #include "core/setup/axis_mode.h"
@@ -16,6 +17,15 @@ struct FeltCutting {
     double friction = 0.15; ///< Coulomb friction coefficient of the tool on surfaces that it slides on without cutting
 };
 
+/// Keeps shank and holder at a distance from the stock that is left, so that they push the hand back before they touch
+/// it, as part and fixtures do (StockBoundary).
+struct StockLayer {
+    static constexpr NumberRange distances{0.1, 10.0}; ///< mm
+    static constexpr double usualDistance = 1.0;       ///< mm
+    double distance = 0.0; ///< mm; 0: there is no such layer, and touching the stock stops shank and holder
+    bool on = false;       ///< initially
+};
+
 /// Gains and limits of one session.
 struct HapticSettings {
     WorkspaceMapping mapping;
@@ -24,6 +34,7 @@ struct HapticSettings {
     double allowance = 0.0;       ///< mm left on the part
     double cuttingSpeed = 1000.0; ///< mm/s of the cutting edge
     FeltCutting felt;
+    StockLayer stock;
     double couplingShare = 0.8; ///< of the stylus' maximum stiffness
     double guideShare = 0.6;    ///< of the stylus' maximum stiffness, for the springs of the guides
     double forceShare = 0.6;    ///< of the stylus' maximum force

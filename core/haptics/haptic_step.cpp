@@ -19,7 +19,7 @@ HapticStep::HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& 
     , layers_(std::move(layers))
     , part_(layers_.part())
     , guides_(part_, settings)
-    , mover_(layers_, tool, workpiece.grid(), settings)
+    , mover_(layers_, tool, workpiece, settings)
     , cut_(workpiece, tool, settings)
     , output_(settings) {}
 
@@ -92,7 +92,7 @@ void HapticStep::apply(const StepChange& change) noexcept {
         }
         void operator()(const ForceWithheld&) const noexcept { step.forceWithheld(); }
         void operator()(const CutResumption&) const noexcept { step.resumeCutting(); }
-        void operator()(const WorkpieceChange&) const noexcept { step.workpieceChanged(); }
+        void operator()(const WorkpieceChange& told) const noexcept { step.workpieceChanged(told); }
         void operator()(const TileChange& told) const noexcept { step.changeTile(told); }
     };
     std::visit(Apply{*this}, change);
@@ -110,7 +110,7 @@ void HapticStep::noteHold(const ToolMotion& motion, Sample& sample) noexcept {
     if (motion.normal == glm::dvec3(0.0)) return;
     sample.flags |= sampleOnBoundary;
     constexpr std::uint64_t part = 1;
-    heldBy_ = layers_.size() == 1 ? part : layers_.touching(mover_.pose(), Proxy::contactGap);
+    heldBy_ = layers_.partAlone() ? part : layers_.touching(mover_.pose(), Proxy::contactGap);
     if ((heldBy_ & ~part) != 0) sample.flags |= sampleOnObstacle;
 }
 
@@ -129,8 +129,8 @@ void HapticStep::beginTake() noexcept {
     cut_.skipOne();
 }
 
-void HapticStep::workpieceChanged() noexcept {
-    tell(WorkpieceChange{});
+void HapticStep::workpieceChanged(const WorkpieceChange& change) noexcept {
+    tell(change);
     cut_.workpieceChanged();
     mover_.workpieceChanged();
     input_.forget();

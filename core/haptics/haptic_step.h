@@ -97,12 +97,12 @@ public:
     }
     /// The owner replaced the state of the workpiece, between two ticks: cached knowledge of the workpiece is dropped,
     /// and forces fade in again.
-    void workpieceChanged() noexcept;
+    void workpieceChanged(const WorkpieceChange& change) noexcept;
     /// Sets the listener to all further changes of the step; it is first called with whether the spindle is released.
     /// The listener outlives the step, or `listen(nullptr)` is called before its end. Called between two ticks.
     void listen(StepChangeListener* listener) noexcept;
     /// Applies a recorded change, like one of the functions above. A take begins without resetting the samples' numbers
-    /// and time: they count on.
+    /// and time: they count on. For a WorkpieceChange the workpiece has to be in its new state already.
     void apply(const StepChange& change) noexcept;
     /// What shank or holder touched in the last tick; only valid with sampleShankContact.
     const ShankContact& shankContact() const noexcept { return mover_.shankContact(); }

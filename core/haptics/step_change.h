@@ -25,10 +25,13 @@ struct LayerSwitch {
 struct SpindleRelease {
     bool released = false;
 };
-struct TakeBegin {};       ///< the next tick does not cut
-struct ForceWithheld {};   ///< the force of the last tick came too late: the device got none
-struct CutResumption {};   ///< the owner has made room in the reserved memory
-struct WorkpieceChange {}; ///< the owner replaced the state of the workpiece
+struct TakeBegin {};     ///< the next tick does not cut
+struct ForceWithheld {}; ///< the force of the last tick came too late: the device got none
+struct CutResumption {}; ///< the owner has made room in the reserved memory
+/// The owner replaced the state of the workpiece: undid the newest stroke, or redid the one undone last.
+struct WorkpieceChange {
+    bool undone = true; ///< false: redone
+};
 
 /// A change made to a step between two ticks. Together with the readings, the changes determine everything that the
 /// step does. Plain data.

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -32,19 +34,31 @@ double turnLength(const HapticSettings& settings) noexcept {
     return std::sqrt(settings.stylus.maximumTurningStiffness.value / newtonsPerMillimetre);
 }
 
+/// Null: the settings ask for none.
+StockBoundary* addStock(BoundaryLayers& layers, const Tool& tool, const RunVolume& workpiece, const StockLayer& stock) {
+    if (!(stock.distance > 0.0)) return nullptr;
+    auto boundary = std::make_unique<StockBoundary>(workpiece, tool.cutter, stock.distance);
+    StockBoundary* const added = boundary.get();
+    layers.add(std::move(boundary), stock.on);
+    return added;
+}
+
 } // namespace
 
-ToolMover::ToolMover(BoundaryLayers& layers, const Tool& tool, const Grid& grid, const HapticSettings& settings)
+ToolMover::ToolMover(BoundaryLayers& layers, const Tool& tool, const RunVolume& workpiece,
+                     const HapticSettings& settings)
     : layers_(layers)
+    , stock_(addStock(layers, tool, workpiece, settings.stock))
     , axis_(settings.axis)
     , yields_(rendersTorque(settings.stylus) ? ProxyStride::Yields::both : ProxyStride::Yields::tip)
     , turnLengthAtScale1_(turnLength(settings))
-    , room_(voxelsOfRoom * grid.edge())
-    , topOfWorkpiece_(grid.box().high.z)
-    , slowestTravel_((settings.axis.free ? voxelsPerTickFree : voxelsPerTick) * grid.edge() / settings.tickPeriod)
+    , room_(voxelsOfRoom * workpiece.grid().edge())
+    , topOfWorkpiece_(workpiece.grid().box().high.z)
+    , slowestTravel_((settings.axis.free ? voxelsPerTickFree : voxelsPerTick) * workpiece.grid().edge() /
+                     settings.tickPeriod)
     , handSpeed_(settings.stylus.maximumSpeed.value)
     , longestPeriod_(gapLimits(settings.tickPeriod).late)
-    , brake_(tool.cutter, grid)
+    , brake_(tool.cutter, workpiece.grid())
     , proxy_(layers)
     , allowance_(layers, settings.allowance) {
     setScale(settings.mapping.scale);
@@ -74,6 +88,7 @@ ProxyStride ToolMover::stride(double period) const noexcept {
 bool ToolMover::start(const ToolPose& hand, const CutTick& cut) noexcept {
     allowance_.settle();
     layers_.settle();
+    if (stock_ != nullptr) stock_->beginTick(cut.owed(), cut.spindleTurns());
     const ToolPose pose = wanted(hand);
     if (!proxy_.feasible(pose)) return false;
     if (cut.spindleTurns() && brake_.at(cut.workpiece(), cut.owed(), pose).touches) return false;
@@ -95,6 +110,7 @@ ToolPose ToolMover::parkedAbove(const ToolPose& hand) noexcept {
 
 ToolMotion ToolMover::move(const ToolPose& hand, double period, CutTick& cut) noexcept {
     ToolMotion motion{pose_, pose_};
+    if (stock_ != nullptr) lookAtStock(cut);
     layers_.settle(pose_);
     const ToolPose standing = allowance_.advance(proxy_, pose_, period);
     const ToolPose goal = wanted(hand);
@@ -108,6 +124,17 @@ ToolMotion ToolMover::move(const ToolPose& hand, double period, CutTick& cut) no
     if (axis_.free) motion.turnBehind = turnBetween(goal.axis, motion.to.axis);
     motion.axisHeld = step.axisHeld && yields_ == ProxyStride::Yields::tip;
     return motion;
+}
+
+/// Stock that was put back, or that a stopped tool was moved into, does not push the tool out.
+void ToolMover::lookAtStock(const CutTick& cut) noexcept {
+    stock_->beginTick(cut.owed(), cut.spindleTurns());
+    layers_.waitInside(layers_.size() - 1, pose_);
+}
+
+void ToolMover::workpieceChanged() noexcept {
+    brake_.workpieceChanged();
+    if (stock_ != nullptr) stock_->workpieceChanged();
 }
 
 /// A tool that is held sideways can still be pulled out along its axis.

@@ -4,6 +4,7 @@
 
 #include "core/haptics/boundary/allowance_follower.h"
 #include "core/haptics/boundary/proxy.h"
+#include "core/haptics/boundary/stock_boundary.h"
 #include "core/haptics/brake_on_contact.h"
 #include "core/haptics/cut_tick.h"
 #include "core/haptics/haptic_settings.h"
@@ -18,8 +19,9 @@ public:
     /// Largest angular speed of the axis, rad/s; faster than a wrist.
     static constexpr double turnSpeed = 25.0;
 
-    /// @param layers outlive the object. @param grid grid of the workpiece
-    ToolMover(BoundaryLayers& layers, const Tool& tool, const Grid& grid, const HapticSettings& settings);
+    /// Adds the layer of the stock if the settings ask for one: it is then the last one.
+    /// @param layers, workpiece outlive the object
+    ToolMover(BoundaryLayers& layers, const Tool& tool, const RunVolume& workpiece, const HapticSettings& settings);
 
     /// Places the tool at the hand's pose if that is free. Returns false if it is not.
     bool start(const ToolPose& hand, const CutTick& cut) noexcept;
@@ -35,7 +37,7 @@ public:
     const ToolPose& pose() const noexcept { return pose_; }
     /// Takes effect gradually. @param allowance mm, >= 0
     void setAllowance(double allowance) noexcept { allowance_.want(allowance); }
-    void workpieceChanged() noexcept { brake_.workpieceChanged(); }
+    void workpieceChanged() noexcept;
     /// @param scale mm of setup per mm of device; the largest motion of the tool in a tick is proportional to it
     void setScale(double scale) noexcept;
     /// The last contact of shank or holder.
@@ -44,11 +46,13 @@ public:
 private:
     ToolPose wanted(const ToolPose& hand) const noexcept;
     ProxyStride stride(double period) const noexcept;
+    void lookAtStock(const CutTick& cut) noexcept;
     bool barred(const ToolPose& to, CutTick& cut, ToolMotion& motion) noexcept;
     ProxyStep aroundContact(const ToolPose& standing, const ToolPose& goal, ProxyStride stride, CutTick& cut,
                             ToolMotion& motion) noexcept;
 
     BoundaryLayers& layers_;
+    StockBoundary* stock_; ///< the last of the layers; null: none
     AxisMode axis_;
     ProxyStride::Yields yields_;
     double turnLengthAtScale1_, turnLength_ = 0.0; ///< mm

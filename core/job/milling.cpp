@@ -47,6 +47,7 @@ private:
         if ((sample.flags & sampleOnObstacle) != 0) ++outcome_.obstacleTicks;
         if ((sample.flags & sampleAxisHeld) != 0) ++outcome_.axisHeldTicks;
         outcome_.largestForce = std::max(outcome_.largestForce, glm::length(sample.force));
+        outcome_.largestTorque = std::max(outcome_.largestTorque, glm::length(sample.torque));
         outcome_.largestCuttingForce = std::max(outcome_.largestCuttingForce, glm::length(sample.cuttingForce));
     }
 
@@ -203,6 +204,11 @@ HostileSettings hostility(const MillingContext& milling, const OperatorRequest& 
     return settings;
 }
 
+bool changesWorkpiece(const SessionTrace& trace) {
+    return std::ranges::any_of(
+        trace.changes, [](const TimedChange& timed) { return std::holds_alternative<WorkpieceChange>(timed.change); });
+}
+
 } // namespace
 
 WorkspaceMapping mappingFor(const MillingContext& milling, const StylusDescription& stylus) {
@@ -216,12 +222,14 @@ Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const 
     session.allowance = request.allowance;
     session.mapping = request.mapping;
     session.pace = request.pace;
-    session.undoable = false; // nobody could undo anything
+    // Nobody could undo anything but a trace.
+    session.undoable = request.replayed != nullptr && changesWorkpiece(*request.replayed);
     session.takeName = request.name;
     session.maximumSeconds = request.maximumSeconds;
     session.period = request.period;
     session.cutsOnButton = request.cutsOnButton;
     session.felt = request.felt;
+    session.stock = request.stock;
     session.forceButtons = request.forceButtons;
     session.guides = request.guides;
     session.trace = request.trace;
@@ -236,12 +244,16 @@ Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const 
         while (const std::optional<Error> fault = (*live)->takeFault())
             if (request.heardFault) request.heardFault(*fault);
     };
-    while (!(*live)->ended() && !stop) {
+    Result<void> followed;
+    while (!(*live)->ended() && !stop && followed) {
         tellFaults();
         std::this_thread::sleep_for(glance);
+        followed = (*live)->followTrace();
     }
+    if (followed && !stop) followed = (*live)->followTrace(); // what follows the last reading
     const Result<LoopStatistics> loop = (*live)->end();
     tellFaults();
+    if (!followed) return std::move(followed).error();
     if (!loop) return loop.error();
     if (request.saves)
         if (const Result<void> saved = project.save(); !saved) return saved.error();
@@ -252,6 +264,7 @@ Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const 
     outcome->layerTicks.assign(bounds.layers().size(), 0);
     if (SessionState last; (*live)->newest(last)) {
         std::ranges::transform(last.layers, outcome->layerTicks.begin(), &LayerNews::ticksHeld);
+        if (last.stock) outcome->stockTicks = last.stock->ticksHeld;
         outcome->heaviestCut = last.heaviestCut;
         outcome->heaviestFeed =
             proposeFeed(last.heaviestCut, milling.tool, milling.machine, milling.embedded.workpiece.properties());
@@ -293,6 +306,7 @@ Result<OperatorOutcome> millWithOperator(Project& project, MillingContext& milli
         take.allowance = stage.allowance;
         take.mapping = mapping;
         take.felt = felt;
+        take.stock = request.stock;
         take.pace = request.pace;
         take.saves = request.saves;
         if (request.timeLimit > 0.0) take.maximumSeconds = request.timeLimit;

@@ -33,6 +33,7 @@ struct TakeRequest {
     double period = 0.0;         ///< of a tick, s; 0: as in SessionRequest
     bool cutsOnButton = false;   ///< the spindle turns only while the stylus' first button is pressed
     FeltCutting felt;
+    StockLayer stock;
     std::uint32_t forceButtons = 0;                   ///< as in SessionRequest
     std::optional<GuideSettings> guides;              ///< as in SessionRequest
     std::filesystem::path trace, flights;             ///< as in SessionRequest
@@ -51,9 +52,11 @@ struct TakeOutcome {
     double drop = 0.0;                     ///< mm³ that the workpiece's machinable runs lost during the take
     std::uint64_t shankTicks = 0;          ///< ticks with a contact of shank or holder
     std::uint64_t obstacleTicks = 0;       ///< ticks with the tool held by fixture, keep-out volume or machine travel
+    std::uint64_t stockTicks = 0;          ///< ticks in which shank or holder were kept away from the stock
     std::uint64_t axisHeldTicks = 0;       ///< ticks in which the axis could not follow the hand
     std::vector<std::uint64_t> layerTicks; ///< ticks in which each layer held the tool, by index in ToolBounds::layers
     double largestForce = 0.0;             ///< N, rendered
+    double largestTorque = 0.0;            ///< N·mm, rendered
     double largestCuttingForce = 0.0;      ///< N, unscaled
     SmoothedCut heaviestCut;               ///< empty if no cut lasted 0.1 s
     std::optional<FeedProposal> heaviestFeed; ///< for the heaviest cut
@@ -77,6 +80,7 @@ struct OperatorRequest {
     double finishingDepth = 0.0;    ///< mm of stock that finishing may remove at once; 0: the distance of the levels
     double timeLimit = 0.0;         ///< s for all takes; 0: none, but 20 s for the intents scribble and hostile
     std::uint64_t seed = 1;         ///< of the hand's tremor
+    StockLayer stock;               ///< as in SessionRequest; the plan does not take it into account
     Pace pace = Pace::fast;
     bool saves = true; ///< saves the project after each take; otherwise the caller does
 };

@@ -44,12 +44,14 @@ MillingSession::MillingSession(Project& project, MillingContext& milling, const 
     , axis_(bounds.axis())
     , growth_(bounds.growth())
     , layerCount_(bounds.layers().size())
+    , stock_(request.stock)
     , stockLayer_(stockLayerOf(bounds))
     , traceOutput_(request.traceOutput)
     , servo_(servoSettings(stylus, request))
     , step_(milling.embedded.workpiece, bounds.boundaryLayers(), milling.tool,
             hapticSettings(milling, bounds.axis(), stylus, request))
-    , loop_(step_, milling.embedded.workpiece, request.undoable, stop_)
+    , loop_(step_, milling.embedded.workpiece, request.undoable, stop_,
+            request.undoable && request.pace == Pace::fast && request.replayed != nullptr)
     , faults_(stylus.device(), servo_.period, flightFolder(project, request),
               idsOf(milling.embedded.workpiece.properties()), loop_) {}
 
@@ -73,7 +75,8 @@ Result<void> MillingSession::start(const SessionRequest& request) {
                                   request.forceButtons,
                                   request.felt,
                                   axis_,
-                                  growth_};
+                                  growth_,
+                                  request.stock};
         Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink, began);
         if (!trace) return std::move(trace).error();
         trace_ = std::move(*trace);
@@ -170,29 +173,49 @@ Result<void> MillingSession::stopRecording() {
     return *diskFault_;
 }
 
-/// @param change called while nobody else uses the workpiece
-template <class Change>
-Result<void> MillingSession::changeWorkpiece(Change change) {
+/// Called while nobody else uses the workpiece.
+Result<void> MillingSession::applyToWorkpiece(const WorkpieceChange& change) {
+    RunVolume& workpiece = milling_.embedded.workpiece;
+    return change.undone ? strokes_.undo(project_, workpiece) : strokes_.redo(project_, workpiece);
+}
+
+Result<void> MillingSession::changeWorkpiece(const WorkpieceChange& change) {
     ask(Request::stand);
     collectStrokes();
     loop_.endStroke();
     collectStrokes();
-    Result<void> changed = change();
-    if (changed) loop_.workpieceChanged();
+    Result<void> changed = applyToWorkpiece(change);
+    if (changed) loop_.workpieceChanged(change);
     ask(Request::goOn);
     return changed;
 }
 
 Result<void> MillingSession::undoStroke() {
     collectStrokes();
-    if (!strokes_.canUndo() && !loop_.strokeUnderWay()) return strokes_.undo(project_, milling_.embedded.workpiece);
-    return changeWorkpiece([this] { return strokes_.undo(project_, milling_.embedded.workpiece); });
+    if (!strokes_.canUndo() && !loop_.strokeUnderWay()) return applyToWorkpiece({.undone = true});
+    return changeWorkpiece({.undone = true});
 }
 
 Result<void> MillingSession::redoStroke() {
     collectStrokes();
-    if (!strokes_.canRedo()) return strokes_.redo(project_, milling_.embedded.workpiece);
-    return changeWorkpiece([this] { return strokes_.redo(project_, milling_.embedded.workpiece); });
+    if (!strokes_.canRedo()) return applyToWorkpiece({.undone = false});
+    return changeWorkpiece({.undone = false});
+}
+
+Result<void> MillingSession::followTrace() {
+    if (!replayed_) return {};
+    collectStrokes();
+    // `ended` first: a change that is found afterwards is made by whoever owns the changes then.
+    for (bool over = ended(); const std::optional<WorkpieceChange> change = replayed_->awaited(over); over = ended()) {
+        collectStrokes();
+        const bool known = change->undone ? strokes_.canUndo() || loop_.strokeUnderWay() : strokes_.canRedo();
+        if (!known)
+            return Error{ErrorCode::traceInvalid, "trace", "reading " + std::to_string(replayed_->ticks()),
+                         "a stroke is undone or redone there that the trace does not contain"};
+        if (Result<void> made = change->undone ? undoStroke() : redoStroke(); !made) return made;
+        replayed_->made(over);
+    }
+    return {};
 }
 
 /// Changes that find the ring full, as the loop is paused or late, are sent later, in order.
@@ -220,6 +243,12 @@ Result<void> MillingSession::setLayer(std::size_t layer, bool on) {
     return {};
 }
 
+Result<void> MillingSession::setStockLayer(bool on) {
+    if (!(stock_.distance > 0.0)) return nothingToDo("layer", "one that the session has");
+    tell(LayerSwitch{layerCount_, on});
+    return {};
+}
+
 Result<void> MillingSession::setGuides(const GuideSettings& guides) {
     if (Result<void> good = checkGuides(guides); !good) return good;
     tell(guides);
@@ -241,6 +270,7 @@ bool MillingSession::newest(SessionState& state) {
     if (!loop_.takeNews(news)) return false;
     makeRoom(news);
     state = sessionState(news, figures_, layerCount_, milling_.embedded.workpiece.grid().unitVolume());
+    if (stock_.distance > 0.0) state.stock = layerNews(news.layers, layerCount_);
     return true;
 }
 

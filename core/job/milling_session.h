@@ -65,6 +65,10 @@ public:
     /// on; the stock during a recording: a tool that it holds could not cut it).
     Result<void> setLayer(std::size_t layer, bool on);
 
+    /// Switches the layer that keeps shank and holder away from the stock (SessionRequest::stock), like `setLayer`.
+    /// Errors: argumentInvalid (the session has no such layer).
+    Result<void> setStockLayer(bool on);
+
     /// Takes effect from the next tick on, without a jump in force. The guides' curves must outlive the session.
     /// Errors: those of checkGuides.
     Result<void> setGuides(const GuideSettings& guides);
@@ -72,6 +76,10 @@ public:
     void stepGuides(int levels) { tell(LevelStep{levels}); }
     /// Takes effect from the next tick on, without a jump in force: see Workspace.
     void setWorkspace(const WorkspaceSettings& workspace) { tell(workspace); }
+
+    /// Undoes or redoes a stroke where the played trace (SessionRequest::replayed) has done so. Call often: the loop
+    /// waits for it. Errors: traceInvalid (a stroke from before the trace), those of undoStroke and redoStroke.
+    Result<void> followTrace();
 
     /// Gets the newest tick. Returns false if there was none since the last call.
     bool newest(SessionState& state);
@@ -112,8 +120,8 @@ private:
     void makeRoom(const TickNews& news);
     void noteCut(const WorkpieceView& view);
     Result<void> placeTrace(Result<StagedFile> trace);
-    template <class Change>
-    Result<void> changeWorkpiece(Change change);
+    Result<void> changeWorkpiece(const WorkpieceChange& change);
+    Result<void> applyToWorkpiece(const WorkpieceChange& change);
 
     Project& project_;
     MillingContext& milling_;
@@ -122,7 +130,8 @@ private:
     double allowance_;
     const AxisMode axis_;
     const std::optional<TracedSession::Growth> growth_;
-    const std::size_t layerCount_;
+    const std::size_t layerCount_; ///< without that of the stock, which is the next one
+    const StockLayer stock_;
     const std::optional<std::size_t> stockLayer_;
     std::optional<StagedFile>* const traceOutput_;
     const ServoSettings servo_;

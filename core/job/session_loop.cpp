@@ -6,8 +6,8 @@
 
 namespace burin {
 
-SessionLoop::SessionLoop(HapticStep& step, RunVolume& workpiece, bool undoable, std::atomic<bool>& stop)
-    : step_(step), workpiece_(workpiece), undoable_(undoable), stop_(stop) {
+SessionLoop::SessionLoop(HapticStep& step, RunVolume& workpiece, bool undoable, std::atomic<bool>& stop, bool waits)
+    : step_(step), workpiece_(workpiece), undoable_(undoable), waits_(waits), stop_(stop) {
     step_.releaseSpindle(false);
 }
 
@@ -54,7 +54,7 @@ void SessionLoop::takeChanges() noexcept {
 
 AtEdge SessionLoop::edge() noexcept {
     fulfil();
-    if (standing_) return AtEdge::stand;
+    if (standing_ || (waits_ && strokes_.full())) return AtEdge::stand;
     takeChanges();
     step_.takeTiles();
     giveView();
@@ -145,9 +145,9 @@ bool SessionLoop::endStroke() noexcept {
     return true;
 }
 
-void SessionLoop::workpieceChanged() noexcept {
+void SessionLoop::workpieceChanged(const WorkpieceChange& change) noexcept {
     before_ = {};
-    step_.workpieceChanged();
+    step_.workpieceChanged(change);
 }
 
 WorkpieceView SessionLoop::view() {

@@ -63,7 +63,8 @@ public:
     enum class Request : std::uint8_t { none, begin, finish, stand, goOn };
 
     /// @param step its spindle stays off until a take begins. @param stop set when the recorder fails
-    SessionLoop(HapticStep& step, RunVolume& workpiece, bool undoable, std::atomic<bool>& stop);
+    /// @param waits whether the loop waits for its owner to take ended strokes: only in simulated time
+    SessionLoop(HapticStep& step, RunVolume& workpiece, bool undoable, std::atomic<bool>& stop, bool waits = false);
 
     // ---- Loop's thread
     AtEdge edge() noexcept override;
@@ -101,7 +102,7 @@ public:
     /// Ends the stroke in progress, if there is one. Returns false if too many strokes wait to be taken.
     bool endStroke() noexcept;
     /// Call after the workpiece was set to another state.
-    void workpieceChanged() noexcept;
+    void workpieceChanged(const WorkpieceChange& change) noexcept;
     WorkpieceView finalView() { return view(); }
 
 private:
@@ -119,7 +120,7 @@ private:
 
     HapticStep& step_;
     RunVolume& workpiece_;
-    const bool undoable_;
+    const bool undoable_, waits_;
     std::atomic<bool>& stop_;
 
     std::atomic<Request> request_{Request::none};

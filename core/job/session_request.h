@@ -22,6 +22,7 @@ struct SessionRequest {
     int ticksPerEdge = 1;      ///< time lapse: number of ticks at each edge of the clock; virtual operators only
     bool cutsOnButton = false; ///< the spindle turns only while the stylus' first button is pressed
     FeltCutting felt;
+    StockLayer stock;
     std::uint32_t forceButtons = 0; ///< dead man's switch: forces only while one of these is held, by bit; 0: always
     /// Keeps the workpiece before each stroke, so that the stroke can be undone. This occupies memory of the volume:
     /// when it runs out, the older half of the strokes can no longer be undone.

@@ -29,6 +29,7 @@ HapticSettings hapticSettings(const MillingContext& milling, const AxisMode& axi
     settings.cutsOnButton = request.cutsOnButton;
     settings.forceButtons = request.forceButtons;
     settings.felt = request.felt;
+    settings.stock = request.stock;
     return settings;
 }
 
@@ -44,6 +45,10 @@ ServoSettings servoSettings(const StylusHandle& stylus, const SessionRequest& re
 std::filesystem::path flightFolder(const Project& project, const SessionRequest& request) {
     if (request.pace != Pace::realtime || request.ticksPerEdge > 1) return {};
     return request.flights.empty() ? SessionFaults::folderBeside(project.file()) : request.flights;
+}
+
+LayerNews layerNews(const LayersNews& news, std::size_t layer) {
+    return {news.state(layer), news.holds(layer), news.ticksHeld[layer]};
 }
 
 SessionState sessionState(const TickNews& news, const LiveFigures& figures, std::size_t layerCount, double unitVolume) {
@@ -68,8 +73,7 @@ SessionState sessionState(const TickNews& news, const LiveFigures& figures, std:
     state.shankPiece = news.shank.piece;
     state.shankTouches = news.shank.property;
     state.guides = news.guides;
-    for (std::size_t i = 0; i < layerCount; ++i)
-        state.layers.push_back({news.layers.state(i), news.layers.holds(i), news.layers.ticksHeld[i]});
+    for (std::size_t i = 0; i < layerCount; ++i) state.layers.push_back(layerNews(news.layers, i));
     state.workspaceScale = news.workspaceScale;
     state.clutched = news.clutched;
     return state;

@@ -19,6 +19,8 @@ ServoSettings servoSettings(const StylusHandle& stylus, const SessionRequest& re
 /// Returns the folder for records of faults; empty if time is simulated, as there is no hand.
 std::filesystem::path flightFolder(const Project& project, const SessionRequest& request);
 
+/// Returns what is shown of one layer.
+LayerNews layerNews(const LayersNews& news, std::size_t layer);
 /// @param unitVolume volume of a run unit of the workpiece, mm³
 SessionState sessionState(const TickNews& news, const LiveFigures& figures, std::size_t layerCount, double unitVolume);
 

@@ -48,8 +48,10 @@ struct SessionState {
     PropertyIndex shankTouches = airProperty; ///< what it touches
     std::array<GuideNews, GuideSettings::capacity> guides{};
     std::vector<LayerNews> layers; ///< by their number in ToolBounds::layers
-    double workspaceScale = 1.0;   ///< mm of setup per mm of device
-    bool clutched = false;         ///< the hand moves, the tool stays
+    /// The layer that keeps shank and holder away from the stock; empty if the session has none.
+    std::optional<LayerNews> stock{};
+    double workspaceScale = 1.0; ///< mm of setup per mm of device
+    bool clutched = false;       ///< the hand moves, the tool stays
 };
 
 /// The workpiece at one moment, for drawing.

@@ -50,7 +50,7 @@ private:
 };
 
 Result<void> checkObstacles(const std::vector<Obstacle>& obstacles) {
-    constexpr std::size_t most = ToolBounds::capacity - 2;
+    constexpr std::size_t most = ToolBounds::capacity - 3;
     if (obstacles.size() > most)
         return Error{ErrorCode::argumentInvalid, "obstacles", std::to_string(obstacles.size()),
                      "0 to " + std::to_string(most)};

@@ -46,7 +46,7 @@ struct BoundLayer {
 /// which gets its own layers. Immutable and thread-safe; copies share large data.
 class ToolBounds {
 public:
-    /// Largest number of layers, including those of the part and the travel.
+    /// Largest number of layers, including those of the part, the travel and the stock (StockLayer).
     static constexpr std::size_t capacity = 64;
 
     /// Bounds by the part alone, given as a field over tips for the axis +Z. The caller keeps the field: it must

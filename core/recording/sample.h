@@ -25,7 +25,8 @@ enum SampleFlag : std::uint32_t {
     sampleSpindleOff = 1u << 6, ///< the tool only moved: nothing was cut, stock did not stop it; never part of a path
     sampleOnGuide = 1u << 7,    ///< a guide constrained the hand or rotated the tool's axis
     sampleAxisHeld = 1u << 8,   ///< the axis does not follow the stylus for lack of room; no torque renders this
-    sampleOnObstacle = 1u << 9, ///< a fixture, a keep-out volume or the machine's travel constrained the proxy: alarm
+    /// a fixture, a keep-out volume, the machine's travel or the distance from the stock constrained the proxy: alarm
+    sampleOnObstacle = 1u << 9,
     sampleForceLate = 1u << 10, ///< the force came too late for its reading: zero was sent instead
     sampleMotorsHot = 1u << 11, ///< the device's motors are hot: less force is requested than its limits allow
 };
@@ -40,13 +41,14 @@ struct RemovedMaterial {
 /// else in the setup frame.
 struct Sample {
     std::uint64_t tick = 0;
-    double time = 0.0;            ///< s since the take began
-    Pose device;                  ///< mm, device frame
-    glm::dvec3 stylusTip{0.0};    ///< tip position commanded by the mapped hand, mm
-    ToolPose proxy;               ///< actual pose of the tool; never inside the part grown by the allowance
-    glm::dvec3 force{0.0};        ///< N, rendered by the device, setup frame; without weight compensation of its handle
-    glm::dvec3 cuttingForce{0.0}; ///< N, unscaled, setup frame
-    double reportedRemoval = 0.0; ///< mm³, the smoothed value from which the force is computed
+    double time = 0.0;         ///< s since the take began
+    Pose device;               ///< mm, device frame
+    glm::dvec3 stylusTip{0.0}; ///< tip position commanded by the mapped hand, mm
+    ToolPose proxy;            ///< actual pose of the tool; never inside the part grown by the allowance
+    glm::dvec3 force{0.0};     ///< N, rendered by the device, setup frame; without weight compensation of its handle
+    glm::dvec3 torque{0.0};    ///< N·mm, rendered by the device, setup frame; about the handle's own reference point
+    glm::dvec3 cuttingForce{0.0};             ///< N, unscaled, setup frame
+    double reportedRemoval = 0.0;             ///< mm³, the smoothed value from which the force is computed
     std::array<RemovedMaterial, 8> removed{}; ///< exact, by material
     std::uint32_t buttons = 0;
     std::uint32_t flags = 0; ///< SampleFlag

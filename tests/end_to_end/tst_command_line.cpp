@@ -131,6 +131,7 @@ void CommandLineTest::statusTellsWhatWentWrong_data() {
     row("trace of the operator", {"mill", "@/cube.burin", "--trace", "@/x.csv"}, 2, "operator");
     row("trace of the operator names what was given", {"mill", "@/cube.burin", "--trace", "@/x.csv"}, 2, "x.csv");
     row("force of no trace", {"mill", "@/cube.burin", "--felt", "0.5"}, 2, "\"--felt\"");
+    row("distance out of range", {"mill", "@/cube.burin", "--stock-distance", "20"}, 2, "--stock-distance");
     row("trace with an error", {"mill", "@/cube.burin", "--stylus", "trace:@/trace.csv"}, 3, "trace.csv");
     row("fixture that is not there", {"setup", "@/cube.burin", "--fixture", "@/vise.step"}, 3, "vise.step");
     row("fixture that is no model", {"setup", "@/cube.burin", "--fixture", "@/noise.stl"}, 3, "noise.stl");

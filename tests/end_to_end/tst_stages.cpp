@@ -33,6 +33,8 @@ private slots:
     void verifiesWhatItPosted();
     void refusesAProgramThatGouges();
     void replaysATraceToTheSameCut();
+    void replaysATakeThatWasSwitchedOff();
+    void keepsShankAndHolderFromTheStock();
     void millsThePapersBlock();
 
 private:
@@ -245,6 +247,39 @@ void StagesTest::replaysATraceToTheSameCut() {
     QCOMPARE(takes(), recorded);
     QCOMPARE(runBurin(again + QStringList{"--replace"}).status, 0);
     QCOMPARE(takes(), 0);
+}
+
+/// The trace of a take that does not count mills it and undoes it where it ends: the workpiece is as at first.
+void StagesTest::replaysATakeThatWasSwitchedOff() {
+    const QString off = inFolder("off.burin"), trace = inFolder("off.csv"), fresh = inFolder("fresh.burin");
+    QVERIFY(QFile::copy(project_, off));
+    QCOMPARE(runBurin({"take", "off", off, "1"}).status, 0);
+    QCOMPARE(runBurin({"path", off, "trace", "1", "-o", trace}).status, 0);
+    QFile written(trace);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    const QByteArray text = written.readAll();
+    QVERIFY(text.endsWith("!{\"stroke\":\"undone\"}\n"));
+    QCOMPARE(text.count("undone"), 1);
+    QCOMPARE(runBurin({"embed", model_, "-o", fresh, "--voxel", "1", "--margin", "3"}).status, 0);
+    const ProgramRun run = runBurin({"mill", fresh, "--stylus", "trace:" + trace, "--json"});
+    QVERIFY2(run.status == 0, run.messages.constData());
+    const QJsonObject take = run.json()["takes"].toArray()[0].toObject();
+    QVERIFY(take["samples"].toInt() > 1000);
+    QCOMPARE(take["removed_mm3"].toDouble(), 0.0);
+    QCOMPARE(take["workpiece_drop_mm3"].toDouble(), 0.0);
+}
+
+void StagesTest::keepsShankAndHolderFromTheStock() {
+    const QString file = inFolder("kept-away.burin");
+    QCOMPARE(
+        runBurin({"embed", BURIN_FIXTURES "/models/cube.brep", "-o", file, "--voxel", "1", "--margin", "5"}).status, 0);
+    const QStringList mill{"mill", file, "--tool", "ball-6", "--intent", "scribble", "--seconds", "1", "--json"};
+    const ProgramRun kept = runBurin(mill + QStringList{"--stock-distance", "1.5"}), touching = runBurin(mill);
+    QVERIFY2(kept.status == 0, kept.messages.constData());
+    QCOMPARE(kept.json()["stock_distance_mm"].toDouble(), 1.5);
+    QVERIFY(kept.json()["takes"].toArray()[0].toObject()["stock_distance_ticks"].isDouble());
+    QCOMPARE(touching.status, 0);
+    QVERIFY(touching.json()["stock_distance_mm"].isNull());
 }
 
 void StagesTest::millsThePapersBlock() {

@@ -102,6 +102,7 @@ void ActionStates::update() {
     updateUndo();
     actions_[ActionId::millMode]->setChecked(workbench.mill.active());
     actions_[ActionId::guides]->setChecked(workbench.guides.on());
+    actions_[ActionId::keepFromStock]->setChecked(workbench.mill.stockLayer().on);
     actions_[ActionId::clutch]->setChecked(workbench.hand.clutched());
     actions_[ActionId::rateControl]->setChecked(workbench.hand.canRate() &&
                                                 workbench.hand.settings().control == WorkspaceControl::rate);

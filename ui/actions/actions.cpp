@@ -202,6 +202,10 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Larger tool movement for the same hand movement."), "]"},
     Row{ActionId::rateControl, "rateControlAction", QT_TRANSLATE_NOOP("Actions", "The hand sets the spee&d"),
         QT_TRANSLATE_NOOP("Actions", "A stylus without motors sets the tool's speed, not its position."), "V", true},
+    Row{ActionId::keepFromStock, "keepFromStockAction", QT_TRANSLATE_NOOP("Actions", "&Keep from the stock"),
+        QT_TRANSLATE_NOOP("Actions", "Shank and holder push back before they touch the stock. The distance is set with "
+                                     "the devices."),
+        "Ctrl+Alt+K", true},
     Row{ActionId::newPath, "newPathAction", QT_TRANSLATE_NOOP("Actions", "&New path"),
         QT_TRANSLATE_NOOP("Actions", "Make a path from the takes, with the standard edits."), "Ctrl+P"},
     Row{ActionId::newPass, "newPassAction", QT_TRANSLATE_NOOP("Actions", "&Compute a pass…"),

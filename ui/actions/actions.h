@@ -87,6 +87,7 @@ enum class ActionId : std::size_t {
     finerHand,
     coarserHand,
     rateControl,
+    keepFromStock,
     newPath,
     newPass,
     programPath,

@@ -30,6 +30,8 @@ constexpr const char* penSinksKey = "pen_sinks";
 constexpr const char* penSinkSpeedKey = "pen_sink_speed_mm_per_s";
 constexpr const char* shareKey = "cutting_force_share";
 constexpr const char* frictionKey = "friction";
+constexpr const char* stockLayerKey = "keeps_from_stock";
+constexpr const char* stockDistanceKey = "stock_distance_mm";
 constexpr const char* axisMapKey = "axis_map";
 
 /// A device's own section of the file; its id may contain characters with a meaning in keys.
@@ -208,6 +210,19 @@ FeltCutting UserSettings::felt(const std::string& device) const {
 void UserSettings::setFelt(const std::string& device, const FeltCutting& felt) {
     settings_.setValue(deviceKeyOf(device, shareKey), felt.gain);
     settings_.setValue(deviceKeyOf(device, frictionKey), felt.friction);
+}
+
+StockLayer UserSettings::stockLayer() const {
+    const double distance = settings_.value(stockDistanceKey, StockLayer::usualDistance).toDouble();
+    const auto [low, high] = StockLayer::distances;
+    // the file may have been edited
+    return {distance >= low && distance <= high ? distance : StockLayer::usualDistance,
+            settings_.value(stockLayerKey).toBool()};
+}
+
+void UserSettings::setStockLayer(const StockLayer& layer) {
+    settings_.setValue(stockDistanceKey, layer.distance);
+    settings_.setValue(stockLayerKey, layer.on);
 }
 
 bool UserSettings::penSinks() const {

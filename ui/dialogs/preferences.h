@@ -68,6 +68,9 @@ public:
     void setViewDevice(const std::string& id);
     FeltCutting felt(const std::string& device) const; ///< rendering of the cutting forces by one device
     void setFelt(const std::string& device, const FeltCutting& felt);
+    /// Whether, and how far, shank and holder keep away from the stock.
+    StockLayer stockLayer() const;
+    void setStockLayer(const StockLayer& layer);
     /// Whether the pressure of a pen makes the tool sink instead of setting its depth.
     bool penSinks() const;
     void setPenSinks(bool sinks);

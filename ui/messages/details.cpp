@@ -250,6 +250,8 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "the workpiece was changed there by something else than milling"),
     BURIN_TEXT("Detail", "the boundary that this project's tool has is made of fewer"),
     BURIN_TEXT("Detail", "tile %1"),
+    BURIN_TEXT("Detail", "a stroke is undone or redone there that the trace does not contain"),
+    BURIN_TEXT("Detail", "reading %1"),
     BURIN_TEXT("Detail", "at least one reading"),
     BURIN_TEXT("Detail", "times that rise"),
     BURIN_TEXT("Detail", "realtime with a device that keeps its own time"),
@@ -304,6 +306,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "set-feed, then section"),
     BURIN_TEXT("Detail", "at most %1 1/min, the limit of the tool %2"),
     BURIN_TEXT("Detail", "one that has not ended"),
+    BURIN_TEXT("Detail", "one that the session has"),
     BURIN_TEXT("Detail", "none: the part alone is there"),
     // computed passes
     BURIN_TEXT("Detail", "fixtures or keep-out volumes are in the way: move them"),

@@ -91,6 +91,7 @@ void DeviceDialog::layOut() {
                     "felt, not the cutting"));
     friction_ = addShare(*right, tr("Friction felt"), "deviceFriction", &FeltCutting::friction,
                          tr("Friction coefficient where the tool slides without cutting"));
+    addStockDistance(*right);
     halves->addLayout(right, 1);
     column->addLayout(halves, 1);
     notice_ = new Notice(this);
@@ -116,6 +117,22 @@ void DeviceDialog::layOut() {
     connect(axes_, &QPushButton::clicked, this, &DeviceDialog::assignAxes);
     connect(moveView_, &QPushButton::clicked, this, &DeviceDialog::moveViewOrNot);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
+}
+
+void DeviceDialog::addStockDistance(QBoxLayout& column) {
+    auto* field = new QuantityField(Quantity::length, this);
+    field->setObjectName(QStringLiteral("stockDistance"));
+    field->setLengthUnit(settings_.preferences().unit);
+    field->limit(StockLayer::distances.low, StockLayer::distances.high);
+    field->showValue(settings_.stockLayer().distance);
+    column.addWidget(new FieldRow(tr("Distance from the stock"), field,
+                                  tr("Distance that shank and holder keep from the stock, with every stylus, while "
+                                     "“Keep from the stock” is on in the menu Mill. A change restarts milling."),
+                                  this));
+    connect(field, &QuantityField::valueEdited, this, [this](double distance) {
+        settings_.setStockLayer({distance, settings_.stockLayer().on});
+        emit stockLayerEdited();
+    });
 }
 
 QuantityField* DeviceDialog::addShare(QBoxLayout& column, const QString& label, const char* name,

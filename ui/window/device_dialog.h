@@ -31,12 +31,14 @@ public:
     ~DeviceDialog() override; ///< ends a test
 
 signals:
-    void feltEdited(); ///< share of the cutting force or friction; already stored
+    void feltEdited();       ///< share of the cutting force or friction; already stored
+    void stockLayerEdited(); ///< already stored
 
 private:
     void layOut();
     QuantityField* addShare(QBoxLayout& column, const QString& label, const char* name, double FeltCutting::*value,
                             const QString& toolTip);
+    void addStockDistance(QBoxLayout& column);
     void showFelt();
     void keepFelt();
     void showState();

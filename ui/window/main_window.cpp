@@ -395,6 +395,7 @@ void MainWindow::showDevices() {
     DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, workbench_.axisTuner, workbench_.viewDevice,
                         settings_, this);
     connect(&dialog, &DeviceDialog::feltEdited, this, &MainWindow::followFelt);
+    connect(&dialog, &DeviceDialog::stockLayerEdited, this, &MainWindow::followStockLayer);
     dialog.exec();
 }
 
@@ -405,6 +406,10 @@ void MainWindow::showScore() {
 
 void MainWindow::followFelt() {
     workbench_.mill.setFelt(settings_.felt(workbench_.styluses.choice().id));
+}
+
+void MainWindow::followStockLayer() {
+    workbench_.mill.setStockLayer(settings_.stockLayer());
 }
 
 void MainWindow::overrideCheck() {

@@ -90,6 +90,7 @@ private:
     void showDevices();
     void showScore();
     void followFelt();
+    void followStockLayer();
     void tellAboutOpened();
     LeftAt leftAt() const;
     void goTo(const LeftAt& left);

@@ -228,6 +228,11 @@ void MainWindow::connectWorkbench() {
     workbench_.styluses.start();
     connectViewDevice();
     connectPen();
+    followStockLayer();
+    connect(actions_[ActionId::keepFromStock], &QAction::triggered, this, [this](bool on) {
+        settings_.setStockLayer({settings_.stockLayer().distance, on});
+        followStockLayer();
+    });
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
     connect(&workbench_.document, &DocumentController::opened, this, [this](const ProjectContents& contents) {
         tellAboutOpened();

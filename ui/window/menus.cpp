@@ -49,11 +49,12 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
             {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, placementHandles,
              holdAtStock, line, pickZero, touchZero});
     addMenu(bar, tr("&Mill"), "millMenu", actions,
-            {embed,       stockFile,   toolShape,  libraryFixture, addFixtureFile, axisOfView, line,        millMode,
-             raster,      repeatLower, repeatLeft, repeatRight,    line,           playTime,   presentTime, punchIn,
-             addMarker,   takeUp,      takeDown,   duplicateTake,  scoreTake,      line,       guides,      nearestEdge,
-             levelAbove,  levelBelow,  line,       clutch,         recentre,       alignHand,  finerHand,   coarserHand,
-             rateControl, line,        showMe,     stopShow});
+            {embed,       stockFile, toolShape,   libraryFixture, addFixtureFile, axisOfView,    line,
+             millMode,    raster,    repeatLower, repeatLeft,     repeatRight,    line,          playTime,
+             presentTime, punchIn,   addMarker,   takeUp,         takeDown,       duplicateTake, scoreTake,
+             line,        guides,    nearestEdge, levelAbove,     levelBelow,     line,          clutch,
+             recentre,    alignHand, finerHand,   coarserHand,    rateControl,    keepFromStock, line,
+             showMe,      stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
             {newPath, newPass, programPath, measurePasses, refreshPasses, brushArea, lassoArea, faceArea, clearArea,
              pickHoles, evaluatePath, comparePaths, line, drawInterval, insertPoint, drawEdit});

@@ -30,6 +30,7 @@ QString shankSentence(const SessionState& state, const MillingContext& milling) 
 /// The first bound other than the part that holds the tool.
 QString boundSentence(const SessionState& state, const ToolBounds& bounds) {
     if ((state.sample.flags & sampleOnObstacle) == 0) return {};
+    if (state.stock && state.stock->holds) return MillLabels::tr("Shank or holder keep their distance from the stock.");
     for (std::size_t i = 1; i < std::min(state.layers.size(), bounds.layers().size()); ++i) {
         if (!state.layers[i].holds) continue;
         const BoundLayer& layer = bounds.layers()[i];

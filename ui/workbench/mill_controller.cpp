@@ -101,6 +101,7 @@ void MillController::enterWithDevice() {
 void MillController::begin(AnyStylus stylus, SimulatedStylus* mouse, const SessionRequest& request) {
     SessionRequest wanted = request;
     wanted.allowance = allowance_;
+    wanted.stock = stock_;
     session_.begin({workpiece_.milling(), workpiece_.bounds(), &workpiece_.strokes()}, std::move(stylus), wanted,
                    [this, mouse](bool well) { begun(well, mouse); });
 }
@@ -111,6 +112,7 @@ void MillController::begun(bool well, SimulatedStylus* mouse) {
     if (well) {
         active_ = true;
         mouse_ = mouse;
+        session_.setStockLayer(stock_.on); // it may have been switched since the request
         emit entered();
     }
     // A stroke of a device without buttons ends only when milling ends: all its movements are recorded.
@@ -184,6 +186,15 @@ void MillController::setAllowance(double millimetres) {
 void MillController::setForceButtons(std::uint32_t buttons) {
     if (std::exchange(forceButtons_, buttons) == buttons || !active() || !device_) return;
     interrupt([] {});
+}
+
+void MillController::setStockLayer(const StockLayer& layer) {
+    const StockLayer before = std::exchange(stock_, layer);
+    if (active() && before.distance != layer.distance)
+        interrupt([] {});
+    else if (active())
+        session_.setStockLayer(layer.on);
+    emit changed();
 }
 
 void MillController::applyAllowance(double millimetres) {
@@ -297,14 +308,6 @@ void MillController::moveStroke(std::int64_t take, bool undo) {
     }
     std::size_t& strokes = strokes_[take]; // 0 as well if the workpiece was not recomputed since the project was read
     strokes = undo ? strokes - std::min<std::size_t>(strokes, 1) : strokes + 1;
-}
-
-/// A recording without strokes counts as well, so that what was done before it can't be undone while it stands.
-void MillController::noteRecording() {
-    const std::int64_t take = std::exchange(recorded_, 0);
-    if (!placeOf(take)) return;
-    desk_.undo.pushDone(
-        new DoneCommand(tr("take without strokes"), [this, take](bool undo) { emit takeUndone(take, undo); }));
 }
 
 void MillController::noteStrokes() {

@@ -59,6 +59,9 @@ public:
     void setForceButtons(std::uint32_t buttons);
     /// How much of the cutting a device lets the hand feel, from the next session on.
     void setFelt(const FeltCutting& felt) { felt_ = felt; }
+    const StockLayer& stockLayer() const noexcept { return stock_; }
+    /// Whether, and how far, shank and holder keep away from the stock. Another distance restarts mill mode.
+    void setStockLayer(const StockLayer& layer);
     void removeTake(std::int64_t id); ///< an entry of the undo stack; the workpiece is recomputed without the take
     using RequestedOff = std::function<Result<SwitchedOff>(const Project& project)>;
     /// An entry of the undo stack, unless nothing is to be changed; the workpiece is updated in the background.
@@ -136,6 +139,7 @@ private:
     WorkspaceMapping mapping_;
     AxisMap axisMap_;
     FeltCutting felt_;
+    StockLayer stock_{StockLayer::usualDistance, false};
     std::uint32_t forceButtons_ = 0;
     double allowance_ = 0.0;
     std::vector<TakeInfo> takes_;    ///< all of the project

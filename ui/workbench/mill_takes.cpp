@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// How takes are named, moved, copied and deleted.
+// How takes are noted, named, moved, copied and deleted.
 #include "core/job/take_moves.h"
 #include "ui/workbench/done_command.h"
 #include "ui/workbench/mill_controller.h"
@@ -10,6 +10,14 @@
 #include <utility>
 
 namespace burin {
+
+/// A recording without strokes counts as well, so that what was done before it can't be undone while it stands.
+void MillController::noteRecording() {
+    const std::int64_t take = std::exchange(recorded_, 0);
+    if (!placeOf(take)) return;
+    desk_.undo.pushDone(
+        new DoneCommand(tr("take without strokes"), [this, take](bool undo) { emit takeUndone(take, undo); }));
+}
 
 void MillController::nameTake(std::int64_t id, const QString& name) {
     const auto take = std::ranges::find(takes_, id, &TakeInfo::id);

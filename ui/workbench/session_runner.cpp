@@ -109,6 +109,11 @@ void SessionRunner::setLayer(std::size_t layer, bool on) {
     if (const Result<void> set = session_->setLayer(layer, on); !set) emit failed(set.error());
 }
 
+void SessionRunner::setStockLayer(bool on) {
+    if (!session_) return;
+    if (const Result<void> set = session_->setStockLayer(on); !set) emit failed(set.error());
+}
+
 Result<void> SessionRunner::setGuides(const GuideSettings& guides) {
     return session_ ? session_->setGuides(guides) : Result<void>{};
 }

@@ -36,6 +36,7 @@ public:
     void redoStroke(Then then);
     void setAllowance(double millimetres);
     void setLayer(std::size_t layer, bool on); ///< MillingSession::setLayer
+    void setStockLayer(bool on);               ///< MillingSession::setStockLayer
     Result<void> setGuides(const GuideSettings& guides);
     void stepGuides(int levels);
     void setWorkspace(const WorkspaceSettings& workspace);

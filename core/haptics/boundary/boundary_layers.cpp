@@ -47,6 +47,17 @@ void BoundaryLayers::settle() noexcept {
         if (layer.state == State::waiting) layer.state = State::inForce;
 }
 
+bool BoundaryLayers::partAlone() const noexcept {
+    return std::none_of(layers_.begin() + 1, layers_.end(),
+                        [](const Layer& layer) { return layer.state == State::inForce; });
+}
+
+void BoundaryLayers::waitInside(std::size_t layer, const ToolPose& tool) noexcept {
+    Layer& one = layers_[layer];
+    if (one.state == State::inForce && one.boundary->at(tool, one.keeps).clearance < one.keeps)
+        one.state = State::waiting;
+}
+
 std::uint64_t BoundaryLayers::touching(const ToolPose& tool, double within) noexcept {
     constexpr std::size_t told = 64;
     std::uint64_t near = 0;

@@ -34,6 +34,10 @@ public:
     /// Takes effect with the next `settle`. An unknown number changes nothing.
     void switchTo(std::size_t layer, bool on) noexcept;
     State state(std::size_t layer) const noexcept { return layers_[layer].state; }
+    /// Whether every layer but the part's is off or waits.
+    bool partAlone() const noexcept;
+    /// Lets a layer in force wait if the tool is inside it, because what it is made of was put back around the tool.
+    void waitInside(std::size_t layer, const ToolPose& tool) noexcept;
     /// The layers in force that a tool is near to, as a bit mask of their numbers; layers beyond the 64th are not
     /// included.
     /// @param within mm of clearance

@@ -13,16 +13,14 @@ namespace {
 
 constexpr double ridgeShare = 0.01; // of a voxel: distance from a contact up to which a ridge of the tool may pass
 
-/// A ball with half of this diameter fits into each piece: after a smaller motion every piece overlaps its previous
-/// position.
+} // namespace
+
 double overlapOf(std::span<const RevolvedPiece> tool) noexcept {
     double least = std::numeric_limits<double>::infinity();
     for (const RevolvedPiece& piece : tool)
         least = std::min({least, piece.widestRadius(), 0.5 * (piece.top - piece.bottom)});
     return least;
 }
-
-} // namespace
 
 MeshBoundary::MeshBoundary(std::shared_ptr<const MeshDistance> solid, std::vector<RevolvedPiece> tool, double voxel,
                            double margin)

@@ -7,9 +7,14 @@
 
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace burin {
+
+/// Half the diameter of a ball that fits into each piece, mm: after a smaller motion every piece overlaps its previous
+/// position.
+double overlapOf(std::span<const RevolvedPiece> tool) noexcept;
 
 /// A solid as a boundary for a tool with a free axis: the clearance of the tool from a closed, outward-oriented mesh,
 /// exact for the mesh.

@@ -76,6 +76,7 @@ void ForceOutput::render(const ToolMotion& motion, const CuttingForce& cutting, 
     passivity_.sent(rendered_);
     turnCoupling_.sent(wrench_.torque);
     sample.force = hand.mapping.directionToSetup(rendered_);
+    sample.torque = hand.mapping.directionToSetup(wrench_.torque);
     if ((limiter_.saturated() || cuttingGaveWay_) && limiter_.maximum() > 0.0) sample.flags |= sampleForceSaturated;
     if (!ramp_.complete()) sample.flags |= sampleForcesOff;
     if (relief_.active()) sample.flags |= sampleMotorsHot;
@@ -132,7 +133,7 @@ bool ForceOutput::quiet() const noexcept {
 }
 
 void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
-    sample.force = glm::dvec3(0.0);
+    sample.force = sample.torque = glm::dvec3(0.0);
     sample.flags |= sampleForcesOff;
     if (relief_.active()) sample.flags |= sampleMotorsHot;
     fadesIn ? fadeIn() : nothingSent();

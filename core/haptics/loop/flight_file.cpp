@@ -60,7 +60,7 @@ std::string formatFlight(const FlightSettings& settings, TickFault fault, double
     samples.reserve(entries.size());
     for (const FlightRecorder::Entry& entry : entries) samples.push_back(entry.sample);
     const std::vector<std::uint8_t> properties = removedProperties(samples);
-    std::string text = "# Burin flight record 1\n";
+    std::string text = "# Burin flight record 2\n";
     text += "# fault: " + std::string(nameOf(fault)) + "\n# unix_time_s: " + formatFixed(unixTime, 3) +
             "\n# period_s: " + formatShortest(settings.period) + "\n# device: " + oneLine(settings.device) + "\n";
     text += std::string(loopColumns) + takeCsvHeader(properties, settings.materials) + "\n";

@@ -39,7 +39,7 @@ Wrench ServoTick::serve(const StylusState& reading, double period) noexcept {
     // If the step was told of the gap, it has given no force already. It does not know about its own slowness.
     ++timing_.late;
     sample_.flags |= sampleForcesOff | sampleForceLate;
-    sample_.force = glm::dvec3(0.0);
+    sample_.force = sample_.torque = glm::dvec3(0.0);
     return {};
 }
 

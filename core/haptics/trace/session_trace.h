@@ -24,8 +24,8 @@ struct SessionTrace {
     std::optional<TracedSession> began; ///< initial state of the session; empty for an older trace
 };
 
-/// Errors: traceInvalid (place: "line 12"; detail: what is wrong there). A session in which the workpiece was changed
-/// other than by milling (a stroke undone, another state restored) is rejected: a trace does not contain that state.
+/// Errors: traceInvalid (place: "line 12"; detail: what is wrong there). A trace of an older version in which a stroke
+/// was undone or redone is rejected: it does not tell which of both.
 Result<SessionTrace> sessionTraceOf(Trace trace, const std::string& origin);
 
 /// A trace whose readings remain in their file, ready to be played.

@@ -16,6 +16,7 @@ using nlohmann::json;
 
 const std::vector<std::string_view> guideKinds{"plane", "levels", "line", "curve", "surface", "step_over", "axis"};
 const std::vector<std::string_view> controls{"position", "rate"};
+const std::vector<std::string_view> strokeChanges{"undone", "redone"};
 constexpr int mostCurves = 4096, mostLevels = 1'000'000, mostLayers = 1024;
 constexpr int mostTiles = 1 << 24;
 constexpr double largestWord = 4294967295.0; // 32 bits of buttons, counts
@@ -123,7 +124,7 @@ struct ToJson {
     json operator()(const TakeBegin&) const { return {{"take_begins", true}}; }
     json operator()(const ForceWithheld&) const { return {{"force_withheld", true}}; }
     json operator()(const CutResumption&) const { return {{"cutting_resumes", true}}; }
-    json operator()(const WorkpieceChange&) const { return {{"workpiece_changed", true}}; }
+    json operator()(const WorkpieceChange& change) const { return {{"stroke", strokeChanges[change.undone ? 0 : 1]}}; }
     json operator()(const TileChange& change) const { return {{"tile", change.tile}, {"there", change.there}}; }
 };
 
@@ -151,7 +152,9 @@ std::optional<StepChange> plainChange(JsonObject& object) {
     if (object.has("take_begins")) return marked<TakeBegin>(object, "take_begins");
     if (object.has("force_withheld")) return marked<ForceWithheld>(object, "force_withheld");
     if (object.has("cutting_resumes")) return marked<CutResumption>(object, "cutting_resumes");
-    if (object.has("workpiece_changed")) return marked<WorkpieceChange>(object, "workpiece_changed");
+    if (object.has("stroke")) return WorkpieceChange{object.choice("stroke", strokeChanges) == 0};
+    if (object.has("workpiece_changed")) // of versions that could not play it
+        object.fail("workpiece_changed", "the workpiece was changed there by something else than milling");
     if (object.has("tile")) {
         const int tile = object.integer("tile", 0, mostTiles);
         return TileChange{static_cast<std::uint32_t>(tile), object.boolean("there")};

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 namespace burin {
@@ -92,6 +93,9 @@ void TraceRecorder::appendChangesBefore(std::size_t reading) {
 Result<StagedFile> TraceRecorder::finish() {
     thread_.request_stop();
     thread_.join();
+    text_.clear();
+    appendChangesBefore(std::numeric_limits<std::size_t>::max()); // what was changed after the last reading
+    if (outcome_) outcome_ = file_.append(text_);
     if (outcome_) outcome_ = file_.flush();
     if (!outcome_) return outcome_.error();
     return std::move(file_);

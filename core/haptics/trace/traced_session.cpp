@@ -107,6 +107,8 @@ std::string formatTracedSession(const TracedSession& session) {
     if (session.growth)
         inner["boundary_grows"] = {{"maximum_allowance_mm", session.growth->maximumAllowance},
                                    {"whole", session.growth->whole}};
+    if (session.stock.distance > 0.0)
+        inner["stock_layer"] = {{"distance_mm", session.stock.distance}, {"on", session.stock.on}};
     return std::string(beginning) + inner.dump() + "}";
 }
 
@@ -134,6 +136,10 @@ Result<TracedSession> readTracedSession(std::string_view text, const std::string
         if (inner.has("boundary_grows"))
             inner.object("boundary_grows", [&](JsonObject& growth) {
                 session.growth = {growth.number("maximum_allowance_mm", {0.0, 10.0}), growth.boolean("whole")};
+            });
+        if (inner.has("stock_layer"))
+            inner.object("stock_layer", [&](JsonObject& stock) {
+                session.stock = {stock.number("distance_mm", StockLayer::distances), stock.boolean("on")};
             });
     });
     if (Result<void> whole = object->finish(); !whole) return std::move(whole).error();

@@ -29,6 +29,7 @@ struct TracedSession {
         bool whole = false;            ///< whether it was complete from the start
     };
     std::optional<Growth> growth{}; ///< empty: the boundary was complete from the start
+    StockLayer stock{};             ///< the recorded changes contain when it was switched
 };
 
 /// Returns a JSON object in one line, without a line end. Numbers are read back exactly, to the bit.

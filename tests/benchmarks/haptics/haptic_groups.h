@@ -11,6 +11,7 @@ void pushBackFigures(Session& session);     ///< proxy.*
 void peerFigures(Session& session);         ///< peer.*: the proxy against a god-object on the mesh and a point shell
 void slotFigures(Session& session);         ///< slot.*
 void shankFigures(Session& session);        ///< shank.*
+void stockLayerFigures(Session& session);   ///< stock_layer.*: shank and holder kept away from the stock
 void contactForceFigures(Session& session); ///< press.*, free.*
 void stabilityFigures(Session& session);    ///< energy.*, nohand.*, noise.*
 void guardFigures(Session& session);        ///< guards.*

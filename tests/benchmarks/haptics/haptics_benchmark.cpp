@@ -9,6 +9,6 @@ int main(int argc, char** argv) {
     return run({"burin-bench-haptics",
                 "Figures of the haptic loop: cost, push-back, stability, guards",
                 {pushBackFigures, peerFigures, contactForceFigures, stabilityFigures, slotFigures, shankFigures,
-                 guardFigures, stopFigures, tickFigures, deviceFigures, firstCutFigures}},
+                 stockLayerFigures, guardFigures, stopFigures, tickFigures, deviceFigures, firstCutFigures}},
                argc, argv);
 }

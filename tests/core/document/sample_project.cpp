@@ -335,9 +335,9 @@ bool identical(const Sample& one, const Sample& other) {
            sameBits(one.device.position, other.device.position) &&
            sameBits(one.device.rotation, other.device.rotation) && sameBits(one.stylusTip, other.stylusTip) &&
            sameBits(one.proxy.tip, other.proxy.tip) && sameBits(one.proxy.axis, other.proxy.axis) &&
-           sameBits(one.force, other.force) && sameBits(one.cuttingForce, other.cuttingForce) &&
-           sameBits(one.reportedRemoval, other.reportedRemoval) && one.buttons == other.buttons &&
-           one.flags == other.flags;
+           sameBits(one.force, other.force) && sameBits(one.torque, other.torque) &&
+           sameBits(one.cuttingForce, other.cuttingForce) && sameBits(one.reportedRemoval, other.reportedRemoval) &&
+           one.buttons == other.buttons && one.flags == other.flags;
 }
 
 bool identical(const std::vector<Sample>& one, const std::vector<Sample>& other) {

@@ -88,6 +88,7 @@ private slots:
         QTest::newRow("with a computed pass") << 9;
         QTest::newRow("with a stretch switched off, a marker and a kept workpiece") << 10;
         QTest::newRow("with moves of a program") << 11;
+        QTest::newRow("with the torque of a device") << 12;
     }
     void aProjectOfEachVersionOpens() {
         QFETCH(int, version);
@@ -106,7 +107,7 @@ private slots:
         QVERIFY(*project->obstacles() == fixture::obstacles());
         // The original file is kept for users who still have the version that wrote it.
         const fs::path kept = project->keptEarlier();
-        QCOMPARE(kept.empty(), version == 11);
+        QCOMPARE(kept.empty(), version == 12);
         if (!kept.empty()) QCOMPARE(kept.filename().string(), "p.format-" + std::to_string(version) + ".burin");
         if (!kept.empty()) QCOMPARE(contentOf(kept), written);
         QVERIFY(project->setAxisMode({}) && project->save());

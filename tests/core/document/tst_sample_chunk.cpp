@@ -45,6 +45,7 @@ Sample anySample() {
     sample.stylusTip = anyVector();
     sample.proxy = {anyVector(), anyVector()};
     sample.force = anyVector();
+    if (*rc::gen::arbitrary<bool>()) sample.torque = anyVector();
     sample.cuttingForce = anyVector();
     sample.reportedRemoval = anyDouble();
     for (RemovedMaterial& removed : sample.removed)
@@ -108,6 +109,18 @@ private slots:
             RC_ASSERT(!decodeSamples(bytes, *rc::gen::inRange<std::size_t>(0, 100)));
             RC_ASSERT(!decodeMesh(bytes));
         }));
+    }
+    /// A device without torque is stored as before format 12, to the byte; decoding either form gives the torque.
+    void torqueTakesRoomOnlyWhereThereIsAny() {
+        std::vector<Sample> samples = fixture::handSamples(0, 60);
+        const std::string plain = encodeSamples(samples);
+        QCOMPARE(plain.front(), char{1});
+        samples[41].torque = {0.0, -12.5, 0.0};
+        const std::string turning = encodeSamples(samples);
+        QCOMPARE(turning.front(), char{2});
+        QCOMPARE((*decodeSamples(plain, 60))[41].torque, glm::dvec3(0.0));
+        QCOMPARE((*decodeSamples(turning, 60))[41].torque, glm::dvec3(0.0, -12.5, 0.0));
+        QCOMPARE((*decodeSamples(turning, 60))[40].torque, glm::dvec3(0.0));
     }
     void freeMotionIsNotStoredTwice() {
         std::vector<Sample> apart = fixture::handSamples(0, 1000), together = apart;

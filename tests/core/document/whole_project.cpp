@@ -120,6 +120,14 @@ bool holdsKept(const Project& project, int version) {
            kept->strokes == original.strokes && kept->volume == original.volume;
 }
 
+/// The samples of its first take, since version 12 with the torque of a device.
+std::vector<Sample> takeSamples(std::size_t first, std::size_t count, int version) {
+    std::vector<Sample> samples = handSamples(first, count);
+    if (version >= 12)
+        for (Sample& sample : samples) sample.torque = {0.25 * sample.force.y, -0.1 * sample.force.z, 1.0 / 3.0};
+    return samples;
+}
+
 bool holdsTakes(const Project& project, int version) {
     const Result<std::vector<TakeInfo>> takes = project.takes();
     if (!takes || takes->size() != 2) return false;
@@ -132,7 +140,7 @@ bool holdsTakes(const Project& project, int version) {
     std::uint64_t count = 0;
     for (const SampleRange& range : undone) count += range.count;
     if (first.undoneCount != count || !holdsKept(project, version)) return false;
-    return take && take->undone == undone && identical(take->samples, handSamples(0, 500)) &&
+    return take && take->undone == undone && identical(take->samples, takeSamples(0, 500, version)) &&
            first.name == original.name && first.toolId == original.toolId && first.allowance == original.allowance &&
            first.tickPeriod == original.tickPeriod && first.startedUnixTime == original.startedUnixTime &&
            first.materials == (version < 4 ? std::vector<std::string>{} : original.materials) &&
@@ -157,7 +165,7 @@ bool fillProject(const std::filesystem::path& file) {
         return false;
     Result<Project::TakeWriter> writer = project->beginTake(takeInfo("Schruppen"));
     for (std::size_t first = 0; first < 500; first += 50)
-        if (!writer || !writer->append(handSamples(first, 50))) return false;
+        if (!writer || !writer->append(takeSamples(first, 50, 12))) return false;
     if (!project->undoInterval(writer->id(), undoneInFixture)) return false;
     if (!writer->finish() || !project->beginTake(takeInfo("broken off"))) return false;
     if (!project->setSwitchedOff(writer->id(), std::span(&offInFixture, 1))) return false;

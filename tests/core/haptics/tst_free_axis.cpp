@@ -209,6 +209,7 @@ private slots:
         QVERIFY(glm::length(torque - clampLength(coupling.stiffness() * behind, coupling.maximum())) < 1e-6);
         QVERIFY(glm::length(torque) <= coupling.maximum() + 1e-9);
         QVERIFY(!(pressed.flags & sampleAxisHeld)); // the hand feels the torque
+        QCOMPARE(pressed.torque, torque);           // and it is recorded
         // Free again, there is no torque.
         rig.move({0, 0, floorHeight - 5.0}, {0, 0, 15}, tilted(0.3));
         rig.rest({0, 0, 15}, tilted(0.3), 100);
@@ -217,7 +218,7 @@ private slots:
         rig.move({0, 0, 15}, {0, 0, floorHeight - 5.0}, tilted(0.3));
         QVERIFY(glm::length(rig.step.deviceWrench().torque) > 1.0);
         StylusState silent;
-        rig.step.advance(silent, period);
+        QCOMPARE(rig.step.advance(silent, period).torque, glm::dvec3(0.0));
         QCOMPARE(rig.step.deviceWrench().torque, glm::dvec3(0.0));
     }
 

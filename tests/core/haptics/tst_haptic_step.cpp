@@ -277,7 +277,7 @@ private slots:
         rig.begin({-14, 0, -3});
         rig.moveTo({4, 0, -3}, 50.0);
         rig.volume.restore(whole);
-        rig.step.workpieceChanged();
+        rig.step.workpieceChanged({});
         QVERIFY(rig.volume.amounts() == whole.amounts());
         glm::dvec3 last(0.0);
         bool first = true;

@@ -128,7 +128,7 @@ private slots:
         for (const char* line :
              {"", "{}", "x", R"({"allowance_mm": -1})", R"({"allowance_mm": 1, "levels": 2})", R"({"levels": 0.5})",
               R"({"guides": [], "step_button": 0})", R"({"spindle_released": 1})", R"({"take_begins": false})",
-              R"({"layer": -1, "on": true})", R"({"workspace": {}})",
+              R"({"layer": -1, "on": true})", R"({"workspace": {}})", R"({"stroke": "gone"})",
               R"({"curve": 1, "points": 2, "points_mm": [0,0,0,1,0,0], "tangents": [1,0,0,1,0,0]})",
               R"({"curve": 0, "points": 2, "points_mm": [0,0,0,0,0,0], "tangents": [1,0,0,1,0,0]})",
               R"({"curve": 0, "points": 2000000000, "points_mm": [], "tangents": []})"}) {

@@ -32,6 +32,7 @@ std::vector<Sample> samples() {
     list[2].reportedRemoval = 0.25;
     list[3].stylusTip.z = 3.0;
     list[3].force = {0.0, 0.0, 1.5};
+    list[3].torque = {0.0, -12.5, 0.0};
     list[3].flags = sampleOnBoundary | sampleForceSaturated;
     list[3].tick = 15; // two ticks were lost
     return list;
@@ -81,6 +82,8 @@ void TakeTest::valuesStandUnderTheirNames() {
     QCOMPARE(value(4, "stylus_z_mm"), QByteArray("3"));
     QCOMPARE(value(4, "axis_z"), QByteArray("1"));
     QCOMPARE(value(4, "force_z_n"), QByteArray("1.5"));
+    QCOMPARE(value(4, "torque_y_n_mm"), QByteArray("-12.5"));
+    QCOMPARE(value(3, "torque_y_n_mm"), QByteArray("0"));
     QCOMPARE(value(3, "cutting_force_y_n"), QByteArray("40"));
     QCOMPARE(value(3, "reported_removal_mm3"), QByteArray("0.25"));
     QCOMPARE(value(4, "flags"), QByteArray("6"));
