@@ -43,6 +43,10 @@ json jsonOf(const StylusDescription& stylus) {
             {"translations_driven", stylus.actuated.translations},
             {"rotations_driven", stylus.actuated.rotations},
             {"buttons", stylus.buttons},
+            {"assist",
+             {{"rumble", stylus.assist.rumble},
+              {"force_axes", stylus.assist.forceAxes},
+              {"permitted", stylus.assist.permitted}}},
             {"simulated", stylus.simulated},
             {"limits", limits}};
 }
@@ -93,6 +97,7 @@ json jsonOf(const TrialFigures& figures) {
             {"position_max_mm", jsonOf(figures.highest)},
             {"buttons_pressed", figures.buttons},
             {"force_max_n", figures.maximumForce},
+            {"assist_max", figures.maximumAssist},
             {"health", jsonOf(figures.health)},
             {"faults", faults}};
 }
@@ -164,6 +169,12 @@ void registerDevices(CommandParser program, CommandContext& context, int& status
                 BURIN_TEXT("Help", "Push up with this force, N, while its first button is held; at most a fifth of "
                                    "its maximum force"))
         .range(0.0, 100.0)
+        .needs(test);
+    command
+        .option("--assist", arguments->settings.assist,
+                BURIN_TEXT("Help", "Let a gamepad vibrate or a joystick push while its first button is held: the "
+                                   "strength rises to this share of its strongest effect within each second, 0 to 1"))
+        .range(0.0, 1.0)
         .needs(test);
     const auto axes = std::make_shared<AxesArguments>();
     addAxesOptions(command, *axes, test);

@@ -141,6 +141,7 @@ struct MillWork {
     std::optional<StagedFile>& trace;      ///< receives the requested trace
     OpenedSessionTrace* played;            ///< the trace that serves as the stylus; null: none
     std::optional<GuideSettings> guides{}; ///< for hand guidance
+    double assist = 0.0;                   ///< as in FeltCutting
 };
 
 /// Reports the share of the cutting force that was felt, and the source of this value.
@@ -215,6 +216,7 @@ Result<std::vector<TakeOutcome>> millWith(const StylusHandle& stylus, const std:
     request.cutsOnButton = cutsOnButton;
     request.period = 1.0 / work.arguments.rate;
     if (work.played == nullptr && work.arguments.felt) request.felt.gain = *work.arguments.felt;
+    request.felt.assist = work.assist;
     request.trace = work.arguments.trace;
     request.traceOutput = &work.trace;
     request.saves = false;
@@ -276,12 +278,17 @@ Result<std::vector<TakeOutcome>> millWithDevice(const std::string& name, const M
     MillWork live = work;
     live.pace = Pace::realtime;
     if (!work.arguments.noGuides) live.guides = guideSettings(guides->guides, guides->stepButton);
+    live.assist = work.arguments.assist.value_or(UserSettings().felt(device->id).assist);
+    if (handle.device().description().assist.works()) work.answer["assist"] = live.assist;
     tellGuides(live);
     return millWith(handle, device->name, buttons > 0, live);
 }
 
 Result<std::vector<TakeOutcome>> millAsAsked(const MillWork& work) {
     const std::string& stylus = work.arguments.stylus;
+    if (work.arguments.assist && !stylus.starts_with(devicePrefix))
+        return Error{ErrorCode::argumentInvalid, "--assist", formatShortest(*work.arguments.assist),
+                     worded(BURIN_TEXT("Command", "no value, unless --stylus is a device"))};
     if (work.played != nullptr) return millWithTrace(*work.played, work);
     if (stylus.starts_with(devicePrefix)) return millWithDevice(stylus.substr(devicePrefix.size()), work);
     if (work.arguments.felt)

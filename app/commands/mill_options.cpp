@@ -92,6 +92,12 @@ void addMillOptions(CommandParser command, MillArguments& arguments) {
                        "that does not state it, 0 to 1"))
         .range(0.0, 1.0);
     command
+        .option("--assist", arguments.assist,
+                BURIN_TEXT("Help",
+                           "Ceiling of a gamepad's vibration or a joystick's force, as a share of its strongest "
+                           "effect, 0 to 1; 0: off"))
+        .range(0.0, 1.0);
+    command
         .option("--stock-distance", arguments.stockDistance,
                 BURIN_TEXT("Help", "Distance that shank and holder keep from the stock, mm (default: they are stopped "
                                    "when they touch it)"))

@@ -18,7 +18,7 @@ struct MillArguments {
     int deadMan = 0;       ///< number of the button, from 1; 0: none
     bool noGuides = false; ///< the guides of the project are disabled
     std::string grip = "firm", intent = "passes";
-    std::optional<double> allowance, felt, stockDistance;
+    std::optional<double> allowance, felt, assist, stockDistance;
     OperatorRequest hand;
 };
 

@@ -50,6 +50,7 @@ enum class ErrorCode : std::uint16_t {
     deviceStopped,        ///< its forces are off for now; subject: device; place: as above; detail: why
     deviceHot,            ///< its motors are hot, so that its force is limited to half; subject: device
     deviceNotAllowed,     ///< subject: device; place: the device file of the system
+    deviceAssistDenied,   ///< it can be read, but not written, so that it shows no forces; subject, place: as above
     deviceIncompatible,   ///< subject: device; place: its protocol; detail: ours
     deviceLibraryMissing, ///< subject: vendor of the devices; place: the library and where it comes from; detail:
                           ///< folders that were searched
@@ -118,6 +119,7 @@ constexpr ErrorClass errorClass(ErrorCode code) noexcept {
         return ErrorClass::wrongUse;
     case ErrorCode::fileNotWritable:
     case ErrorCode::deviceNotAllowed:
+    case ErrorCode::deviceAssistDenied:
     case ErrorCode::diskFull:
     case ErrorCode::outOfMemory:
     case ErrorCode::volumeOutOfMemory:

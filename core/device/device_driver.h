@@ -43,7 +43,8 @@ struct DeviceHost {
 /// time; each may take some milliseconds. Lives until the process ends.
 class DeviceDriver {
 public:
-    static constexpr int interfaceVersion = 6; ///< +1 with any change to this header, to stylus.h or to axis_map.h
+    static constexpr int interfaceVersion =
+        7; ///< +1 with any change to this header, to stylus.h, assist.h or axis_map.h
     virtual ~DeviceDriver() = default;
     /// Whether the driver can be used; the error says why it can't use any device: a library of the manufacturer that
     /// is not installed or is too old. Errors: deviceLibraryMissing, deviceLibraryUnfit.
@@ -75,15 +76,23 @@ template <class Type>
 constexpr TypeLayout layoutOf(const char* name) noexcept {
     return {name, sizeof(Type), alignof(Type)};
 }
-inline constexpr std::array deviceLayout{
-    layoutOf<std::string>("std::string"),  layoutOf<Error>("Error"),
-    layoutOf<FoundDevice>("FoundDevice"),  layoutOf<DeviceMode>("DeviceMode"),
-    layoutOf<DeviceHost>("DeviceHost"),    layoutOf<StylusDescription>("StylusDescription"),
-    layoutOf<StylusState>("StylusState"),  layoutOf<Wrench>("Wrench"),
-    layoutOf<DeviceAxis>("DeviceAxis"),    layoutOf<AxisMap>("AxisMap"),
-    layoutOf<AxisReading>("AxisReading"),  layoutOf<DeviceHealth>("DeviceHealth"),
-    layoutOf<AnyStylus>("AnyStylus"),      layoutOf<Result<AnyStylus>>("Result<AnyStylus>"),
-    layoutOf<Result<void>>("Result<void>")};
+inline constexpr std::array deviceLayout{layoutOf<std::string>("std::string"),
+                                         layoutOf<Error>("Error"),
+                                         layoutOf<FoundDevice>("FoundDevice"),
+                                         layoutOf<DeviceMode>("DeviceMode"),
+                                         layoutOf<DeviceHost>("DeviceHost"),
+                                         layoutOf<StylusDescription>("StylusDescription"),
+                                         layoutOf<AssistAbilities>("AssistAbilities"),
+                                         layoutOf<Assist>("Assist"),
+                                         layoutOf<StylusState>("StylusState"),
+                                         layoutOf<Wrench>("Wrench"),
+                                         layoutOf<DeviceAxis>("DeviceAxis"),
+                                         layoutOf<AxisMap>("AxisMap"),
+                                         layoutOf<AxisReading>("AxisReading"),
+                                         layoutOf<DeviceHealth>("DeviceHealth"),
+                                         layoutOf<AnyStylus>("AnyStylus"),
+                                         layoutOf<Result<AnyStylus>>("Result<AnyStylus>"),
+                                         layoutOf<Result<void>>("Result<void>")};
 /// Returns the entries of deviceLayout. @param[out] count number of entries
 using DeviceLayout = const TypeLayout* (*)(std::uint32_t* count);
 

@@ -32,6 +32,7 @@ struct Gathered {
     std::uint64_t readings = 0, invalid = 0;
     double firstAt = 0.0, lastAt = 0.0; ///< s, of the steady clock
     double maximumInterval = 0.0, smallestStep = 0.0, maximumRotation = 0.0, maximumForce = 0.0;
+    double maximumAssist = 0.0; ///< share
     glm::dvec3 lowest{0.0}, highest{0.0}, position{0.0};
     glm::dquat first{1.0, 0.0, 0.0, 0.0};
     std::uint32_t buttons = 0;
@@ -63,13 +64,15 @@ TrialFigures figuresOf(const Gathered& gathered) {
     figures.position = gathered.position;
     figures.buttons = gathered.buttons;
     figures.maximumForce = gathered.maximumForce;
+    figures.maximumAssist = gathered.maximumAssist;
     return figures;
 }
 
 /// Measures the readings of a stylus and answers them, on the thread that reads; publishes the measurements.
 class Gathering {
 public:
-    Gathering(double force, bool hasButtons) : force_(force), hasButtons_(hasButtons) {}
+    Gathering(const TrialSettings& settings, bool hasButtons)
+        : force_(settings.force), assist_(settings.assist), hasButtons_(hasButtons) {}
 
     /// Called on the thread that reads. @return the wrench to render
     Wrench take(const StylusState& state) noexcept {
@@ -80,8 +83,13 @@ public:
         else
             ++now_.invalid;
         Wrench wrench;
-        wrench.force.z = forceAt(at, state.valid && hasButtons_ && (state.buttons & 1U) != 0);
+        const bool held = state.valid && hasButtons_ && (state.buttons & 1U) != 0;
+        if (!held) heldAt_.reset();
+        if (held && !heldAt_) heldAt_ = at;
+        if (held) wrench.force.z = force_ * std::min((at - *heldAt_) / fadeSeconds, 1.0);
+        if (held) wrench.assist = trialAssist(at - *heldAt_, assist_);
         now_.maximumForce = std::max(now_.maximumForce, wrench.force.z);
+        now_.maximumAssist = std::max(now_.maximumAssist, glm::length(wrench.assist.force));
         news_.post(now_);
         return wrench;
     }
@@ -117,16 +125,9 @@ private:
         const double cosine = std::min(1.0, std::abs(glm::dot(now_.first, state.pose.rotation)));
         now_.maximumRotation = std::max(now_.maximumRotation, 2.0 * std::acos(cosine));
     }
-    double forceAt(double at, bool held) noexcept {
-        if (!held) {
-            heldAt_.reset();
-            return 0.0;
-        }
-        if (!heldAt_) heldAt_ = at;
-        return force_ * std::min((at - *heldAt_) / fadeSeconds, 1.0);
-    }
 
-    const double force_;
+    const double force_;  ///< N
+    const double assist_; ///< share
     const bool hasButtons_;
     Mailbox<Gathered> news_;
     Gathered seen_; ///< used by the owner's thread only
@@ -171,10 +172,27 @@ Result<void> checkSettings(const StylusDescription& stylus, const TrialSettings&
     if (!(settings.force >= 0.0 && settings.force <= limit))
         return Error{ErrorCode::argumentInvalid, "test force", formatShortest(settings.force),
                      limit > 0.0 ? "0 … " + formatFixed(limit, 2) + " N" : "0 N"};
+    const bool assists = stylus.buttons > 0 && stylus.assist.works();
+    if (!(settings.assist >= 0.0 && settings.assist <= (assists ? 1.0 : 0.0)))
+        return Error{ErrorCode::argumentInvalid, "test strength", formatShortest(settings.assist),
+                     assists ? "0 … 1" : "0"};
     return {};
 }
 
 } // namespace
+
+Assist trialAssist(double seconds, double ceiling) noexcept {
+    constexpr std::array<glm::dvec3, 4> pushes{glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 1.0, 0.0),
+                                               glm::dvec3(-1.0, 0.0, 0.0), glm::dvec3(0.0, -1.0, 0.0)};
+    const double turn = std::floor(std::max(seconds, 0.0));
+    const double strength = ceiling * (std::max(seconds, 0.0) - turn);
+    const auto phase = static_cast<std::size_t>(std::fmod(turn, pushes.size()));
+    Assist assist;
+    assist.force = strength * pushes[phase];
+    (phase % 2 == 0 ? assist.contact : assist.load) = strength;
+    assist.ceiling = ceiling;
+    return assist;
+}
 
 double trialForceLimit(const StylusDescription& stylus) noexcept {
     if (stylus.actuated.translations < 3) return 0.0;
@@ -188,7 +206,7 @@ Result<TrialFigures> tryDevice(const StylusHandle& stylus, const TrialSettings& 
     const StylusDescription description = device.description();
     if (const Result<void> checked = checkSettings(description, settings); !checked) return checked.error();
     if (const Result<void> opened = device.open(); !opened) return opened.error();
-    const auto gathering = std::make_unique<Gathering>(settings.force, description.buttons > 0); // 24 kB
+    const auto gathering = std::make_unique<Gathering>(settings, description.buttons > 0); // 24 kB
     TrialClient client(*gathering);
     std::vector<Error> faults;
     const auto look = [&] {

@@ -26,6 +26,7 @@ struct TrialFigures {
     glm::dvec3 position{0.0};             ///< mm, the newest
     std::uint32_t buttons = 0;            ///< bit mask of all buttons that were pressed during the trial
     double maximumForce = 0.0;            ///< N, commanded
+    double maximumAssist = 0.0;           ///< commanded, share of the strongest effect of a device that only assists
     DeviceHealth health;
     std::vector<Error> faults;
 };
@@ -36,9 +37,17 @@ struct TrialSettings {
     /// N, straight up, at most trialForceLimit; fades in over a second while the first button is held, and is 0 as soon
     /// as it is released. 0: the motors stay off.
     double force = 0.0;
+    /// For a device with AssistAbilities: share of its strongest effect, 0 … 1. While the first button is held, the
+    /// strength rises from 0 to this within each second (trialAssist); 0: it shows nothing.
+    double assist = 0.0;
     /// Called with the measurements so far, about ten times a second, on the caller's thread. May be empty.
     std::function<void(const TrialFigures&)> report{};
 };
+
+/// The effect of a trial at a time: a stick pushes to the right, away, to the left and towards the user, for a second
+/// each; the strong and the weak motor of a vibration take turns.
+/// @param seconds since the button was pressed. @param ceiling share of the strongest effect, 0 … 1
+Assist trialAssist(double seconds, double ceiling) noexcept;
 
 /// Largest force of a trial, N: a fifth of the maximum force, at most the continuous one, rounded down to 0.01 N. 0:
 /// the device has no motors.
@@ -46,7 +55,8 @@ double trialForceLimit(const StylusDescription& stylus) noexcept;
 
 /// Opens a device, reads it for the time requested, and closes it; needs no project. Called on the owner's thread,
 /// which it blocks. A stylus without a clock of its own is read 1000 times a second, on a thread that this function
-/// starts. Errors: argumentInvalid (seconds, force), cancelled, those of StylusDevice::open and SelfPacedStylus::start.
+/// starts. Errors: argumentInvalid (seconds, force, assist), cancelled, those of StylusDevice::open and
+/// SelfPacedStylus::start.
 Result<TrialFigures> tryDevice(const StylusHandle& stylus, const TrialSettings& settings, Progress& progress);
 
 } // namespace burin

@@ -52,6 +52,8 @@ Result<void> checkDescription(const StylusDescription& description) {
     if (description.name.empty()) return refused("name", "a text");
     if (!withinThree(description.sensed) || !withinThree(description.actuated))
         return refused("degrees of freedom", "0 to 3 translations and 0 to 3 rotations");
+    if (description.assist.forceAxes < 0 || description.assist.forceAxes > 2)
+        return refused("axes with force", "0 to 2");
     if (description.buttons < 0 || description.buttons > 32) return refused("buttons", "0 to 32");
     if (const char* figure = faultyFigure(description)) return refused(figure, "0 or more, and who says so");
     if (description.workspaceRadius.value == 0.0) return refused("workspace radius", "more than 0 mm");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/device/assist.h"
 #include "core/device/axis_map.h"
 #include "core/device/figure.h"
 #include "core/geometry/pose.h"
@@ -25,7 +26,8 @@ struct Freedoms {
 struct StylusDescription {
     std::string name;
     Freedoms sensed{3, 3};
-    Freedoms actuated; ///< degrees of freedom driven by motors; rotations: it renders torque
+    Freedoms actuated;      ///< degrees of freedom driven by motors; rotations: it renders torque
+    AssistAbilities assist; ///< of a device without such motors
     int buttons = 0;
     Figure<"Hz"> rate; ///< readings per second by its own clock; 0: a new reading whenever it is read
     Figure<"s"> delay; ///< from sampling the pose to rendering the resulting force, without the time of the tick itself
@@ -62,10 +64,11 @@ struct StylusState {
     double motorHeat = 0.0; ///< heat of the hottest motor as a share of its limit; 0: cool, or not measured
 };
 
-/// Force and torque to be rendered by a device. Device frame, about the stylus' tip.
+/// To be rendered by a device. Device frame, force and torque about the stylus' tip.
 struct Wrench {
     glm::dvec3 force{0.0};  ///< N
     glm::dvec3 torque{0.0}; ///< N·mm; ignored by devices that can't render torque
+    Assist assist;          ///< for devices without motors that have AssistAbilities
 };
 
 /// State of a device, and statistics since it was opened.

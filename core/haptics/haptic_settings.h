@@ -15,6 +15,9 @@ namespace burin {
 struct FeltCutting {
     double gain = 1.0;      ///< 1: the hardest material's reference cut gives 0.6 of the maximum force
     double friction = 0.15; ///< Coulomb friction coefficient of the tool on surfaces that it slides on without cutting
+    /// Ceiling of a device that only assists, as a share of its strongest effect, 0 … 1; 0: it shows nothing. Changes
+    /// no sample, so that traces do not record it.
+    double assist = 0.3;
 };
 
 /// Keeps shank and holder at a distance from the stock that is left, so that they push the hand back before they touch

@@ -20,6 +20,7 @@ constexpr std::array<std::string_view, 18> pluginInterface{"core/base/mailbox.h"
                                                            "core/base/result.h",
                                                            "core/base/text.h",
                                                            "core/base/units.h",
+                                                           "core/device/assist.h",
                                                            "core/device/axis_map.h",
                                                            "core/device/deflection.h",
                                                            "core/device/device_driver.h",

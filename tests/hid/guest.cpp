@@ -60,6 +60,10 @@ int main(int count, char** arguments) {
         reports = std::strtoull(arguments[2], nullptr, 10);
         return run({roundTripChecks(), reports > 0 ? hostileChecks() : std::vector<GuestCheck>()}) ? 0 : 1;
     }
+    if (count > 1 && std::strcmp(arguments[1], "push") == 0) return pushForEver();
     if (count > 1) return runAs(arguments[1]);
-    return run({spaceMouseChecks(), inputEventChecks(), openStylusChecks(), millingChecks(), hostileChecks()}) ? 0 : 1;
+    return run({spaceMouseChecks(), inputEventChecks(), forceFeedbackChecks(), openStylusChecks(), millingChecks(),
+                hostileChecks()})
+               ? 0
+               : 1;
 }

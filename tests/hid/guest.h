@@ -25,10 +25,13 @@ void tellFigure(const std::string& name, double value, const std::string& unit);
 
 /// The work of a second process of this program, started as "program ROLE". @return its exit status
 int runAs(const std::string& role);
+/// The work of another one: a stick that pushes until the process is killed. Returns only if it can't.
+int pushForEver();
 
 std::vector<GuestCheck> openStylusChecks();
 std::vector<GuestCheck> spaceMouseChecks();
 std::vector<GuestCheck> inputEventChecks();
+std::vector<GuestCheck> forceFeedbackChecks();
 std::vector<GuestCheck> millingChecks();
 std::vector<GuestCheck> hostileChecks();
 

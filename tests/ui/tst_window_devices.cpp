@@ -20,6 +20,8 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
+
 namespace burin::tst_window_devices {
 
 using namespace burin::testing;
@@ -162,6 +164,70 @@ private slots:
         QVERIFY(driver.restart());
         QCOMPARE(driver.window().workbench().viewDevice.chosen(), std::string("spacenav:daemon"));
         UserSettings().setViewDevice({});
+    }
+
+    /// A gamepad of a user's plugin: what it can do is shown, its vibration is tested within the ceiling, which is
+    /// kept, and milling uses it.
+    void aGamepadAssists() {
+        const QString log = home_.filePath("pad.log");
+        qputenv("BURIN_STAND_IN_PAD_LOG", log.toUtf8());
+        WindowDriver driver;
+        const QString plugins = qEnvironmentVariable("XDG_DATA_HOME") + "/burin/plugins";
+        QVERIFY(QDir().mkpath(plugins));
+        QVERIFY(QFile::link(BURIN_BUILD_DIRECTORY "/stand-ins/data/burin/plugins/devices", plugins + "/devices"));
+        QVERIFY(driver.restart());
+        StylusController& styluses = driver.window().workbench().styluses;
+        const auto found = [&] {
+            return std::ranges::any_of(styluses.choices(),
+                                       [](const auto& choice) { return choice.name == "Stand-in pad"; });
+        };
+        QVERIFY(driver.waitFor(found));
+        bool done = false;
+        driver.whenDialogStands([&](QWidget& dialog) {
+            auto* list = dialog.findChild<RowList*>("deviceList");
+            clickRow(*list, rowOf(*list, "Stand-in pad"));
+            auto* strength = dialog.findChild<QWidget*>("deviceAssist");
+            QApplication::setActiveWindow(&dialog); // its fields learn that they are left, as under a window manager
+            strength->setFocus();
+            QTest::keyClick(strength, Qt::Key_A, Qt::ControlModifier);
+            QTest::keyClicks(strength, "0.2");
+            QTest::keyClick(strength, Qt::Key_Tab);
+            auto* test = dialog.findChild<QPushButton*>("testDeviceButton");
+            QTest::mouseClick(test, Qt::LeftButton);
+            QCOMPARE(UserSettings().felt("assist_pad:pad").assist, 0.2);
+            QTRY_VERIFY(text(dialog, "deviceLimits").contains("assist: vibrates"));
+            QTRY_VERIFY_WITH_TIMEOUT(text(dialog, "deviceFigures").contains("Maximum strength commanded: 20 %"),
+                                     20'000);
+            driver.shoot("devices-4-assist");
+            QTest::mouseClick(test, Qt::LeftButton);
+            QTRY_COMPARE(test->text(), QString("Test"));
+            QTest::mouseClick(dialog.findChild<QPushButton*>("useDeviceButton"), Qt::LeftButton);
+            done = true;
+            QTest::mouseClick(dialog.findChild<QPushButton*>("closeDevicesButton"), Qt::LeftButton);
+        });
+        driver.key(Qt::Key_Y, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(driver.waitFor([&] { return done; }));
+        QCOMPARE(UserSettings().felt("assist_pad:pad").assist, 0.2);
+        QCOMPARE(UserSettings().felt("spacenav:daemon").assist, 0.3);
+        QVERIFY(QFile::remove(log));
+        // The hand presses the tool into the part: the strong motor shows it.
+        QVERIFY(makeReady(driver, 1.0));
+        QVERIFY(driver.step(JobStep::mill));
+        driver.key(Qt::Key_M);
+        SessionRunner& session = driver.window().workbench().session;
+        QVERIFY(driver.waitFor([&] { return session.running(); }));
+        QVERIFY(driver.waitFor([&] { return (session.state().sample.flags & sampleOnBoundary) != 0; }));
+        QTest::qWait(500);
+        driver.shoot("devices-5-assist-milling");
+        driver.key(Qt::Key_M);
+        QVERIFY(driver.waitFor([&] { return QFile::exists(log); }));
+        QFile file(log);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QList<QByteArray> shown = file.readAll().simplified().split(' ');
+        QCOMPARE(shown.size(), 4);
+        QVERIFY2(shown[0].toDouble() > 0.1 && shown[0].toDouble() <= 0.2, shown[0].constData());
+        QCOMPARE(shown[3].toDouble(), 0.2);
+        styluses.choose(0);
     }
 
     void aDialogueThatIsClosedEndsItsTest() {

@@ -30,6 +30,7 @@ constexpr const char* penSinksKey = "pen_sinks";
 constexpr const char* penSinkSpeedKey = "pen_sink_speed_mm_per_s";
 constexpr const char* shareKey = "cutting_force_share";
 constexpr const char* frictionKey = "friction";
+constexpr const char* assistKey = "assist";
 constexpr const char* stockLayerKey = "keeps_from_stock";
 constexpr const char* stockDistanceKey = "stock_distance_mm";
 constexpr const char* axisMapKey = "axis_map";
@@ -204,12 +205,14 @@ FeltCutting UserSettings::felt(const std::string& device) const {
     FeltCutting felt;
     felt.gain = number(shareKey, felt.gain);
     felt.friction = number(frictionKey, felt.friction);
+    felt.assist = number(assistKey, felt.assist);
     return felt;
 }
 
 void UserSettings::setFelt(const std::string& device, const FeltCutting& felt) {
     settings_.setValue(deviceKeyOf(device, shareKey), felt.gain);
     settings_.setValue(deviceKeyOf(device, frictionKey), felt.friction);
+    settings_.setValue(deviceKeyOf(device, assistKey), felt.assist);
 }
 
 StockLayer UserSettings::stockLayer() const {

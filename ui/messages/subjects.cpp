@@ -99,6 +99,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "part"),
     BURIN_TEXT("Subject", "faces"),
     BURIN_TEXT("Subject", "test force"),
+    BURIN_TEXT("Subject", "test strength"),
     BURIN_TEXT("Subject", "gain of axis"),
     BURIN_TEXT("Subject", "dead zone of axis"),
     BURIN_TEXT("Subject", "rest of axis"),

@@ -42,6 +42,24 @@ constexpr std::array actionNames{BURIN_TEXT("DeviceLabels", "nothing"),     BURI
                                  BURIN_TEXT("DeviceLabels", "level below"), BURIN_TEXT("DeviceLabels", "nearest edge"),
                                  BURIN_TEXT("DeviceLabels", "fit the view")}; // in the order of ButtonAction
 
+/// Empty if the device does not assist.
+QStringList assistLines(const AssistAbilities& assist) {
+    QStringList lines;
+    if (assist.rumble) lines << words(QT_TRANSLATE_NOOP("DeviceLabels", "assist: vibrates"));
+    if (assist.forceAxes == 1)
+        lines << words(
+            QT_TRANSLATE_NOOP("DeviceLabels", "assist: pushes 1 axis of its stick, too weakly to hold the hand"));
+    if (assist.forceAxes > 1)
+        lines << words(QT_TRANSLATE_NOOP("DeviceLabels",
+                                         "assist: pushes %1 axes of its stick, too weakly to hold the hand"))
+                     .arg(assist.forceAxes);
+    if (!lines.isEmpty() && !assist.permitted)
+        lines << words(QT_TRANSLATE_NOOP("DeviceLabels",
+                                         "assist: off, as you have no permission to write to the device; "
+                                         "install Burin's udev rule and plug it in again"));
+    return lines;
+}
+
 QString percentText(double share, const QLocale& locale) {
     return locale.toString(percent * share, 'f', 1);
 }
@@ -110,7 +128,7 @@ QStringList limitLines(const StylusDescription& stylus, const QLocale& locale) {
         lines << QStringLiteral("%1 %2 %3 (%4)")
                      .arg(Messages::text(limit.label), plain.toString(limit.value, 'g', QLocale::FloatingPointShortest),
                           QString::fromStdString(limit.unit), Messages::text({"Device", limit.source.c_str()}));
-    return lines;
+    return lines + assistLines(stylus.assist);
 }
 
 QStringList trialLines(const TrialFigures& figures, const QLocale& locale) {
@@ -129,6 +147,9 @@ QStringList trialLines(const TrialFigures& figures, const QLocale& locale) {
           << words(QT_TRANSLATE_NOOP("DeviceLabels", "Buttons pressed: %1")).arg(pressed(figures.buttons))
           << words(QT_TRANSLATE_NOOP("DeviceLabels", "Maximum force commanded: %1 N"))
                  .arg(number(figures.maximumForce, 2));
+    if (figures.maximumAssist > 0.0)
+        lines << words(QT_TRANSLATE_NOOP("DeviceLabels", "Maximum strength commanded: %1 %"))
+                     .arg(number(percent * figures.maximumAssist, 0));
     if (figures.health.motorHeat)
         lines << words(QT_TRANSLATE_NOOP("DeviceLabels", "Motor temperature: %1 % of the limit"))
                      .arg(number(percent * *figures.health.motorHeat, 0));

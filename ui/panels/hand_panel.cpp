@@ -143,6 +143,7 @@ void HandPanel::Fields::showButton(ChoiceBox* choice, const QString& none, int f
                                                     : HandPanel::tr("button %1").arg(button),
                             button);
     }
+    choice->setItemText(0, none);
     choice->setCurrentIndex(std::max(0, choice->findData(chosen)));
 }
 
@@ -169,7 +170,8 @@ void HandPanel::Fields::refreshButtons() {
     forceButton_->parentWidget()->setVisible(state.hasDevice && state.motors && state.buttons > 0);
     showButton(clutchButton_, HandPanel::tr("none"), spindleButton + 1, state.buttons, state.clutchButton);
     showButton(levelButton_, HandPanel::tr("none"), spindleButton + 1, state.buttons, state.levelButton);
-    showButton(forceButton_, HandPanel::tr("always"), spindleButton, state.buttons, state.forceButton);
+    showButton(forceButton_, state.pushesOnButton ? HandPanel::tr("with button 1") : HandPanel::tr("always"),
+               spindleButton, state.buttons, state.forceButton);
     enableUnless(forceButton_, state.recording ? HandPanel::tr("Stop the recording first.") : QString(),
                  HandPanel::tr("Dead man's switch: the stylus has forces only while this button is held"));
 }

@@ -77,6 +77,7 @@ struct HandState {
     int buttons = 0;      ///< number of buttons of the device
     int clutchButton = 0, levelButton = 0, forceButton = 0; ///< numbers from 1; 0: none
     bool motors = false;                                    ///< whether the device can render forces
+    bool pushesOnButton = false; ///< its force always requires a button: the first one, unless another is chosen
     bool recording = false;
     std::optional<double> battery, heat; ///< 0 … 1, if the device reports them
     bool charging = false;

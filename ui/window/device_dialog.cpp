@@ -91,6 +91,10 @@ void DeviceDialog::layOut() {
                     "felt, not the cutting"));
     friction_ = addShare(*right, tr("Friction felt"), "deviceFriction", &FeltCutting::friction,
                          tr("Friction coefficient where the tool slides without cutting"));
+    assist_ = addShare(*right, tr("Strength of the assist"), "deviceAssist", &FeltCutting::assist,
+                       tr("Ceiling of a gamepad's vibration or a joystick's force, as a share of its strongest effect. "
+                          "Vibration: the strong motor shows how deep you push, the weak one how hard the tool cuts. A "
+                          "joystick pushes only while a button is held, in the test the first one. 0: off"));
     addStockDistance(*right);
     halves->addLayout(right, 1);
     column->addLayout(halves, 1);
@@ -155,8 +159,10 @@ void DeviceDialog::showFelt() {
     felt_ = felt ? settings_.felt(device->id) : FeltCutting{};
     share_->setEnabled(felt);
     friction_->setEnabled(felt);
+    assist_->setEnabled(felt);
     share_->showValue(felt_.gain);
     friction_->showValue(felt_.friction);
+    assist_->showValue(felt_.assist);
 }
 
 void DeviceDialog::keepFelt() {
@@ -184,7 +190,7 @@ void DeviceDialog::choose(int row) {
 
 void DeviceDialog::testOrStop() {
     if (tester_.testing()) return tester_.stop();
-    if (const StylusController::Choice* device = current()) tester_.test(*device, pushed_);
+    if (const StylusController::Choice* device = current()) tester_.test(*device, pushed_, felt_.assist);
 }
 
 void DeviceDialog::moveViewOrNot() {

@@ -58,7 +58,7 @@ private:
     UserSettings& settings_;
     RowList* list_ = nullptr;
     QLabel *limits_ = nullptr, *figures_ = nullptr;
-    QuantityField *force_ = nullptr, *share_ = nullptr, *friction_ = nullptr;
+    QuantityField *force_ = nullptr, *share_ = nullptr, *friction_ = nullptr, *assist_ = nullptr;
     QPushButton *test_ = nullptr, *use_ = nullptr, *moveView_ = nullptr, *axes_ = nullptr;
     Notice* notice_ = nullptr;
     int row_ = 0;

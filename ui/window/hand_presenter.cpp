@@ -64,7 +64,9 @@ void HandPresenter::present() {
     state.clutchButton = settings.clutchButton;
     state.levelButton = settings.levelButton;
     state.forceButton = settings.forceButton;
-    state.motors = workbench_.mill.device()->hasMotors();
+    const StylusDescription& device = *workbench_.mill.device();
+    state.motors = device.hasMotors() || device.assist.works();
+    state.pushesOnButton = device.assist.forceAxes > 0;
     state.recording = workbench_.mill.recording();
     state.battery = hand.health().batteryShare;
     state.charging = hand.health().charging;

@@ -25,7 +25,7 @@ void DeviceTester::askDrivers() {
         });
 }
 
-void DeviceTester::test(const StylusController::Choice& device, double force) {
+void DeviceTester::test(const StylusController::Choice& device, double force, double assist) {
     if (!possible() || device.id.empty()) return;
     forget();
     busy_ = heard_ = true;
@@ -35,7 +35,7 @@ void DeviceTester::test(const StylusController::Choice& device, double force) {
     };
     desk_.tasks.start(
         TaskKind::deviceTest, tr("Testing %1").arg(device.name),
-        [registry = styluses_.registry(), map = styluses_.axisMap(device.id), device, force,
+        [registry = styluses_.registry(), map = styluses_.axisMap(device.id), device, force, assist,
          report](Progress& progress) -> Result<TrialFigures> {
             const Result<AnyStylus> stylus = StylusController::make(registry, device.id, device.mode, map);
             if (!stylus) return stylus.error();
@@ -44,6 +44,7 @@ void DeviceTester::test(const StylusController::Choice& device, double force) {
             TrialSettings settings;
             settings.seconds = longestTest;
             settings.force = force;
+            settings.assist = description.assist.works() ? assist : 0.0;
             settings.report = report;
             return tryDevice(StylusHandle(*stylus), settings, progress);
         },

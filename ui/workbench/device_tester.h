@@ -29,8 +29,8 @@ public:
     bool testing() const noexcept { return busy_; }
     /// Connects a device and reads it until `stop`, `longestTest` at most. Does nothing unless `possible`.
     /// @param force N, upward force while the device's first button is held; more than trialForceLimit is a fault; 0:
-    /// no force
-    void test(const StylusController::Choice& device, double force);
+    /// no force. @param assist ceiling of a device that assists, 0 … 1, with the same button; others ignore it
+    void test(const StylusController::Choice& device, double force, double assist);
     void stop();
     void forget(); ///< Discards all results, including those of a test that is still running
 

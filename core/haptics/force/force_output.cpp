@@ -41,7 +41,8 @@ glm::dvec3 liftOf(double weight, double maximum) noexcept {
 } // namespace
 
 ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
-    : coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
+    : assist_(settings)
+    , coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
     , guideSpring_(couplingGains(settings.stylus, settings.guideShare, settings.tickPeriod), settings.mapping.scale)
     , turnCoupling_(settings)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
@@ -72,6 +73,10 @@ void ForceOutput::render(const ToolMotion& motion, const CuttingForce& cutting, 
     lifted_ += clampLength(lift_ - lifted_, liftStep);
     wrench_.force = rendered_ + lifted_ * ramp_.weight();
     wrench_.torque = turning * ramp_.weight();
+    if (assist_.active()) {
+        const glm::dvec3 away = motion.to.tip - felt(guided, hand.wanted.tip, motion.to.tip).from;
+        wrench_.assist = assist_.advance(away, motion, cutting, hand, ramp_.weight(), period);
+    }
     // A lift does no work except against the handle's own weight: it does not count as energy of the loop.
     passivity_.sent(rendered_);
     turnCoupling_.sent(wrench_.torque);
@@ -141,6 +146,7 @@ void ForceOutput::none(bool fadesIn, Sample& sample) noexcept {
 
 void ForceOutput::nothingSent() noexcept {
     wrench_ = {};
+    wrench_.assist = assist_.none();
     rendered_ = lifted_ = glm::dvec3(0.0);
     turnCoupling_.reset();
     limiter_.reset();

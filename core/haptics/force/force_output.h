@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/cutting/cutting_force.h"
+#include "core/haptics/force/assist_output.h"
 #include "core/haptics/force/coupling.h"
 #include "core/haptics/force/cutting_force_rendering.h"
 #include "core/haptics/force/force_limiter.h"
@@ -54,6 +55,7 @@ private:
                       double period) noexcept;
     PassivityController::Motion motionOf(const Hand& hand) noexcept;
 
+    AssistOutput assist_;
     Coupling coupling_, guideSpring_;
     TurnCoupling turnCoupling_;
     CuttingForceRendering cuttingRendering_;

@@ -3,16 +3,20 @@
 #include "plugins/devices/input_events/driver.h"
 
 #include "plugins/devices/cap/cap_driver.h"
+#include "plugins/devices/input_events/assisted_stylus.h"
 #include "plugins/devices/input_events/input_devices.h"
 #include "plugins/devices/input_events/pad_source.h"
 #include "plugins/devices/input_events/tablet_stylus.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 
 namespace burin::input_events {
 namespace {
 
-AnyStylus padStylus(ReopenedPort port, const InputDevice& device, const std::string& mode) {
+std::unique_ptr<Stylus> padStylus(ReopenedPort port, const InputDevice& device, const std::string& mode) {
     auto source = std::make_unique<PadSource>(std::move(port));
     cap::CapStylusSettings settings;
     settings.name = device.name;
@@ -22,7 +26,33 @@ AnyStylus padStylus(ReopenedPort port, const InputDevice& device, const std::str
     settings.fullScale = PadReader::fullScale;
     settings.silent = source->reader().controls().silent;
     settings.mode = cap::modeOf(mode);
-    return std::unique_ptr<Stylus>(std::make_unique<cap::CapStylus>(std::move(source), std::move(settings)));
+    return std::make_unique<cap::CapStylus>(std::move(source), std::move(settings));
+}
+
+/// A stick pushes only if it is known which axes are its own.
+AssistAbilities abilitiesOf(const InputDevice& device, const Stylus& pad) {
+    const std::vector<DeviceAxis> axes = pad.axes();
+    const bool stick = axes.size() >= 2 && axes[0].name == "X" && axes[1].name == "Y";
+    return {device.force.rumble, stick ? device.force.axes : 0, ::access(device.node.c_str(), W_OK) == 0};
+}
+
+/// Finds the device by its id each time: its node changes when it is plugged in again.
+OpenEffectPort portOf(const InputDevice& device) {
+    return [id = device.id](int& fault) -> std::unique_ptr<EffectPort> {
+        const std::vector<InputDevice> devices = inputDevices();
+        const auto found = std::ranges::find(devices, id, &InputDevice::id);
+        fault = ENODEV;
+        return found == devices.end() ? nullptr : openEffectPort(found->node, fault);
+    };
+}
+
+AnyStylus assisted(std::unique_ptr<Stylus> pad, const InputDevice& device) {
+    const AssistAbilities abilities = abilitiesOf(device, *pad);
+    if (!abilities.rumble && abilities.forceAxes == 0) return pad;
+    ForceAbilities force = device.force;
+    force.constant = abilities.forceAxes > 0;
+    auto writer = std::make_unique<ForceWriter>(portOf(device), force, device.name, device.node.string());
+    return std::unique_ptr<Stylus>(std::make_unique<AssistedStylus>(std::move(pad), std::move(writer), abilities));
 }
 
 class Driver final : public DeviceDriver {
@@ -47,7 +77,7 @@ public:
         }
         Result<ReopenedPort> port = ReopenedPort::open(*device);
         if (!port) return std::move(port).error();
-        if (pad) return padStylus(std::move(*port), *device, mode);
+        if (pad) return assisted(padStylus(std::move(*port), *device, mode), *device);
         return AnyStylus(std::unique_ptr<Stylus>(std::make_unique<TabletStylus>(std::move(*port), device->name)));
     }
 };

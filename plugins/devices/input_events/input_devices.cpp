@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plugins/devices/input_events/input_devices.h"
 
-#include <linux/input-event-codes.h>
+#include <linux/input.h>
 
 #include <algorithm>
 #include <charconv>
@@ -33,6 +33,26 @@ std::optional<InputKind> kindOf(const fs::path& device) {
     return std::nullopt;
 }
 
+/// Whether the driver of HID PID devices serves this one, or no driver at all (a device made by a program).
+bool isHidPid(const fs::path& device) {
+    std::error_code ignored;
+    const fs::path driver = fs::read_symlink(device / "device/driver", ignored).filename();
+    return driver.empty() || driver == "hid-generic" || driver == "hid-universal-pidff";
+}
+
+ForceAbilities forceOf(const fs::path& device) {
+    const std::string effects = lineOf(device / "capabilities/ff");
+    ForceAbilities force;
+    force.rumble = hasBit(effects, FF_RUMBLE);
+    force.constant = hasBit(effects, FF_CONSTANT);
+    force.spring = hasBit(effects, FF_SPRING);
+    force.damper = hasBit(effects, FF_DAMPER);
+    force.gain = hasBit(effects, FF_GAIN);
+    force.autocentre = hasBit(effects, FF_AUTOCENTER) && isHidPid(device);
+    if (force.constant) force.axes = hasBit(lineOf(device / "capabilities/key"), BTN_WHEEL) ? 1 : 2;
+    return force;
+}
+
 } // namespace
 
 bool hasBit(std::string_view words, unsigned int bit) {
@@ -61,7 +81,7 @@ std::vector<InputDevice> inputDevices(const InputFolders& folders) {
         if (!kind) continue;
         std::string id = lineOf(device / "id/vendor") + ':' + lineOf(device / "id/product");
         if (const std::string serial = lineOf(device / "uniq"); !serial.empty()) id += ':' + serial;
-        found.push_back({std::move(id), lineOf(device / "name"), folders.nodes / event, *kind});
+        found.push_back({std::move(id), lineOf(device / "name"), folders.nodes / event, *kind, forceOf(device)});
     }
     // In the order in which they were plugged in, as far as that is known.
     const auto number = [](const InputDevice& device) {

@@ -36,12 +36,14 @@ public:
     }
     void write(const Wrench& wrench) noexcept override {
         forces.push_back(wrench.force);
-        if (!held && wrench.force != glm::dvec3(0.0)) pushedUnheld = true;
+        assists.push_back(wrench.assist);
+        if (!held && (wrench.force != glm::dvec3(0.0) || wrench.assist.ceiling > 0.0)) pushedUnheld = true;
     }
 
     StylusDescription told = desktopStylus();
     std::optional<Error> fault;
     std::vector<glm::dvec3> forces;
+    std::vector<Assist> assists;
     bool refuses = false, held = false, pushedUnheld = false;
     int opened = 0, closed = 0, readings = 0;
 };
@@ -97,6 +99,45 @@ private slots:
             before = force.z;
         }
         QCOMPARE(stylus.forces.back(), glm::dvec3(0.0));
+    }
+
+    void aDeviceThatAssistsIsTestedWhileTheButtonIsHeld() {
+        MovedStylus stylus;
+        stylus.told.buttons = 1;
+        stylus.told.actuated = {};
+        stylus.told.assist.forceAxes = 2;
+        Progress progress;
+        TrialSettings settings;
+        settings.seconds = 1.2;
+        settings.assist = 0.5;
+        const Result<TrialFigures> figures = tryDevice(StylusHandle(stylus), settings, progress);
+        QVERIFY(figures && !stylus.pushedUnheld);
+        double most = 0.0;
+        for (const Assist& assist : stylus.assists) most = std::max(most, assist.force.x);
+        // A gap at every tenth reading lets the strength rise anew; otherwise it would reach 0.3 in the 0.6 s.
+        QCOMPARE(figures->maximumAssist, most);
+        QVERIFY(most > 0.0 && most <= 0.5 * (0.6 + figures->maximumInterval));
+        for (const double refused : {-0.1, 1.1, std::nan("")}) {
+            settings.assist = refused;
+            QCOMPARE(tryDevice(StylusHandle(stylus), settings, progress).error().code, ErrorCode::argumentInvalid);
+        }
+        stylus.told.assist.permitted = false;
+        settings.assist = 0.1;
+        QCOMPARE(tryDevice(StylusHandle(stylus), settings, progress).error().code, ErrorCode::argumentInvalid);
+    }
+
+    void theEffectsOfATrialTakeTurns() {
+        const auto at = [](double seconds) { return trialAssist(seconds, 0.8); };
+        QCOMPARE(at(0.0).force, glm::dvec3(0.0));
+        QCOMPARE(at(0.5).force, glm::dvec3(0.4, 0.0, 0.0));
+        QCOMPARE(at(1.25).force, glm::dvec3(0.0, 0.2, 0.0));
+        QCOMPARE(at(2.5).force, glm::dvec3(-0.4, 0.0, 0.0));
+        QCOMPARE(at(3.5).force, glm::dvec3(0.0, -0.4, 0.0));
+        QCOMPARE(at(4.5).force, glm::dvec3(0.4, 0.0, 0.0));
+        QVERIFY(at(0.5).contact == 0.4 && at(0.5).load == 0.0);
+        QVERIFY(at(1.5).contact == 0.0 && at(1.5).load == 0.4);
+        QCOMPARE(at(7.75).ceiling, 0.8);
+        QVERIFY(glm::length(at(1e9 + 0.5).force) <= 0.8);
     }
 
     void aForceThatItMayNotHaveIsRefused_data() {
