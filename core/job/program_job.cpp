@@ -308,7 +308,7 @@ Result<std::vector<CuttingConditions>> conditionsByMaterial(const MillingContext
 
 Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const MillingContext& milling,
                                      const Tool& tool, const StoredPath& path, std::span<const MilledPath> before,
-                                     Progress& progress) {
+                                     Progress& progress, const EvaluationHelp& help) {
     const Property& material = milling.embedded.workpiece.properties()[milling.embedded.stockProperty];
     const Result<CuttingConditions> conditions =
         cuttingConditions(tool, material, milling.machine.maximumSpindleSpeed, milling.machine.maximumFeed);
@@ -339,7 +339,7 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const M
     constexpr double editing = 0.9; // share of the work
     Result<EvaluatedPath> evaluated = [&] {
         const ProgressPart part(progress, 0.0, editing);
-        return evaluate(path.name, std::move(strokes), path.edits, context, progress);
+        return evaluate(path.name, std::move(strokes), path.edits, context, progress, help);
     }();
     if (!evaluated) return evaluated;
     if (!tool.cutter.turns()) { // it mills neither climb nor conventional, and clears less than its profile

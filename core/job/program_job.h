@@ -26,7 +26,7 @@ Result<std::vector<SourceStrokes>> strokesOf(const Project& project, const Store
 /// Errors: those of evaluate, millingSides, cuttingConditions and MilledStock::lend.
 Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const MillingContext& milling,
                                      const Tool& tool, const StoredPath& path, std::span<const MilledPath> before,
-                                     Progress& progress);
+                                     Progress& progress, const EvaluationHelp& help = {});
 /// The same with the milling context's tool and sources from a project, as if it were the only path.
 /// Errors: also those of strokesOf.
 Result<EvaluatedPath> evaluateStored(const Project& project, const MillingContext& milling, const StoredPath& path,

@@ -6,6 +6,7 @@
 #include "core/path/apply.h"
 #include "core/path/edit_step.h"
 #include "core/path/hand_trail.h"
+#include "core/path/kept_edits.h"
 #include "core/path/stated_feeds.h"
 #include "core/path/stroke.h"
 
@@ -45,18 +46,31 @@ Error nothingLeft(const std::string& name, const std::vector<EditReport>& report
             remedyOf(part.reason).text};
 }
 
-Result<PathUnderEdit> allStrokes(std::vector<SourceStrokes> sources, const PathContext& context) {
-    PathUnderEdit state;
-    state.hand = std::make_shared<const HandTrail>(sources);
-    state.stated = std::make_shared<const StatedFeeds>(sources);
+Result<EditedState> beforeEdits(std::vector<SourceStrokes> sources, const PathContext& context) {
+    EditedState state;
+    state.path.hand = std::make_shared<const HandTrail>(sources);
+    state.path.stated = std::make_shared<const StatedFeeds>(sources);
     for (SourceStrokes& each : sources) {
         const SourceInfo& info = each.info;
         if (!info.toolId.empty() && info.toolId != context.tool.id)
             return Error{ErrorCode::argumentInvalid, "tool", info.toolId,
                          nameOf(info.source) + "; the path is for " + context.tool.id};
-        std::ranges::move(each.strokes, std::back_inserter(state.strokes));
+        std::ranges::move(each.strokes, std::back_inserter(state.path.strokes));
     }
     return state;
+}
+
+EvaluatedPath pathOf(const std::string& name, const EditedState& state, const PathContext& context) {
+    EvaluatedPath evaluated;
+    evaluated.reports = state.reports;
+    evaluated.errorBudget = state.errorBudget;
+    evaluated.path.name = name;
+    evaluated.path.toolId = context.tool.id;
+    evaluated.path.spindleSpeed = state.path.spindleSpeed;
+    evaluated.path.coolant = state.path.coolant;
+    evaluated.path.leastFeed = state.path.leastFeed;
+    evaluated.path.points = pointsOf(state.path);
+    return evaluated;
 }
 
 } // namespace
@@ -73,36 +87,36 @@ Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>&
 }
 
 Result<EvaluatedPath> evaluate(const std::string& name, std::vector<SourceStrokes> sources,
-                               const std::vector<Edit>& edits, const PathContext& context, Progress& progress) {
+                               const std::vector<Edit>& edits, const PathContext& context, Progress& progress,
+                               const EvaluationHelp& help) {
     if (Result<void> order = checkOrder(edits); !order) return order.error();
     if (!context.tool.cutter.turns())
         for (const Edit& edit : edits)
             if (edit.enabled && !suitsFixedTool(edit.parameters))
                 return Error{ErrorCode::argumentInvalid, "edit", std::string(idOf(edit.parameters)),
                              "no feeds, and links at the safe height without ramps: the tool doesn't turn"};
-    Result<PathUnderEdit> state = allStrokes(std::move(sources), context);
-    if (!state) return state.error();
-    EvaluatedPath evaluated;
+    if (help.kept != nullptr) help.kept->begin(edits, context);
+    const std::size_t begin = help.kept != nullptr ? help.kept->count() : 0;
+    Result<EditedState> state =
+        begin > 0 ? Result<EditedState>(help.kept->newest()) : beforeEdits(std::move(sources), context);
+    if (!state) return std::move(state).error();
+    bool told = !help.first;
     const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, edits.size()));
-    double done = 0.0;
-    for (const Edit& edit : edits) {
+    for (std::size_t i = begin; i < edits.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, name, "", ""};
-        const ProgressPart part(progress, done * share, (done + 1.0) * share);
-        done += 1.0;
-        if (!edit.enabled) continue;
-        if (state->count() == 0) break;
-        Result<EditReport> report = applyOne(edit, *state, context, progress);
+        const ProgressPart part(progress, static_cast<double>(i) * share, static_cast<double>(i + 1) * share);
+        if (!edits[i].enabled) continue;
+        if (state->path.count() == 0) break;
+        Result<EditReport> report = applyOne(edits[i], state->path, context, progress);
         if (progress.cancelled()) return Error{ErrorCode::cancelled, name, "", ""};
         if (!report) return report.error();
-        if (traitsOf(edit.parameters).approximates) evaluated.errorBudget += report->largestDeviation;
-        evaluated.reports.push_back(std::move(*report));
+        if (traitsOf(edits[i].parameters).approximates) state->errorBudget += report->largestDeviation;
+        state->reports.push_back(std::move(*report));
+        if (i + 1 == edits.size()) break;
+        if (help.kept != nullptr) help.kept->keep(i + 1, *state);
+        if (!std::exchange(told, true)) help.first(pathOf(name, *state, context));
     }
-    evaluated.path.name = name;
-    evaluated.path.toolId = context.tool.id;
-    evaluated.path.spindleSpeed = state->spindleSpeed;
-    evaluated.path.coolant = state->coolant;
-    evaluated.path.leastFeed = state->leastFeed;
-    evaluated.path.points = pointsOf(*state);
+    EvaluatedPath evaluated = pathOf(name, *state, context);
     if (evaluated.path.points.empty()) return nothingLeft(name, evaluated.reports);
     progress.report(1.0);
     return evaluated;

@@ -75,6 +75,18 @@ struct EvaluatedPath {
     double errorBudget = 0.0; ///< mm, sum of the deviations of the edits that approximate the path before them
 };
 
+class KeptEdits;
+
+/// What an evaluation gives and takes besides its result.
+struct EvaluationHelp {
+    /// States of earlier evaluations with the same sources; the evaluation begins with the newest of them that is
+    /// before every changed edit, and keeps its own. Null: all edits are applied, none is kept.
+    KeptEdits* kept = nullptr;
+    /// Called once, on the evaluation's thread, with the path after the first edit that had to be applied anew, without
+    /// those after it: for drawing it early. Not called if no edit follows. May be empty.
+    std::function<void(EvaluatedPath path)> first{};
+};
+
 /// Evaluates a path: sources in order, then each edit in order; edits that are not enabled are skipped. The order has
 /// to preserve the guarantees of the edits: they come by their steps (edit_step.h), and an edit that may lead the path
 /// into the part is followed by one that keeps it out before the path is linked. Intervals with shank contact, with the
@@ -85,7 +97,8 @@ struct EvaluatedPath {
 /// of the path had to be left out; place: where, detail: remedyOf the reason), cancelled.
 /// @param sources moved from where possible, so that hours of strokes are not held twice
 Result<EvaluatedPath> evaluate(const std::string& name, std::vector<SourceStrokes> sources,
-                               const std::vector<Edit>& edits, const PathContext& context, Progress& progress);
+                               const std::vector<Edit>& edits, const PathContext& context, Progress& progress,
+                               const EvaluationHelp& help = {});
 /// The same for takes in memory. Errors: also those of StrokeReader.
 Result<EvaluatedPath> evaluate(const std::string& name, const std::vector<Take>& takes, const std::vector<Edit>& edits,
                                const PathContext& context, Progress& progress);

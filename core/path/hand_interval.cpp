@@ -3,7 +3,7 @@
 #include "core/path/hand_interval.h"
 
 #include "core/geometry/arc.h"
-#include "core/geometry/segment.h"
+#include "core/path/path_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,28 +47,6 @@ void forEachDivided(const std::vector<PathPoint>& points, const SourceInterval& 
                 visit(pointBetween(points[i - 1], points[i], tick));
         visit(points[i]);
     }
-}
-
-/// The position on a move that is nearest to a point.
-struct NearOnMove {
-    glm::dvec3 place{0.0};                                     ///< mm
-    double share = 0.0;                                        ///< of the move, 0 … 1
-    double distance = std::numeric_limits<double>::infinity(); ///< mm
-};
-NearOnMove nearestOnMove(const PathPoint& from, const PathPoint& to, const glm::dvec3& place) {
-    constexpr double chord = 0.02; // mm
-    std::vector<glm::dvec3> line{to.pose.tip};
-    if (to.arc) flatten({from.pose.tip, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise}, chord, line);
-    line.insert(line.begin(), from.pose.tip);
-    NearOnMove nearest;
-    for (std::size_t k = 1; k < line.size(); ++k) {
-        const glm::dvec3 at = nearestOnSegment(place, line[k - 1], line[k]);
-        const double distance = glm::distance(place, at), chordLength = glm::distance(line[k - 1], line[k]);
-        if (distance >= nearest.distance) continue;
-        const double share = chordLength > 0.0 ? glm::distance(line[k - 1], at) / chordLength : 0.0;
-        nearest = {at, (static_cast<double>(k - 1) + share) / static_cast<double>(line.size() - 1), distance};
-    }
-    return nearest;
 }
 
 } // namespace
@@ -140,7 +118,7 @@ Moment momentNear(const Path& path, const glm::dvec3& place) {
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         const PathPoint &from = path.points[i - 1], &to = path.points[i];
         if (to.kind == MoveKind::rapid) continue;
-        const NearOnMove near = nearestOnMove(from, to, place);
+        const PlaceOnPath near = nearestOnMove(from, to, place);
         if (near.distance >= least) continue;
         least = near.distance;
         nearest = momentAt(from, to, near.share);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the window keeps up while the sample part is milled with the mouse and the view orbits. Writes a JSON list of
 // figures to standard output and readable text to standard error. With --excess the workpiece is coloured by its excess
-// stock meanwhile. A benchmark is not a test: the exit status is 0.
+// stock meanwhile. With --answers it measures instead how long the window's answers take. A benchmark is not a test:
+// the exit status is 0.
 #include "tests/benchmarks/event_loop.h"
 #include "tests/benchmarks/stall_watch.h"
+#include "tests/benchmarks/window_answers.h"
 #include "tests/benchmarks/window_phases.h"
 #include "tests/benchmarks/window_report.h"
 #include "tests/ui/window_driver.h"
@@ -208,6 +210,13 @@ private:
     Clock::time_point start_;
 };
 
+void answer(WindowDriver& driver, Report& report) {
+    if (!measureAnswers(driver, report))
+        std::cerr << "The answers could not be measured: " << qPrintable(driver.message()) << '\n';
+    report.print();
+    std::cerr << "load after: " << loadAverage() << '\n';
+}
+
 int run(StallWatch& watch) {
     Report report;
     std::cerr << "load before: " << loadAverage() << '\n';
@@ -218,6 +227,10 @@ int run(StallWatch& watch) {
     Observer observer(driver.window());
     if (!importSample(driver, watch, report) || !embedSample(driver, watch, report)) {
         std::cerr << "The sample part could not be embedded: " << qPrintable(driver.message()) << '\n';
+        return 0;
+    }
+    if (QCoreApplication::arguments().contains(QStringLiteral("--answers"))) {
+        answer(driver, report);
         return 0;
     }
 

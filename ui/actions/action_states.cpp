@@ -54,7 +54,8 @@ void ActionStates::update() {
     enable(ActionId::axisOfView, workbench.setup.hasPart() && !workbench.surroundings.locked());
     enable(ActionId::millMode, workbench.workpiece.ready() && !showing);
     enable(ActionId::raster, workbench.workpiece.ready() && !showing);
-    enable(ActionId::showMe, workbench.setup.usable() && !showing && !workbench.mill.active());
+    enable(ActionId::showMe,
+           workbench.setup.usable() && !showing && !workbench.mill.active() && !workbench.stylusEditor.active());
     enable(ActionId::stopShow, showing);
     enable(ActionId::nearestEdge, workbench.guides.hasEdges() && !workbench.guides.full());
     enable(ActionId::levelAbove, workbench.mill.active());
@@ -80,6 +81,8 @@ void ActionStates::update() {
     enable(ActionId::drawInterval, workbench.path.selection().has_value());
     enable(ActionId::insertPoint,
            workbench.path.selection() && workbench.path.selection()->source != 0 && workbench.path.evaluated());
+    enable(ActionId::stylusEdit, workbench.stylusEditor.active() || (workbench.stylusEditor.possible() && !showing));
+    actions_[ActionId::stylusEdit]->setChecked(workbench.stylusEditor.active());
     enable(ActionId::drawEdit, workbench.path.evaluated() && workbench.path.stored() != nullptr &&
                                    lastDrawn(workbench.path.stored()->edits));
     enable(ActionId::post, workbench.program.postable());

@@ -250,6 +250,9 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Insert a point where the path is selected. Drag it in the view to move it; the "
                                      "stroke follows it smoothly."),
         "Ins"},
+    Row{ActionId::stylusEdit, "stylusEditAction", QT_TRANSLATE_NOOP("Actions", "Edit with the st&ylus"),
+        QT_TRANSLATE_NOOP("Actions", "Move points of the path with the chosen stylus, and feel part and fixtures."),
+        "Ctrl+Alt+E", true},
     Row{ActionId::drawEdit, "drawEditAction", QT_TRANSLATE_NOOP("Actions", "Draw for an ed&it"),
         QT_TRANSLATE_NOOP("Actions", "Draw the area, the guide or the mirror plane of the last edit that has one."),
         "Ctrl+Alt+D"},

@@ -102,6 +102,7 @@ enum class ActionId : std::size_t {
     comparePaths,
     drawInterval,
     insertPoint,
+    stylusEdit,
     drawEdit,
     post,
     findInProgram,

@@ -66,6 +66,10 @@ void PathHand::setChosen(bool chosen) {
     if (std::exchange(chosen_, chosen) != chosen) emit stateChanged();
 }
 
+void PathHand::setEscape(const QString& meaning) {
+    if (std::exchange(escape_, meaning) != meaning) emit stateChanged();
+}
+
 /// @return the previous state
 PathHand::Doing PathHand::become(Doing what) {
     const Doing before = std::exchange(doing_, what);
@@ -189,6 +193,8 @@ bool PathHand::key(int key, Qt::KeyboardModifiers) {
     if (key != Qt::Key_Escape) return false;
     if (doing_ != Doing::nothing)
         giveUp();
+    else if (!escape_.isEmpty() && !height_)
+        emit escaped();
     else if (height_ || chosen_)
         emit cleared();
     else
@@ -199,6 +205,7 @@ bool PathHand::key(int key, Qt::KeyboardModifiers) {
 QString PathHand::escapeMeaning() {
     if (doing_ != Doing::nothing) return tr("Esc: cancel");
     if (height_) return tr("Esc: cancel drawing");
+    if (!escape_.isEmpty()) return escape_;
     return chosen_ ? tr("Esc: clear the selection") : QString();
 }
 

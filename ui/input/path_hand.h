@@ -55,6 +55,9 @@ public:
     /// Points that are dragged by themselves, before the path at the same position; mm, setup frame.
     void setHandles(std::vector<glm::dvec3> handles);
     void setChosen(bool chosen); ///< whether there is a selection, which Esc clears
+    /// Esc without an operation ends something else before it clears the selection. @param meaning as `escapeMeaning`;
+    /// empty: it does not
+    void setEscape(const QString& meaning);
     void setAlong(DragAlong along) { along_ = along; }
     /// Draws at a height, mm; empty: selects and drags.
     void setDrawing(std::optional<double> height);
@@ -79,6 +82,7 @@ signals:
     void givenUp();                                                             ///< the current operation is discarded
     void stateChanged();                                                        ///< the meaning of Esc may have changed
     void cleared(); ///< Esc without an operation, but with a selection or a drawing that has not begun
+    void escaped(); ///< Esc without an operation, after `setEscape`
 
 private:
     enum class Doing : std::uint8_t { nothing, pressed, dragging, drawing };
@@ -95,6 +99,7 @@ private:
     Appearance appearance_;
     std::vector<HandPoint> points_;
     bool chosen_ = false;
+    QString escape_;
     DragAlong along_ = DragAlong::level;
     std::optional<double> height_;
     Doing doing_ = Doing::nothing;

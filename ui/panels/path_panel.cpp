@@ -34,6 +34,7 @@ public:
     explicit Fields(PathPanel* panel);
     void refresh();
     void refreshSelection() { selection_->setState(state, unit); }
+    void showStylus(const StylusEditState& stylus, LengthUnit lengths) { selection_->setStylus(stylus, lengths); }
 
     PathState state;
     LengthUnit unit = LengthUnit::millimetre;
@@ -112,6 +113,8 @@ PathPanel::Fields::Fields(PathPanel* panel)
     connect(selection_, &SelectionCard::dragChosen, panel, &PathPanel::dragChosen);
     connect(selection_, &SelectionCard::drawingRequested, panel, &PathPanel::drawingRequested);
     connect(selection_, &SelectionCard::cleared, panel, &PathPanel::selectionCleared);
+    connect(selection_, &SelectionCard::stylusRequested, panel, &PathPanel::stylusRequested);
+    connect(selection_, &SelectionCard::stylusReachEdited, panel, &PathPanel::stylusReachEdited);
     inner->addWidget(selection_);
     inner->addWidget(makeSectionTitle(PathPanel::tr("Edits, in order"), content_));
     add_ = makeButton(PathPanel::tr("Add an edit"), QStringLiteral("add"), QStringLiteral("addEditButton"), content_);
@@ -437,6 +440,10 @@ void PathPanel::Fields::refresh() {
 PathPanel::PathPanel(QWidget* parent) : QWidget(parent), fields_(new Fields(this)) {
     setObjectName(QStringLiteral("pathPanel"));
     fields_->refresh();
+}
+
+void PathPanel::setStylusEdit(const StylusEditState& state, LengthUnit unit) {
+    fields_->showStylus(state, unit);
 }
 
 void PathPanel::setAtTime(const TimelinesPlace& place) {

@@ -20,7 +20,8 @@ public:
     void setUnit(LengthUnit unit);
     void setState(const PathState& state);       ///< never emits
     void setAtTime(const TimelinesPlace& place); ///< the part of the state that changes while the timeline is moved
-    AreaCard& area() const;                      ///< the section of the panel for the area of the next pass
+    void setStylusEdit(const StylusEditState& state, LengthUnit unit); ///< never emits
+    AreaCard& area() const; ///< the section of the panel for the area of the next pass
 
 signals:
     void toolChosen(const std::string& id); ///< one of the tools that have takes
@@ -41,6 +42,8 @@ signals:
     void drawingRequested(bool wanted); ///< of a replacement for the selected part of the path
     void fieldDrawingRequested(const burin::DrawnField& field, bool wanted);
     void selectionCleared();
+    void stylusRequested(bool wanted);    ///< to edit with the stylus
+    void stylusReachEdited(double reach); ///< mm
     void evaluateRequested();
     void visibilityToggled(bool shown);
 

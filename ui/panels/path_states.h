@@ -36,6 +36,15 @@ struct TimelinesPlace {
     std::optional<glm::dvec3> place; ///< mm, setup frame; empty: the path doesn't have that moment
 };
 
+/// Editing with the stylus, which changes while it moves.
+struct StylusEditState {
+    bool active = false;
+    bool device = false;                                   ///< whether a device moves the tool, which has a reach
+    double reach = 0.0, leastReach = 0.0, mostReach = 0.0; ///< mm
+    QString text;                                          ///< what it does, while active
+    QString missing;                                       ///< why it is not possible; empty: it is
+};
+
 struct PathState {
     struct Tool {
         std::string id;

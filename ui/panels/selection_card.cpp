@@ -8,6 +8,7 @@
 #include "ui/panels/field_row.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/hand_times.h"
+#include "ui/panels/length_field.h"
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
@@ -21,7 +22,10 @@ SelectionCard::SelectionCard(QWidget* parent)
     , clear_(makeIconButton(QStringLiteral("cancel"), tr("Clear the selection (Esc in the view)"),
                             QStringLiteral("clearSelectionButton"), this))
     , drag_(new ChoiceBox(this))
-    , draw_(makeButton(tr("Draw instead"), QStringLiteral("path"), QStringLiteral("drawStretchButton"), this)) {
+    , draw_(makeButton(tr("Draw instead"), QStringLiteral("path"), QStringLiteral("drawStretchButton"), this))
+    , stylus_(makeButton(tr("Edit with the stylus"), QStringLiteral("edit"), QStringLiteral("stylusEditButton"), this))
+    , reach_(new LengthField(this))
+    , stylusText_(new ElidedLabel({}, this)) {
     setProperty("look", "card");
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(10, 6, 8, 8);
@@ -44,9 +48,39 @@ SelectionCard::SelectionCard(QWidget* parent)
     draw_->setCheckable(true);
     draw_->setProperty("look", "choice");
     column->addWidget(draw_);
+    addStylus(*column);
     connect(drag_, &QComboBox::activated, this, [this](int index) { emit dragChosen(static_cast<DragChoice>(index)); });
     connect(draw_, &QPushButton::clicked, this, &SelectionCard::drawingRequested);
     connect(clear_, &QToolButton::clicked, this, &SelectionCard::cleared);
+}
+
+void SelectionCard::addStylus(QVBoxLayout& column) {
+    stylus_->setCheckable(true);
+    stylus_->setProperty("look", "choice");
+    column.addWidget(stylus_);
+    reach_->setObjectName(QStringLiteral("stylusReach"));
+    reachRow_ = new FieldRow(
+        tr("Reach"), reach_,
+        tr("Distance from the tool's tip within which a device takes the nearest point of the path"), this);
+    column.addWidget(reachRow_);
+    stylusText_->setObjectName(QStringLiteral("stylusEditText"));
+    column.addWidget(stylusText_);
+    reachRow_->hide();
+    stylusText_->hide();
+    connect(stylus_, &QPushButton::clicked, this, &SelectionCard::stylusRequested);
+    connect(reach_, &LengthField::valueEdited, this, &SelectionCard::stylusReachEdited);
+}
+
+void SelectionCard::setStylus(const StylusEditState& state, LengthUnit unit) {
+    stylus_->setChecked(state.active);
+    enableUnless(stylus_, state.missing,
+                 tr("Move points of the path with the chosen stylus, and feel part and fixtures meanwhile"));
+    reach_->setLengthUnit(unit);
+    reach_->limit(state.leastReach, state.mostReach);
+    reach_->showValue(state.reach);
+    reachRow_->setVisible(state.active && state.device);
+    stylusText_->setText(state.text);
+    stylusText_->setVisible(state.active);
 }
 
 void SelectionCard::showTimelinesPlace(const PathState& state, LengthUnit unit) {

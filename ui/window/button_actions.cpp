@@ -41,14 +41,14 @@ std::optional<ActionId> windowAction(ButtonAction action) {
 ButtonActions::ButtonActions(Workbench& workbench, const Actions& actions, QObject* parent)
     : QObject(parent), workbench_(workbench), actions_(actions) {
     connect(&workbench_.session, &SessionRunner::ticked, this, &ButtonActions::follow);
-    connect(&workbench_.mill, &MillController::left, this, [this] { pressed_ = 0; });
+    connect(&workbench_.session, &SessionRunner::ended, this, [this] { pressed_ = 0; });
 }
 
 void ButtonActions::follow() {
     const std::uint32_t now = workbench_.session.state().sample.buttons;
     const std::uint32_t fresh = now & ~std::exchange(pressed_, now);
-    if (fresh == 0 || !workbench_.mill.active() || !workbench_.mill.device()) return;
-    const AxisMap& map = workbench_.mill.axisMap();
+    if (fresh == 0 || !workbench_.hand.device()) return;
+    const AxisMap& map = workbench_.hand.device()->axisMap;
     for (std::size_t bit = 1; bit < AxisMap::mostButtons; ++bit) {
         if ((fresh >> bit & 1U) == 0) continue;
         if (const auto action = windowAction(map.buttons[buttonOfBit(map, bit)])) actions_[*action]->trigger();

@@ -9,7 +9,7 @@
 
 namespace burin {
 
-/// Triggers the actions of the window that the user assigned to buttons of the device that mills.
+/// Triggers the actions of the window that the user assigned to buttons of the device in use.
 class ButtonActions final : public QObject {
     Q_OBJECT
 public:

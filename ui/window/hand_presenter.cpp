@@ -64,7 +64,7 @@ void HandPresenter::present() {
     state.clutchButton = settings.clutchButton;
     state.levelButton = settings.levelButton;
     state.forceButton = settings.forceButton;
-    const StylusDescription& device = *workbench_.mill.device();
+    const StylusDescription& device = hand.device()->description;
     state.motors = device.hasMotors() || device.assist.works();
     state.pushesOnButton = device.assist.forceAxes > 0;
     state.recording = workbench_.mill.recording();

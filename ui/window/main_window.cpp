@@ -243,6 +243,7 @@ void MainWindow::showStep(JobStep step) {
         presenters_->setups.leave();
         presenters_->part.setShown(false);
     }
+    presenters_->stylusEdit.setShown(step);
     presenters_->zero.setShown(step);
     presenters_->fixtures.setShown(step);
     presenters_->gizmo.setShown(step);

@@ -36,7 +36,7 @@ void MainWindow::connectActions() {
     on(ActionId::millMode, [this](bool wanted) {
         showStep(JobStep::mill);
         if (wanted)
-            workbench_.mill.enter();
+            workbench_.stylusEditor.leave([this] { workbench_.mill.enter(); });
         else
             workbench_.mill.leave();
     });
@@ -51,6 +51,12 @@ void MainWindow::connectActions() {
         showStep(JobStep::path);
         presenters_->pathScene.toggleLastDrawing();
     });
+    on(ActionId::stylusEdit, [this](bool wanted) {
+        if (wanted) showStep(JobStep::path);
+        presenters_->stylusEdit.toggle(wanted);
+    });
+    connect(&presenters_->stylusEdit, &StylusEditPresenter::told, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
     on(ActionId::findInProgram, [this] {
         showStep(JobStep::program);
         panels_->program->editor().startSearch();

@@ -57,7 +57,7 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              showMe,      stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
             {newPath, newPass, programPath, measurePasses, refreshPasses, brushArea, lassoArea, faceArea, clearArea,
-             pickHoles, evaluatePath, comparePaths, line, drawInterval, insertPoint, drawEdit});
+             pickHoles, evaluatePath, comparePaths, line, drawInterval, insertPoint, stylusEdit, drawEdit});
     addMenu(bar, tr("P&rogram"), "programMenu", actions,
             {post, exportProgram, overrideCheck, restart, inspectFaces, line, findInProgram, breakpoint, programDock,
              line, machines});

@@ -158,7 +158,7 @@ QString MillPresenter::hint() {
     const MillController& mill = workbench_.mill;
     const auto& bounds = workbench_.workpiece.bounds();
     if (!mill.active() || !bounds) return hint_ = {};
-    const StylusDescription* stylus = mill.device() ? &*mill.device() : nullptr;
+    const StylusDescription* stylus = mill.device() ? &mill.device()->description : nullptr;
     QString now = hintSentence(workbench_.session.state(), *bounds, stylus, workbench_.hand.settings().forceButton);
     if (now.isEmpty() && mode_.penLeans() && !bounds->axis().free)
         now = tr("The tool axis is fixed, so the pen's tilt has no effect. Choose the axis “free, with the hand” in "

@@ -12,13 +12,6 @@ namespace {
 
 constexpr double draggedSteps = 16.0; // number of steps of an arc while it is dragged
 
-glm::dvec3 placeOf(const std::vector<PathPoint>& points, const PathPlace& place) {
-    const PathPoint &from = points[place.piece], &to = points[place.piece + 1];
-    if (!to.arc) return glm::mix(from.pose.tip, to.pose.tip, place.share);
-    const Arc arc = arcOf(from.pose.tip, to);
-    return placeOn(arc, turnOf(arc), place.share);
-}
-
 class DraggedShape {
 public:
     DraggedShape(const std::vector<PathPoint>& points, const PathPlace& place, const glm::dvec3& by, double reach,
@@ -69,6 +62,13 @@ private:
 
 Arc arcOf(const glm::dvec3& from, const PathPoint& to) {
     return {from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
+}
+
+glm::dvec3 placeOf(const std::vector<PathPoint>& points, const PathPlace& place) {
+    const PathPoint &from = points[place.piece], &to = points[place.piece + 1];
+    if (!to.arc) return glm::mix(from.pose.tip, to.pose.tip, place.share);
+    const Arc arc = arcOf(from.pose.tip, to);
+    return placeOn(arc, turnOf(arc), place.share);
 }
 
 std::vector<glm::dvec3> draggedShape(const std::vector<PathPoint>& points, const PathPlace& place, const glm::dvec3& by,

@@ -14,6 +14,9 @@ namespace burin {
 /// The arc of the move to a point that has one. @param from start of the move, mm
 Arc arcOf(const glm::dvec3& from, const PathPoint& to);
 
+/// The point at a position on a path, mm, setup frame.
+glm::dvec3 placeOf(const std::vector<PathPoint>& points, const PathPlace& place);
+
 /// The fraction of a displacement that a point gets at a distance along the path from the one that is dragged, mm.
 using DragShare = std::function<double(double distance)>;
 

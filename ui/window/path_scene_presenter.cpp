@@ -17,18 +17,7 @@ namespace burin {
 
 namespace {
 
-constexpr std::string_view areaKey = "outline_mm";
 constexpr double markedChord = 0.02; // mm, chord error of the mark of an arc
-
-std::vector<glm::dvec3> closed(std::vector<glm::dvec3> outline) {
-    if (!outline.empty()) outline.push_back(outline.front());
-    return outline;
-}
-
-/// Identifies an edit of a path as long as it is not changed.
-std::string keyOf(const StoredPath& path, std::size_t edit) {
-    return std::to_string(path.id) + ' ' + std::to_string(edit) + ' ' + toJson(path.edits[edit]);
-}
 
 /// The points, and points on the arcs between them.
 std::vector<glm::dvec3> drawnLine(const std::vector<PathPoint>& points) {
@@ -44,7 +33,7 @@ std::vector<glm::dvec3> drawnLine(const std::vector<PathPoint>& points) {
 } // namespace
 
 PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport, QObject* parent)
-    : Presenter(workbench, {&workbench.path, &workbench.mill}, parent)
+    : Presenter(workbench, {&workbench.path, &workbench.mill, &workbench.stylusEditor}, parent)
     , viewport_(viewport)
     , hand_([&viewport](const glm::dvec3& place) { return viewport.project(place); }) {
     const auto showPreview = [this] {
@@ -67,15 +56,20 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
     connect(&hand_, &PathHand::dropped, this, &PathScenePresenter::drop);
     connect(&hand_, &PathHand::handleDragging, this, &PathScenePresenter::showHandleDrag);
     connect(&hand_, &PathHand::handleDropped, this, [this](std::size_t handle, const glm::dvec3& by) {
-        if (handle < inserted_.size()) workbench_.path.moveInserted(inserted_[handle].edit, by);
+        if (workbench_.stylusEditor.held())
+            workbench_.stylusEditor.letGo();
+        else if (handle < inserted_.size())
+            workbench_.path.moveInserted(inserted_[handle].edit, by);
     });
     connect(&hand_, &PathHand::menuRequested, this, &PathScenePresenter::showMenu);
     connect(&hand_, &PathHand::drawing, this, &PathScenePresenter::showDrawing);
     connect(&hand_, &PathHand::drawn, this, &PathScenePresenter::finishDrawing);
     connect(&hand_, &PathHand::givenUp, this, [this] {
         drawn_.clear();
+        workbench_.stylusEditor.giveUp();
         markSelection();
     });
+    connect(&hand_, &PathHand::escaped, this, &PathScenePresenter::escape);
     connect(&hand_, &PathHand::cleared, this,
             [this] { drawing_ ? setDrawing(false) : workbench_.path.clearSelection(); });
 }
@@ -89,40 +83,6 @@ void PathScenePresenter::setDrag(DragChoice drag) {
     drag_ = drag;
     hand_.setAlong(static_cast<DragAlong>(drag));
     takeInserted();
-    emit changed();
-}
-
-void PathScenePresenter::setDrawing(bool wanted) {
-    field_.reset();
-    startDrawing(wanted ? heightOf(workbench_.path.selection()) : std::nullopt);
-}
-
-void PathScenePresenter::setFieldDrawing(const DrawnField& field, bool wanted) {
-    const StoredPath* path = workbench_.path.stored();
-    if (!wanted || path == nullptr || field.edit >= path->edits.size()) {
-        setDrawing(false);
-        return;
-    }
-    field_ = field;
-    drawnFor_ = keyOf(*path, field.edit);
-    std::optional<SourceInterval> interval;
-    for (const EditField& each : fieldsOf(path->edits[field.edit].parameters))
-        if (const auto* meant = std::get_if<SourceInterval>(&each.value)) interval = *meant;
-    startDrawing(heightOf(interval));
-}
-
-void PathScenePresenter::toggleLastDrawing() {
-    const StoredPath* path = workbench_.path.stored();
-    const std::optional<DrawnField> last = path != nullptr ? lastDrawn(path->edits) : std::nullopt;
-    if (last) setFieldDrawing(*last, field_ != last);
-}
-
-void PathScenePresenter::startDrawing(std::optional<double> height) {
-    drawing_ = height.has_value();
-    if (!drawing_) field_.reset();
-    drawn_.clear();
-    hand_.setDrawing(height);
-    if (drawing_) viewport_.setFocus(); // so that drawing receives Esc, wherever it was started
     emit changed();
 }
 
@@ -184,13 +144,6 @@ Edit PathScenePresenter::withinStock(Edit edit) const {
     return edit;
 }
 
-/// Whether the selection or edit for which drawing was started still exists unchanged.
-bool PathScenePresenter::stillMeant() const {
-    if (!field_) return workbench_.path.selection().has_value();
-    const StoredPath* path = workbench_.path.stored();
-    return path != nullptr && field_->edit < path->edits.size() && keyOf(*path, field_->edit) == drawnFor_;
-}
-
 void PathScenePresenter::present() {
     const bool active = shown_ && workbench_.path.evaluated() && !workbench_.mill.active();
     if (active != active_) {
@@ -204,6 +157,9 @@ void PathScenePresenter::present() {
     shownPlace_ = placeOnPath();
     if (!workbench_.path.pointsElsewhere()) lookedAt_.reset();
     hand_.setChosen(active_ && workbench_.path.pointed().has_value());
+    hand_.setEscape(!workbench_.stylusEditor.active() ? QString()
+                    : workbench_.stylusEditor.held()  ? tr("Esc: leave the point where it was")
+                                                      : tr("Esc: put the stylus down"));
     if (drawing_ && (!active || !stillMeant())) setDrawing(false);
     showOutlines();
     if (active_) markSelection();
@@ -227,17 +183,10 @@ void PathScenePresenter::takePath() {
 void PathScenePresenter::takeInserted() {
     inserted_.clear();
     const StoredPath* path = workbench_.path.stored();
-    if (path_ && path != nullptr && !workbench_.path.outdated()) {
-        auto report = path_->reports.begin();
-        for (std::size_t i = 0; i < path->edits.size() && report != path_->reports.end(); ++i) {
-            if (!path->edits[i].enabled) continue;
-            for (const glm::dvec3& place : report->inserted) inserted_.push_back({place, i});
-            ++report;
-        }
-    }
+    if (path_ && path != nullptr && !workbench_.path.outdated()) inserted_ = insertedPoints(*path_, path->edits);
     std::vector<glm::dvec3> handles;
     if (drag_ != DragChoice::surface) // on the surface, the path itself is dragged
-        for (const Inserted& point : inserted_) handles.push_back(point.place);
+        for (const InsertedPoint& point : inserted_) handles.push_back(point.place);
     hand_.setHandles(std::move(handles));
 }
 
@@ -246,14 +195,38 @@ void PathScenePresenter::markSelection() {
         showDrawing(drawn_);
         return;
     }
-    PlaceChains marked;
+    marks_.clear();
     if (lookedAt_)
-        marked.push_back({*lookedAt_});
+        marks_.push_back({*lookedAt_});
     else
-        for (const std::vector<PathPoint>& chain : chosenPoints()) marked.push_back(drawnLine(chain));
-    for (const Inserted& point : inserted_) marked.push_back({point.place});
-    if (shownPlace_) marked.push_back({*shownPlace_});
-    viewport_.setMoveMark(marked);
+        for (const std::vector<PathPoint>& chain : chosenPoints()) marks_.push_back(drawnLine(chain));
+    for (const InsertedPoint& point : inserted_) marks_.push_back({point.place});
+    if (shownPlace_) marks_.push_back({*shownPlace_});
+    drawMarks();
+}
+
+void PathScenePresenter::setStylusMarks(const PlaceChains& marks) {
+    if (marks == stylusMarks_) return;
+    stylusMarks_ = marks;
+    if (active_ && drawn_.empty()) drawMarks();
+}
+
+void PathScenePresenter::drawMarks() {
+    PlaceChains all = marks_;
+    all.insert(all.end(), stylusMarks_.begin(), stylusMarks_.end());
+    viewport_.setMoveMark(all);
+}
+
+/// @return false: the pointer moves the point by itself
+bool PathScenePresenter::leadStylus(const PathGrip& grip, const glm::dvec3& by) {
+    if (!workbench_.stylusEditor.usesMouse()) return false;
+    workbench_.stylusEditor.lead(grip, by);
+    return true;
+}
+
+void PathScenePresenter::escape() {
+    StylusEditor& editor = workbench_.stylusEditor;
+    editor.held() ? editor.giveUp() : editor.leave();
 }
 
 /// The point of the path at the time on the timeline.
@@ -274,9 +247,12 @@ void PathScenePresenter::showHandleDrag(std::size_t handle, const std::optional<
                                         const glm::dvec3& by) {
     const StoredPath* path = workbench_.path.stored();
     if (!path_ || path == nullptr || handle >= inserted_.size()) return;
-    const auto* edit = std::get_if<InsertPoint>(&path->edits[inserted_[handle].edit].parameters);
+    const InsertedPoint& point = inserted_[handle];
+    const PathPlace on = place.value_or(PathPlace{});
+    if (leadStylus({{on.piece, on.share, point.place, 0.0}, point.edit}, by)) return;
+    const auto* edit = std::get_if<InsertPoint>(&path->edits[point.edit].parameters);
     if (edit == nullptr) return;
-    PlaceChains shape{{inserted_[handle].place + by}};
+    PlaceChains shape{{point.place + by}};
     if (place)
         shape.push_back(draggedShape(path_->path.points, *place, by, edit->length,
                                      [edit](double way) { return way > 0.0 ? edit->shareAt(way) : 1.0; }));
@@ -285,93 +261,18 @@ void PathScenePresenter::showHandleDrag(std::size_t handle, const std::optional<
 
 void PathScenePresenter::showDrag(const PathPlace& place, const glm::dvec3& by) {
     const MovePoints edit;
+    if (path_ && leadStylus({{place.piece, place.share, placeOf(path_->path.points, place), 0.0}, std::nullopt}, by))
+        return;
     if (path_)
         viewport_.setMoveMark({draggedShape(path_->path.points, place, by, edit.falloff,
                                             [&edit](double way) { return edit.shareAt(way); })});
 }
 
 void PathScenePresenter::drop(const PathPlace& place, const glm::dvec3& by) {
+    if (workbench_.stylusEditor.held()) return workbench_.stylusEditor.letGo();
     if (!path_) return;
     workbench_.path.movePlace(momentOf(place), by,
                               drag_ == DragChoice::surface ? MovePoints::Along::surface : MovePoints::Along::free);
-}
-
-void PathScenePresenter::showDrawing(const std::vector<glm::dvec3>& places) {
-    drawn_ = places;
-    PlaceChains lines{drawsArea() ? closed(places) : places};
-    const StoredPath* path = workbench_.path.stored();
-    if (field_ && path != nullptr && field_->edit < path->edits.size()) {
-        EditParameters parameters = path->edits[field_->edit].parameters;
-        setDrawn(parameters, field_->key, places);
-        if (const auto* mirror = std::get_if<Mirror>(&parameters)) lines.push_back(outlineOf(*mirror));
-    }
-    viewport_.setMoveMark(lines);
-}
-
-void PathScenePresenter::finishDrawing(const std::vector<glm::dvec3>& places) {
-    const std::optional<DrawnField> field = stillMeant() ? field_ : std::nullopt;
-    const bool lost = field_ && !field;
-    setDrawing(false);
-    if (lost) return;
-    const StoredPath* path = workbench_.path.stored();
-    if (!field) {
-        workbench_.path.replaceSelection(asTheHandWent(places));
-    } else if (path != nullptr && field->edit < path->edits.size()) {
-        Edit edit = path->edits[field->edit];
-        setDrawn(edit.parameters, field->key, places);
-        workbench_.path.changeEdit(field->edit, edit);
-    }
-}
-
-/// Reverses the drawing if its ends then match those of the selection better: drawing from right to left what the hand
-/// milled from left to right should not add moves there and back.
-std::vector<glm::dvec3> PathScenePresenter::asTheHandWent(std::vector<glm::dvec3> places) const {
-    const PathPoint *first = nullptr, *last = nullptr;
-    const std::vector<std::vector<PathPoint>> chosen = chosenPoints();
-    for (const std::vector<PathPoint>& chain : chosen)
-        for (const PathPoint& point : chain) {
-            if (first == nullptr || point.sample < first->sample) first = &point;
-            if (last == nullptr || point.sample > last->sample) last = &point;
-        }
-    if (first == nullptr || places.empty()) return places;
-    const auto apart = [&](const glm::dvec3& begin, const glm::dvec3& end) {
-        return glm::distance(begin, first->pose.tip) + glm::distance(end, last->pose.tip);
-    };
-    if (apart(places.back(), places.front()) < apart(places.front(), places.back())) std::ranges::reverse(places);
-    return places;
-}
-
-bool PathScenePresenter::drawsArea() const {
-    return field_ && field_->key == areaKey;
-}
-
-/// The intersection of the plane with the stock, slightly enlarged.
-std::vector<glm::dvec3> PathScenePresenter::outlineOf(const Mirror& mirror) const {
-    constexpr double beyond = 5.0; // mm
-    const auto& milling = workbench_.workpiece.milling();
-    if (!milling) return {};
-    const Box box = milling->setup.stock.grown(beyond);
-    const int along = mirror.across == Mirror::Across::x ? 1 : 0;
-    std::vector<glm::dvec3> outline(4, glm::dvec3(mirror.at));
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-        outline[i][along] = i == 1 || i == 2 ? box.high[along] : box.low[along];
-        outline[i].z = i < 2 ? box.low.z : box.high.z;
-    }
-    return closed(outline);
-}
-
-/// Shows areas, mirrors and drawn guides.
-void PathScenePresenter::showOutlines() {
-    PlaceChains lines;
-    if (active_ && workbench_.path.stored() != nullptr)
-        for (const Edit& edit : workbench_.path.stored()->edits) {
-            if (!edit.enabled || std::holds_alternative<ReplaceInterval>(edit.parameters)) continue;
-            if (const auto* mirror = std::get_if<Mirror>(&edit.parameters)) lines.push_back(outlineOf(*mirror));
-            for (const EditField& field : fieldsOf(edit.parameters))
-                if (const auto* places = std::get_if<std::vector<glm::dvec3>>(&field.value))
-                    lines.push_back(field.key == areaKey ? closed(*places) : *places);
-        }
-    viewport_.setOutlines(lines);
 }
 
 std::vector<std::vector<PathPoint>> PathScenePresenter::chosenPoints() const {
@@ -382,23 +283,6 @@ std::vector<std::vector<PathPoint>> PathScenePresenter::chosenPoints() const {
 
 Moment PathScenePresenter::momentOf(const PathPlace& place) const {
     return momentAt(path_->path.points[place.piece], path_->path.points[place.piece + 1], place.share);
-}
-
-/// Height of the start of an interval of the path, or the middle height of all cutting moves.
-std::optional<double> PathScenePresenter::heightOf(const std::optional<SourceInterval>& interval) const {
-    if (!path_) return std::nullopt;
-    const auto isUsable = [](const PathPoint& point) { return hasMoment(point) && point.kind != MoveKind::rapid; };
-    if (interval && interval->source != 0)
-        for (const std::vector<PathPoint>& chain : pointsOf(path_->path, *interval))
-            if (const auto found = std::ranges::find_if(chain, isUsable); found != chain.end())
-                return found->pose.tip.z;
-    std::vector<double> heights;
-    for (const PathPoint& point : path_->path.points)
-        if (isUsable(point)) heights.push_back(point.pose.tip.z);
-    if (heights.empty()) return std::nullopt;
-    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-    std::ranges::nth_element(heights, middle);
-    return *middle;
 }
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/path/inserted_points.h"
 #include "ui/input/path_hand.h"
 #include "ui/panels/job_states.h"
 #include "ui/panels/path_states.h"
@@ -34,6 +35,9 @@ public:
     void addEdit(const Edit& edit);
     /// Inserts a point at the start of the selection, or where the user clicked to select it.
     void insertAtSelection();
+    void takeKeys() { viewport_.setFocus(); } ///< so that Esc reaches the path
+    /// Marks drawn in addition to the selection, mm, setup frame.
+    void setStylusMarks(const PlaceChains& marks);
     /// Marks a point, points at its moment, and centres the view on it. @param place mm, setup frame
     void lookAt(const glm::dvec3& place);
 
@@ -50,6 +54,9 @@ private:
     void showMenu(const PathPlace& place, const QPointF& position);
     void showHandleDrag(std::size_t handle, const std::optional<PathPlace>& place, const glm::dvec3& by);
     void markSelection();
+    void drawMarks();
+    bool leadStylus(const PathGrip& grip, const glm::dvec3& by);
+    void escape();
     void startDrawing(std::optional<double> height);
     void showDrawing(const std::vector<glm::dvec3>& places);
     void showOutlines();
@@ -68,12 +75,8 @@ private:
     Viewport& viewport_;
     PathHand hand_;
     std::shared_ptr<const EvaluatedPath> path_; ///< path whose points can be picked; null while inactive
-    /// A point that an edit inserted.
-    struct Inserted {
-        glm::dvec3 place{0.0}; ///< mm
-        std::size_t edit = 0;
-    };
-    std::vector<Inserted> inserted_; ///< of `path_`; the handles of the pointer, in their order
+    std::vector<InsertedPoint> inserted_;       ///< of `path_`; the handles of the pointer, in their order
+    PlaceChains marks_, stylusMarks_;           ///< of the selection; in addition
     /// The moment at which the user clicked last, and the edit that inserts a point just there.
     std::pair<Moment, InsertPoint> clicked_;
     std::optional<glm::dvec3> shownPlace_; ///< mm, of the path at the time on the timeline; empty: none

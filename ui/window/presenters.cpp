@@ -23,6 +23,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , hand(workbench, *stage.panels.hand, this)
     , pathScene(workbench, stage.viewport, this)
     , path(workbench, *stage.panels.path, pathScene, this)
+    , stylusEdit(workbench, *stage.panels.path, pathScene, this)
     , area(workbench, stage.viewport, stage.panels.path->area(), this)
     , program(workbench, *stage.panels.program, this)
     , meters(workbench, *stage.panels.meters, this)
@@ -89,7 +90,7 @@ void Presenters::setUnit(LengthUnit unit) {
              &part,    &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
              &mill,    &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
              &status,  &job,          &scene,  &guideScene, &programScene, &deviation, &area,    &time,
-             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures,  &holes,   &gizmo})
+             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures,  &holes,   &stylusEdit,   &gizmo})
         presenter->setUnit(unit);
 }
 

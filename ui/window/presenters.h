@@ -24,6 +24,7 @@
 #include "ui/window/setup_presenters.h"
 #include "ui/window/setups_presenter.h"
 #include "ui/window/status_presenter.h"
+#include "ui/window/stylus_edit_presenter.h"
 #include "ui/window/surroundings_presenter.h"
 #include "ui/window/time_presenter.h"
 #include "ui/window/tree_presenter.h"
@@ -65,6 +66,7 @@ public:
     HandPresenter hand;
     PathScenePresenter pathScene;
     PathPresenter path;
+    StylusEditPresenter stylusEdit;
     AreaPresenter area;
     ProgramPresenter program;
     MeterPresenter meters;

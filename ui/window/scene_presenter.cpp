@@ -25,6 +25,8 @@ ScenePresenter::ScenePresenter(Workbench& workbench, Viewport& viewport, const A
         live_.clear(); // replaced by the edited path
         viewport_.setPath(evaluated ? *evaluated : EvaluatedPath{});
     });
+    connect(&workbench.path, &PathController::firstResult, &viewport,
+            [&viewport](const std::shared_ptr<const EvaluatedPath>& path) { viewport.setPath(*path); });
     connect(&workbench.path, &PathController::othersChanged, this,
             [this] { viewport_.setOtherPaths(workbench_.path.others()); });
     connect(&workbench.passShow, &PassShow::moved, this, [this] {

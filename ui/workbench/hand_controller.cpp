@@ -35,15 +35,8 @@ HandController::HandController(const Desk& desk, WorkpieceController& workpiece,
     , session_(session)
     , styluses_(styluses)
     , guides_(guides) {
-    connect(&mill_, &MillController::entered, this, [this] {
-        prepare();
-        apply();
-        emit changed();
-    });
-    connect(&mill_, &MillController::left, this, [this] {
-        clutched_ = batteryTold_ = false;
-        emit changed();
-    });
+    connect(&mill_, &MillController::entered, this, [this] { useDevice(mill_.device()); });
+    connect(&mill_, &MillController::left, this, [this] { useDevice({}); });
     connect(&styluses_, &Controller::changed, this, [this] {
         prepare();
         emit changed();
@@ -51,8 +44,16 @@ HandController::HandController(const Desk& desk, WorkpieceController& workpiece,
     connect(&session_, &SessionRunner::healthRead, this, &HandController::watch);
 }
 
+void HandController::useDevice(const std::optional<HandDevice>& device) {
+    device_ = device;
+    if (!device_) clutched_ = batteryTold_ = false;
+    prepare();
+    apply();
+    emit changed();
+}
+
 bool HandController::canRate() const {
-    return hasDevice() && !mill_.device()->hasMotors() && styluses_.choices()[styluses_.chosen()].mode != rateMode;
+    return hasDevice() && !device_->description.hasMotors() && styluses_.choices()[styluses_.chosen()].mode != rateMode;
 }
 
 std::size_t HandController::kept() {
@@ -98,8 +99,8 @@ void HandController::apply() {
     if (!hasDevice()) return;
     const HandSettings& wanted = settings();
     WorkspaceSettings workspace;
-    workspace.scale = wanted.scale.value_or(mill_.mapping().scale);
-    workspace.rotation = wanted.rotation.value_or(mill_.mapping().rotation);
+    workspace.scale = wanted.scale.value_or(device_->mapping.scale);
+    workspace.rotation = wanted.rotation.value_or(device_->mapping.rotation);
     workspace.clutched = clutched_;
     workspace.clutchButton = bitOf(wanted.clutchButton);
     workspace.recentrings = recentrings_;
@@ -129,7 +130,7 @@ void HandController::setScale(double scale) {
 }
 
 void HandController::scaleBy(double factor) {
-    if (hasDevice()) setScale(settings().scale.value_or(mill_.mapping().scale) * factor);
+    if (hasDevice()) setScale(settings().scale.value_or(device_->mapping.scale) * factor);
 }
 
 void HandController::alignWith(const glm::dvec3& right) {

@@ -34,8 +34,12 @@ public:
                    StylusController& styluses, GuideController& guides, QObject* parent);
 
     /// Whether a device is in use. The mouse points at the workpiece itself and needs no scaling.
-    bool hasDevice() const noexcept { return mill_.device().has_value(); }
-    int buttons() const noexcept { return hasDevice() ? mill_.device()->buttons : 0; }
+    bool hasDevice() const noexcept { return device_.has_value(); }
+    /// The device in use; empty: none.
+    const std::optional<HandDevice>& device() const noexcept { return device_; }
+    int buttons() const noexcept { return hasDevice() ? device_->description.buttons : 0; }
+    /// The session that runs is moved by a device (empty: by none), whose settings apply from now on.
+    void useDevice(const std::optional<HandDevice>& device);
     /// Whether the stylus may control the tool's velocity (rate control): it has no motors, which would push it away
     /// from its position, and does not do rate control by itself.
     bool canRate() const;
@@ -77,6 +81,7 @@ private:
     SessionRunner& session_;
     StylusController& styluses_;
     GuideController& guides_;
+    std::optional<HandDevice> device_;
     std::vector<Kept> kept_;
     std::uint32_t recentrings_ = 0;
     bool clutched_ = false, batteryTold_ = false;

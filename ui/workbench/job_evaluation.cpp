@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/job_evaluation.h"
 
+#include <QPointer>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -62,12 +64,12 @@ void JobEvaluation::setJob(const std::vector<StoredPath>& inOrder, std::int64_t 
             before.erase(known);
         }
         entry.path = path;
-        if (path.id != inForce) entry.recorded.reset(); // takes are large; only those of one path are kept
+        if (path.id != inForce) forgetRecorded(entry); // takes are large; only those of one path are kept
         entries.push_back(std::move(entry));
     }
     entries_ = std::move(entries);
     resting_ = std::move(before);
-    for (Entry& entry : resting_) entry.recorded.reset();
+    for (Entry& entry : resting_) forgetRecorded(entry);
     inForce_ = inForce;
 }
 
@@ -77,14 +79,17 @@ void JobEvaluation::touch(std::int64_t path) {
 
 void JobEvaluation::touchAll() {
     for (std::vector<Entry>* entries : {&entries_, &resting_})
-        for (Entry& entry : *entries) ++entry.revision;
+        for (Entry& entry : *entries) {
+            ++entry.revision;
+            entry.kept.reset();
+        }
 }
 
 void JobEvaluation::setRecorded(std::int64_t path, const RecordedKey& key) {
     Entry* entry = find(path);
     if (entry == nullptr || entry->key == key) return;
     entry->key = key;
-    entry->recorded.reset();
+    forgetRecorded(*entry);
 }
 
 void JobEvaluation::forget() {
@@ -203,7 +208,7 @@ void JobEvaluation::goOn() {
         interrupted_ = next() != nullptr;
         return;
     }
-    const Entry* entry = next();
+    Entry* entry = next();
     if (entry == nullptr) return;
     const Basis basis = basisOf(*entry);
     if (running_ && running_->path == entry->path.id && running_->basis == basis) return;
@@ -229,9 +234,11 @@ void JobEvaluation::takeRecorded(std::int64_t id, const Basis& asked, Result<Pat
     if (matter) emit recordingsAdded(matter->path);
     Entry* entry = find(id);
     const bool asAsked = entry != nullptr && entry->revision == asked.revision && entry->key == asked.key;
-    if (asAsked && matter)
+    if (asAsked && matter) {
+        forgetRecorded(*entry);
         entry->recorded =
             std::make_shared<const Recorded>(Recorded{std::move(matter->sources), std::move(matter->tool)});
+    }
     if (asAsked && !matter) {
         entry->problem = matter.error();
         entry->failedOn = basisOf(*entry);
@@ -240,18 +247,53 @@ void JobEvaluation::takeRecorded(std::int64_t id, const Basis& asked, Result<Pat
     emit changed();
 }
 
-void JobEvaluation::evaluate(const Entry& entry, const Basis& basis) {
+void JobEvaluation::forgetRecorded(Entry& entry) {
+    entry.recorded.reset();
+    entry.kept.reset();
+}
+
+/// Only the path in force keeps its states, as they are large.
+std::shared_ptr<KeptEdits> JobEvaluation::keptOf(Entry& entry, const Before& before) const {
+    if (entry.path.id != inForce_) return nullptr;
+    const auto& milling = workpiece_.milling();
+    if (!entry.kept || entry.keptOn.lock() != milling || entry.keptBehind != before) {
+        entry.kept = std::make_shared<KeptEdits>();
+        entry.keptOn = milling;
+        entry.keptBehind = before;
+    }
+    return entry.kept;
+}
+
+void JobEvaluation::evaluate(Entry& entry, const Basis& basis) {
     running_ = Running{entry.path.id, basis};
+    std::function<void(EvaluatedPath)> first;
+    if (entry.evaluated && entry.path.id == inForce_)
+        first = [tasks = &desk_.tasks, own = QPointer(this), asked = *running_](EvaluatedPath path) {
+            auto shared = std::make_shared<const EvaluatedPath>(std::move(path));
+            // The tasks outlive their work; this object may not.
+            QMetaObject::invokeMethod(
+                tasks,
+                [own, asked, shared] {
+                    if (own) own->takeFirst(asked, shared);
+                },
+                Qt::QueuedConnection);
+        };
     desk_.tasks.start(
         TaskKind::path, tr("Editing the path"),
-        [recorded = entry.recorded, workpiece = workpiece_.milling(), path = entry.path,
-         before = milledBefore(entry)](Progress& progress) {
-            return evaluateStored(recorded->strokes, *workpiece, recorded->tool, path, before, progress);
+        [recorded = entry.recorded, workpiece = workpiece_.milling(), path = entry.path, before = milledBefore(entry),
+         kept = keptOf(entry, basis.before), first](Progress& progress) {
+            return evaluateStored(recorded->strokes, *workpiece, recorded->tool, path, before, progress,
+                                  {kept.get(), first});
         },
         [this, asked = *running_, tool = entry.recorded->tool](Result<EvaluatedPath> outcome) {
             takeEvaluated(asked, tool, std::move(outcome));
         });
     emit changed();
+}
+
+void JobEvaluation::takeFirst(const Running& asked, const std::shared_ptr<const EvaluatedPath>& path) {
+    const bool stillAsked = running_ && running_->path == asked.path && running_->basis == asked.basis;
+    if (stillAsked && asked.path == inForce_) emit firstResult(path);
 }
 
 void JobEvaluation::takeEvaluated(const Running& asked, const Tool& tool, Result<EvaluatedPath> outcome) {
@@ -268,7 +310,7 @@ void JobEvaluation::takeEvaluated(const Running& asked, const Tool& tool, Result
         entry->failedOn = asked.basis;
         if (outcome.error().code == ErrorCode::cancelled) wanted_ = false; // evaluated again when the user starts it
     }
-    if (entry->path.id != inForce_) entry->recorded.reset();
+    if (entry->path.id != inForce_) forgetRecorded(*entry);
     const bool anew = entry->problem == std::nullopt;
     goOn();
     if (anew) emit evaluatedAnew(asked.path);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/job/job_paths.h"
+#include "core/path/kept_edits.h"
 #include "ui/workbench/workpiece_controller.h"
 
 #include <memory>
@@ -53,6 +54,9 @@ public:
 
 signals:
     void evaluatedAnew(qint64 path);
+    /// While a path that has a result is evaluated again: the path in force after the first changed edit, without those
+    /// after it; for drawing only.
+    void firstResult(const std::shared_ptr<const burin::EvaluatedPath>& path);
     void changed();
     /// Newer recordings with the path's tool were added to a path.
     void recordingsAdded(const burin::StoredPath& path);
@@ -78,6 +82,9 @@ private:
         std::shared_ptr<const EvaluatedPath> evaluated;
         Tool tool; ///< with which `evaluated` was made
         Basis evaluatedOn, failedOn;
+        std::shared_ptr<KeptEdits> kept; ///< of the states of `recorded`; null: none
+        std::weak_ptr<MillingContext> keptOn;
+        Before keptBehind; ///< the paths before it
         std::optional<Error> problem;
     };
     struct Running {
@@ -97,7 +104,10 @@ private:
     void goOn();
     void read(const Entry& entry);
     void takeRecorded(std::int64_t id, const Basis& asked, Result<PathMatter> matter);
-    void evaluate(const Entry& entry, const Basis& basis);
+    void evaluate(Entry& entry, const Basis& basis);
+    std::shared_ptr<KeptEdits> keptOf(Entry& entry, const Before& before) const;
+    static void forgetRecorded(Entry& entry);
+    void takeFirst(const Running& asked, const std::shared_ptr<const EvaluatedPath>& path);
     void takeEvaluated(const Running& asked, const Tool& tool, Result<EvaluatedPath> outcome);
     void readersStop();
 

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/mill_controller.h"
 
-#include "core/device/axis_map_json.h"
 #include "core/job/job_paths.h"
-#include "core/job/milling.h"
 #include "ui/workbench/done_command.h"
 #include "ui/workbench/value_command.h"
 
@@ -82,17 +80,12 @@ void MillController::enterWithDevice() {
                 begun(false, nullptr);
                 return;
             }
-            const StylusDescription description = StylusHandle(*stylus).device().description();
+            device_ = handDevice(StylusHandle(*stylus).device(), *workpiece_.milling(), assignment);
             SessionRequest request;
-            request.mapping = mappingFor(*workpiece_.milling(), description);
-            request.cutsOnButton = description.buttons > 0;
+            request.mapping = device_->mapping;
+            request.cutsOnButton = device_->description.buttons > 0;
             request.forceButtons = forceButtons_;
             request.felt = felt_;
-            device_ = description;
-            const MappableDevice mappable = mappableOf(StylusHandle(*stylus).device());
-            const Result<AxisMap> kept = axisMapFromJson(assignment, mappable);
-            axisMap_ = kept ? *kept : mappable.usual; // a wrong one did not let the device connect
-            mapping_ = request.mapping;
             begin(std::move(*stylus), nullptr, request);
         });
     emit changed();
@@ -116,7 +109,7 @@ void MillController::begun(bool well, SimulatedStylus* mouse) {
         emit entered();
     }
     // A stroke of a device without buttons ends only when milling ends: all its movements are recorded.
-    const bool always = device_ && device_->buttons == 0;
+    const bool always = device_ && device_->description.buttons == 0;
     if ((std::exchange(recordOnceEntered_, false) || always) && well) startRecording();
     emit changed();
 }

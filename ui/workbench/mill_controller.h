@@ -4,6 +4,7 @@
 
 #include "core/device/simulated_stylus.h"
 #include "core/job/switched_off.h"
+#include "ui/workbench/hand_device.h"
 #include "ui/workbench/session_runner.h"
 #include "ui/workbench/stylus_controller.h"
 #include "ui/workbench/workpiece_controller.h"
@@ -25,11 +26,8 @@ public:
     bool active() const noexcept { return active_; } ///< mill mode
     /// The stylus moved by the pointer; null outside mill mode and with a device. Owned by the session.
     SimulatedStylus* stylus() const noexcept { return mouse_; }
-    /// Description of the device in use, and its mapping to the workpiece; empty outside mill mode and with the mouse.
-    const std::optional<StylusDescription>& device() const noexcept { return device_; }
-    const WorkspaceMapping& mapping() const noexcept { return mapping_; }
-    /// What the buttons of the device in use do.
-    const AxisMap& axisMap() const noexcept { return axisMap_; }
+    /// The device in use; empty outside mill mode and with the mouse.
+    const std::optional<HandDevice>& device() const noexcept { return device_; }
     bool recording() const noexcept { return session_.running() && session_.state().recording; }
     /// Whether a recording is running in which nothing was milled yet.
     bool recordsNothingYet() const noexcept { return recording() && recorded_ != 0; }
@@ -57,6 +55,7 @@ public:
     /// Sets the dead man's buttons, one bit each: forces only while one of them is held; 0: always. With a device in
     /// use, mill mode is restarted, as the change must not be felt in the middle of a stroke.
     void setForceButtons(std::uint32_t buttons);
+    std::uint32_t forceButtons() const noexcept { return forceButtons_; }
     /// How much of the cutting a device lets the hand feel, from the next session on.
     void setFelt(const FeltCutting& felt) { felt_ = felt; }
     const StockLayer& stockLayer() const noexcept { return stock_; }
@@ -135,9 +134,7 @@ private:
     bool active_ = false, buttonDown_ = false, entering_ = false, startingRecording_ = false,
          recordOnceEntered_ = false;
     bool recordingSince_ = false; ///< a recording was begun; the session's state may not show it yet
-    std::optional<StylusDescription> device_;
-    WorkspaceMapping mapping_;
-    AxisMap axisMap_;
+    std::optional<HandDevice> device_;
     FeltCutting felt_;
     StockLayer stock_{StockLayer::usualDistance, false};
     std::uint32_t forceButtons_ = 0;

@@ -38,6 +38,7 @@ PathController::PathController(const Desk& desk, WorkpieceController& workpiece,
         else
             emit othersChanged();
     });
+    connect(&evaluation_, &JobEvaluation::firstResult, this, &PathController::firstResult);
     connect(&evaluation_, &JobEvaluation::recordingsAdded, this, &PathController::keepTakes);
 }
 

@@ -126,6 +126,8 @@ public:
 
 signals:
     void evaluatedAnew(); ///< for the path of the tool in force
+    /// JobEvaluation::firstResult
+    void firstResult(const std::shared_ptr<const burin::EvaluatedPath>& path);
     void othersChanged();
     void versionChanged();
 

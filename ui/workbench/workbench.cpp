@@ -45,6 +45,7 @@ Workbench::Workbench(QObject* parent)
     , hand(desk_, workpiece, mill, session, styluses, guides, this)
     , showMe(desk_, workpiece, session, this)
     , path(desk_, workpiece, tool, this)
+    , stylusEditor(desk_, workpiece, mill, session, styluses, hand, path, this)
     , area(desk_, this)
     , passes(desk_, workpiece, path, tool, this)
     , passPreview(desk_, workpiece, path, tool, this)
@@ -78,7 +79,7 @@ std::vector<Controller*> Workbench::controllers() {
             &session,    &deviceTester, &viewDevice, &mill,         &surroundings, &guides,  &hand,      &showMe,
             &path,       &area,         &passes,     &passMeasurer, &pathValuer,   &measure, &program,   &setups,
             &sheet,      &time,         &keeper,     &faces,        &pathComparer, &score,   &fixtures,  &axisTuner,
-            &deviations, &growing,      &stockSolid,      &passShow,   &passRefresher};
+            &deviations, &growing,      &stockSolid,      &passShow,   &passRefresher,      &stylusEditor};
 }
 
 void Workbench::wire() {

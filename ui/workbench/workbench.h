@@ -29,6 +29,7 @@
 #include "ui/workbench/sheet_controller.h"
 #include "ui/workbench/show_me.h"
 #include "ui/workbench/stylus_controller.h"
+#include "ui/workbench/stylus_editor.h"
 #include "ui/workbench/surroundings_controller.h"
 #include "ui/workbench/take_deviations.h"
 #include "ui/workbench/target_controller.h"
@@ -74,6 +75,7 @@ public:
     HandController hand;
     ShowMe showMe;
     PathController path;
+    StylusEditor stylusEditor;
     AreaController area;
     PassController passes;
     PassPreviewer passPreview;

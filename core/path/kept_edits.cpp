@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Burin authors
+// SPDX-License-Identifier: Apache-2.0
+#include "core/path/kept_edits.h"
+
+#include "core/machine/machine_library.h"
+
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+namespace burin {
+
+namespace {
+
+void write(std::ostream& text, const CuttingConditions& conditions) {
+    text << conditions.spindleSpeed << ' ' << conditions.feed << ' ' << conditions.plungeFeed << ' '
+         << conditions.surfaceSpeed << ' ' << conditions.limitedByMachine << ' ' << conditions.rampAngle << ';';
+}
+
+void write(std::ostream& text, const glm::dvec3& place) {
+    text << place.x << ' ' << place.y << ' ' << place.z << ';';
+}
+
+/// What can change in a context while its part and its stock stay the same, as text; obstacles by their extent. Numbers
+/// are exact.
+std::string contextText(const PathContext& context) {
+    std::ostringstream text;
+    text << std::hexfloat << toJson(context.tool) << ' ' << toJson(context.machine) << ' '
+         << static_cast<int>(context.advisedCoolant) << ' ' << context.tickPeriod << ' ';
+    write(text, context.conditions);
+    for (const CuttingConditions& conditions : context.materialConditions) write(text, conditions);
+    for (const glm::dvec3& place : {context.stock.low, context.stock.high, context.workOffset}) write(text, place);
+    for (const ObstacleSolid& obstacle : context.obstacles) {
+        text << obstacle.on << ' ' << obstacle.margin << ' ';
+        for (const glm::dvec3& place : {obstacle.surface->bounds().low, obstacle.surface->bounds().high})
+            write(text, place);
+    }
+    return text.str();
+}
+
+std::size_t bytesOf(const EditedState& state) noexcept {
+    std::size_t bytes = state.path.points.size() * sizeof(PathPoint);
+    for (const PathStroke& stroke : state.path.strokes)
+        bytes += sizeof(PathStroke) + stroke.points.size() * sizeof(StrokePoint);
+    return bytes;
+}
+
+} // namespace
+
+void KeptEdits::begin(const std::vector<Edit>& edits, const PathContext& context) {
+    std::vector<std::string> texts;
+    for (const Edit& edit : edits) texts.push_back(toJson(edit));
+    std::size_t same = 0;
+    if (const std::string now = contextText(context); now == context_) {
+        while (same < texts.size() && same < edits_.size() && texts[same] == edits_[same]) ++same;
+    } else {
+        context_ = now;
+    }
+    edits_ = std::move(texts);
+    while (count() > same) {
+        bytes_ -= bytesOf(newest());
+        states_.erase(std::prev(states_.end()));
+    }
+}
+
+void KeptEdits::keep(std::size_t count, const EditedState& state) {
+    const std::size_t bytes = bytesOf(state);
+    if (states_.contains(count) || bytes > mostBytes) return;
+    while (bytes_ + bytes > mostBytes) {
+        bytes_ -= bytesOf(states_.begin()->second);
+        states_.erase(states_.begin());
+    }
+    states_.emplace(count, state);
+    bytes_ += bytes;
+}
+
+} // namespace burin
