@@ -8,10 +8,13 @@
 #include "ui/help/help_dialog.h"
 
 #include <QApplication>
+#include <QFileInfo>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QRegularExpression>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QtTest>
 
@@ -35,6 +38,43 @@ std::multiset<QString> keysIn(QString text) {
     std::multiset<QString> found;
     for (auto at = keys.globalMatch(text); at.hasNext();) found.insert(at.next().captured(0));
     return found;
+}
+
+constexpr qint64 largestPicture = 40 * 1024, allPictures = 2'500'000; // bytes
+
+/// The text that stands for a picture, and the picture's file relative to the page.
+struct PictureLink {
+    QString text, file;
+};
+
+std::vector<PictureLink> picturesOf(const HelpPage& page) {
+    static const QRegularExpression link("!\\[([^\\]]*)\\]\\(([^)]+)\\)");
+    std::vector<PictureLink> links;
+    for (auto at = link.globalMatch(page.text); at.hasNext();) {
+        const QRegularExpressionMatch match = at.next();
+        links.push_back({match.captured(1), match.captured(2)});
+    }
+    return links;
+}
+
+QString fileOf(const HelpPage& page, const PictureLink& picture) {
+    return QDir::cleanPath(QDir(page.folder).filePath(picture.file));
+}
+
+/// The formats of the pictures in a page as it is shown.
+std::vector<QTextImageFormat> shownPictures(const QTextDocument& document) {
+    std::vector<QTextImageFormat> formats;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+        for (auto piece = block.begin(); !piece.atEnd(); ++piece)
+            if (piece.fragment().charFormat().isImageFormat())
+                formats.push_back(piece.fragment().charFormat().toImageFormat());
+    return formats;
+}
+
+/// The width at which a picture is drawn, in pixels of the window. 0: it was not found.
+double drawnWidth(const QTextDocument& document, const QTextImageFormat& format) {
+    const auto image = document.resource(QTextDocument::ImageResource, QUrl(format.name())).value<QImage>();
+    return image.isNull() ? 0.0 : image.width() / image.devicePixelRatio();
 }
 
 } // namespace
@@ -108,6 +148,94 @@ private slots:
             QVERIFY2(keysIn(translated[i].text) == keysIn(english[i].text), qPrintable(english[i].topic));
         }
         QCOMPARE(helpPages("xx").size(), english.size()); // a language without help gets the English one
+    }
+
+    /// Every page of every language has a picture of its own language, with a text in that language; all are small.
+    void everyPageHasAPicture() {
+        const std::vector<HelpPage> english = helpPages("en");
+        QSet<QByteArray> contents;
+        qint64 all = 0;
+        int pictures = 0;
+        for (const QString language : {"en", "de", "zh_CN"}) {
+            const std::vector<HelpPage> pages = helpPages(language);
+            QCOMPARE(pages.size(), english.size());
+            for (std::size_t i = 0; i < pages.size(); ++i) {
+                const std::vector<PictureLink> links = picturesOf(pages[i]), originals = picturesOf(english[i]);
+                QVERIFY2(!links.empty(), qPrintable(language + ' ' + pages[i].topic));
+                QCOMPARE(links.size(), originals.size());
+                for (std::size_t k = 0; k < links.size(); ++k) {
+                    QVERIFY(links[k].text.size() > 10 && links[k].file.startsWith("../pictures/" + language + '/'));
+                    QVERIFY2(language == "en" || links[k].text != originals[k].text, qPrintable(links[k].text));
+                    QFile file(fileOf(pages[i], links[k]));
+                    QVERIFY2(file.open(QIODevice::ReadOnly), qPrintable(file.fileName()));
+                    QVERIFY2(file.size() <= largestPicture, qPrintable(file.fileName()));
+                    const QByteArray content = file.readAll();
+                    const QImage image = QImage::fromData(content);
+                    QVERIFY2(image.width() >= 200 && image.height() >= 40, qPrintable(file.fileName()));
+                    contents.insert(content);
+                    all += file.size();
+                    ++pictures;
+                }
+            }
+        }
+        QCOMPARE(contents.size(), pictures); // none is shown twice, in two languages, say
+        QVERIFY2(all < allPictures, qPrintable(QString::number(all)));
+    }
+
+    void picturesAreShown_data() {
+        QTest::addColumn<QString>("language");
+        for (const char* language : {"en", "de", "zh_CN"}) QTest::newRow(language) << language;
+    }
+    /// A picture is as wide as it is, or as the page where that is narrower; it follows the window's width.
+    void picturesAreShown() {
+        QFETCH(QString, language);
+        const std::vector<HelpPage> pages = helpPages(language);
+        HelpDialog help(pages);
+        help.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&help));
+        auto* page = help.findChild<QTextBrowser*>("helpPage");
+        int reduced = 0;
+        for (const int width : {1000, 640}) {
+            help.resize(width, 640);
+            QTRY_COMPARE(help.width(), width);
+            for (const HelpPage& one : pages) {
+                help.showTopic(one.topic);
+                QTest::qWait(20);
+                QVERIFY2(!page->toPlainText().contains('*'), qPrintable(one.topic)); // emphasis that does not end
+                const std::vector<PictureLink> links = picturesOf(one);
+                const std::vector<QTextImageFormat> shown = shownPictures(*page->document());
+                QCOMPARE(shown.size(), links.size());
+                for (std::size_t k = 0; k < links.size(); ++k) {
+                    QCOMPARE(shown[k].property(QTextFormat::ImageAltText).toString(), links[k].text);
+                    const double own = QImage(fileOf(one, links[k])).width();
+                    const double drawn = drawnWidth(*page->document(), shown[k]);
+                    QVERIFY2(drawn > 0.0 && drawn <= page->viewport()->width(), qPrintable(links[k].file));
+                    QVERIFY2(drawn == own || (drawn < own && drawn > 0.8 * page->viewport()->width()),
+                             qPrintable(links[k].file));
+                    reduced += drawn < own ? 1 : 0;
+                }
+            }
+        }
+        QVERIFY(reduced > 0);   // the timeline is wide
+        help.resize(1000, 640); // the same page, wider again
+        help.showTopic("time");
+        QTest::qWait(50);
+        const double wide = drawnWidth(*page->document(), shownPictures(*page->document()).front());
+        help.resize(640, 640);
+        QTRY_VERIFY(drawnWidth(*page->document(), shownPictures(*page->document()).front()) < wide - 100.0);
+        page->grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/help-time-%1.png").arg(language));
+    }
+
+    /// Names of files are no words of a page.
+    void filesAreNotSearched() {
+        HelpDialog help(helpPages("en"));
+        help.show();
+        auto* search = help.findChild<QLineEdit*>("helpSearch");
+        QTest::keyClicks(search, "png");
+        QVERIFY(help.findChild<QLabel*>("helpEmpty")->isVisible());
+        search->selectAll();
+        QTest::keyClicks(search, "clip with its stroke"); // the text of a picture is
+        QCOMPARE(topicIn(help), QString("Timeline and history"));
     }
 };
 

@@ -137,13 +137,14 @@ bool fits(RowList& list) {
     return true;
 }
 
-/// A number field with its unit, or a text field.
+/// A number field with its unit, or a text field, unless its tooltip shows the text.
 bool fits(const QLineEdit& field) {
     constexpr int cursorRoom = 4; // pixels
     const QString& text = field.text().isEmpty() ? field.placeholderText() : field.text();
     const QMargins margins = field.textMargins();
     const int room = field.contentsRect().width() - margins.left() - margins.right() - cursorRoom;
-    return field.hasFocus() || field.fontMetrics().horizontalAdvance(text) <= room;
+    return field.hasFocus() || (!text.isEmpty() && field.toolTip().contains(text)) ||
+           field.fontMetrics().horizontalAdvance(text) <= room;
 }
 
 /// The second line of a step: its summary.

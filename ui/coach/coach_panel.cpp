@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/coach/coach_panel.h"
 
+#include "ui/panels/announcement.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/theme/theme.h"
 
-#include <QAccessible>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QVBoxLayout>
@@ -88,8 +88,7 @@ void CoachPanel::announce(const CoachState& state) {
     setAccessibleDescription(sentences.join(QLatin1Char(' ')));
     if (state.number == saidNumber_) return;
     saidNumber_ = state.number;
-    QAccessibleEvent begins(this, QAccessible::Alert);
-    QAccessible::updateAccessibility(&begins);
+    burin::announce(*this);
 }
 
 void CoachPanel::placeIn(const QRect& area, const QRect& target) {

@@ -3,6 +3,7 @@
 #include "ui/dialogs/shortcut_dialog.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -81,6 +82,8 @@ ShortcutDialog::ShortcutDialog(const std::vector<ShortcutRow>& rows, QWidget* pa
     conflict_->setWordWrap(true);
     layout->addWidget(conflict_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    buttons->button(QDialogButtonBox::Close)->setText(QCoreApplication::translate("Buttons", "Close"));
+    buttons->button(QDialogButtonBox::Close)->setToolTip(QCoreApplication::translate("Buttons", "Close this window."));
     QPushButton* all = makeButton(tr("Reset all"), tr("Reset the shortcuts of all actions to their defaults."),
                                   "resetShortcutsButton", this);
     buttons->addButton(all, QDialogButtonBox::ResetRole);

@@ -3,6 +3,7 @@
 #include "ui/help/help_dialog.h"
 
 #include "core/base/file.h"
+#include "ui/help/help_browser.h"
 #include "ui/panels/buttons.h"
 #include "ui/theme/theme.h"
 
@@ -10,30 +11,37 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
-#include <QTextBrowser>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <utility>
 
 namespace burin {
 
 namespace {
 
-constexpr QSize helpSize(820, 640); // pixels
-constexpr int topicWidth = 220;
+constexpr QSize helpSize(900, 640);                // pixels
+constexpr int topicWidth = 220, topicMargins = 24; // pixels
 constexpr std::array topics{"start", "part", "stock", "tool", "mill", "time", "path", "program", "window"};
 
-QString pageText(const QString& language, const char* topic) {
-    const Result<std::string> text =
-        readFile(resourceDirectory() / "help" / language.toStdString() / (std::string(topic) + ".md"));
-    return text ? QString::fromStdString(*text) : QString();
+/// Empty text: the page does not exist in that language.
+HelpPage pageIn(const QString& language, const char* topic) {
+    const std::filesystem::path folder = resourceDirectory() / "help" / language.toStdString();
+    const Result<std::string> read = readFile(folder / (std::string(topic) + ".md"));
+    const QString text = read ? QString::fromStdString(*read) : QString();
+    return {QString::fromLatin1(topic), text.section(QLatin1Char('\n'), 0, 0).remove(0, 2), text,
+            QString::fromStdString(folder.string())};
 }
 
-/// Whether a page contains every word of a text.
+/// Whether a page contains every word of a text; names of files do not count.
 bool holds(const HelpPage& page, const QString& text) {
+    static const QRegularExpression file(QStringLiteral("\\]\\([^)]*\\)"));
+    const QString words = QString(page.text).remove(file);
     for (const QString& word : text.split(QLatin1Char(' '), Qt::SkipEmptyParts))
-        if (!page.text.contains(word, Qt::CaseInsensitive)) return false;
+        if (!words.contains(word, Qt::CaseInsensitive)) return false;
     return true;
 }
 
@@ -42,11 +50,10 @@ bool holds(const HelpPage& page, const QString& text) {
 std::vector<HelpPage> helpPages(const QString& language) {
     std::vector<HelpPage> pages;
     for (const char* topic : topics) {
-        QString text = pageText(language, topic);
-        if (text.isEmpty()) text = pageText(language.section(QLatin1Char('_'), 0, 0), topic);
-        if (text.isEmpty()) text = pageText(QStringLiteral("en"), topic);
-        if (text.isEmpty()) continue; // an installation without help pages
-        pages.push_back({QString::fromLatin1(topic), text.section(QLatin1Char('\n'), 0, 0).remove(0, 2), text});
+        HelpPage page = pageIn(language, topic);
+        if (page.text.isEmpty()) page = pageIn(language.section(QLatin1Char('_'), 0, 0), topic);
+        if (page.text.isEmpty()) page = pageIn(QStringLiteral("en"), topic);
+        if (!page.text.isEmpty()) pages.push_back(std::move(page)); // empty: an installation without help pages
     }
     return pages;
 }
@@ -68,10 +75,11 @@ HelpDialog::HelpDialog(std::vector<HelpPage> pages, QWidget* parent) : QDialog(p
     topics_ = new QListWidget(this);
     topics_->setObjectName(QStringLiteral("helpTopics"));
     topics_->setAccessibleName(tr("Topics"));
-    topics_->setFixedWidth(topicWidth);
     for (const HelpPage& page : pages_) topics_->addItem(page.title);
+    topics_->ensurePolished(); // the width depends on the font of the style
+    topics_->setFixedWidth(std::max(topicWidth, topics_->sizeHintForColumn(0) + topicMargins));
     row->addWidget(topics_);
-    page_ = new QTextBrowser(this);
+    page_ = new HelpBrowser(this);
     page_->setObjectName(QStringLiteral("helpPage"));
     page_->setAccessibleName(tr("Page of the help"));
     row->addWidget(page_, 1);
@@ -111,7 +119,8 @@ void HelpDialog::showOnly(const QString& text) {
 
 void HelpDialog::showPage(int row) {
     if (row < 0 || static_cast<std::size_t>(row) >= pages_.size()) return;
-    page_->setMarkdown(pages_[static_cast<std::size_t>(row)].text);
+    const HelpPage& page = pages_[static_cast<std::size_t>(row)];
+    page_->showPage(page.text, page.folder);
     mark(search_->text());
 }
 

@@ -10,14 +10,16 @@
 class QLabel;
 class QLineEdit;
 class QListWidget;
-class QTextBrowser;
 
 namespace burin {
+
+class HelpBrowser;
 
 /// A page of the help: Markdown, its first line the title.
 struct HelpPage {
     QString topic; ///< the file's name without its suffix: "path"
     QString title, text;
+    QString folder; ///< of the file, which the paths of the page's pictures are relative to
 };
 
 /// The pages in a language, in their order (resources/help); pages that do not exist in that language are English.
@@ -39,7 +41,7 @@ private:
     std::vector<HelpPage> pages_;
     QLineEdit* search_ = nullptr;
     QListWidget* topics_ = nullptr;
-    QTextBrowser* page_ = nullptr;
+    HelpBrowser* page_ = nullptr;
     QLabel* nothing_ = nullptr;
 };
 

@@ -30,6 +30,7 @@ KeyList::KeyList(const std::vector<KeySection>& sections, QWidget* parent) : QDi
     auto* search = new QLineEdit(this);
     search->setObjectName(QStringLiteral("keySearch"));
     search->setPlaceholderText(tr("Search for a key or its effect"));
+    search->setAccessibleName(search->placeholderText());
     search->setToolTip(tr("Only lines that contain this text are shown."));
     search->setClearButtonEnabled(true);
     connect(search, &QLineEdit::textChanged, this, &KeyList::showOnly);
@@ -37,6 +38,7 @@ KeyList::KeyList(const std::vector<KeySection>& sections, QWidget* parent) : QDi
     auto* area = new QScrollArea(this);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
+    area->setAccessibleName(windowTitle());
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setWidget(columnsOf(sections));
     alignKeys();

@@ -223,14 +223,17 @@ void WelcomePage::setLeftWork(const std::vector<LeftWorkRow>& rows) {
         auto* layout = new QHBoxLayout(row);
         layout->setContentsMargins(0, 0, 0, 0);
         layout->setSpacing(8);
-        layout->addWidget(new QLabel(QLocale().toString(work.changed, QLocale::ShortFormat), row), 1);
+        const QString changed = QLocale().toString(work.changed, QLocale::ShortFormat);
+        layout->addWidget(new QLabel(changed, row), 1);
         auto* recover = button(tr("Recover"), "recoverButton", tr("Go on with this work."));
         connect(recover, &QPushButton::clicked, this, [this, work] { emit leftWorkChosen(work.file); });
         auto* forget = button(tr("Delete"), "forgetButton", tr("Delete this work for good."));
         forget->setFlat(true);
         connect(forget, &QPushButton::clicked, this, [this, work] { emit leftWorkForgotten(work.file); });
-        layout->addWidget(recover);
-        layout->addWidget(forget);
+        for (QPushButton* each : {recover, forget}) {
+            each->setAccessibleName(each->text() + QStringLiteral(", ") + changed);
+            layout->addWidget(each);
+        }
         left_->addWidget(row);
     }
 }

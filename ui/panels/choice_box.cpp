@@ -4,6 +4,7 @@
 
 #include <QAbstractItemView>
 #include <QHelpEvent>
+#include <QLabel>
 #include <QSignalBlocker>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
@@ -66,6 +67,22 @@ void ChoiceBox::paintEvent(QPaintEvent*) {
     painter.drawComplexControl(QStyle::CC_ComboBox, option);
     option.currentText = elided();
     painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+}
+
+void ChoiceBox::showEvent(QShowEvent* event) {
+    QComboBox::showEvent(event);
+    giveLabel();
+}
+
+/// On Unix, Qt gives the chosen text as the name of a box; what it is for is read from its label alone. A box without a
+/// label next to it has a hidden one.
+void ChoiceBox::giveLabel() {
+    if (accessibleName().isEmpty() || parentWidget() == nullptr) return;
+    for (const QLabel* label : parentWidget()->findChildren<QLabel*>(Qt::FindDirectChildrenOnly))
+        if (label->buddy() == this) return;
+    auto* label = new QLabel(accessibleName(), parentWidget());
+    label->setBuddy(this);
+    label->hide();
 }
 
 void ChoiceBox::wheelEvent(QWheelEvent* event) {

@@ -8,7 +8,7 @@ namespace burin {
 
 /// A choice of one of several texts. A long text is elided with "…" and shown in full in the tooltip; the list shows
 /// all texts in full. The wheel changes the choice only when the box has the focus. `activated` is emitted only for the
-/// user's choices.
+/// user's choices. Assistive programs read the accessible name that it has when it is first shown.
 class ChoiceBox : public QComboBox {
     Q_OBJECT
 public:
@@ -21,9 +21,11 @@ public:
 protected:
     bool event(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
 private:
+    void giveLabel();
     QString elided() const;
 };
 

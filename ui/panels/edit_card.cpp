@@ -49,8 +49,11 @@ void EditCard::addHead(const QString& name) {
         showEdit(edit_, zero_, std::vector(takes_));
         emit edited(edit_);
     });
+    const QString title = Messages::text(titleOf(edit_.parameters));
     const auto button = [&](const char* icon, const QString& toolTip, const char* part) {
-        return makeIconButton(QLatin1String(icon), toolTip, name + QLatin1String(part), this);
+        QToolButton* made = makeIconButton(QLatin1String(icon), toolTip, name + QLatin1String(part), this);
+        made->setAccessibleName(title + QStringLiteral(", ") + toolTip);
+        return made;
     };
     earlier_ = button("previous", tr("Apply this edit earlier"), "Earlier");
     later_ = button("next", tr("Apply this edit later"), "Later");

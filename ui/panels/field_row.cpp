@@ -26,7 +26,8 @@ FieldRow::FieldRow(const QString& label, QWidget* field, const QString& toolTip,
     } else if (!below) {
         field->setFixedWidth(fieldWidth);
     }
-    field->setAccessibleName(QString(label).remove(QLatin1Char('&')));
+    // A name would hide the text of a label from assistive programs.
+    if (qobject_cast<QLabel*>(field) == nullptr) field->setAccessibleName(QString(label).remove(QLatin1Char('&')));
     if (field->toolTip().isEmpty()) field->setToolTip(toolTip);
     label_->setToolTip(field->toolTip());
 }

@@ -20,7 +20,7 @@
 namespace burin {
 namespace {
 
-constexpr double farthest = 10'000.0;                              // mm
+constexpr double farthestGuide = 10'000.0;                         // mm
 constexpr double largestDistance = 100.0, smallestDistance = 0.01; // mm
 constexpr double steepest = 1.4;                                   // rad, as checkGuide
 
@@ -46,6 +46,7 @@ void GuideCard::addHead(const QString& name) {
     });
     auto* remove =
         makeIconButton(QStringLiteral("remove"), tr("Delete this guide"), name + QStringLiteral("Remove"), this);
+    remove->setAccessibleName(guideName(guide_.kind) + QStringLiteral(", ") + remove->toolTip());
     connect(remove, &QToolButton::clicked, this, &GuideCard::removalRequested);
     auto* head = new QHBoxLayout;
     head->addWidget(switch_, 1);
@@ -86,7 +87,7 @@ void GuideCard::addPlace(const QString& name, int axis, const QString& toolTip) 
     QuantityField* field = addField(
         name + letter, letter, toolTip, new LengthField(this),
         [axis](Guide& guide) -> double& { return guide.point[axis]; }, axis);
-    field->limit(-farthest, farthest);
+    field->limit(-farthestGuide, farthestGuide);
 }
 
 void GuideCard::addFigures(const QString& name) {

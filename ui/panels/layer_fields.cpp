@@ -20,7 +20,7 @@ namespace burin {
 
 namespace {
 
-constexpr double farthest = 10'000.0; // mm
+constexpr double farthestLayer = 10'000.0; // mm
 
 /// Parses "0 0.2; 40 0.6". Invalid numbers are left to the check of the layer to reject.
 std::vector<Grading::Control> tableOf(const QString& text) {
@@ -96,7 +96,7 @@ ChoiceBox* LayerFields::addChoice(const QString& label, const QString& toolTip, 
 LengthField* LayerFields::addPlane(const QString& label, const char* name, double MaterialRegion::*plane) {
     auto* field = new LengthField(this);
     field->setObjectName(QLatin1String(name));
-    field->limit(-farthest, farthest);
+    field->limit(-farthestLayer, farthestLayer);
     layout()->addWidget(new FieldRow(label, field, tr("Position of the plane, in the model's frame"), this));
     connect(field, &LengthField::valueEdited, this, [this, plane](double value) {
         layer_.*plane = value;

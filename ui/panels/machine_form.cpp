@@ -232,7 +232,7 @@ void MachineForm::addTorque() {
         changed("spindle_torque");
     });
     onRefresh([this] { torque_->showPoints(record_.spindleTorque); });
-    addSource("spindle_torque", row);
+    addSource("spindle_torque", tr("Torque over speed"), row);
 }
 
 void MachineForm::setDialects(const QStringList& names, const QStringList& ids) {

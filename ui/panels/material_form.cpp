@@ -52,7 +52,8 @@ MaterialForm::MaterialForm(QWidget* parent) : QWidget(parent) {
     column->setSpacing(8);
     name_ = new QLineEdit(this);
     name_->setObjectName(QStringLiteral("materialName"));
-    column->addWidget(new FieldRow(tr("Name"), name_, tr("Name in the list of materials"), this));
+    column->addWidget(
+        new FieldRow(tr("Name"), name_, tr("Name in the list of materials"), this, FieldRow::choiceWidth));
     colour_ = new QPushButton(this);
     colour_->setObjectName(QStringLiteral("materialColour"));
     column->addWidget(new FieldRow(tr("Colour"), colour_, tr("In which it is drawn"), this));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/meter_bar.h"
 
+#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -24,6 +25,8 @@ void MeterBar::setShare(double share) {
     const double next = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0;
     if (next == share_) return;
     share_ = next;
+    const QString percent = QLocale().toString(100.0 * share_, 'f', 0) + QStringLiteral(" %");
+    if (percent != accessibleDescription()) setAccessibleDescription(percent);
     update();
 }
 

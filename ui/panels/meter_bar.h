@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// A bar next to a number that shows the value's share of its scale.
+/// A bar next to a number that shows the value's share of its scale. Its accessible description is the share in
+/// percent; its name is given by whoever places it.
 class MeterBar : public QWidget {
     Q_OBJECT
 public:

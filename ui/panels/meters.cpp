@@ -3,6 +3,7 @@
 #include "ui/panels/meters.h"
 
 #include "core/base/units.h"
+#include "ui/panels/announcement.h"
 #include "ui/panels/meter_bar.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/panels/texts.h"
@@ -44,7 +45,7 @@ public:
 
 private:
     ValueRow* addRow(const QString& label, const char* name, const QString& toolTip);
-    MeterBar* addBar(ColourRole role);
+    MeterBar* addBar(ColourRole role, const QString& label);
     void addTitle();
     void addPosition();
     void showForce();
@@ -55,6 +56,7 @@ private:
     ValueRow *stylus_, *force_, *removal_, *feed_, *rate_, *interval_, *work_, *missed_, *late_, *scheduling_, *x_, *y_,
         *z_;
     MeterBar *forceBar_, *removalBar_;
+    bool atLimit_ = false; ///< whether the force has been reported to be at its limit
     QToolButton* unfold_;
 };
 
@@ -63,9 +65,9 @@ Meters::Fields::Fields(Meters* meters) : QObject(meters), meters_(meters), colum
     addTitle();
     force_ = addRow(Meters::tr("Force"), "forceMeter",
                     Meters::tr("Cutting force, not scaled; next to it the highest so far"));
-    forceBar_ = addBar(&Palette::force);
+    forceBar_ = addBar(&Palette::force, force_->accessibleName());
     removal_ = addRow(Meters::tr("Removal"), "removalMeter", Meters::tr("Material removed per second"));
-    removalBar_ = addBar(&Palette::accent);
+    removalBar_ = addBar(&Palette::accent, removal_->accessibleName());
     feed_ = addRow(Meters::tr("Feed"), "feedMeter", {});
     addPosition();
     rate_ = addRow(Meters::tr("Haptic rate"), "rateMeter", Meters::tr("Ticks per second that are reached"));
@@ -130,8 +132,10 @@ ValueRow* Meters::Fields::addRow(const QString& label, const char* name, const Q
     return row;
 }
 
-MeterBar* Meters::Fields::addBar(ColourRole role) {
+/// @param label  of the row whose value the bar shows
+MeterBar* Meters::Fields::addBar(ColourRole role, const QString& label) {
     auto* bar = new MeterBar(role, meters_);
+    bar->setAccessibleName(label);
     column_->addWidget(bar);
     column_->addSpacing(4);
     return bar;
@@ -146,7 +150,11 @@ void Meters::Fields::showForce() {
     const double scale = limited ? state.forceLimit : state.forceScale;
     const QString text = limited ? Meters::tr("%1 N, limit %2 N").arg(newtons(state.force), newtons(scale))
                                  : Meters::tr("%1 N of %2").arg(newtons(state.force), newtons(scale));
-    force_->setValue(state.running ? text : QStringLiteral("–"));
+    const bool atLimit = state.running && limited && state.force >= scale;
+    force_->setValue(state.running ? text : QStringLiteral("–"),
+                     atLimit ? Meters::tr("%1, at the limit").arg(text) : QString());
+    if (atLimit && !atLimit_) announce(*force_); // the bar tells it by its colour alone
+    atLimit_ = atLimit;
     forceBar_->setShare(state.running && scale > 0.0 ? state.force / scale : 0.0);
     forceBar_->setRole(limited && state.force < scale ? &Palette::accent : &Palette::force);
     force_->setToolTip(limited ? Meters::tr("Cutting force at the speed of the hand, not scaled. At the limit the bar "
@@ -188,7 +196,7 @@ void Meters::Fields::refresh() {
     missed_->setValue(runs ? countText(static_cast<std::size_t>(state.missed)) : none);
     const QString from = Meters::tr("Tip of the tool from program zero, in %1").arg(unitText(unit));
     for (auto [field, place] : {std::pair{x_, state.tip.x}, {y_, state.tip.y}, {z_, state.tip.z}}) {
-        field->setValue(runs ? lengthNumber(place, unit) : none);
+        field->setValue(runs ? lengthNumber(place, unit) : none, runs ? lengthText(place, unit) : QString());
         field->setToolTip(from);
     }
     stylus_->setValue(state.stylus.isEmpty() ? none : state.stylus);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/notice.h"
 
+#include "ui/panels/announcement.h"
 #include "ui/panels/panel_layout.h"
 #include "ui/theme/colour.h"
 #include "ui/theme/icon.h"
@@ -84,6 +85,7 @@ void Notice::tell(Kind kind, const QString& sentence) {
     const QString kindName = kind == Kind::warning ? tr("Warning") : kind == Kind::error ? tr("Error") : QString();
     setAccessibleName(kindName.isEmpty() ? sentence : kindName + QStringLiteral(": ") + sentence);
     setVisible(!sentence.isEmpty());
+    announce(*this);
     emit told();
 }
 

@@ -72,6 +72,7 @@ void ObstacleCard::addHead() {
     switch_ = new NamedSwitch(name_, tr("Whether it keeps the tool out"), this);
     connect(switch_, &NamedSwitch::switched, this, &ObstacleCard::switched);
     remove_ = makeIconButton(QStringLiteral("remove"), tr("Delete it"), name_ + QStringLiteral("Remove"), this);
+    remove_->setAccessibleName(QString::fromStdString(obstacle_.name) + QStringLiteral(", ") + remove_->toolTip());
     connect(remove_, &QToolButton::clicked, this, &ObstacleCard::removalRequested);
     auto* head = new QHBoxLayout;
     head->addWidget(switch_, 1);

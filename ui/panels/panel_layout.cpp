@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStyle>
 #include <QTimer>
 #include <QVariant>
@@ -44,6 +45,16 @@ QString breakable(const QString& text) {
     }
     return result;
 }
+
+/// Scrolls only downwards, so that it is never narrower than what it shows.
+class FormArea : public QScrollArea {
+public:
+    using QScrollArea::QScrollArea;
+    QSize minimumSizeHint() const override {
+        const int beside = verticalScrollBar()->sizeHint().width() + 2 * frameWidth();
+        return {widget()->minimumSizeHint().width() + beside, QScrollArea::minimumSizeHint().height()};
+    }
+};
 
 } // namespace
 
@@ -101,6 +112,15 @@ QScrollArea* makeListArea(QWidget* rows, QWidget* parent) {
     area->setFocusPolicy(Qt::NoFocus); // it scrolls with the keyboard focus from row to row
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    return area;
+}
+
+QScrollArea* makeFormArea(QWidget* form, QWidget* parent) {
+    auto* area = new FormArea(parent);
+    area->setWidget(form);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     return area;
 }
 

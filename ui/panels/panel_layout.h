@@ -30,6 +30,8 @@ void addCard(QBoxLayout* list, QWidget* card, int place = -1);
 /// A scroll area for the rows of a list, with a height set by the caller, so that nothing below the list moves when
 /// rows are added or removed.
 QScrollArea* makeListArea(QWidget* rows, QWidget* parent);
+/// A scroll area for a form that scrolls downwards only: it is as wide as the form needs at least, in every language.
+QScrollArea* makeFormArea(QWidget* form, QWidget* parent);
 
 /// Changes the look that the style sheet gives a widget (ui/theme/style_sheet.h); does nothing if it is unchanged.
 void setLook(QWidget* widget, const char* look);

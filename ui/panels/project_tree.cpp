@@ -83,6 +83,7 @@ void ProjectTree::setRows(const std::vector<ProjectRow>& rows) {
     clear();
     for (const ProjectRow& node : rows_) addTopLevelItem(itemOf(node));
     for (QTreeWidgetItemIterator at(this); *at != nullptr; ++at) {
+        (*at)->setFirstColumnSpanned((*at)->text(1).isEmpty());
         if ((*at)->childCount() == 0) continue;
         const auto before = open.find({static_cast<int>(kindOf(**at)), idOf(**at)});
         (*at)->setExpanded(before != open.end() ? before->second : !(*at)->data(0, foldedRole).toBool());

@@ -22,7 +22,7 @@ namespace burin {
 namespace {
 
 constexpr std::array axisNames{"X", "Y", "Z"};
-constexpr double farthest = 1e6; // mm
+constexpr double farthestPlacement = 1e6; // mm
 
 QString axisText(std::size_t axis) {
     return QString::fromLatin1(axisNames[axis]);
@@ -175,7 +175,7 @@ void SetupPanel::Fields::makePosition() {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         position_[axis] = new LengthField(panel_);
         position_[axis]->setObjectName(QStringLiteral("position%1").arg(axisText(axis)));
-        position_[axis]->limit(-farthest, farthest);
+        position_[axis]->limit(-farthestPlacement, farthestPlacement);
         column_->addWidget(new FieldRow(
             SetupPanel::tr("Lower corner %1").arg(axisText(axis)), position_[axis],
             SetupPanel::tr("Lower corner of the part's bounding box. A new value moves the part"), panel_));

@@ -19,8 +19,8 @@ namespace burin {
 
 namespace {
 
-constexpr double farthest = 10'000.0, smallestSize = 0.01; // mm
-constexpr int aslant = 3;                                  // index in the axis choice: none of x, y, z
+constexpr double farthestCorner = 10'000.0, smallestSize = 0.01; // mm
+constexpr int aslant = 3;                                        // index in the axis choice: none of x, y, z
 
 } // namespace
 
@@ -90,7 +90,7 @@ void StockShapeFields::addField(StockForm form, const QString& label, const char
                                 Set set) {
     auto* field = new LengthField(this);
     field->setObjectName(QLatin1String(name));
-    field->limit(least, farthest);
+    field->limit(least, farthestCorner);
     auto* row = new FieldRow(label, field, tr("In the model's frame"), this);
     layout()->addWidget(row);
     connect(field, &LengthField::valueEdited, this, [this, set = std::move(set)](double value) {
@@ -106,7 +106,7 @@ void StockShapeFields::addBoxFields() {
         const int axis = static_cast<int>(i % 3);
         const bool high = i >= 3;
         addField(
-            StockForm::box, (high ? tr("To %1") : tr("From %1")).arg(axisLetter(axis)), names[i], -farthest,
+            StockForm::box, (high ? tr("To %1") : tr("From %1")).arg(axisLetter(axis)), names[i], -farthestCorner,
             [axis, high](const Setup& setup) { return (high ? setup.stock.high : setup.stock.low)[axis]; },
             [axis, high](Setup& setup, double value) { (high ? setup.stock.high : setup.stock.low)[axis] = value; });
     }
@@ -117,7 +117,7 @@ void StockShapeFields::addCylinderFields() {
     for (std::size_t i = 0; i < names.size(); ++i) {
         const int axis = static_cast<int>(i);
         addField(
-            StockForm::cylinder, tr("Middle of its end, %1").arg(axisLetter(axis)), names[i], -farthest,
+            StockForm::cylinder, tr("Middle of its end, %1").arg(axisLetter(axis)), names[i], -farthestCorner,
             [axis](const Setup& setup) { return setup.cylinder.base[axis]; },
             [axis](Setup& setup, double value) { setup.cylinder.base[axis] = value; });
     }

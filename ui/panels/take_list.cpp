@@ -120,11 +120,11 @@ TakeList::Row TakeList::makeRow(const TakeRow& take) {
     row.detail = new ElidedLabel({}, frame);
     row.detail->setProperty("look", "small");
     grid->addWidget(row.detail, 1, 0, 1, 2);
-    QToolButton* remove = makeIconButton(QStringLiteral("remove"), tr("Delete this take"),
-                                         QStringLiteral("removeTake%1").arg(take.info.id), frame);
-    setEnabledKeepingFocus(remove, removable_);
-    connect(remove, &QToolButton::clicked, this, [this, id = take.info.id] { emit removalRequested(id); });
-    grid->addWidget(remove, 0, 2, 2, 1, Qt::AlignVCenter);
+    row.remove = makeIconButton(QStringLiteral("remove"), tr("Delete this take"),
+                                QStringLiteral("removeTake%1").arg(take.info.id), frame);
+    setEnabledKeepingFocus(row.remove, removable_);
+    connect(row.remove, &QToolButton::clicked, this, [this, id = take.info.id] { emit removalRequested(id); });
+    grid->addWidget(row.remove, 0, 2, 2, 1, Qt::AlignVCenter);
     grid->setColumnStretch(0, 1);
     show(row, take);
     return row;
@@ -132,6 +132,7 @@ TakeList::Row TakeList::makeRow(const TakeRow& take) {
 
 void TakeList::show(const Row& row, const TakeRow& take) {
     row.name->setText(takeName(take.info.name));
+    row.remove->setAccessibleName(row.name->text() + QStringLiteral(", ") + row.remove->toolTip());
     row.duration->setText(take.info.seconds ? durationText(*take.info.seconds) : tr("damaged"));
     row.detail->setText(detailOf(take));
 }

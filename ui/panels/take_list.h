@@ -8,6 +8,7 @@
 
 class QLabel;
 class QScrollArea;
+class QToolButton;
 class QVBoxLayout;
 
 namespace burin {
@@ -32,6 +33,7 @@ private:
         QWidget* widget = nullptr;
         ElidedLabel *name = nullptr, *detail = nullptr;
         QLabel* duration = nullptr;
+        QToolButton* remove = nullptr;
     };
     Row makeRow(const TakeRow& take);
     void show(const Row& row, const TakeRow& take);

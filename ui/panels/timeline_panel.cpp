@@ -140,6 +140,7 @@ void TimelinePanel::showTime(const TimelinePanelState& state) {
         time_->setText(state.reading ? tr("Reading the takes…") : QString());
     else
         time_->setText(QStringLiteral("%1 / %2").arg(clockText(state.view.seconds, 3), clockText(all_, 3)));
+    view_->sayTime(time_->text());
 }
 
 QStringList TimelinePanel::curves() const {

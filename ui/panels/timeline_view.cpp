@@ -69,8 +69,14 @@ TimelineView::TimelineView(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("timelineView"));
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Timeline of the takes"));
-    setAccessibleDescription(tr("Left and right arrow keys move through the time, Space plays, plus and minus zoom."));
+    sayTime({});
     setMouseTracking(false);
+}
+
+void TimelineView::sayTime(const QString& time) {
+    const QString keys = tr("Left and right arrow keys move through the time, Space plays, plus and minus zoom.");
+    const QString said = time.isEmpty() ? keys : time + QStringLiteral(". ") + keys;
+    if (said != accessibleDescription()) setAccessibleDescription(said);
 }
 
 void TimelineView::setState(const TimelineState& state) {

@@ -49,6 +49,7 @@ public:
     explicit TimelineView(QWidget* parent = nullptr);
     void setState(const TimelineState& state);
     void setUnit(LengthUnit unit);
+    void sayTime(const QString& time); ///< what assistive programs read before the keys; empty: nothing
     void showCurve(TrackCurve curve, bool shown);
 
     QSize sizeHint() const override;

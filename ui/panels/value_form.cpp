@@ -92,7 +92,7 @@ void ValueForm::addNumberFields(const char* key, const QString& label, const QSt
             if (number.used) field->setReadOnly(locked_ || !number.used());
         });
     }
-    if (withSource) addSource(key, row);
+    if (withSource) addSource(key, label, row);
 }
 
 void ValueForm::addChoiceField(const char* key, const QString& label, const QString& toolTip, ChoiceField choice,
@@ -107,7 +107,7 @@ void ValueForm::addChoiceField(const char* key, const QString& label, const QStr
         changed(key);
     });
     refreshers_.emplace_back([box, get = choice.get] { box->setCurrentIndex(get()); });
-    if (withSource) addSource(key, row);
+    if (withSource) addSource(key, label, row);
 }
 
 QLineEdit* ValueForm::addTextField(const char* name, const QString& label, const QString& toolTip, TextField text) {
@@ -119,8 +119,9 @@ QLineEdit* ValueForm::addTextField(const char* name, const QString& label, const
         set(typed.trimmed().toStdString());
         emit edited();
     });
-    refreshers_.emplace_back([field, get = text.get] {
+    refreshers_.emplace_back([field, toolTip, get = text.get] {
         const QString said = QString::fromStdString(get());
+        field->setToolTip(said.isEmpty() ? toolTip : toolTip + QLatin1Char('\n') + said); // it may be a long one
         if (field->text().trimmed() != said) field->setText(said);
         field->setCursorPosition(0);
     });
@@ -128,11 +129,11 @@ QLineEdit* ValueForm::addTextField(const char* name, const QString& label, const
 }
 
 /// Adds the field for the source of a key's values.
-void ValueForm::addSource(const char* key, int row) {
+void ValueForm::addSource(const char* key, const QString& label, int row) {
     auto* field = new QLineEdit(this);
     field->setObjectName(QString::fromLatin1(key) + QStringLiteral("Source"));
     field->setPlaceholderText(sourcePlaceholder_);
-    field->setAccessibleName(tr("Source"));
+    field->setAccessibleName(label + QStringLiteral(", ") + tr("Source"));
     field->setMinimumWidth(sourceFieldWidth);
     field->setProperty("look", "quiet");
     grid_->addWidget(field, row, sourceColumn);
@@ -149,8 +150,9 @@ void ValueForm::addSource(const char* key, int row) {
         const QString said = found == sources().end() ? QString() : QString::fromStdString(found->second);
         if (field->text().trimmed() != said) field->setText(said);
         field->setCursorPosition(0);
-        field->setToolTip(said.isEmpty() ? tr("Where this value comes from, e.g. the nameplate or a measurement")
-                                         : said);
+        field->setToolTip(said.isEmpty() ? tr("Where this value comes from, e.g. the nameplate or a measurement") +
+                                               QLatin1Char('\n') + sourcePlaceholder_
+                                         : said); // either may be longer than the field
     });
 }
 

@@ -64,7 +64,7 @@ protected:
     void addChoiceField(const char* key, const QString& label, const QString& toolTip, ChoiceField choice,
                         bool withSource);
     QLineEdit* addTextField(const char* name, const QString& label, const QString& toolTip, TextField text);
-    void addSource(const char* key, int row);
+    void addSource(const char* key, const QString& label, int row);
     void closeRows(); ///< to be called after the last row
     void onRefresh(std::function<void()> show) { refreshers_.push_back(std::move(show)); }
     void lock(bool locked); ///< makes the values read-only

@@ -23,10 +23,12 @@ ValueRow::ValueRow(const QString& label, QWidget* parent)
     setAccessibleName(label);
 }
 
-void ValueRow::setValue(const QString& value) {
-    if (value_->text() == value) return;
-    value_->setText(value);
-    setAccessibleDescription(value);
+void ValueRow::setValue(const QString& value, const QString& spoken) {
+    if (const QString& read = spoken.isEmpty() ? value : spoken; accessibleDescription() != read) {
+        setAccessibleDescription(read);
+        value_->setAccessibleName(spoken);
+    }
+    if (value_->text() != value) value_->setText(value);
 }
 
 QString ValueRow::value() const {

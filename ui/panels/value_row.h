@@ -13,7 +13,9 @@ class ValueRow : public QWidget {
     Q_OBJECT
 public:
     explicit ValueRow(const QString& label, QWidget* parent = nullptr);
-    void setValue(const QString& value); ///< as displayed, with its unit
+    /// @param value   as displayed, with its unit
+    /// @param spoken  what assistive programs read instead, where the displayed value has no unit
+    void setValue(const QString& value, const QString& spoken = {});
     QString value() const;
 
 private:

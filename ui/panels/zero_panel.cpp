@@ -18,7 +18,7 @@ namespace burin {
 
 namespace {
 
-constexpr double farthest = 1e6; // mm
+constexpr double farthestZero = 1e6; // mm
 constexpr std::array offered{54, 55, 56, 57, 58, 59, 591, 592, 593};
 constexpr std::array axisNames{"X", "Y", "Z"};
 
@@ -98,7 +98,7 @@ void ZeroPanel::Fields::makePlace(std::size_t axis) {
     });
     places_[axis] = new LengthField(panel_);
     places_[axis]->setObjectName(QStringLiteral("zero%1").arg(name));
-    places_[axis]->limit(-farthest, farthest);
+    places_[axis]->limit(-farthestZero, farthestZero);
     column_->addWidget(
         new FieldRow(name, places_[axis], ZeroPanel::tr("Program zero in the frame of the setup"), panel_));
     connect(places_[axis], &QuantityField::valueEdited, this, [this, axis](double place) {

@@ -45,6 +45,7 @@ void AxisDialog::layOut() {
     area_ = new QScrollArea(this);
     area_->setWidgetResizable(true);
     area_->setFrameShape(QFrame::NoFrame);
+    area_->setAccessibleName(windowTitle());
     column->addWidget(area_, 1);
     notice_ = new Notice(this);
     notice_->setObjectName(QStringLiteral("axisNotice"));

@@ -65,6 +65,7 @@ void AxisRows::addAxisRow(QGridLayout& grid, std::size_t axis, const QString& na
     row.bar = new MeterBar(&Palette::accent, this);
     row.bar->setObjectName(QStringLiteral("axisBar") + number);
     row.bar->setMinimumWidth(barWidth);
+    row.bar->setAccessibleName(name);
     row.motion = new ChoiceBox(this);
     row.motion->setObjectName(QStringLiteral("axisMotion") + number);
     row.motion->setAccessibleName(name);
@@ -73,11 +74,12 @@ void AxisRows::addAxisRow(QGridLayout& grid, std::size_t axis, const QString& na
     row.reversed = new QCheckBox(tr("reversed"), this);
     row.reversed->setObjectName(QStringLiteral("axisReversed") + number);
     row.reversed->setToolTip(tr("The axis moves the other way"));
-    row.gain = addShareField(QStringLiteral("axisGain") + number, name,
+    row.reversed->setAccessibleName(name + QStringLiteral(", ") + row.reversed->text());
+    row.gain = addShareField(QStringLiteral("axisGain") + number, name + QStringLiteral(", ") + tr("Gain"),
                              tr("Share of the full motion at full deflection; more than 1 reaches it earlier"), 0.05,
                              10.0, axis, &AxisUse::gain);
     row.deadZone =
-        addShareField(QStringLiteral("axisDead") + number, name,
+        addShareField(QStringLiteral("axisDead") + number, name + QStringLiteral(", ") + tr("Dead zone"),
                       tr("Share of the deflection from rest that has no effect"), 0.0, 0.5, axis, &AxisUse::deadZone);
     row.range = new QLabel(this);
     row.range->setObjectName(QStringLiteral("axisRange") + number);

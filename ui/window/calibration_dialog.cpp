@@ -113,6 +113,7 @@ void CalibrationDialog::layOut() {
     area->setWidget(result_);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
+    area->setAccessibleName(tr("Result of the calibration"));
     column->addWidget(area, 1);
     keep_ = makePrimaryButton(tr("Keep in the library"), QStringLiteral("keepCalibrationButton"), this);
     auto* close = makeButton(tr("Cancel"), QStringLiteral("cancel"), QStringLiteral("cancelCalibrationButton"), this);

@@ -67,6 +67,7 @@ void DeviceDialog::layOut() {
     halves->setSpacing(16);
     list_ = new RowList(this);
     list_->setObjectName(QStringLiteral("deviceList"));
+    list_->setAccessibleName(windowTitle());
     list_->setFillsHeight(true);
     list_->setTextsWrap(true);
     halves->addWidget(list_, 1);

@@ -22,7 +22,7 @@ namespace burin {
 
 namespace {
 
-constexpr QSize faceDialogSize(860, 420); // pixels
+constexpr QSize faceDialogSize(1000, 420); // pixels
 constexpr int faceProgressSteps = 1000;
 
 } // namespace
@@ -59,13 +59,14 @@ void FaceDialog::layOut() {
     table_->setSortingEnabled(true);
     table_->verticalHeader()->hide();
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->horizontalHeader()->setSectionResizeMode(FaceTableModel::kind, QHeaderView::Stretch);
+    table_->horizontalHeader()->setStretchLastSection(true);
     column->addWidget(table_, 1);
     auto* row = new QHBoxLayout;
     progress_ = new QProgressBar(this);
     progress_->setObjectName(QStringLiteral("faceProgress"));
     progress_->setRange(0, faceProgressSteps);
     progress_->setTextVisible(false);
+    progress_->setAccessibleName(tr("Inspecting the faces"));
     cancel_ = makeButton(tr("Cancel"), QStringLiteral("cancel"), QStringLiteral("cancelFacesButton"), this);
     cancel_->setToolTip(tr("Stop inspecting the faces"));
     copy_ = makeButton(tr("Copy"), {}, QStringLiteral("copyFacesButton"), this);

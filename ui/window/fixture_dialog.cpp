@@ -95,6 +95,7 @@ bool FixtureDialog::eventFilter(QObject* watched, QEvent* event) {
 void FixtureDialog::addSizes(QVBoxLayout& column) {
     auto* area = new QScrollArea(this);
     area->setObjectName(QStringLiteral("fixtureSizes"));
+    area->setAccessibleName(tr("Sizes of the fixture"));
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFixedHeight(sizesHeight);

@@ -153,6 +153,7 @@ QPushButton* LibraryDialog::addFootButton(const QString& text, const QString& ic
 void LibraryDialog::start(QWidget* page, const QString& nameField, const std::string& id) {
     page_ = page;
     nameField_ = nameField;
+    page->setAccessibleName(texts_.title);
     pageColumn_->addWidget(page, 1);
     for (auto* button : findChildren<QPushButton*>()) button->setAutoDefault(false); // Enter belongs to the fields
     showEntry(id);

@@ -7,6 +7,7 @@
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/machine_form.h"
+#include "ui/panels/panel_layout.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -49,12 +50,7 @@ MachineDialog::MachineDialog(TargetController& target, LengthUnit unit, QWidget*
     connect(use_, &QPushButton::clicked, this, [this] { target_.chooseMachine(shownId()); });
     connect(&target, &Controller::changed, this, &MachineDialog::refresh);
     connect(&target, &Controller::failed, this, &MachineDialog::fail);
-    auto* area = new QScrollArea(this);
-    area->setWidget(form_);
-    area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFrameShape(QFrame::NoFrame);
-    start(area, QStringLiteral("name"), target.machine().id);
+    start(makeFormArea(form_, this), QStringLiteral("name"), target.machine().id);
     connect(form_, &MachineForm::edited, this, &MachineDialog::follow);
 }
 

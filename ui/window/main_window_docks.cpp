@@ -17,7 +17,7 @@ namespace burin {
 
 namespace {
 
-constexpr int sideDockWidth = 220, leastDockWidth = 180; // pixels
+constexpr int sideDockWidth = 260, leastDockWidth = 180; // pixels
 
 } // namespace
 

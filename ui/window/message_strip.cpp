@@ -21,6 +21,7 @@ MessageStrip::MessageStrip(QWidget* parent) : QWidget(parent), notice_(new Notic
     close->setProperty("look", "flat");
     close->setIcon(themedIcon(QStringLiteral("cancel"), &Palette::quietText));
     close->setToolTip(tr("Close this message."));
+    close->setAccessibleName(close->toolTip());
     connect(close, &QToolButton::clicked, this, &MessageStrip::dismiss);
     layout->addWidget(notice_, 1);
     layout->addWidget(close);

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/panel_stack.h"
 
+#include "ui/panels/step_bar.h"
+
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <initializer_list>
+#include <tuple>
 
 namespace burin {
 
@@ -15,9 +18,10 @@ namespace {
 constexpr int leastWidth = 344, mostWidth = 900; // pixels: a panel's 320 with margins; a program's long lines
 
 /// Each panel scrolls separately, so that a long one does not interval the others.
-QWidget* scrolling(QWidget* panel, const char* name) {
+QWidget* scrolling(QWidget* panel, const char* name, const QString& title) {
     auto* area = new QScrollArea;
     area->setObjectName(QString::fromLatin1(name));
+    area->setAccessibleName(title);
     area->setWidget(panel);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
@@ -62,16 +66,16 @@ PanelStack::PanelStack(QWidget* parent)
     setMinimumWidth(leastWidth);
     setMaximumWidth(mostWidth);
     stack_->setObjectName(QStringLiteral("panelPages"));
-    const std::array<std::pair<QWidget*, const char*>, 8> panels{
-        {{stacked({part, setup}), "partPage"},
-         {stacked({stock, zero, surroundings, findings}), "stockPage"},
-         {stacked({material, layers}), "materialPage"},
-         {tool, "toolPage"},
-         {allowance, "allowancePage"},
-         {stacked({mill, guides, bounds, hand}), "millPage"},
-         {path, "pathPage"},
-         {program, "programPage"}}};
-    for (const auto& [panel, name] : panels) stack_->addWidget(scrolling(panel, name));
+    const std::array<std::tuple<QWidget*, const char*, QString>, 8> panels{
+        {{stacked({part, setup}), "partPage", StepBar::tr("Part")},
+         {stacked({stock, zero, surroundings, findings}), "stockPage", StepBar::tr("Stock")},
+         {stacked({material, layers}), "materialPage", StepBar::tr("Material")},
+         {tool, "toolPage", StepBar::tr("Tool")},
+         {allowance, "allowancePage", StepBar::tr("Allowance")},
+         {stacked({mill, guides, bounds, hand}), "millPage", StepBar::tr("Mill")},
+         {path, "pathPage", StepBar::tr("Path")},
+         {program, "programPage", StepBar::tr("Program")}}};
+    for (const auto& [panel, name, title] : panels) stack_->addWidget(scrolling(panel, name, title));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

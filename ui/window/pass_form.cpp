@@ -5,12 +5,12 @@
 #include "core/base/units.h"
 #include "core/recording/generated_moves.h"
 #include "ui/panels/choice_box.h"
+#include "ui/panels/count_field.h"
 #include "ui/panels/field_row.h"
 
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QCoreApplication>
-#include <QSpinBox>
 
 #include <algorithm>
 #include <cmath>
@@ -191,10 +191,8 @@ bool PassForm::extendsStrokes() const {
 }
 
 void PassForm::addTabs(int count) {
-    tabs_ = new QSpinBox(this);
+    tabs_ = new CountField(0, mostTabs, count, this);
     tabs_->setObjectName(QStringLiteral("passTabs"));
-    tabs_->setRange(0, mostTabs);
-    tabs_->setValue(count);
     tabsRow_ = new FieldRow(tr("Holding tabs"), tabs_, tr("How many bridges stay on each outline"), this);
     layout()->addWidget(tabsRow_);
     connect(tabs_, &QSpinBox::valueChanged, this, [this] {
@@ -221,10 +219,8 @@ void PassForm::addThread(int radialPasses) {
                                   FieldRow::choiceWidth);
     layout()->addWidget(threadSizeRow_);
     connect(threadSize_, &QComboBox::activated, this, &PassForm::takeThreadSize);
-    radialPasses_ = new QSpinBox(this);
+    radialPasses_ = new CountField(1, mostRadialPasses, radialPasses, this);
     radialPasses_->setObjectName(QStringLiteral("passRadialPasses"));
-    radialPasses_->setRange(1, mostRadialPasses);
-    radialPasses_->setValue(radialPasses);
     radialPassesRow_ = new FieldRow(tr("Passes"), radialPasses_,
                                     tr("Number of passes along the thread, each deeper than the one before"), this);
     layout()->addWidget(radialPassesRow_);

@@ -109,6 +109,7 @@ void ScoreDialog::layOutFoot() {
     progress_->setRange(0, 1000);
     progress_->setTextVisible(false);
     progress_->setToolTip(tr("Progress of the scoring."));
+    progress_->setAccessibleName(progress_->toolTip());
     cancel_ = makeButton(tr("Cancel"), {}, QStringLiteral("cancelScoreButton"), this);
     cancel_->setToolTip(tr("Stop scoring"));
     connect(cancel_, &QPushButton::clicked, this, [this] {

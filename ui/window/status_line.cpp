@@ -34,6 +34,7 @@ StatusLine::StatusLine(QWidget* parent) : QStatusBar(parent) {
     progress_->setTextVisible(false);
     progress_->setFixedSize(112, 8);
     progress_->setToolTip(tr("Progress of the work in the background."));
+    progress_->setAccessibleName(progress_->toolTip());
     cancel_ = new QToolButton(this);
     cancel_->setObjectName(QStringLiteral("cancelTaskButton"));
     cancel_->setText(tr("Cancel"));

@@ -7,6 +7,7 @@
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/messages/details.h"
 #include "ui/panels/buttons.h"
+#include "ui/panels/panel_layout.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/tool_drawing.h"
 #include "ui/panels/tool_form.h"
@@ -72,15 +73,10 @@ void ToolDialog::addButtons() {
 QWidget* ToolDialog::makePage() {
     form_ = new ToolForm(tools_.holders(), tools_.materials());
     form_->setLengthUnit(unit_);
-    auto* area = new QScrollArea(this);
-    area->setWidget(form_);
-    area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFrameShape(QFrame::NoFrame);
     drawing_ = new ToolDrawing(this);
     drawing_->setUnit(unit_);
     addBelowList(drawing_);
-    return area;
+    return makeFormArea(form_, this);
 }
 
 const Tool* ToolDialog::tool(const std::string& id) const {

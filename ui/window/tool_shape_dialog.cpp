@@ -7,6 +7,7 @@
 #include "ui/dialogs/file_dialogs.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
+#include "ui/panels/count_field.h"
 #include "ui/panels/field_row.h"
 #include "ui/panels/file_units.h"
 #include "ui/panels/length_field.h"
@@ -17,7 +18,6 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
-#include <QSpinBox>
 
 namespace burin {
 
@@ -61,10 +61,8 @@ void ToolShapeDialog::layOut(LengthUnit unit) {
     name_ = new QLineEdit(this);
     name_->setObjectName(QStringLiteral("toolName"));
     column->addWidget(new FieldRow(tr("Name"), name_, tr("What the tool is called"), this, FieldRow::choiceWidth));
-    number_ = new QSpinBox(this);
+    number_ = new CountField(1, tool_range::highestNumber, like_.number, this);
     number_->setObjectName(QStringLiteral("toolNumber"));
-    number_->setRange(1, tool_range::highestNumber);
-    number_->setValue(like_.number);
     column->addWidget(new FieldRow(tr("Number"), number_, tr("T in programs"), this));
     motion_ = new ChoiceBox(this);
     motion_->setObjectName(QStringLiteral("toolMotion"));
