@@ -76,6 +76,7 @@ Result<PassBasis> passBasis(const MillingContext& milling, std::vector<PathMatte
         if (Result<void> seen = lendStockBehind(milling, std::move(before), look, progress); !seen)
             return std::move(seen).error();
     }
+    if (!needsField(milling.tool)) return basis;
     const ProgressPart part(progress, 0.7, 1.0);
     Result<std::unique_ptr<const ClearanceField>> field = clearanceField(milling, allowance, progress);
     if (!field) return std::move(field).error();
@@ -90,7 +91,7 @@ Result<PlannedPass> planOn(const PassBasis& basis, const MillingContext& milling
     const double stated = milling.tool.maximumDepthOfCut; // bending and breaking limit feeds only: a row is narrow
     const std::vector<ObstacleSolid> obstacles = solidsOf(milling.surroundings());
     const PassGround ground{milling.part,
-                            *basis.field,
+                            basis.field.get(),
                             tool,
                             milling.setup.stock,
                             obstacles,

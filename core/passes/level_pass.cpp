@@ -42,7 +42,7 @@ public:
         , heights_(ground.stock, ground.tool.cutter, ground.coarseness)
         , stepOver_(loopStepOf(request, ground))
         // Above the whole part, the error of the field is no reason to keep away from it.
-        , keep_(request.allowance + (request.kind == PassKind::face ? -1.0 : 1.0) * ground.field.errorBound())
+        , keep_(request.allowance + (request.kind == PassKind::face ? -1.0 : 1.0) * ground.field->errorBound())
         , top_(request.top.value_or(ground.stock.high.z))
         , bottom_(bottomOf(request, ground))
         , tabs_(request, ground.tool.cutter.diameter, bottom_, heights_.raster()) {
@@ -80,7 +80,7 @@ private:
         const double reach = ground_.tool.cutter.radius() + beyondStock + heights_.raster();
         const PlanBounds bounds{glm::dvec2(ground_.stock.low) - reach, glm::dvec2(ground_.stock.high) + reach};
         progress_.report(0.0);
-        return {ground_.field,
+        return {*ground_.field,
                 bounds,
                 heights_.raster(),
                 keep_,
@@ -181,7 +181,7 @@ private:
             if (away > mostAway * radius + tolerance) continue;
             const glm::dvec2 back = glm::normalize(glm::normalize(in) - glm::normalize(out));
             const glm::dvec2 reached = here + (away - radius) * back;
-            if (isCornerOfArea(here + away * back) && ground_.field.at({reached, level}).clearance >= keep_)
+            if (isCornerOfArea(here + away * back) && ground_.field->at({reached, level}).clearance >= keep_)
                 bones.insert(bones.end(), {reached, here});
         }
         return bones;
@@ -270,7 +270,7 @@ private:
         const int steps = std::max(1, static_cast<int>(std::ceil(length / heights_.raster())));
         for (int i = 0; i <= steps; ++i) {
             const glm::dvec3 tip = glm::mix(from, to, static_cast<double>(i) / steps);
-            if (!(ground_.field.at(tip).clearance >= keep_ - 1e-3)) return false;
+            if (!(ground_.field->at(tip).clearance >= keep_ - 1e-3)) return false;
             if (!request_.area.empty() && request_.kind == PassKind::levels && !holds(request_.area, glm::dvec2(tip)))
                 return false;
             if (heights_.safeHeight(tip) > tip.z + tolerance) return false;

@@ -19,7 +19,9 @@ namespace burin {
 /// it.
 struct PassGround {
     const MeshDistance& part;    ///< what nothing may cut; may be empty
-    const ClearanceField& field; ///< of the tool from the part; fine at least up to the allowance of the pass
+    /// Clearance of the tool from the part, fine at least up to the allowance of the pass; null for passes that need
+    /// none (needsField in plan_pass.h).
+    const ClearanceField* field;
     const Tool& tool;
     Box stock;
     std::span<const ObstacleSolid> obstacles; ///< that the tool keeps clear of

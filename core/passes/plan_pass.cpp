@@ -37,6 +37,10 @@ bool mayPlan(PassKind kind, const Tool& tool) {
     return checkTool(kind, tool) && (kind != PassKind::thread || !checkPlannable(tool));
 }
 
+bool needsField(const Tool& tool) {
+    return !mayPlan(PassKind::drill, tool) && !mayPlan(PassKind::thread, tool);
+}
+
 Result<void> checkPass(const PassRequest& request, const Tool& tool) {
     if (Result<void> valid = validate(request); !valid) return valid;
     return checkTool(request.kind, tool);

@@ -12,6 +12,9 @@ namespace burin {
 /// Whether a kind of pass is offered for a tool: each tool drills, mills threads, or does all the rest.
 bool mayPlan(PassKind kind, const Tool& tool);
 
+/// Whether a tool's passes need the clearance field: what works in holes alone asks the part itself.
+bool needsField(const Tool& tool);
+
 /// Whether a pass can be planned with a tool, as far as they alone show it: asked before the stock and the field, which
 /// take seconds, are prepared.
 /// Errors: those of validate and checkPlannable; notSupported (a drill for another pass than drilling, drilling with

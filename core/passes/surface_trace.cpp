@@ -138,7 +138,7 @@ SurfacePlace SurfaceTrace::at(const glm::dvec2& place, TipDrop& probe) const {
     // The field leads quickly to just above the part: its clearance less its error is never more than the real one.
     const auto surelySpare = [&](double z) {
         const glm::dvec3 tip(place, z);
-        return ground_.field.at(tip).clearance - ground_.field.errorBoundAt(tip) - request_.allowance;
+        return ground_.field->at(tip).clearance - ground_.field->errorBoundAt(tip) - request_.allowance;
     };
     const bool known = surelySpare(probe.top()) > 0.0;
     const double from = known ? lowestClear(surelySpare, probe.top(), bottom_).value_or(bottom_) : probe.top();

@@ -100,7 +100,7 @@ public:
         if (!(bottom < top)) return PlannedPass{};
         const int count = std::max(1, static_cast<int>(std::ceil((top - bottom) / step_ - 1e-9)));
         const double reach = ground_.tool.cutter.radius() + request_.allowance + beside;
-        const TipRaster raster(ground_.field, {glm::dvec2(part.low) - reach, glm::dvec2(part.high) + reach},
+        const TipRaster raster(*ground_.field, {glm::dvec2(part.low) - reach, glm::dvec2(part.high) + reach},
                                ground_.coarseness * std::min(coarsestRaster, ground_.tool.cutter.radius() / 4.0),
                                request_.allowance, part.high.z + request_.allowance + 1.0, bottom, progress_);
         std::vector<std::vector<LevelRun>> levels(static_cast<std::size_t>(count));

@@ -66,7 +66,7 @@ struct Ground {
         , tool(withTool)
         , stock(of)
         , field(fieldOf(allowance, fieldVoxel))
-        , ground{part, *field, tool, stock, {}, std::move(standing), 4.0, 40.0} {}
+        , ground{part, field.get(), tool, stock, {}, std::move(standing), 4.0, 40.0} {}
     Ground(const Ground&) = delete; // it refers to its own members
     Ground& operator=(const Ground&) = delete;
 
