@@ -82,7 +82,8 @@ Translations read(const QString& file) {
         const QString translation = xml.readElementText(QXmlStreamReader::IncludeChildElements);
         const QString text = context + QStringLiteral(": ") + source;
         result.texts.insert(text);
-        if (unfinished || translation.trimmed().isEmpty()) result.unfinished.append(text);
+        const bool guessed = translation.contains(QLatin1String(" ?}")); // a number that lupdate asks to check
+        if (unfinished || guessed || translation.trimmed().isEmpty()) result.unfinished.append(text);
         if (placesIn(source) != placesIn(translation)) result.differentPlaces.append(text);
     }
     return result;
