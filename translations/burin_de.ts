@@ -9690,187 +9690,187 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>End mill 1 mm</source>
-        <translation>Schaftfräser 6 mm {1 ?}</translation>
+        <translation>Schaftfräser 1 mm</translation>
     </message>
     <message>
         <source>End mill 1.5 mm</source>
-        <translation>Schaftfräser 6 mm {1.5 ?}</translation>
+        <translation>Schaftfräser 1,5 mm</translation>
     </message>
     <message>
         <source>End mill 2 mm</source>
-        <translation>Schaftfräser 6 mm {2 ?}</translation>
+        <translation>Schaftfräser 2 mm</translation>
     </message>
     <message>
         <source>End mill 2.5 mm</source>
-        <translation>Schaftfräser 6 mm {2.5 ?}</translation>
+        <translation>Schaftfräser 2,5 mm</translation>
     </message>
     <message>
         <source>End mill 4 mm</source>
-        <translation>Schaftfräser 6 mm {4 ?}</translation>
+        <translation>Schaftfräser 4 mm</translation>
     </message>
     <message>
         <source>End mill 5 mm</source>
-        <translation>Schaftfräser 6 mm {5 ?}</translation>
+        <translation>Schaftfräser 5 mm</translation>
     </message>
     <message>
         <source>End mill 8 mm</source>
-        <translation>Schaftfräser 6 mm {8 ?}</translation>
+        <translation>Schaftfräser 8 mm</translation>
     </message>
     <message>
         <source>End mill 12 mm</source>
-        <translation>Schaftfräser 6 mm {12 ?}</translation>
+        <translation>Schaftfräser 12 mm</translation>
     </message>
     <message>
         <source>End mill 16 mm</source>
-        <translation>Schaftfräser 6 mm {16 ?}</translation>
+        <translation>Schaftfräser 16 mm</translation>
     </message>
     <message>
         <source>End mill 20 mm</source>
-        <translation>Schaftfräser 6 mm {20 ?}</translation>
+        <translation>Schaftfräser 20 mm</translation>
     </message>
     <message>
         <source>Ball-end mill 1.5 mm</source>
-        <translation>Kugelfräser 6 mm {1.5 ?}</translation>
+        <translation>Kugelfräser 1,5 mm</translation>
     </message>
     <message>
         <source>Ball-end mill 2 mm</source>
-        <translation>Kugelfräser 6 mm {2 ?}</translation>
+        <translation>Kugelfräser 2 mm</translation>
     </message>
     <message>
         <source>Ball-end mill 4 mm</source>
-        <translation>Kugelfräser 6 mm {4 ?}</translation>
+        <translation>Kugelfräser 4 mm</translation>
     </message>
     <message>
         <source>Ball-end mill 5 mm</source>
-        <translation>Kugelfräser 6 mm {5 ?}</translation>
+        <translation>Kugelfräser 5 mm</translation>
     </message>
     <message>
         <source>Ball-end mill 8 mm</source>
-        <translation>Kugelfräser 6 mm {8 ?}</translation>
+        <translation>Kugelfräser 8 mm</translation>
     </message>
     <message>
         <source>Ball-end mill 12 mm</source>
-        <translation>Kugelfräser 6 mm {12 ?}</translation>
+        <translation>Kugelfräser 12 mm</translation>
     </message>
     <message>
         <source>Ball-end mill 16 mm</source>
-        <translation>Kugelfräser 6 mm {16 ?}</translation>
+        <translation>Kugelfräser 16 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 3 mm, corner radius 0.5 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {3 ?} {0.5 ?}</translation>
+        <translation>Torusfräser 3 mm, Eckenradius 0,5 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 4 mm, corner radius 0.5 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {4 ?} {0.5 ?}</translation>
+        <translation>Torusfräser 4 mm, Eckenradius 0,5 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 6 mm, corner radius 0.5 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {6 ?} {0.5 ?}</translation>
+        <translation>Torusfräser 6 mm, Eckenradius 0,5 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 8 mm, corner radius 1 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {8 ?} {1 ?}</translation>
+        <translation>Torusfräser 8 mm, Eckenradius 1 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 8 mm, corner radius 2 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {8 ?} {2 ?}</translation>
+        <translation>Torusfräser 8 mm, Eckenradius 2 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 10 mm, corner radius 1 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {10 ?} {1 ?}</translation>
+        <translation>Torusfräser 10 mm, Eckenradius 1 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 12 mm, corner radius 1 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {12 ?} {1 ?}</translation>
+        <translation>Torusfräser 12 mm, Eckenradius 1 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 12 mm, corner radius 3 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {12 ?} {3 ?}</translation>
+        <translation>Torusfräser 12 mm, Eckenradius 3 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 16 mm, corner radius 2 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {16 ?} {2 ?}</translation>
+        <translation>Torusfräser 16 mm, Eckenradius 2 mm</translation>
     </message>
     <message>
         <source>Bull-nose end mill 20 mm, corner radius 3 mm</source>
-        <translation>Torusfräser 6 mm, Eckenradius 1 mm {20 ?} {3 ?}</translation>
+        <translation>Torusfräser 20 mm, Eckenradius 3 mm</translation>
     </message>
     <message>
         <source>Drill 1 mm</source>
-        <translation>Bohrer 5 mm {1 ?}</translation>
+        <translation>Bohrer 1 mm</translation>
     </message>
     <message>
         <source>Drill 1.5 mm</source>
-        <translation>Bohrer 5 mm {1.5 ?}</translation>
+        <translation>Bohrer 1,5 mm</translation>
     </message>
     <message>
         <source>Drill 2 mm</source>
-        <translation>Bohrer 5 mm {2 ?}</translation>
+        <translation>Bohrer 2 mm</translation>
     </message>
     <message>
         <source>Drill 2.5 mm</source>
-        <translation>Bohrer 5 mm {2.5 ?}</translation>
+        <translation>Bohrer 2,5 mm</translation>
     </message>
     <message>
         <source>Drill 3 mm</source>
-        <translation>Bohrer 5 mm {3 ?}</translation>
+        <translation>Bohrer 3 mm</translation>
     </message>
     <message>
         <source>Drill 3.3 mm</source>
-        <translation>Bohrer 5 mm {3.3 ?}</translation>
+        <translation>Bohrer 3,3 mm</translation>
     </message>
     <message>
         <source>Drill 4 mm</source>
-        <translation>Bohrer 5 mm {4 ?}</translation>
+        <translation>Bohrer 4 mm</translation>
     </message>
     <message>
         <source>Drill 4.2 mm</source>
-        <translation>Bohrer 5 mm {4.2 ?}</translation>
+        <translation>Bohrer 4,2 mm</translation>
     </message>
     <message>
         <source>Drill 6 mm</source>
-        <translation>Bohrer 5 mm {6 ?}</translation>
+        <translation>Bohrer 6 mm</translation>
     </message>
     <message>
         <source>Drill 6.8 mm</source>
-        <translation>Bohrer 5 mm {6.8 ?}</translation>
+        <translation>Bohrer 6,8 mm</translation>
     </message>
     <message>
         <source>Drill 8 mm</source>
-        <translation>Bohrer 5 mm {8 ?}</translation>
+        <translation>Bohrer 8 mm</translation>
     </message>
     <message>
         <source>Drill 8.5 mm</source>
-        <translation>Bohrer 5 mm {8.5 ?}</translation>
+        <translation>Bohrer 8,5 mm</translation>
     </message>
     <message>
         <source>Drill 10 mm</source>
-        <translation>Bohrer 5 mm {10 ?}</translation>
+        <translation>Bohrer 10 mm</translation>
     </message>
     <message>
         <source>Drill 10.2 mm</source>
-        <translation>Bohrer 5 mm {10.2 ?}</translation>
+        <translation>Bohrer 10,2 mm</translation>
     </message>
     <message>
         <source>Drill 12 mm</source>
-        <translation>Bohrer 5 mm {12 ?}</translation>
+        <translation>Bohrer 12 mm</translation>
     </message>
     <message>
         <source>Chamfer mill 8 mm, 90°</source>
-        <translation>Fasenfräser 6 mm, 90° {8 ?} {90°?}</translation>
+        <translation>Fasenfräser 8 mm, 90°</translation>
     </message>
     <message>
         <source>Chamfer mill 10 mm, 90°</source>
-        <translation>Fasenfräser 6 mm, 90° {10 ?} {90°?}</translation>
+        <translation>Fasenfräser 10 mm, 90°</translation>
     </message>
     <message>
         <source>Chamfer mill 12 mm, 90°</source>
-        <translation>Fasenfräser 6 mm, 90° {12 ?} {90°?}</translation>
+        <translation>Fasenfräser 12 mm, 90°</translation>
     </message>
     <message>
         <source>Chamfer mill 10 mm, 60°</source>
-        <translation>Fasenfräser 6 mm, 90° {10 ?} {60°?}</translation>
+        <translation>Fasenfräser 10 mm, 60°</translation>
     </message>
     <message>
         <source>Engraving cutter 6 mm, 30°, tip 0.2 mm</source>
@@ -9878,11 +9878,11 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Taper ball mill 2 mm, 3° a side</source>
-        <translation>Kegelkugelfräser 1 mm, 5° je Seite {2 ?} {3°?}</translation>
+        <translation>Kegelkugelfräser 2 mm, 3° je Seite</translation>
     </message>
     <message>
         <source>Taper ball mill 0.5 mm, 10° a side</source>
-        <translation>Kegelkugelfräser 1 mm, 5° je Seite {0.5 ?} {10°?}</translation>
+        <translation>Kegelkugelfräser 0,5 mm, 10° je Seite</translation>
     </message>
     <message>
         <source>Tapered end mill 2 mm, 3° a side</source>
@@ -9894,15 +9894,15 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
     <message>
         <source>Lollipop mill 4 mm</source>
-        <translation>Kugelkopffräser 6 mm {4 ?}</translation>
+        <translation>Kugelkopffräser 4 mm</translation>
     </message>
     <message>
         <source>Lollipop mill 8 mm</source>
-        <translation>Kugelkopffräser 6 mm {8 ?}</translation>
+        <translation>Kugelkopffräser 8 mm</translation>
     </message>
     <message>
         <source>Lollipop mill 10 mm</source>
-        <translation>Kugelkopffräser 6 mm {10 ?}</translation>
+        <translation>Kugelkopffräser 10 mm</translation>
     </message>
     <message>
         <source>Thread mill M3 × 0.5</source>
