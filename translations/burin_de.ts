@@ -616,10 +616,6 @@
         <translation>Klicken Sie auf einen Eckpunkt, eine Kante oder einen Kreis des Teils oder auf eine Ecke des Rohteils.</translation>
     </message>
     <message>
-        <source>The face of the part that the tool touches becomes zero along its axis, as with an edge finder.</source>
-        <translation>Die Fläche des Teils, die das Werkzeug berührt, wird Null auf ihrer Achse, wie mit einem Kantentaster.</translation>
-    </message>
-    <message>
         <source>Export the setup s&amp;heet…</source>
         <translation>Einric&amp;hteblatt exportieren…</translation>
     </message>
@@ -906,6 +902,50 @@
     <message>
         <source>Place a vise, clamp, screw, parallels or plate of the library with the mouse; the tool keeps clear of it.</source>
         <translation>Schraubstock, Spanneisen, Schraube, Parallelunterlagen oder Platte der Bibliothek mit der Maus platzieren; das Werkzeug hält Abstand.</translation>
+    </message>
+    <message>
+        <source>&amp;Handles in the view</source>
+        <translation>&amp;Griffe in der Ansicht</translation>
+    </message>
+    <message>
+        <source>Show arrows, squares and rings that move and rotate the part, or the fixture that is being placed, by the mouse. Shift: fine; Ctrl: in steps.</source>
+        <translation>Zeigt Pfeile, Quadrate und Ringe, die das Teil oder die Vorrichtung, die platziert wird, mit der Maus verschieben und drehen. Umschalt: fein; Strg: in Schritten.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop the tool at the stock</source>
+        <translation>Werkzeug am Rohteil auf&amp;halten</translation>
+    </message>
+    <message>
+        <source>Until a recording starts, a stock that is a box or a cylinder stops the tool, as it was before milling, so that its sides can be touched off.</source>
+        <translation>Bis eine Aufnahme beginnt, hält ein Rohteil, das ein Quader oder Zylinder ist, das Werkzeug auf, wie es vor dem Fräsen war, damit seine Seiten angetastet werden können.</translation>
+    </message>
+    <message>
+        <source>The face of the part or stock that the tool touches becomes zero along its axis, as with an edge finder.</source>
+        <translation>Die Fläche von Teil oder Rohteil, die das Werkzeug berührt, wird Null auf ihrer Achse, wie mit einem Kantentaster.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep from the stock</source>
+        <translation>&amp;Abstand zum Rohteil halten</translation>
+    </message>
+    <message>
+        <source>Shank and holder push back before they touch the stock. The distance is set with the devices.</source>
+        <translation>Schaft und Halter drücken zurück, bevor sie das Rohteil berühren. Der Abstand wird bei den Geräten eingestellt.</translation>
+    </message>
+    <message>
+        <source>Compute ou&amp;tdated passes again</source>
+        <translation>Veraltete &amp;Durchgänge neu berechnen</translation>
+    </message>
+    <message>
+        <source>Compute those passes of the path again whose strokes have changed; all others stay as they are.</source>
+        <translation>Berechnet die Durchgänge der Bahn neu, deren Züge sich geändert haben; alle anderen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Edit with the st&amp;ylus</source>
+        <translation>Mit dem S&amp;tift bearbeiten</translation>
+    </message>
+    <message>
+        <source>Move points of the path with the chosen stylus, and feel part and fixtures.</source>
+        <translation>Punkte der Bahn mit dem gewählten Stift verschieben und dabei Teil und Vorrichtungen fühlen.</translation>
     </message>
 </context>
 <context>
@@ -2432,6 +2472,46 @@
     <message>
         <source>library &quot;%1&quot; renamed to &quot;%2&quot;</source>
         <translation>Bibliothek „%1“ in „%2“ umbenannt</translation>
+    </message>
+    <message>
+        <source>; shank or holder were kept away from the stock in %1 ticks</source>
+        <translation>; Schaft oder Halter wurden in %1 Takten vom Rohteil ferngehalten</translation>
+    </message>
+    <message>
+        <source>with --stock-distance, a trace that does not state this distance itself</source>
+        <translation>mit --stock-distance eine Spur, die diesen Abstand nicht selbst angibt</translation>
+    </message>
+    <message>
+        <source>no value, unless --stylus is a device</source>
+        <translation>kein Wert, außer wenn --stylus ein Gerät ist</translation>
+    </message>
+    <message>
+        <source>%1 mm were left to strokes of the hand, which have finished the part there.</source>
+        <translation>%1 mm blieben Zügen der Hand überlassen, die das Teil dort fertig bearbeitet haben.</translation>
+    </message>
+    <message>
+        <source>all passes are up to date</source>
+        <translation>alle Durchgänge sind aktuell</translation>
+    </message>
+    <message>
+        <source>hollow, %1 mm in diameter and %2 mm deep (at most %3 mm narrower than the model): a core stands in it; the tool stays upright</source>
+        <translation>hohl, %1 mm im Durchmesser und %2 mm tief (höchstens %3 mm enger als das Modell): darin bleibt ein Kern stehen; das Werkzeug bleibt aufrecht</translation>
+    </message>
+    <message>
+        <source>pass %1 is out of date: the strokes that lead it have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
+        <translation>Durchgang %1 ist veraltet: Die Züge, die ihn führen, haben sich geändert. Berechnen Sie ihn mit &quot;recompute --outdated&quot; neu.</translation>
+    </message>
+    <message>
+        <source>the stock</source>
+        <translation>das Rohteil</translation>
+    </message>
+    <message>
+        <source>X,Y,Z=AXIS: a point in mm, and x, -x, y, -y or -z</source>
+        <translation>X,Y,Z=ACHSE: ein Punkt in mm, und x, -x, y, -y oder -z</translation>
+    </message>
+    <message>
+        <source>a point from which the tool meets a side of the stock squarely, a ball with its middle below the upper edge</source>
+        <translation>ein Punkt, von dem aus das Werkzeug gerade auf eine Seite des Rohteils trifft, eine Kugel mit ihrer Mitte unter der oberen Kante</translation>
     </message>
 </context>
 <context>
@@ -4220,6 +4300,86 @@
         <source>Holders and limits can&apos;t be stored in a FreeCAD library and were left out.</source>
         <translation>Halter und Grenzen können in einer FreeCAD-Bibliothek nicht gespeichert werden und wurden weggelassen.</translation>
     </message>
+    <message>
+        <source>profile: the tip is hollow</source>
+        <translation>profile: die Spitze ist hohl</translation>
+    </message>
+    <message>
+        <source>a tool without a hollow</source>
+        <translation>ein Werkzeug ohne Höhlung</translation>
+    </message>
+    <message>
+        <source>3 corners or more in each ring</source>
+        <translation>mindestens 3 Ecken in jedem Ring</translation>
+    </message>
+    <message>
+        <source>at most %1 corners</source>
+        <translation>höchstens %1 Ecken</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>eine Fläche</translation>
+    </message>
+    <message>
+        <source>has to hold a ring at least</source>
+        <translation>muss mindestens einen Ring enthalten</translation>
+    </message>
+    <message>
+        <source>another one during a recording</source>
+        <translation>eine andere während einer Aufnahme</translation>
+    </message>
+    <message>
+        <source>a stock that is a box or a cylinder</source>
+        <translation>ein Rohteil, das ein Quader oder Zylinder ist</translation>
+    </message>
+    <message>
+        <source>a tip from which the tool is clear of the stock</source>
+        <translation>eine Spitze, bei der das Werkzeug frei vom Rohteil ist</translation>
+    </message>
+    <message>
+        <source>a tip from which the tool meets the stock in this direction</source>
+        <translation>eine Spitze, von der aus das Werkzeug in dieser Richtung auf das Rohteil trifft</translation>
+    </message>
+    <message>
+        <source>strokes of the hand have finished the part there</source>
+        <translation>Züge der Hand haben das Teil dort fertig bearbeitet</translation>
+    </message>
+    <message>
+        <source>a stroke of the hand before it in its path that has finished the part</source>
+        <translation>ein Zug der Hand davor in seiner Bahn, der das Teil fertig bearbeitet hat</translation>
+    </message>
+    <message>
+        <source>ignore: only passes on the surface of the part heed strokes of the hand</source>
+        <translation>ignore: Nur Durchgänge auf der Oberfläche des Teils beachten Züge der Hand</translation>
+    </message>
+    <message>
+        <source>ignore, keep-off or blend; only flow extends strokes of the hand</source>
+        <translation>ignore, keep-off oder blend; nur flow setzt Züge der Hand fort</translation>
+    </message>
+    <message>
+        <source>no lines to follow: the rows follow the strokes of the path</source>
+        <translation>keine Linien, denen zu folgen ist: Die Zeilen folgen den Zügen der Bahn</translation>
+    </message>
+    <message>
+        <source>keep-off, blend or extend</source>
+        <translation>keep-off, blend oder extend</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of lines</source>
+        <translation>höchstens %1, die Anzahl der Linien</translation>
+    </message>
+    <message>
+        <source>a stroke is undone or redone there that the trace does not contain</source>
+        <translation>dort wird ein Zug rückgängig gemacht oder wiederhergestellt, den die Spur nicht enthält</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>Messwert %1</translation>
+    </message>
+    <message>
+        <source>one that the session has</source>
+        <translation>eine, die die Sitzung hat</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -4373,90 +4533,7 @@
     </message>
 </context>
 <context>
-    <name>DeviceReason</name>
-    <message>
-        <source>it is not plugged in</source>
-        <translation>es ist nicht angeschlossen</translation>
-    </message>
-    <message>
-        <source>it sends nothing</source>
-        <translation>es sendet nichts</translation>
-    </message>
-    <message>
-        <source>it is not calibrated yet</source>
-        <translation>es ist noch nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>its motors are too hot</source>
-        <translation>seine Motoren sind zu heiß</translation>
-    </message>
-    <message>
-        <source>its motors were overloaded</source>
-        <translation>seine Motoren waren überlastet</translation>
-    </message>
-    <message>
-        <source>it moved too fast</source>
-        <translation>es hat sich zu schnell bewegt</translation>
-    </message>
-    <message>
-        <source>its stop button is pressed</source>
-        <translation>sein Halteknopf ist gedrückt</translation>
-    </message>
-    <message>
-        <source>a sensor or a drive failed</source>
-        <translation>ein Sensor oder ein Antrieb ist ausgefallen</translation>
-    </message>
-    <message>
-        <source>it does not identify itself</source>
-        <translation>es gibt sich nicht zu erkennen</translation>
-    </message>
-    <message>
-        <source>its limits are out of range</source>
-        <translation>seine Grenzwerte sind unglaubwürdig</translation>
-    </message>
-    <message>
-        <source>the computer was late with its force</source>
-        <translation>der Rechner kam mit seiner Kraft zu spät</translation>
-    </message>
-    <message>
-        <source>its data is damaged</source>
-        <translation>seine Daten sind beschädigt</translation>
-    </message>
-    <message>
-        <source>it does not accept data</source>
-        <translation>es nimmt keine Daten an</translation>
-    </message>
-    <message>
-        <source>it received nothing from the computer for too long</source>
-        <translation>es hat zu lange nichts vom Rechner empfangen</translation>
-    </message>
-    <message>
-        <source>the computer did not respond, so its motors were switched off</source>
-        <translation>der Rechner reagierte nicht, deshalb wurden die Motoren abgeschaltet</translation>
-    </message>
-    <message>
-        <source>another program uses it</source>
-        <translation>ein anderes Programm benutzt es</translation>
-    </message>
-    <message>
-        <source>OpenHaptics has no licence</source>
-        <translation>OpenHaptics hat keine Lizenz</translation>
-    </message>
-    <message>
-        <source>its model is not supported</source>
-        <translation>sein Modell wird nicht unterstützt</translation>
-    </message>
-    <message>
-        <source>it is not calibrated; choose its self-calibrating mode</source>
-        <translation>es ist nicht kalibriert; die selbstkalibrierende Betriebsart wählen</translation>
-    </message>
-    <message>
-        <source>put its stylus into the inkwell to calibrate it</source>
-        <translation>zum Kalibrieren den Stift in die Halterung stecken</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceWords</name>
+    <name>DeviceLabels</name>
     <message>
         <source>Position: X %1, Y %2, Z %3 mm</source>
         <translation>Position: X %1, Y %2, Z %3 mm</translation>
@@ -4632,6 +4709,109 @@
     <message>
         <source>%1: %2; gain %3; dead zone %4 %; range %5 to %7 %, rest %6 %</source>
         <translation>%1: %2; Verstärkung %3; Totzone %4 %; Bereich %5 bis %7 %, Ruhe %6 %</translation>
+    </message>
+    <message>
+        <source>assist: vibrates</source>
+        <translation>Unterstützung: vibriert</translation>
+    </message>
+    <message>
+        <source>assist: pushes 1 axis of its stick, too weakly to hold the hand</source>
+        <translation>Unterstützung: drückt 1 Achse seines Hebels, zu schwach, um die Hand zu halten</translation>
+    </message>
+    <message>
+        <source>assist: pushes %1 axes of its stick, too weakly to hold the hand</source>
+        <translation>Unterstützung: drückt %1 Achsen seines Hebels, zu schwach, um die Hand zu halten</translation>
+    </message>
+    <message>
+        <source>assist: off, as you have no permission to write to the device; install Burin&apos;s udev rule and plug it in again</source>
+        <translation>Unterstützung: aus, weil Sie nicht auf das Gerät schreiben dürfen; richten Sie Burins udev-Regel ein und schließen Sie es neu an</translation>
+    </message>
+    <message>
+        <source>Maximum strength commanded: %1 %</source>
+        <translation>Größte ausgegebene Stärke: %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceReason</name>
+    <message>
+        <source>it is not plugged in</source>
+        <translation>es ist nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>it sends nothing</source>
+        <translation>es sendet nichts</translation>
+    </message>
+    <message>
+        <source>it is not calibrated yet</source>
+        <translation>es ist noch nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>its motors are too hot</source>
+        <translation>seine Motoren sind zu heiß</translation>
+    </message>
+    <message>
+        <source>its motors were overloaded</source>
+        <translation>seine Motoren waren überlastet</translation>
+    </message>
+    <message>
+        <source>it moved too fast</source>
+        <translation>es hat sich zu schnell bewegt</translation>
+    </message>
+    <message>
+        <source>its stop button is pressed</source>
+        <translation>sein Halteknopf ist gedrückt</translation>
+    </message>
+    <message>
+        <source>a sensor or a drive failed</source>
+        <translation>ein Sensor oder ein Antrieb ist ausgefallen</translation>
+    </message>
+    <message>
+        <source>it does not identify itself</source>
+        <translation>es gibt sich nicht zu erkennen</translation>
+    </message>
+    <message>
+        <source>its limits are out of range</source>
+        <translation>seine Grenzwerte sind unglaubwürdig</translation>
+    </message>
+    <message>
+        <source>the computer was late with its force</source>
+        <translation>der Rechner kam mit seiner Kraft zu spät</translation>
+    </message>
+    <message>
+        <source>its data is damaged</source>
+        <translation>seine Daten sind beschädigt</translation>
+    </message>
+    <message>
+        <source>it does not accept data</source>
+        <translation>es nimmt keine Daten an</translation>
+    </message>
+    <message>
+        <source>it received nothing from the computer for too long</source>
+        <translation>es hat zu lange nichts vom Rechner empfangen</translation>
+    </message>
+    <message>
+        <source>the computer did not respond, so its motors were switched off</source>
+        <translation>der Rechner reagierte nicht, deshalb wurden die Motoren abgeschaltet</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>ein anderes Programm benutzt es</translation>
+    </message>
+    <message>
+        <source>OpenHaptics has no licence</source>
+        <translation>OpenHaptics hat keine Lizenz</translation>
+    </message>
+    <message>
+        <source>its model is not supported</source>
+        <translation>sein Modell wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>it is not calibrated; choose its self-calibrating mode</source>
+        <translation>es ist nicht kalibriert; die selbstkalibrierende Betriebsart wählen</translation>
+    </message>
+    <message>
+        <source>put its stylus into the inkwell to calibrate it</source>
+        <translation>zum Kalibrieren den Stift in die Halterung stecken</translation>
     </message>
 </context>
 <context>
@@ -8004,6 +8184,42 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>thread: number of passes along the thread, each deeper than the one before</source>
         <translation>thread: Anzahl der Durchgänge entlang des Gewindes, jeder tiefer als der vorige</translation>
     </message>
+    <message>
+        <source>Let a gamepad vibrate or a joystick push while its first button is held: the strength rises to this share of its strongest effect within each second, 0 to 1</source>
+        <translation>Ein Gamepad vibrieren oder einen Joystick drücken lassen, solange die erste Taste gehalten wird: Die Stärke steigt in jeder Sekunde auf diesen Anteil seiner stärksten Wirkung, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>Ceiling of a gamepad&apos;s vibration or a joystick&apos;s force, as a share of its strongest effect, 0 to 1; 0: off</source>
+        <translation>Obergrenze für die Vibration eines Gamepads oder die Kraft eines Joysticks, als Anteil seiner stärksten Wirkung, 0 bis 1; 0: aus</translation>
+    </message>
+    <message>
+        <source>Distance that shank and holder keep from the stock, mm (default: they are stopped when they touch it)</source>
+        <translation>Abstand, den Schaft und Halter zum Rohteil halten, mm (Vorgabe: Sie werden angehalten, wenn sie es berühren)</translation>
+    </message>
+    <message>
+        <source>Only the passes whose strokes (--lead, --hand) have changed since they were computed, as &quot;path P show&quot; reports them</source>
+        <translation>Nur die Durchgänge, deren Züge (--lead, --hand) sich seit ihrer Berechnung geändert haben, wie &quot;path P show&quot; sie meldet</translation>
+    </message>
+    <message>
+        <source>What rows do where takes earlier in the path have finished the part: ignore (default), keep-off, blend (go on over its border by --overlap, without a step), extend (flow: its rows continue those strokes sideways)</source>
+        <translation>Was Zeilen tun, wo Aufnahmen weiter vorn in der Bahn das Teil fertig bearbeitet haben: ignore (nichts Besonderes, Vorgabe), keep-off (fernbleiben), blend (um --overlap über den Rand hinausgehen, ohne Absatz), extend (flow: die Zeilen setzen diese Züge seitlich fort)</translation>
+    </message>
+    <message>
+        <source>--hand blend: how far rows go on over the border, mm (default: 0.5)</source>
+        <translation>--hand blend: wie weit Zeilen über den Rand hinausgehen, mm (Vorgabe: 0.5)</translation>
+    </message>
+    <message>
+        <source>--hand: largest height that takes may have left on what counts as finished, mm (default: 0.02)</source>
+        <translation>--hand: größte Höhe, die Aufnahmen auf dem stehen gelassen haben dürfen, was als fertig gilt, mm (Vorgabe: 0.02)</translation>
+    </message>
+    <message>
+        <source>Touch off program zero as with an edge finder: X,Y,Z=AXIS moves the tip of the tool from a point in mm along x, -x, y, -y or -z until the stock stops it; the side that it touches becomes zero along this axis; may be repeated</source>
+        <translation>Den Programmnullpunkt antasten wie mit einem Kantentaster: X,Y,Z=ACHSE bewegt die Spitze des Werkzeugs von einem Punkt in mm entlang x, -x, y, -y oder -z, bis das Rohteil sie aufhält; die berührte Seite wird Null auf dieser Achse; mehrfach möglich</translation>
+    </message>
+    <message>
+        <source>Tool for --touch</source>
+        <translation>Werkzeug für --touch</translation>
+    </message>
 </context>
 <context>
     <name>HoleLabels</name>
@@ -8180,6 +8396,41 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>%1 faces have colours of their own, which are not shown; Burin shows each body in one colour.</source>
         <translation>%1 Flächen haben eigene Farben, die nicht gezeigt werden; Burin zeigt jeden Körper in einer Farbe.</translation>
+    </message>
+    <message>
+        <source>The colour of 1 face was lost when the face was repaired.</source>
+        <translation>Die Farbe von 1 Fläche ging verloren, als die Fläche repariert wurde.</translation>
+    </message>
+    <message>
+        <source>The colours of %1 faces were lost when these faces were repaired.</source>
+        <translation>Die Farben von %1 Flächen gingen verloren, als diese Flächen repariert wurden.</translation>
+    </message>
+</context>
+<context>
+    <name>ImportStage</name>
+    <message>
+        <source>reading the file, %1 of %2 MB</source>
+        <translation>Datei wird gelesen, %1 von %2 MB</translation>
+    </message>
+    <message>
+        <source>reading the file of %2 MB (this step cannot be measured)</source>
+        <translation>Datei mit %2 MB wird gelesen (dieser Schritt ist nicht messbar)</translation>
+    </message>
+    <message>
+        <source>interpreting the file (this step cannot be measured)</source>
+        <translation>Datei wird ausgewertet (dieser Schritt ist nicht messbar)</translation>
+    </message>
+    <message>
+        <source>converting the shapes</source>
+        <translation>Formen werden umgewandelt</translation>
+    </message>
+    <message>
+        <source>checking the solids, %1 of %2</source>
+        <translation>Volumenkörper werden geprüft, %1 von %2</translation>
+    </message>
+    <message>
+        <source>meshing, body %1 of %2</source>
+        <translation>Vernetzung, Körper %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -8558,6 +8809,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>&quot;%1&quot; can&apos;t be used (%2); correct the file.</source>
         <translation>„%1“ kann nicht verwendet werden (%2); die Datei muss berichtigt werden.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; moves the tool, but neither vibrates nor pushes, as you have no permission to write to it (%2); install Burin&apos;s udev rule and plug it in again.</source>
+        <translation>„%1“ bewegt das Werkzeug, vibriert und drückt aber nicht, weil Sie nicht darauf schreiben dürfen (%2); richten Sie Burins udev-Regel ein und schließen Sie es neu an.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -8600,6 +8855,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Paths can be made of programs, and keep their feeds.</source>
         <translation>Bahnen können aus Programmen entstehen und behalten deren Vorschübe.</translation>
+    </message>
+    <message>
+        <source>Recordings keep the torque that a device gave.</source>
+        <translation>Aufnahmen behalten das Drehmoment, das ein Gerät ausgeübt hat.</translation>
     </message>
 </context>
 <context>
@@ -8659,6 +8918,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>There is no room to tilt the tool like the hand: its axis does not follow.</source>
         <translation>Es ist kein Platz, das Werkzeug wie die Hand zu neigen: Seine Achse folgt nicht.</translation>
+    </message>
+    <message>
+        <source>Shank or holder keep their distance from the stock.</source>
+        <translation>Schaft oder Halter halten Abstand zum Rohteil.</translation>
+    </message>
+    <message>
+        <source>The stock holds the tool.</source>
+        <translation>Das Rohteil hält das Werkzeug auf.</translation>
     </message>
 </context>
 <context>
@@ -8982,6 +9249,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>doesn&apos;t turn</source>
         <translation>dreht sich nicht</translation>
+    </message>
+    <message>
+        <source>hollow Ø %1 × %2</source>
+        <translation>hohl Ø %1 × %2</translation>
     </message>
 </context>
 <context>
@@ -10019,6 +10290,29 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>ScoreLabels</name>
+    <message>
+        <source>the same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>▲ better by %1</source>
+        <translation>▲ um %1 besser</translation>
+    </message>
+    <message>
+        <source>▼ worse by %1</source>
+        <translation>▼ um %1 schlechter</translation>
+    </message>
+    <message>
+        <source>▲ better by %1 (%2)</source>
+        <translation>▲ um %1 besser (%2)</translation>
+    </message>
+    <message>
+        <source>▼ worse by %1 (%2)</source>
+        <translation>▼ um %1 schlechter (%2)</translation>
+    </message>
+</context>
+<context>
     <name>ScoreValue</name>
     <message>
         <source>Duration</source>
@@ -10107,29 +10401,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>How often the hand pushed the tool more than 0.1 mm against the part, which stopped it</source>
         <translation>Wie oft die Hand das Werkzeug mehr als 0,1 mm gegen das Teil drückte, das es aufhielt</translation>
-    </message>
-</context>
-<context>
-    <name>ScoreLabels</name>
-    <message>
-        <source>the same</source>
-        <translation>gleich</translation>
-    </message>
-    <message>
-        <source>▲ better by %1</source>
-        <translation>▲ um %1 besser</translation>
-    </message>
-    <message>
-        <source>▼ worse by %1</source>
-        <translation>▼ um %1 schlechter</translation>
-    </message>
-    <message>
-        <source>▲ better by %1 (%2)</source>
-        <translation>▲ um %1 besser (%2)</translation>
-    </message>
-    <message>
-        <source>▼ worse by %1 (%2)</source>
-        <translation>▼ um %1 schlechter (%2)</translation>
     </message>
 </context>
 <context>
@@ -10556,6 +10827,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>a path of a program for a tool that doesn&apos;t turn</source>
         <translation>eine Bahn aus einem Programm für ein Werkzeug, das sich nicht dreht</translation>
+    </message>
+    <message>
+        <source>a tilted axis of a tool with a hollow tip</source>
+        <translation>eine geneigte Achse bei einem Werkzeug mit hohler Spitze</translation>
+    </message>
+    <message>
+        <source>test strength</source>
+        <translation>Teststärke</translation>
     </message>
 </context>
 <context>
@@ -11187,6 +11466,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Keep these materials as your own; Undo takes each back</source>
         <translation>Diese Werkstoffe als eigene behalten; Rückgängig nimmt jeden zurück</translation>
     </message>
+    <message>
+        <source>Result of the calibration</source>
+        <translation>Ergebnis der Kalibrierung</translation>
+    </message>
 </context>
 <context>
     <name>burin::Coach</name>
@@ -11588,6 +11871,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>What the axes and buttons of a gamepad, joystick, tablet or 3D mouse do, and their calibration</source>
         <translation>Was die Achsen und Tasten eines Gamepads, Joysticks, Grafiktabletts oder einer 3D-Maus tun, und ihre Kalibrierung</translation>
     </message>
+    <message>
+        <source>Strength of the assist</source>
+        <translation>Stärke der Unterstützung</translation>
+    </message>
+    <message>
+        <source>Ceiling of a gamepad&apos;s vibration or a joystick&apos;s force, as a share of its strongest effect. Vibration: the strong motor shows how deep you push, the weak one how hard the tool cuts. A joystick pushes only while a button is held, in the test the first one. 0: off</source>
+        <translation>Obergrenze für die Vibration eines Gamepads oder die Kraft eines Joysticks, als Anteil seiner stärksten Wirkung. Vibration: Der starke Motor zeigt, wie tief Sie drücken, der schwache, wie schwer das Werkzeug schneidet. Ein Joystick drückt nur, solange eine Taste gehalten wird, beim Test die erste. 0: aus</translation>
+    </message>
+    <message>
+        <source>Distance from the stock</source>
+        <translation>Abstand zum Rohteil</translation>
+    </message>
+    <message>
+        <source>Distance that shank and holder keep from the stock, with every stylus, while “Keep from the stock” is on in the menu Mill. A change restarts milling.</source>
+        <translation>Abstand, den Schaft und Halter zum Rohteil halten, mit jedem Stift, solange im Menü Fräsen „Abstand zum Rohteil halten“ eingeschaltet ist. Eine Änderung startet das Fräsen neu.</translation>
+    </message>
 </context>
 <context>
     <name>burin::DeviceTester</name>
@@ -11742,6 +12041,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Faces: %1. With gouges: %2. With too much stock: %3. Select a face to see its worst point.</source>
         <translation>Flächen: %1. Mit Konturverletzungen: %2. Mit zu viel Material: %3. Wählen Sie eine Fläche, um ihre schlimmste Stelle zu sehen.</translation>
+    </message>
+    <message>
+        <source>Inspecting the faces</source>
+        <translation>Flächen werden geprüft</translation>
     </message>
 </context>
 <context>
@@ -11923,12 +12226,38 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Add the fixture to the setup</source>
         <translation>Die Vorrichtung zur Aufspannung hinzufügen</translation>
     </message>
+    <message>
+        <source>Sizes of the fixture</source>
+        <translation>Maße der Vorrichtung</translation>
+    </message>
+    <message>
+        <source>There is no stock where the fixture clamps.</source>
+        <translation>Wo die Vorrichtung spannt, ist kein Rohteil.</translation>
+    </message>
+    <message>
+        <source>The fixture doesn&apos;t touch the stock: a gap of %1 remains.</source>
+        <translation>Die Vorrichtung berührt das Rohteil nicht: Es bleibt ein Spalt von %1.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FixtureDrawing</name>
+    <message>
+        <source>Drawing of the fixture, to scale</source>
+        <translation>Maßstäbliche Zeichnung der Vorrichtung</translation>
+    </message>
 </context>
 <context>
     <name>burin::FixturePlacer</name>
     <message>
         <source>Esc: cancel placing the fixture</source>
         <translation>Esc: Platzieren der Vorrichtung abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>burin::GizmoTool</name>
+    <message>
+        <source>Esc: back to where it was</source>
+        <translation>Esc: zurück an die vorige Lage</translation>
     </message>
 </context>
 <context>
@@ -12337,6 +12666,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Cancels placing.</source>
         <translation>Bricht das Platzieren ab.</translation>
     </message>
+    <message>
+        <source>Drag a handle</source>
+        <translation>Griff ziehen</translation>
+    </message>
+    <message>
+        <source>Moves or rotates the part or a fixture; with Shift finely, with Ctrl in steps. Esc takes it back.</source>
+        <translation>Verschiebt oder dreht das Teil oder eine Vorrichtung; mit Umschalt fein, mit Strg in Schritten. Esc nimmt es zurück.</translation>
+    </message>
 </context>
 <context>
     <name>burin::HandPanel</name>
@@ -12456,6 +12793,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>This button of the stylus requests the next lower level, or ends a pass</source>
         <translation>Dieser Knopf des Stifts fordert die nächsttiefere Ebene an oder beendet eine Zeile</translation>
     </message>
+    <message>
+        <source>with button 1</source>
+        <translation>mit Taste 1</translation>
+    </message>
 </context>
 <context>
     <name>burin::HelpDialog</name>
@@ -12526,41 +12867,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Editing the path</source>
         <translation>Bahn wird bearbeitet</translation>
-    </message>
-</context>
-<context>
-    <name>burin::StepBar</name>
-    <message>
-        <source>Part</source>
-        <translation>Teil</translation>
-    </message>
-    <message>
-        <source>Stock</source>
-        <translation>Rohteil</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>Werkstoff</translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation>Werkzeug</translation>
-    </message>
-    <message>
-        <source>Allowance</source>
-        <translation>Aufmaß</translation>
-    </message>
-    <message>
-        <source>Mill</source>
-        <translation>Fräsen</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>Bahn</translation>
-    </message>
-    <message>
-        <source>Program</source>
-        <translation>Programm</translation>
     </message>
 </context>
 <context>
@@ -13574,6 +13880,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Switched to “%1”, where the change was made.</source>
         <translation>Zu „%1“ gewechselt, wo die Änderung gemacht wurde.</translation>
     </message>
+    <message>
+        <source>The tool “%1” is in the library. It is hollow, %2 mm in diameter and %3 mm deep, and leaves a core there; its outside is at most %4 mm wider than what its flutes sweep.</source>
+        <translation>Das Werkzeug „%1“ steht in der Bibliothek. Es ist hohl, %2 mm im Durchmesser und %3 mm tief, und lässt dort einen Kern stehen; außen ist es höchstens %4 mm weiter als das, was seine Schneiden überstreichen.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -14077,6 +14387,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>%1, engagement %2°, depth %3. %4</source>
         <translation>%1, Eingriff %2°, Tiefe %3. %4</translation>
+    </message>
+    <message>
+        <source>%1, at the limit</source>
+        <translation>%1, an der Grenze</translation>
     </message>
 </context>
 <context>
@@ -14857,6 +15171,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Clear the selection: the pass uses every hole of the part that fits</source>
         <translation>Die Auswahl aufheben: Der Durchgang nimmt jede passende Bohrung des Teils</translation>
     </message>
+    <message>
+        <source>Show me</source>
+        <translation>Vorführen</translation>
+    </message>
+    <message>
+        <source>Plays in the view how this pass is made: the stroke that leads it, the directions, then its rows one after the other. Changes nothing; Esc stops it</source>
+        <translation>Spielt in der Ansicht ab, wie dieser Durchgang entsteht: der Zug, der ihn führt, die Richtungen, dann seine Zeilen nacheinander. Ändert nichts; Esc beendet es</translation>
+    </message>
+    <message>
+        <source>Stop showing</source>
+        <translation>Vorführung beenden</translation>
+    </message>
 </context>
 <context>
     <name>burin::PassForm</name>
@@ -15088,6 +15414,46 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Number of passes along the thread, each deeper than the one before</source>
         <translation>Anzahl der Durchgänge entlang des Gewindes, jeder tiefer als der vorige</translation>
     </message>
+    <message>
+        <source>Hand strokes</source>
+        <translation>Züge der Hand</translation>
+    </message>
+    <message>
+        <source>What the rows do where strokes of the hand, earlier in this path, have finished the part. Keep off: cut nothing there. Blend: go on over the border by the overlap, without a step. Extend: the rows of a flow continue these strokes sideways</source>
+        <translation>Was die Zeilen tun, wo Züge der Hand weiter vorn in dieser Bahn das Teil fertig bearbeitet haben. Fernbleiben: dort nichts schneiden. Übergehen: um die Überlappung über den Rand hinausgehen, ohne Absatz. Fortsetzen: Die Zeilen eines Flusses setzen diese Züge seitlich fort</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>Überlappung</translation>
+    </message>
+    <message>
+        <source>How far rows go on over the border of what the hand has finished</source>
+        <translation>Wie weit Zeilen über den Rand dessen hinausgehen, was die Hand fertig bearbeitet hat</translation>
+    </message>
+    <message>
+        <source>Finished within</source>
+        <translation>Fertig innerhalb</translation>
+    </message>
+    <message>
+        <source>Largest height that the hand may have left on what counts as finished</source>
+        <translation>Größte Höhe, die die Hand auf dem stehen gelassen haben darf, was als fertig gilt</translation>
+    </message>
+    <message>
+        <source>ignore</source>
+        <translation>nicht beachten</translation>
+    </message>
+    <message>
+        <source>keep off</source>
+        <translation>fernbleiben</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>übergehen</translation>
+    </message>
+    <message>
+        <source>extend</source>
+        <translation>fortsetzen</translation>
+    </message>
 </context>
 <context>
     <name>burin::PassMeasurer</name>
@@ -15105,6 +15471,17 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Computing the preview</source>
         <translation>Vorschau wird berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PassRefresher</name>
+    <message>
+        <source>Looking for passes that are out of date</source>
+        <translation>Veraltete Durchgänge werden gesucht</translation>
+    </message>
+    <message>
+        <source>Computing the passes that are out of date</source>
+        <translation>Veraltete Durchgänge werden berechnet</translation>
     </message>
 </context>
 <context>
@@ -15178,6 +15555,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>inserted point</source>
         <translation>eingefügter Punkt</translation>
+    </message>
+    <message>
+        <source>passes computed again</source>
+        <translation>neu berechnete Durchgänge</translation>
     </message>
 </context>
 <context>
@@ -15377,6 +15758,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The loaded tool doesn&apos;t turn: it has no passes.</source>
         <translation>Das geladene Werkzeug dreht sich nicht: Es hat keine Durchgänge.</translation>
     </message>
+    <message>
+        <source>Compute outdated passes again</source>
+        <translation>Veraltete Durchgänge neu berechnen</translation>
+    </message>
+    <message>
+        <source>Compute those passes again whose strokes have changed; all others stay as they are</source>
+        <translation>Berechnet die Durchgänge neu, deren Züge sich geändert haben; alle anderen bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Out of date: the strokes that lead this pass have changed.</source>
+        <translation>Veraltet: Die Züge, die diesen Durchgang führen, haben sich geändert.</translation>
+    </message>
 </context>
 <context>
     <name>burin::PathPresenter</name>
@@ -15400,6 +15793,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Stock left on 99 % of the reachable part: at most %1 (most: %2).</source>
         <translation>Auf 99 % des erreichbaren Teils bleibt höchstens %1 Material (größter Wert: %2).</translation>
     </message>
+    <message>
+        <source>%1 are left to strokes of the hand.</source>
+        <translation>%1 bleiben Zügen der Hand überlassen.</translation>
+    </message>
 </context>
 <context>
     <name>burin::PathScenePresenter</name>
@@ -15422,6 +15819,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Computed point</source>
         <translation>Berechneter Punkt</translation>
+    </message>
+    <message>
+        <source>Esc: leave the point where it was</source>
+        <translation>Esc: den Punkt lassen, wo er war</translation>
+    </message>
+    <message>
+        <source>Esc: put the stylus down</source>
+        <translation>Esc: den Stift weglegen</translation>
     </message>
 </context>
 <context>
@@ -16006,7 +16411,7 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
-    <name>burin::RoleWords</name>
+    <name>burin::RoleLabels</name>
     <message>
         <source>Part</source>
         <translation>Teil</translation>
@@ -16218,6 +16623,22 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Point of the path at the time on the timeline, from program zero: %1</source>
         <translation>Punkt der Bahn zur Zeit auf der Zeitleiste, ab Programmnullpunkt: %1</translation>
+    </message>
+    <message>
+        <source>Edit with the stylus</source>
+        <translation>Mit dem Stift bearbeiten</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Reichweite</translation>
+    </message>
+    <message>
+        <source>Distance from the tool&apos;s tip within which a device takes the nearest point of the path</source>
+        <translation>Abstand von der Werkzeugspitze, in dem ein Gerät den nächsten Punkt der Bahn greift</translation>
+    </message>
+    <message>
+        <source>Move points of the path with the chosen stylus, and feel part and fixtures meanwhile</source>
+        <translation>Punkte der Bahn mit dem gewählten Stift verschieben und dabei Teil und Vorrichtungen fühlen</translation>
     </message>
 </context>
 <context>
@@ -16946,6 +17367,41 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::StepBar</name>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Werkstoff</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>Aufmaß</translation>
+    </message>
+    <message>
+        <source>Mill</source>
+        <translation>Fräsen</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Bahn</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+</context>
+<context>
     <name>burin::StepButton</name>
     <message>
         <source>done</source>
@@ -17142,6 +17598,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::StockSolidController</name>
+    <message>
+        <source>Preparing the stock for fixtures</source>
+        <translation>Rohteil wird für Vorrichtungen vorbereitet</translation>
+    </message>
+</context>
+<context>
     <name>burin::StylusController</name>
     <message>
         <source>Mouse</source>
@@ -17150,6 +17613,56 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Connecting %1</source>
         <translation>%1 wird verbunden</translation>
+    </message>
+</context>
+<context>
+    <name>burin::StylusEditPresenter</name>
+    <message>
+        <source>Drag a point of the path: the tool goes with it, along part, fixtures and travel.</source>
+        <translation>Ziehen Sie einen Punkt der Bahn: Das Werkzeug geht mit ihm, an Teil, Vorrichtungen und Verfahrweg entlang.</translation>
+    </message>
+    <message>
+        <source>Move the tool to the path, hold the device&apos;s first button to take the nearest point within reach, and let go where it is to be.</source>
+        <translation>Bewegen Sie das Werkzeug zur Bahn, greifen Sie mit der ersten Taste des Geräts den nächsten Punkt in Reichweite, und lassen Sie die Taste los, wo er hin soll.</translation>
+    </message>
+    <message>
+        <source>Wait until the path is up to date.</source>
+        <translation>Warten Sie, bis die Bahn aktuell ist.</translation>
+    </message>
+    <message>
+        <source>The point is moved by %1</source>
+        <translation>Der Punkt wird um %1 verschoben</translation>
+    </message>
+    <message>
+        <source>Drag a point of the path in the view</source>
+        <translation>Ziehen Sie einen Punkt der Bahn in der Ansicht</translation>
+    </message>
+    <message>
+        <source>A point is in reach, at %1</source>
+        <translation>Ein Punkt ist in Reichweite, im Abstand %1</translation>
+    </message>
+    <message>
+        <source>No point is in reach</source>
+        <translation>Kein Punkt ist in Reichweite</translation>
+    </message>
+    <message>
+        <source>Leave mill mode first.</source>
+        <translation>Verlassen Sie zuerst den Fräsmodus.</translation>
+    </message>
+    <message>
+        <source>Wait until the workpiece and the boundary are ready.</source>
+        <translation>Warten Sie, bis das Werkstück und die Grenze bereit sind.</translation>
+    </message>
+    <message>
+        <source>Make a path first.</source>
+        <translation>Erzeugen Sie zuerst eine Bahn.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::StylusEditor</name>
+    <message>
+        <source>“%1” has no button that could take a point of the path. Choose another device, or drag the point with the mouse.</source>
+        <translation>„%1“ hat keine Taste, die einen Punkt der Bahn greifen könnte. Wählen Sie ein anderes Gerät, oder ziehen Sie den Punkt mit der Maus.</translation>
     </message>
 </context>
 <context>
@@ -18774,6 +19287,49 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     </message>
 </context>
 <context>
+    <name>burin::ZeroLabels</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>at stated coordinates</source>
+        <translation>an angegebenen Koordinaten</translation>
+    </message>
+    <message>
+        <source>on the stock: X %1, Y %2, Z %3</source>
+        <translation>am Rohteil: X %1, Y %2, Z %3</translation>
+    </message>
+    <message>
+        <source>on the part: X %1, Y %2, Z %3</source>
+        <translation>am Teil: X %1, Y %2, Z %3</translation>
+    </message>
+</context>
+<context>
     <name>burin::ZeroPanel</name>
     <message>
         <source>Program zero</source>
@@ -18838,10 +19394,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
 <context>
     <name>burin::ZeroPresenter</name>
     <message>
-        <source>The tool touches nothing. Hold it against a face of the part.</source>
-        <translation>Das Werkzeug berührt nichts. Halten Sie es an eine Fläche des Teils.</translation>
-    </message>
-    <message>
         <source>The tool does not touch the part. Hold it against a face of the part.</source>
         <translation>Das Werkzeug berührt das Teil nicht. Halten Sie es an eine Fläche des Teils.</translation>
     </message>
@@ -18849,48 +19401,13 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Touching off needs a vertical tool and a face that is parallel to two axes.</source>
         <translation>Antasten braucht ein senkrechtes Werkzeug und eine Fläche, die zu zwei Achsen parallel ist.</translation>
     </message>
-</context>
-<context>
-    <name>burin::ZeroLabels</name>
     <message>
-        <source>left</source>
-        <translation>links</translation>
+        <source>The tool touches nothing. Hold it against a face of the part, or of the stock after “Stop the tool at the stock”.</source>
+        <translation>Das Werkzeug berührt nichts. Halten Sie es an eine Fläche des Teils oder, nach „Werkzeug am Rohteil aufhalten“, des Rohteils.</translation>
     </message>
     <message>
-        <source>middle</source>
-        <translation>Mitte</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>vorn</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>hinten</translation>
-    </message>
-    <message>
-        <source>bottom</source>
-        <translation>unten</translation>
-    </message>
-    <message>
-        <source>top</source>
-        <translation>oben</translation>
-    </message>
-    <message>
-        <source>at stated coordinates</source>
-        <translation>an angegebenen Koordinaten</translation>
-    </message>
-    <message>
-        <source>on the stock: X %1, Y %2, Z %3</source>
-        <translation>am Rohteil: X %1, Y %2, Z %3</translation>
-    </message>
-    <message>
-        <source>on the part: X %1, Y %2, Z %3</source>
-        <translation>am Teil: X %1, Y %2, Z %3</translation>
+        <source>The tool also touches something other than the stock. Hold it against the stock alone.</source>
+        <translation>Das Werkzeug berührt auch etwas anderes als das Rohteil. Halten Sie es nur gegen das Rohteil.</translation>
     </message>
 </context>
 </TS>

@@ -616,10 +616,6 @@
         <translation>单击零件的顶点、边或圆，或毛坯的角点。</translation>
     </message>
     <message>
-        <source>The face of the part that the tool touches becomes zero along its axis, as with an edge finder.</source>
-        <translation>刀具接触的零件面成为其所在轴的零点，如同使用寻边器。</translation>
-    </message>
-    <message>
         <source>Export the setup s&amp;heet…</source>
         <translation>导出装夹单(&amp;H)…</translation>
     </message>
@@ -906,6 +902,50 @@
     <message>
         <source>Place a vise, clamp, screw, parallels or plate of the library with the mouse; the tool keeps clear of it.</source>
         <translation>用鼠标放置夹具库中的虎钳、压板、螺钉、平行垫铁或底板；刀具会避开它。</translation>
+    </message>
+    <message>
+        <source>&amp;Handles in the view</source>
+        <translation>视图中的手柄(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Show arrows, squares and rings that move and rotate the part, or the fixture that is being placed, by the mouse. Shift: fine; Ctrl: in steps.</source>
+        <translation>显示箭头、方块和圆环，用鼠标移动和旋转零件或正在放置的夹具。Shift：微调；Ctrl：按步进。</translation>
+    </message>
+    <message>
+        <source>&amp;Stop the tool at the stock</source>
+        <translation>刀具停在毛坯处(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Until a recording starts, a stock that is a box or a cylinder stops the tool, as it was before milling, so that its sides can be touched off.</source>
+        <translation>在录制开始之前，长方体或圆柱体毛坯（按铣削前的形状）会挡住刀具，以便对其侧面进行对刀。</translation>
+    </message>
+    <message>
+        <source>The face of the part or stock that the tool touches becomes zero along its axis, as with an edge finder.</source>
+        <translation>刀具接触的零件面或毛坯面成为其所在轴的零点，如同使用寻边器。</translation>
+    </message>
+    <message>
+        <source>&amp;Keep from the stock</source>
+        <translation>与毛坯保持距离(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Shank and holder push back before they touch the stock. The distance is set with the devices.</source>
+        <translation>刀杆和刀柄在碰到毛坯之前就会推回。距离在设备对话框中设置。</translation>
+    </message>
+    <message>
+        <source>Compute ou&amp;tdated passes again</source>
+        <translation>重新计算过时的走刀(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Compute those passes of the path again whose strokes have changed; all others stay as they are.</source>
+        <translation>重新计算刀路中笔画已改变的走刀；其他走刀保持不变。</translation>
+    </message>
+    <message>
+        <source>Edit with the st&amp;ylus</source>
+        <translation>用触笔编辑(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Move points of the path with the chosen stylus, and feel part and fixtures.</source>
+        <translation>用所选的触笔移动刀路上的点，并感受零件和夹具。</translation>
     </message>
 </context>
 <context>
@@ -2431,6 +2471,46 @@
     <message>
         <source>library &quot;%1&quot; renamed to &quot;%2&quot;</source>
         <translation>已将刀具库“%1”重命名为“%2”</translation>
+    </message>
+    <message>
+        <source>; shank or holder were kept away from the stock in %1 ticks</source>
+        <translation>；刀杆或刀柄在%1个周期内与毛坯保持距离</translation>
+    </message>
+    <message>
+        <source>with --stock-distance, a trace that does not state this distance itself</source>
+        <translation>使用 --stock-distance 时，应为未自行注明该距离的轨迹</translation>
+    </message>
+    <message>
+        <source>no value, unless --stylus is a device</source>
+        <translation>不给值，除非 --stylus 是设备</translation>
+    </message>
+    <message>
+        <source>%1 mm were left to strokes of the hand, which have finished the part there.</source>
+        <translation>%1 mm留给手动笔画，那里的零件已由其精加工。</translation>
+    </message>
+    <message>
+        <source>all passes are up to date</source>
+        <translation>所有走刀均为最新</translation>
+    </message>
+    <message>
+        <source>hollow, %1 mm in diameter and %2 mm deep (at most %3 mm narrower than the model): a core stands in it; the tool stays upright</source>
+        <translation>空心，直径 %1 mm，深 %2 mm（最多比模型窄 %3 mm）：其中会留下芯柱；刀具保持竖直</translation>
+    </message>
+    <message>
+        <source>pass %1 is out of date: the strokes that lead it have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
+        <translation>走刀%1已过时：引导它的笔画已改变。请用&quot;recompute --outdated&quot;重新计算。</translation>
+    </message>
+    <message>
+        <source>the stock</source>
+        <translation>毛坯</translation>
+    </message>
+    <message>
+        <source>X,Y,Z=AXIS: a point in mm, and x, -x, y, -y or -z</source>
+        <translation>X,Y,Z=轴：一点（mm），以及 x、-x、y、-y 或 -z</translation>
+    </message>
+    <message>
+        <source>a point from which the tool meets a side of the stock squarely, a ball with its middle below the upper edge</source>
+        <translation>刀具从该点能正对毛坯侧面的位置；球头的球心须低于上边缘</translation>
     </message>
 </context>
 <context>
@@ -4219,6 +4299,86 @@
         <source>Holders and limits can&apos;t be stored in a FreeCAD library and were left out.</source>
         <translation>FreeCAD 刀具库无法保存刀柄和限值，已略去。</translation>
     </message>
+    <message>
+        <source>profile: the tip is hollow</source>
+        <translation>profile：刀尖是空心的</translation>
+    </message>
+    <message>
+        <source>a tool without a hollow</source>
+        <translation>没有空腔的刀具</translation>
+    </message>
+    <message>
+        <source>3 corners or more in each ring</source>
+        <translation>每个环至少 3 个角点</translation>
+    </message>
+    <message>
+        <source>at most %1 corners</source>
+        <translation>最多 %1 个角点</translation>
+    </message>
+    <message>
+        <source>an area</source>
+        <translation>一块面积</translation>
+    </message>
+    <message>
+        <source>has to hold a ring at least</source>
+        <translation>至少要包含一个环</translation>
+    </message>
+    <message>
+        <source>another one during a recording</source>
+        <translation>录制期间须为其他层</translation>
+    </message>
+    <message>
+        <source>a stock that is a box or a cylinder</source>
+        <translation>长方体或圆柱体毛坯</translation>
+    </message>
+    <message>
+        <source>a tip from which the tool is clear of the stock</source>
+        <translation>刀尖所在位置的刀具不接触毛坯</translation>
+    </message>
+    <message>
+        <source>a tip from which the tool meets the stock in this direction</source>
+        <translation>刀具从该刀尖位置沿此方向能碰到毛坯</translation>
+    </message>
+    <message>
+        <source>strokes of the hand have finished the part there</source>
+        <translation>手动笔画已将那里的零件精加工</translation>
+    </message>
+    <message>
+        <source>a stroke of the hand before it in its path that has finished the part</source>
+        <translation>其刀路中在它之前、已精加工零件的手动笔画</translation>
+    </message>
+    <message>
+        <source>ignore: only passes on the surface of the part heed strokes of the hand</source>
+        <translation>ignore：只有零件表面上的走刀会顾及手动笔画</translation>
+    </message>
+    <message>
+        <source>ignore, keep-off or blend; only flow extends strokes of the hand</source>
+        <translation>ignore、keep-off 或 blend；只有 flow 能延续手动笔画</translation>
+    </message>
+    <message>
+        <source>no lines to follow: the rows follow the strokes of the path</source>
+        <translation>不带引导线：各行跟随刀路的笔画</translation>
+    </message>
+    <message>
+        <source>keep-off, blend or extend</source>
+        <translation>keep-off、blend 或 extend</translation>
+    </message>
+    <message>
+        <source>at most %1, the number of lines</source>
+        <translation>不超过%1，即线的数量</translation>
+    </message>
+    <message>
+        <source>a stroke is undone or redone there that the trace does not contain</source>
+        <translation>此处撤销或重做的笔画不在该轨迹中</translation>
+    </message>
+    <message>
+        <source>reading %1</source>
+        <translation>第%1个读数</translation>
+    </message>
+    <message>
+        <source>one that the session has</source>
+        <translation>会话所具有的图层</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -4372,90 +4532,7 @@
     </message>
 </context>
 <context>
-    <name>DeviceReason</name>
-    <message>
-        <source>it is not plugged in</source>
-        <translation>未插入</translation>
-    </message>
-    <message>
-        <source>it sends nothing</source>
-        <translation>不发送任何数据</translation>
-    </message>
-    <message>
-        <source>it is not calibrated yet</source>
-        <translation>尚未标定</translation>
-    </message>
-    <message>
-        <source>its motors are too hot</source>
-        <translation>电机过热</translation>
-    </message>
-    <message>
-        <source>its motors were overloaded</source>
-        <translation>电机过载</translation>
-    </message>
-    <message>
-        <source>it moved too fast</source>
-        <translation>移动过快</translation>
-    </message>
-    <message>
-        <source>its stop button is pressed</source>
-        <translation>停止按钮已按下</translation>
-    </message>
-    <message>
-        <source>a sensor or a drive failed</source>
-        <translation>传感器或驱动器失效</translation>
-    </message>
-    <message>
-        <source>it does not identify itself</source>
-        <translation>未表明自己的身份</translation>
-    </message>
-    <message>
-        <source>its limits are out of range</source>
-        <translation>限值超出范围</translation>
-    </message>
-    <message>
-        <source>the computer was late with its force</source>
-        <translation>计算机给出力过迟</translation>
-    </message>
-    <message>
-        <source>its data is damaged</source>
-        <translation>数据已损坏</translation>
-    </message>
-    <message>
-        <source>it does not accept data</source>
-        <translation>不接收数据</translation>
-    </message>
-    <message>
-        <source>it received nothing from the computer for too long</source>
-        <translation>太久未收到计算机的数据</translation>
-    </message>
-    <message>
-        <source>the computer did not respond, so its motors were switched off</source>
-        <translation>计算机未响应，因此电机已关闭</translation>
-    </message>
-    <message>
-        <source>another program uses it</source>
-        <translation>正被另一程序使用</translation>
-    </message>
-    <message>
-        <source>OpenHaptics has no licence</source>
-        <translation>OpenHaptics 没有许可证</translation>
-    </message>
-    <message>
-        <source>its model is not supported</source>
-        <translation>型号不受支持</translation>
-    </message>
-    <message>
-        <source>it is not calibrated; choose its self-calibrating mode</source>
-        <translation>未标定；选择自动标定模式</translation>
-    </message>
-    <message>
-        <source>put its stylus into the inkwell to calibrate it</source>
-        <translation>将触笔插入笔座以标定</translation>
-    </message>
-</context>
-<context>
-    <name>DeviceWords</name>
+    <name>DeviceLabels</name>
     <message>
         <source>Position: X %1, Y %2, Z %3 mm</source>
         <translation>位置：X %1，Y %2，Z %3 mm</translation>
@@ -4631,6 +4708,109 @@
     <message>
         <source>%1: %2; gain %3; dead zone %4 %; range %5 to %7 %, rest %6 %</source>
         <translation>%1：%2；增益 %3；死区 %4 %；范围 %5 至 %7 %，静止 %6 %</translation>
+    </message>
+    <message>
+        <source>assist: vibrates</source>
+        <translation>辅助：振动</translation>
+    </message>
+    <message>
+        <source>assist: pushes 1 axis of its stick, too weakly to hold the hand</source>
+        <translation>辅助：推动摇杆的 1 个轴，力太弱，挡不住手</translation>
+    </message>
+    <message>
+        <source>assist: pushes %1 axes of its stick, too weakly to hold the hand</source>
+        <translation>辅助：推动摇杆的 %1 个轴，力太弱，挡不住手</translation>
+    </message>
+    <message>
+        <source>assist: off, as you have no permission to write to the device; install Burin&apos;s udev rule and plug it in again</source>
+        <translation>辅助：关闭，因为没有写入该设备的权限；安装 Burin 的 udev 规则后重新插入设备</translation>
+    </message>
+    <message>
+        <source>Maximum strength commanded: %1 %</source>
+        <translation>最大指令强度：%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>DeviceReason</name>
+    <message>
+        <source>it is not plugged in</source>
+        <translation>未插入</translation>
+    </message>
+    <message>
+        <source>it sends nothing</source>
+        <translation>不发送任何数据</translation>
+    </message>
+    <message>
+        <source>it is not calibrated yet</source>
+        <translation>尚未标定</translation>
+    </message>
+    <message>
+        <source>its motors are too hot</source>
+        <translation>电机过热</translation>
+    </message>
+    <message>
+        <source>its motors were overloaded</source>
+        <translation>电机过载</translation>
+    </message>
+    <message>
+        <source>it moved too fast</source>
+        <translation>移动过快</translation>
+    </message>
+    <message>
+        <source>its stop button is pressed</source>
+        <translation>停止按钮已按下</translation>
+    </message>
+    <message>
+        <source>a sensor or a drive failed</source>
+        <translation>传感器或驱动器失效</translation>
+    </message>
+    <message>
+        <source>it does not identify itself</source>
+        <translation>未表明自己的身份</translation>
+    </message>
+    <message>
+        <source>its limits are out of range</source>
+        <translation>限值超出范围</translation>
+    </message>
+    <message>
+        <source>the computer was late with its force</source>
+        <translation>计算机给出力过迟</translation>
+    </message>
+    <message>
+        <source>its data is damaged</source>
+        <translation>数据已损坏</translation>
+    </message>
+    <message>
+        <source>it does not accept data</source>
+        <translation>不接收数据</translation>
+    </message>
+    <message>
+        <source>it received nothing from the computer for too long</source>
+        <translation>太久未收到计算机的数据</translation>
+    </message>
+    <message>
+        <source>the computer did not respond, so its motors were switched off</source>
+        <translation>计算机未响应，因此电机已关闭</translation>
+    </message>
+    <message>
+        <source>another program uses it</source>
+        <translation>正被另一程序使用</translation>
+    </message>
+    <message>
+        <source>OpenHaptics has no licence</source>
+        <translation>OpenHaptics 没有许可证</translation>
+    </message>
+    <message>
+        <source>its model is not supported</source>
+        <translation>型号不受支持</translation>
+    </message>
+    <message>
+        <source>it is not calibrated; choose its self-calibrating mode</source>
+        <translation>未标定；选择自动标定模式</translation>
+    </message>
+    <message>
+        <source>put its stylus into the inkwell to calibrate it</source>
+        <translation>将触笔插入笔座以标定</translation>
     </message>
 </context>
 <context>
@@ -8002,6 +8182,42 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>thread: number of passes along the thread, each deeper than the one before</source>
         <translation>thread：沿螺纹走刀的次数，逐次加深</translation>
     </message>
+    <message>
+        <source>Let a gamepad vibrate or a joystick push while its first button is held: the strength rises to this share of its strongest effect within each second, 0 to 1</source>
+        <translation>按住第一个按钮时让手柄振动或让摇杆推手：强度在每一秒内升至其最强效果的此比例，0 到 1</translation>
+    </message>
+    <message>
+        <source>Ceiling of a gamepad&apos;s vibration or a joystick&apos;s force, as a share of its strongest effect, 0 to 1; 0: off</source>
+        <translation>手柄振动或摇杆力的上限，为其最强效果的比例，0 到 1；0：关闭</translation>
+    </message>
+    <message>
+        <source>Distance that shank and holder keep from the stock, mm (default: they are stopped when they touch it)</source>
+        <translation>刀杆和刀柄与毛坯保持的距离，mm（默认：碰到毛坯时才停止）</translation>
+    </message>
+    <message>
+        <source>Only the passes whose strokes (--lead, --hand) have changed since they were computed, as &quot;path P show&quot; reports them</source>
+        <translation>只处理自计算以来其笔画（--lead、--hand）已改变的走刀，即&quot;path P show&quot;所报告的走刀</translation>
+    </message>
+    <message>
+        <source>What rows do where takes earlier in the path have finished the part: ignore (default), keep-off, blend (go on over its border by --overlap, without a step), extend (flow: its rows continue those strokes sideways)</source>
+        <translation>刀路中在前的录制已精加工之处各行如何处理：ignore（忽略，默认）、keep-off（避开）、blend（越过边界 --overlap，不留台阶）、extend（flow：各行向两侧延续这些笔画）</translation>
+    </message>
+    <message>
+        <source>--hand blend: how far rows go on over the border, mm (default: 0.5)</source>
+        <translation>--hand blend：各行越过边界的距离，mm（默认：0.5）</translation>
+    </message>
+    <message>
+        <source>--hand: largest height that takes may have left on what counts as finished, mm (default: 0.02)</source>
+        <translation>--hand：视为已精加工之处录制可留下的最大高度，mm（默认：0.02）</translation>
+    </message>
+    <message>
+        <source>Touch off program zero as with an edge finder: X,Y,Z=AXIS moves the tip of the tool from a point in mm along x, -x, y, -y or -z until the stock stops it; the side that it touches becomes zero along this axis; may be repeated</source>
+        <translation>如同使用寻边器对刀确定程序零点：X,Y,Z=轴 使刀尖从一点（mm）沿 x、-x、y、-y 或 -z 移动，直到被毛坯挡住；所碰到的侧面成为该轴的零点；可重复使用</translation>
+    </message>
+    <message>
+        <source>Tool for --touch</source>
+        <translation>用于 --touch 的刀具</translation>
+    </message>
 </context>
 <context>
     <name>HoleLabels</name>
@@ -8178,6 +8394,41 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>%1 faces have colours of their own, which are not shown; Burin shows each body in one colour.</source>
         <translation>%1 个面有自己的颜色，未予显示；Burin 以一种颜色显示每个实体。</translation>
+    </message>
+    <message>
+        <source>The colour of 1 face was lost when the face was repaired.</source>
+        <translation>1 个面在修复时丢失了颜色。</translation>
+    </message>
+    <message>
+        <source>The colours of %1 faces were lost when these faces were repaired.</source>
+        <translation>%1 个面在修复时丢失了颜色。</translation>
+    </message>
+</context>
+<context>
+    <name>ImportStage</name>
+    <message>
+        <source>reading the file, %1 of %2 MB</source>
+        <translation>正在读取文件，%1 / %2 MB</translation>
+    </message>
+    <message>
+        <source>reading the file of %2 MB (this step cannot be measured)</source>
+        <translation>正在读取 %2 MB 的文件（此步骤无法计量进度）</translation>
+    </message>
+    <message>
+        <source>interpreting the file (this step cannot be measured)</source>
+        <translation>正在解析文件内容（此步骤无法计量进度）</translation>
+    </message>
+    <message>
+        <source>converting the shapes</source>
+        <translation>正在转换形状</translation>
+    </message>
+    <message>
+        <source>checking the solids, %1 of %2</source>
+        <translation>正在检查实体，%1 / %2</translation>
+    </message>
+    <message>
+        <source>meshing, body %1 of %2</source>
+        <translation>正在划分网格，第 %1 / %2 个实体</translation>
     </message>
 </context>
 <context>
@@ -8556,6 +8807,10 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>&quot;%1&quot; can&apos;t be used (%2); correct the file.</source>
         <translation>无法使用“%1”（%2）；请更正该文件。</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; moves the tool, but neither vibrates nor pushes, as you have no permission to write to it (%2); install Burin&apos;s udev rule and plug it in again.</source>
+        <translation>“%1”能移动刀具，但不振动也不推手，因为没有写入它的权限（%2）；安装 Burin 的 udev 规则后重新插入设备。</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -8598,6 +8853,10 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Paths can be made of programs, and keep their feeds.</source>
         <translation>刀路可以由程序生成，并保留程序的进给。</translation>
+    </message>
+    <message>
+        <source>Recordings keep the torque that a device gave.</source>
+        <translation>录制保存设备输出的扭矩。</translation>
     </message>
 </context>
 <context>
@@ -8657,6 +8916,14 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>There is no room to tilt the tool like the hand: its axis does not follow.</source>
         <translation>没有空间让刀具像手一样倾斜：刀轴不跟随。</translation>
+    </message>
+    <message>
+        <source>Shank or holder keep their distance from the stock.</source>
+        <translation>刀杆或刀柄与毛坯保持距离。</translation>
+    </message>
+    <message>
+        <source>The stock holds the tool.</source>
+        <translation>毛坯挡住刀具。</translation>
     </message>
 </context>
 <context>
@@ -8977,6 +9244,10 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>doesn&apos;t turn</source>
         <translation>不旋转</translation>
+    </message>
+    <message>
+        <source>hollow Ø %1 × %2</source>
+        <translation>空心 Ø %1 × %2</translation>
     </message>
 </context>
 <context>
@@ -10011,6 +10282,29 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
+    <name>ScoreLabels</name>
+    <message>
+        <source>the same</source>
+        <translation>相同</translation>
+    </message>
+    <message>
+        <source>▲ better by %1</source>
+        <translation>▲ 优于参考 %1</translation>
+    </message>
+    <message>
+        <source>▼ worse by %1</source>
+        <translation>▼ 差于参考 %1</translation>
+    </message>
+    <message>
+        <source>▲ better by %1 (%2)</source>
+        <translation>▲ 优于参考 %1（%2）</translation>
+    </message>
+    <message>
+        <source>▼ worse by %1 (%2)</source>
+        <translation>▼ 差于参考 %1（%2）</translation>
+    </message>
+</context>
+<context>
     <name>ScoreValue</name>
     <message>
         <source>Duration</source>
@@ -10099,29 +10393,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>How often the hand pushed the tool more than 0.1 mm against the part, which stopped it</source>
         <translation>手将刀具向零件压入超过 0.1 mm 并被零件挡住的次数</translation>
-    </message>
-</context>
-<context>
-    <name>ScoreLabels</name>
-    <message>
-        <source>the same</source>
-        <translation>相同</translation>
-    </message>
-    <message>
-        <source>▲ better by %1</source>
-        <translation>▲ 优于参考 %1</translation>
-    </message>
-    <message>
-        <source>▼ worse by %1</source>
-        <translation>▼ 差于参考 %1</translation>
-    </message>
-    <message>
-        <source>▲ better by %1 (%2)</source>
-        <translation>▲ 优于参考 %1（%2）</translation>
-    </message>
-    <message>
-        <source>▼ worse by %1 (%2)</source>
-        <translation>▼ 差于参考 %1（%2）</translation>
     </message>
 </context>
 <context>
@@ -10548,6 +10819,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>a path of a program for a tool that doesn&apos;t turn</source>
         <translation>由程序为不旋转刀具生成的刀路</translation>
+    </message>
+    <message>
+        <source>a tilted axis of a tool with a hollow tip</source>
+        <translation>空心刀尖刀具的倾斜轴线</translation>
+    </message>
+    <message>
+        <source>test strength</source>
+        <translation>测试强度</translation>
     </message>
 </context>
 <context>
@@ -11179,6 +11458,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Keep these materials as your own; Undo takes each back</source>
         <translation>将这些材料保存为自己的材料；可用撤销逐个取消</translation>
     </message>
+    <message>
+        <source>Result of the calibration</source>
+        <translation>标定结果</translation>
+    </message>
 </context>
 <context>
     <name>burin::Coach</name>
@@ -11580,6 +11863,22 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>What the axes and buttons of a gamepad, joystick, tablet or 3D mouse do, and their calibration</source>
         <translation>手柄、操纵杆、数位板或 3D 鼠标的轴和按钮的作用，以及标定</translation>
     </message>
+    <message>
+        <source>Strength of the assist</source>
+        <translation>辅助强度</translation>
+    </message>
+    <message>
+        <source>Ceiling of a gamepad&apos;s vibration or a joystick&apos;s force, as a share of its strongest effect. Vibration: the strong motor shows how deep you push, the weak one how hard the tool cuts. A joystick pushes only while a button is held, in the test the first one. 0: off</source>
+        <translation>手柄振动或摇杆力的上限，为其最强效果的比例。振动：强马达表示压入多深，弱马达表示切削多重。摇杆只在按住按钮时推手，测试时为第一个按钮。0：关闭</translation>
+    </message>
+    <message>
+        <source>Distance from the stock</source>
+        <translation>与毛坯的距离</translation>
+    </message>
+    <message>
+        <source>Distance that shank and holder keep from the stock, with every stylus, while “Keep from the stock” is on in the menu Mill. A change restarts milling.</source>
+        <translation>铣削菜单中的“与毛坯保持距离”打开时，刀杆和刀柄与毛坯保持的距离，对所有触笔有效。更改后铣削会重新开始。</translation>
+    </message>
 </context>
 <context>
     <name>burin::DeviceTester</name>
@@ -11734,6 +12033,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Faces: %1. With gouges: %2. With too much stock: %3. Select a face to see its worst point.</source>
         <translation>面：%1。有过切的：%2。残料过多的：%3。选择一个面即可看到其最差的点。</translation>
+    </message>
+    <message>
+        <source>Inspecting the faces</source>
+        <translation>正在检查各面</translation>
     </message>
 </context>
 <context>
@@ -11915,12 +12218,38 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Add the fixture to the setup</source>
         <translation>把夹具添加到此装夹</translation>
     </message>
+    <message>
+        <source>Sizes of the fixture</source>
+        <translation>夹具的尺寸</translation>
+    </message>
+    <message>
+        <source>There is no stock where the fixture clamps.</source>
+        <translation>夹具夹紧处没有毛坯。</translation>
+    </message>
+    <message>
+        <source>The fixture doesn&apos;t touch the stock: a gap of %1 remains.</source>
+        <translation>夹具没有接触毛坯：还有 %1 的间隙。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::FixtureDrawing</name>
+    <message>
+        <source>Drawing of the fixture, to scale</source>
+        <translation>夹具图，按比例绘制</translation>
+    </message>
 </context>
 <context>
     <name>burin::FixturePlacer</name>
     <message>
         <source>Esc: cancel placing the fixture</source>
         <translation>Esc：取消放置夹具</translation>
+    </message>
+</context>
+<context>
+    <name>burin::GizmoTool</name>
+    <message>
+        <source>Esc: back to where it was</source>
+        <translation>Esc：退回原位置</translation>
     </message>
 </context>
 <context>
@@ -12329,6 +12658,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Cancels placing.</source>
         <translation>取消放置。</translation>
     </message>
+    <message>
+        <source>Drag a handle</source>
+        <translation>拖动手柄</translation>
+    </message>
+    <message>
+        <source>Moves or rotates the part or a fixture; with Shift finely, with Ctrl in steps. Esc takes it back.</source>
+        <translation>移动或旋转零件或夹具；按住 Shift 微调，按住 Ctrl 按步进。Esc 退回。</translation>
+    </message>
 </context>
 <context>
     <name>burin::HandPanel</name>
@@ -12448,6 +12785,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>This button of the stylus requests the next lower level, or ends a pass</source>
         <translation>触笔的此按钮转到下一层（更低），或结束走刀</translation>
     </message>
+    <message>
+        <source>with button 1</source>
+        <translation>按住按钮 1 时</translation>
+    </message>
 </context>
 <context>
     <name>burin::HelpDialog</name>
@@ -12517,41 +12858,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Editing the path</source>
         <translation>正在编辑刀路</translation>
-    </message>
-</context>
-<context>
-    <name>burin::StepBar</name>
-    <message>
-        <source>Part</source>
-        <translation>零件</translation>
-    </message>
-    <message>
-        <source>Stock</source>
-        <translation>毛坯</translation>
-    </message>
-    <message>
-        <source>Material</source>
-        <translation>材料</translation>
-    </message>
-    <message>
-        <source>Tool</source>
-        <translation>刀具</translation>
-    </message>
-    <message>
-        <source>Allowance</source>
-        <translation>余量</translation>
-    </message>
-    <message>
-        <source>Mill</source>
-        <translation>铣削</translation>
-    </message>
-    <message>
-        <source>Path</source>
-        <translation>刀路</translation>
-    </message>
-    <message>
-        <source>Program</source>
-        <translation>程序</translation>
     </message>
 </context>
 <context>
@@ -13558,6 +13864,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Switched to “%1”, where the change was made.</source>
         <translation>已切换到“%1”，更改是在那里做的。</translation>
     </message>
+    <message>
+        <source>The tool “%1” is in the library. It is hollow, %2 mm in diameter and %3 mm deep, and leaves a core there; its outside is at most %4 mm wider than what its flutes sweep.</source>
+        <translation>刀具“%1”已加入刀具库。它是空心的，直径 %2 mm，深 %3 mm，会在其中留下芯柱；其外侧最多比刀刃扫过的形状宽 %4 mm。</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -14060,6 +14370,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>%1, engagement %2°, depth %3. %4</source>
         <translation>%1，接触角 %2°，深度 %3。%4</translation>
+    </message>
+    <message>
+        <source>%1, at the limit</source>
+        <translation>%1，已达限值</translation>
     </message>
 </context>
 <context>
@@ -14837,6 +15151,18 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Clear the selection: the pass uses every hole of the part that fits</source>
         <translation>清除选择：走刀使用零件上所有适合的孔</translation>
     </message>
+    <message>
+        <source>Show me</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>Plays in the view how this pass is made: the stroke that leads it, the directions, then its rows one after the other. Changes nothing; Esc stops it</source>
+        <translation>在视图中播放此走刀如何生成：引导它的笔画、方向，然后依次为各行。不做任何更改；按 Esc 停止</translation>
+    </message>
+    <message>
+        <source>Stop showing</source>
+        <translation>停止演示</translation>
+    </message>
 </context>
 <context>
     <name>burin::PassForm</name>
@@ -15068,6 +15394,46 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Number of passes along the thread, each deeper than the one before</source>
         <translation>沿螺纹走刀的次数，逐次加深</translation>
     </message>
+    <message>
+        <source>Hand strokes</source>
+        <translation>手动笔画</translation>
+    </message>
+    <message>
+        <source>What the rows do where strokes of the hand, earlier in this path, have finished the part. Keep off: cut nothing there. Blend: go on over the border by the overlap, without a step. Extend: the rows of a flow continue these strokes sideways</source>
+        <translation>此刀路中在前的手动笔画已精加工零件之处各行如何处理。避开：不在那里切削。融合：越过边界一段重叠量，不留台阶。延续：流线的各行向两侧延续这些笔画</translation>
+    </message>
+    <message>
+        <source>Overlap</source>
+        <translation>重叠量</translation>
+    </message>
+    <message>
+        <source>How far rows go on over the border of what the hand has finished</source>
+        <translation>各行越过手动已精加工区域边界的距离</translation>
+    </message>
+    <message>
+        <source>Finished within</source>
+        <translation>精加工允差</translation>
+    </message>
+    <message>
+        <source>Largest height that the hand may have left on what counts as finished</source>
+        <translation>视为已精加工之处手动可留下的最大高度</translation>
+    </message>
+    <message>
+        <source>ignore</source>
+        <translation>忽略</translation>
+    </message>
+    <message>
+        <source>keep off</source>
+        <translation>避开</translation>
+    </message>
+    <message>
+        <source>blend</source>
+        <translation>融合</translation>
+    </message>
+    <message>
+        <source>extend</source>
+        <translation>延续</translation>
+    </message>
 </context>
 <context>
     <name>burin::PassMeasurer</name>
@@ -15085,6 +15451,17 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Computing the preview</source>
         <translation>正在计算预览</translation>
+    </message>
+</context>
+<context>
+    <name>burin::PassRefresher</name>
+    <message>
+        <source>Looking for passes that are out of date</source>
+        <translation>正在查找过时的走刀</translation>
+    </message>
+    <message>
+        <source>Computing the passes that are out of date</source>
+        <translation>正在计算过时的走刀</translation>
     </message>
 </context>
 <context>
@@ -15158,6 +15535,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>inserted point</source>
         <translation>插入的点</translation>
+    </message>
+    <message>
+        <source>passes computed again</source>
+        <translation>重新计算的走刀</translation>
     </message>
 </context>
 <context>
@@ -15357,6 +15738,18 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>The loaded tool doesn&apos;t turn: it has no passes.</source>
         <translation>当前刀具不旋转：没有走刀。</translation>
     </message>
+    <message>
+        <source>Compute outdated passes again</source>
+        <translation>重新计算过时的走刀</translation>
+    </message>
+    <message>
+        <source>Compute those passes again whose strokes have changed; all others stay as they are</source>
+        <translation>重新计算笔画已改变的走刀；其他走刀保持不变</translation>
+    </message>
+    <message>
+        <source>Out of date: the strokes that lead this pass have changed.</source>
+        <translation>已过时：引导此走刀的笔画已改变。</translation>
+    </message>
 </context>
 <context>
     <name>burin::PathPresenter</name>
@@ -15380,6 +15773,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Stock left on 99 % of the reachable part: at most %1 (most: %2).</source>
         <translation>可到达的零件表面中 99 % 的残料不超过%1（最大：%2）。</translation>
     </message>
+    <message>
+        <source>%1 are left to strokes of the hand.</source>
+        <translation>%1留给手动笔画。</translation>
+    </message>
 </context>
 <context>
     <name>burin::PathScenePresenter</name>
@@ -15402,6 +15799,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Computed point</source>
         <translation>计算得出的点</translation>
+    </message>
+    <message>
+        <source>Esc: leave the point where it was</source>
+        <translation>Esc：让该点留在原处</translation>
+    </message>
+    <message>
+        <source>Esc: put the stylus down</source>
+        <translation>Esc：放下触笔</translation>
     </message>
 </context>
 <context>
@@ -15983,7 +16388,7 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
-    <name>burin::RoleWords</name>
+    <name>burin::RoleLabels</name>
     <message>
         <source>Part</source>
         <translation>零件</translation>
@@ -16195,6 +16600,22 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Point of the path at the time on the timeline, from program zero: %1</source>
         <translation>时间轴所示时间的刀路点，从程序零点算起：%1</translation>
+    </message>
+    <message>
+        <source>Edit with the stylus</source>
+        <translation>用触笔编辑</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>作用范围</translation>
+    </message>
+    <message>
+        <source>Distance from the tool&apos;s tip within which a device takes the nearest point of the path</source>
+        <translation>设备可抓取最近刀路点的范围：到刀尖的距离</translation>
+    </message>
+    <message>
+        <source>Move points of the path with the chosen stylus, and feel part and fixtures meanwhile</source>
+        <translation>用所选的触笔移动刀路上的点，同时感受零件和夹具</translation>
     </message>
 </context>
 <context>
@@ -16922,6 +17343,41 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
+    <name>burin::StepBar</name>
+    <message>
+        <source>Part</source>
+        <translation>零件</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>毛坯</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>Allowance</source>
+        <translation>余量</translation>
+    </message>
+    <message>
+        <source>Mill</source>
+        <translation>铣削</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>刀路</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+</context>
+<context>
     <name>burin::StepButton</name>
     <message>
         <source>done</source>
@@ -17117,6 +17573,13 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
+    <name>burin::StockSolidController</name>
+    <message>
+        <source>Preparing the stock for fixtures</source>
+        <translation>正在为夹具准备毛坯</translation>
+    </message>
+</context>
+<context>
     <name>burin::StylusController</name>
     <message>
         <source>Mouse</source>
@@ -17125,6 +17588,56 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Connecting %1</source>
         <translation>正在连接%1</translation>
+    </message>
+</context>
+<context>
+    <name>burin::StylusEditPresenter</name>
+    <message>
+        <source>Drag a point of the path: the tool goes with it, along part, fixtures and travel.</source>
+        <translation>拖动刀路上的一点：刀具随之移动，并受零件、夹具和行程限制。</translation>
+    </message>
+    <message>
+        <source>Move the tool to the path, hold the device&apos;s first button to take the nearest point within reach, and let go where it is to be.</source>
+        <translation>将刀具移到刀路处，按住设备的第一个按钮抓取范围内最近的点，移到目标位置后松开按钮。</translation>
+    </message>
+    <message>
+        <source>Wait until the path is up to date.</source>
+        <translation>请等待刀路更新完成。</translation>
+    </message>
+    <message>
+        <source>The point is moved by %1</source>
+        <translation>该点移动了 %1</translation>
+    </message>
+    <message>
+        <source>Drag a point of the path in the view</source>
+        <translation>在视图中拖动刀路上的一点</translation>
+    </message>
+    <message>
+        <source>A point is in reach, at %1</source>
+        <translation>范围内有一个点，距离 %1</translation>
+    </message>
+    <message>
+        <source>No point is in reach</source>
+        <translation>范围内没有点</translation>
+    </message>
+    <message>
+        <source>Leave mill mode first.</source>
+        <translation>请先退出铣削模式。</translation>
+    </message>
+    <message>
+        <source>Wait until the workpiece and the boundary are ready.</source>
+        <translation>请等待工件和边界准备就绪。</translation>
+    </message>
+    <message>
+        <source>Make a path first.</source>
+        <translation>请先创建刀路。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::StylusEditor</name>
+    <message>
+        <source>“%1” has no button that could take a point of the path. Choose another device, or drag the point with the mouse.</source>
+        <translation>“%1”没有可用来抓取刀路点的按钮。请选择其他设备，或用鼠标拖动该点。</translation>
     </message>
 </context>
 <context>
@@ -18744,6 +19257,49 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     </message>
 </context>
 <context>
+    <name>burin::ZeroLabels</name>
+    <message>
+        <source>left</source>
+        <translation>左侧</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中间</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右侧</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>前侧</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>后侧</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>底部</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>顶部</translation>
+    </message>
+    <message>
+        <source>at stated coordinates</source>
+        <translation>在给定的坐标处</translation>
+    </message>
+    <message>
+        <source>on the stock: X %1, Y %2, Z %3</source>
+        <translation>毛坯上：X %1，Y %2，Z %3</translation>
+    </message>
+    <message>
+        <source>on the part: X %1, Y %2, Z %3</source>
+        <translation>零件上：X %1，Y %2，Z %3</translation>
+    </message>
+</context>
+<context>
     <name>burin::ZeroPanel</name>
     <message>
         <source>Program zero</source>
@@ -18808,10 +19364,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
 <context>
     <name>burin::ZeroPresenter</name>
     <message>
-        <source>The tool touches nothing. Hold it against a face of the part.</source>
-        <translation>刀具没有接触任何东西。将刀具靠在零件的一个面上。</translation>
-    </message>
-    <message>
         <source>The tool does not touch the part. Hold it against a face of the part.</source>
         <translation>刀具没有接触零件。将刀具靠在零件的一个面上。</translation>
     </message>
@@ -18819,48 +19371,13 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Touching off needs a vertical tool and a face that is parallel to two axes.</source>
         <translation>对刀需要竖直的刀具和一个与两根轴平行的面。</translation>
     </message>
-</context>
-<context>
-    <name>burin::ZeroLabels</name>
     <message>
-        <source>left</source>
-        <translation>左侧</translation>
+        <source>The tool touches nothing. Hold it against a face of the part, or of the stock after “Stop the tool at the stock”.</source>
+        <translation>刀具没有接触任何东西。将刀具靠在零件的一个面上，或在选择“刀具停在毛坯处”后靠在毛坯的一个面上。</translation>
     </message>
     <message>
-        <source>middle</source>
-        <translation>中间</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>右侧</translation>
-    </message>
-    <message>
-        <source>front</source>
-        <translation>前侧</translation>
-    </message>
-    <message>
-        <source>back</source>
-        <translation>后侧</translation>
-    </message>
-    <message>
-        <source>bottom</source>
-        <translation>底部</translation>
-    </message>
-    <message>
-        <source>top</source>
-        <translation>顶部</translation>
-    </message>
-    <message>
-        <source>at stated coordinates</source>
-        <translation>在给定的坐标处</translation>
-    </message>
-    <message>
-        <source>on the stock: X %1, Y %2, Z %3</source>
-        <translation>毛坯上：X %1，Y %2，Z %3</translation>
-    </message>
-    <message>
-        <source>on the part: X %1, Y %2, Z %3</source>
-        <translation>零件上：X %1，Y %2，Z %3</translation>
+        <source>The tool also touches something other than the stock. Hold it against the stock alone.</source>
+        <translation>刀具还碰到了毛坯以外的东西。请只让刀具抵住毛坯。</translation>
     </message>
 </context>
 </TS>
