@@ -68,7 +68,7 @@ struct StylusState {
 struct Wrench {
     glm::dvec3 force{0.0};  ///< N
     glm::dvec3 torque{0.0}; ///< N·mm; ignored by devices that can't render torque
-    Assist assist;          ///< for devices without motors that have AssistAbilities
+    Assist assist{};        ///< for devices without motors that have AssistAbilities
 };
 
 /// State of a device, and statistics since it was opened.

@@ -34,8 +34,8 @@ Result<std::vector<PathMatter>> pathsBeforePass(const Project& project, StoredPa
 
 /// The input for planning passes, in addition to part and tool. Any number of threads may read one.
 struct PassBasis {
-    StandingStock standing; ///< the stock left by the preceding paths
-    std::shared_ptr<const ClearanceField> field; ///< see PassGround; null where the tool needs none
+    StandingStock standing;                          ///< the stock left by the preceding paths
+    std::shared_ptr<const ClearanceField> field;     ///< see PassGround; null where the tool needs none
     double allowance = 0.0;                          ///< mm, up to which the field has full resolution
     std::optional<std::vector<TipLine>> handStrokes; ///< before the pass in its own path; empty: not asked for
 };

@@ -89,7 +89,9 @@ Result<std::vector<TipLine>> handStrokes(std::vector<SourceStrokes> sources, con
     if (sources.front().info.tickPeriod > 0.0) context.tickPeriod = sources.front().info.tickPeriod;
     const Result<EvaluatedPath> shaped =
         evaluate(path.name, std::move(sources), shapingEdits(path.edits), context, progress);
-    if (!shaped && shaped.error().code == ErrorCode::pathEmpty) return std::vector<TipLine>{};
+    const bool nothingLeft = !shaped && (shaped.error().code == ErrorCode::pathEmpty ||
+                                         shaped.error().code == ErrorCode::pathGouges); // all left out by an edit
+    if (nothingLeft) return std::vector<TipLine>{};
     if (!shaped) return shaped.error();
     std::vector<TipLine> strokes;
     for (const PathPoint& point : shaped->path.points) {

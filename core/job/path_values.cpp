@@ -18,7 +18,7 @@ namespace burin {
 namespace {
 
 constexpr double drawnChord = 0.02; // mm, deviation of the pieces from an arc
-constexpr double interval = 0.5;    // mm of a move between samples of the cut
+constexpr double cutSampling = 0.5; // mm of a move between samples of the cut
 
 struct QuantityRow {
     PathQuantity quantity;
@@ -129,7 +129,8 @@ Result<std::vector<ValuedPiece>> loads(PathQuantity quantity, const MilledPath& 
     const Path& path = milled.evaluated->path;
     std::vector<ValuedPiece> pieces;
     const auto cut = [&](RunVolume& stock) -> Result<void> {
-        Result<std::vector<MetInterval>> record = recordEngagement(path.points, milled.tool, stock, interval, progress);
+        Result<std::vector<MetInterval>> record =
+            recordEngagement(path.points, milled.tool, stock, cutSampling, progress);
         if (!record) return std::move(record).error();
         const CuttingCoefficients coefficients = cuttingCoefficients(stock.properties(), milled.tool.cutter.diameter);
         pieces.clear();

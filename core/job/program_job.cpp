@@ -342,6 +342,7 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const M
         return evaluate(path.name, std::move(strokes), path.edits, context, progress, help);
     }();
     if (!evaluated) return evaluated;
+    for (const MilledPath& earlier : before) evaluated->after.push_back(earlier.evaluated);
     if (!tool.cutter.turns()) { // it mills neither climb nor conventional, and clears less than its profile
         evaluated->cleared = context.cleared;
         return evaluated;
@@ -351,7 +352,6 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const M
     if (!sides) return std::move(sides).error();
     evaluated->sides = std::move(sides->intervals);
     evaluated->cleared = std::move(sides->cleared);
-    for (const MilledPath& earlier : before) evaluated->after.push_back(earlier.evaluated);
     return evaluated;
 }
 

@@ -17,9 +17,12 @@ namespace {
 constexpr double pressed = 1.0;                          // mm that the hand goes on after the contact
 constexpr double leastStride = 0.1, largestStride = 1.0; // mm of the hand between two positions
 
-/// mm: how far a face within the alignment of touchedFace lies below the outermost line of a round bar, at most.
-double belowSide(const CylinderShape& bar) {
-    return cylinderChord + 0.001 * bar.radius;
+/// mm: how far from the side of the stock a tool that touches it may be found, at most; of a round bar, how far a face
+/// within the alignment of touchedFace lies below its outermost line. Anything farther is another body, as a fixture
+/// that the tool is pushed against while it stands on the stock.
+double besideSide(const Setup& setup) {
+    constexpr double found = 0.02;
+    return setup.form == StockForm::cylinder ? cylinderChord + 0.001 * setup.cylinder.radius : found;
 }
 
 std::string textOf(const glm::dvec3& place) {
@@ -40,8 +43,7 @@ std::optional<Obstacle> touchableStock(const Setup& setup) {
 
 std::optional<double> sideTouched(const Setup& setup, const TouchedFace& face) {
     const double side = (face.high ? setup.stock.high : setup.stock.low)[face.axis];
-    if (setup.form == StockForm::cylinder && std::abs(face.place[face.axis] - side) > belowSide(setup.cylinder))
-        return std::nullopt;
+    if (!(std::abs(face.place[face.axis] - side) <= besideSide(setup))) return std::nullopt;
     return side;
 }
 

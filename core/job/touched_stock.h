@@ -17,7 +17,7 @@ std::optional<Obstacle> touchableStock(const Setup& setup);
 
 /// Returns the coordinate of the stock's side along the axis of a face that was touched on it, mm, setup frame: that of
 /// the stock itself, without the errors of contact and mesh. Empty if the face is not that side: a flank of a tilted
-/// cylinder.
+/// cylinder, or a fixture. @param face touched without an allowance, which the stock does not have
 std::optional<double> sideTouched(const Setup& setup, const TouchedFace& face);
 
 /// Moves an upright tool as a hand does until the stock holds it, and presses on by 1 mm. No session is needed.

@@ -18,7 +18,7 @@ namespace burin {
 /// The geometry that a pass is planned on: part, stock and tool, setup frame, mm. Everything it refers to must outlive
 /// it.
 struct PassGround {
-    const MeshDistance& part;    ///< what nothing may cut; may be empty
+    const MeshDistance& part; ///< what nothing may cut; may be empty
     /// Clearance of the tool from the part, fine at least up to the allowance of the pass; null for passes that need
     /// none (needsField in plan_pass.h).
     const ClearanceField* field;

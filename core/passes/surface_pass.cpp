@@ -15,8 +15,8 @@
 namespace burin {
 namespace {
 
-constexpr double coarsest = 0.2;   // mm between points of an engraved line
-constexpr double tolerance = 1e-6; // mm
+constexpr double coarsest = 0.2;        // mm between points of an engraved line
+constexpr double depthTolerance = 1e-6; // mm
 
 class RowPlanner {
 public:
@@ -138,7 +138,7 @@ Result<PlannedPass> planEngraving(const PassRequest& request, const PassGround& 
     const double top = request.top.value_or(ground.stock.high.z);
     double levelDepth = request.levelDepth > 0.0 ? request.levelDepth : ground.levelDepth;
     if (ground.tool.maximumDepthOfCut > 0.0) levelDepth = std::min(levelDepth, ground.tool.maximumDepthOfCut);
-    const int levels = std::max(1, static_cast<int>(std::ceil(request.depth / levelDepth - tolerance)));
+    const int levels = std::max(1, static_cast<int>(std::ceil(request.depth / levelDepth - depthTolerance)));
     const std::vector<RevolvedPiece> tool = pieces(ground.tool.cutter);
     const bool free = ground.part.bounds().empty();
     TipDrop drop(ground.part, tool, request.allowance, top - request.depth);

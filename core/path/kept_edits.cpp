@@ -4,6 +4,8 @@
 
 #include "core/machine/machine_library.h"
 
+#include <bit>
+#include <cstdint>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -21,8 +23,18 @@ void write(std::ostream& text, const glm::dvec3& place) {
     text << place.x << ' ' << place.y << ' ' << place.z << ';';
 }
 
-/// What can change in a context while its part and its stock stay the same, as text; obstacles by their extent. Numbers
-/// are exact.
+/// FNV-1a of all corners, word by word: bodies of different shape may have the same extent.
+std::uint64_t digestOf(const MeshDistance& surface) {
+    std::uint64_t digest = 14695981039346656037u;
+    for (const Triangle& triangle : surface.triangles())
+        for (const glm::dvec3& corner : triangle)
+            for (int axis = 0; axis < 3; ++axis)
+                digest = (digest ^ std::bit_cast<std::uint64_t>(corner[axis])) * 1099511628211u;
+    return digest;
+}
+
+/// What can change in a context while its part and its stock stay the same, as text; obstacles by a digest of their
+/// surface. Numbers are exact.
 std::string contextText(const PathContext& context) {
     std::ostringstream text;
     text << std::hexfloat << toJson(context.tool) << ' ' << toJson(context.machine) << ' '
@@ -30,11 +42,8 @@ std::string contextText(const PathContext& context) {
     write(text, context.conditions);
     for (const CuttingConditions& conditions : context.materialConditions) write(text, conditions);
     for (const glm::dvec3& place : {context.stock.low, context.stock.high, context.workOffset}) write(text, place);
-    for (const ObstacleSolid& obstacle : context.obstacles) {
-        text << obstacle.on << ' ' << obstacle.margin << ' ';
-        for (const glm::dvec3& place : {obstacle.surface->bounds().low, obstacle.surface->bounds().high})
-            write(text, place);
-    }
+    for (const ObstacleSolid& obstacle : context.obstacles)
+        text << obstacle.on << ' ' << obstacle.margin << ' ' << digestOf(*obstacle.surface) << ' ';
     return text.str();
 }
 

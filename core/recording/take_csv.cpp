@@ -17,7 +17,8 @@ namespace {
 constexpr std::string_view fixedColumns =
     "tick,time_s,device_x_mm,device_y_mm,device_z_mm,device_qw,device_qx,device_qy,device_qz,"
     "stylus_x_mm,stylus_y_mm,stylus_z_mm,tool_x_mm,tool_y_mm,tool_z_mm,axis_x,axis_y,axis_z,"
-    "force_x_n,force_y_n,force_z_n,torque_x_n_mm,torque_y_n_mm,torque_z_n_mm,cutting_force_x_n,cutting_force_y_n,cutting_force_z_n,"
+    "force_x_n,force_y_n,force_z_n,torque_x_n_mm,torque_y_n_mm,torque_z_n_mm,cutting_force_x_n,cutting_force_y_n,"
+    "cutting_force_z_n,"
     "reported_removal_mm3,buttons,flags";
 
 void append(std::string& text, double value) {

@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/geometry/revolved_piece.h"
+#include "core/tool/hollow_tip.h"
 #include "core/verify/causes.h"
 #include "core/verify/corner_cutting.h"
 #include "core/verify/deviation_map.h"
@@ -122,10 +123,11 @@ double sectionAtTip(const Cutter& cutter) {
 }
 
 /// How deep a move straight down has cut below the centre of a tool, mm. A hollow tip leaves a core at first: only what
-/// is removed beyond the ring around it counts, with a margin for the scanlines.
+/// is removed beyond the ring around it counts, with a margin for the scanlines. A hollow around a pin leaves none.
 double depthBelowCentre(const Cutter& cutter, double down, double volume) {
     constexpr double ringMargin = 1.1;
-    if (!cutter.isHollow()) return std::min(down, volume / sectionAtTip(cutter));
+    const bool leavesCore = cutter.isHollow() && boreAt(*cutter.solid, 0.5 * cutter.hollow().height) > 0.0;
+    if (!leavesCore) return std::min(down, volume / sectionAtTip(cutter));
     const double core = pi * cutter.hollow().radius * cutter.hollow().radius;
     const double ring = pi * cutter.radius() * cutter.radius() - core;
     return std::clamp((volume - ringMargin * ring * down) / core, 0.0, down);

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The headers that a plugin may include in addition to its own.
-constexpr std::array<std::string_view, 18> pluginInterface{"core/base/mailbox.h",
+constexpr std::array<std::string_view, 19> pluginInterface{"core/base/mailbox.h",
                                                            "core/base/error.h",
                                                            "core/base/progress.h",
                                                            "core/base/result.h",

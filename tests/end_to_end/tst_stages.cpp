@@ -3,8 +3,8 @@
 #include "canonical_moves.h"
 #include "program_run.h"
 
-#include "tests/places.h"
 #include "tests/long_run.h"
+#include "tests/places.h"
 #include "tests/test_program.h"
 
 #include <QCoreApplication>
@@ -73,7 +73,8 @@ void StagesTest::embeds() {
 }
 
 void StagesTest::mills() {
-    const ProgramRun run = runBurin({"mill", project_, "--tool", "ball-6", "--step-over", testing::inLongRun("1", "2"), "--json"});
+    const ProgramRun run =
+        runBurin({"mill", project_, "--tool", "ball-6", "--step-over", testing::inLongRun("1", "2"), "--json"});
     QVERIFY2(run.status == 0, run.messages.constData());
     const QJsonArray takes = run.json()["takes"].toArray();
     QCOMPARE(takes.size(), 2);

@@ -47,8 +47,8 @@ private slots:
             const CameraView view = someView(random, i % 2 == 0);
             const glm::dvec3 centre = view.focus + 0.25 * glm::dvec3(along(random), along(random), along(random));
             const GizmoHandle handle{GizmoPart::arrow, i % 3};
-            if (std::ranges::find(offeredHandles({centre}, view), handle) == offeredHandles({centre}, view).end())
-                continue;
+            const std::vector<GizmoHandle> offered = offeredHandles({centre}, view);
+            if (std::ranges::find(offered, handle) == offered.end()) continue;
             const glm::dvec3 axis = axisDirection(handle.axis);
             const double from = along(random), to = along(random);
             GizmoDrag drag(handle, centre, through(view, centre + from * axis), 10.0);

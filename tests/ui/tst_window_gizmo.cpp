@@ -248,9 +248,6 @@ private slots:
             QApplication::setActiveWindow(field->window());
             field->setFocus();
             QTRY_COMPARE(drawing->marked(), std::optional(std::size_t{1}));
-            driver.visible("fixtureDialog")
-                ->grab()
-                .save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/gizmo-8-drawing-%1.png").arg(row.id));
         }
         kinds->setFocus();
         QTRY_VERIFY(!drawing->marked());

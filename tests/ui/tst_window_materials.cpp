@@ -107,7 +107,7 @@ private slots:
         for (const VisibleText& cut : clippedTexts(driver.window()))
             QFAIL(qPrintable(QStringLiteral("cut: %1: %2").arg(cut.where, cut.text)));
 
-        QVERIFY(recordLine(driver, {-12, 0}, {12, 0}, Pace::ofAHand));
+        QVERIFY(recordLine(driver, {-12, 0}, {12, 0}, LinePace::ofAHand));
         QVERIFY(driver.settle());
         driver.shoot("materials-03-milled");
         QVERIFY(removedSoFar(*workbench.workpiece.milling()) > 1.0);
@@ -211,7 +211,7 @@ private slots:
         QVERIFY(embed(driver));
         QVERIFY(driver.step(JobStep::material) && driver.settle());
         driver.shoot("materials-07-four");
-        QVERIFY(recordLine(driver, {-17, 0}, {17, 0}, Pace::ofAHand));
+        QVERIFY(recordLine(driver, {-17, 0}, {17, 0}, LinePace::ofAHand));
         QVERIFY(driver.settle());
         driver.shoot("materials-08-one-drag");
         const EmbeddedSetup& embedded = workbench.workpiece.milling()->embedded;

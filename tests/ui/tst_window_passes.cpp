@@ -396,16 +396,19 @@ private slots:
         Workbench& workbench = workbenchOf(driver);
         driver.whenDialogStands([&](QWidget& dialog) {
             QVERIFY(choose(dialog, "passKind", static_cast<int>(PassKind::flow)));
+            QList<bool> parts;   // of the film so far: whether the tool is shown
+            const QObject watch; // ends before the list
+            connect(&workbench.passShow, &PassShow::moved, &watch, [&] {
+                const bool shown = workbench.passShow.picture()->tip.has_value();
+                if (parts.isEmpty() || parts.back() != shown) parts << shown;
+            });
             QVERIFY(press(dialog, "passShowMeButton"));
-            QTRY_VERIFY_WITH_TIMEOUT(workbench.passShow.picture() != nullptr, 30000);
-            QVERIFY(workbench.passShow.picture()->tip.has_value());
-            QTest::qWait(1200);
+            QTRY_VERIFY_WITH_TIMEOUT(!parts.isEmpty(), 30000);
             driver.shoot("passes-20-show-stroke");
-            QTRY_VERIFY_WITH_TIMEOUT(workbench.passShow.picture() && !workbench.passShow.picture()->tip, 5000);
-            QTest::qWait(200);
+            QTRY_VERIFY_WITH_TIMEOUT(parts.size() > 1, 30000);
             driver.shoot("passes-21-show-directions");
-            QTRY_VERIFY_WITH_TIMEOUT(workbench.passShow.picture() && workbench.passShow.picture()->tip, 5000);
-            QTest::qWait(1500);
+            QTRY_VERIFY_WITH_TIMEOUT(parts.size() > 2, 30000);
+            QCOMPARE(parts, (QList<bool>{true, false, true}));
             driver.shoot("passes-22-show-rows");
             QTest::keyClick(&dialog, Qt::Key_Escape);
             QVERIFY(!workbench.passShow.showing());

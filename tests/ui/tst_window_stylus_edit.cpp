@@ -137,34 +137,33 @@ void TestWindowStylusEdit::aDeviceMovesAPointAndThePartHoldsIt() {
     };
     // 5 mm above the path nothing is in reach of 3 mm, 2 mm beside it the nearest point is.
     QVERIFY(lead(middle.pose.tip + glm::dvec3(0.0, 0.0, 5.0)));
-    QVERIFY(driver.waitFor([&] { return !editor.within(); }, 2000));
+    QVERIFY(driver.waitFor([&] { return !editor.within(); }));
     QVERIFY(lead(middle.pose.tip + glm::dvec3(0.0, 2.0, 0.0)));
-    QVERIFY(
-        driver.waitFor([&] { return editor.within() && std::abs(editor.within()->at.distance - 2.0) < 0.05; }, 2000));
+    QVERIFY(driver.waitFor([&] { return editor.within() && std::abs(editor.within()->at.distance - 2.0) < 0.05; }));
     QTest::qWait(100);
     driver.shoot("stylus-edit-1-reach");
 
     // A press alone selects the point, as a click does.
     hand.button = true;
-    QVERIFY(driver.waitFor([&] { return editor.held().has_value(); }, 2000));
+    QVERIFY(driver.waitFor([&] { return editor.held().has_value(); }));
     hand.button = false;
-    QVERIFY(driver.waitFor([&] { return workbench.path.selection().has_value(); }, 2000));
+    QVERIFY(driver.waitFor([&] { return workbench.path.selection().has_value(); }));
     QVERIFY(movesOf(workbench).empty());
 
     // Down into the part by 10 mm: the tool stops on it, and so does the point.
     const double partTop = workbench.workpiece.milling()->partModel->box().high.z;
     QVERIFY(middle.pose.tip.z - partTop > 0.5); // there is stock between them
     hand.button = true;
-    QVERIFY(driver.waitFor([&] { return editor.held().has_value(); }, 2000));
+    QVERIFY(driver.waitFor([&] { return editor.held().has_value(); }));
     const glm::dvec3 from = editor.held()->at.place;
     QVERIFY(lead(from + glm::dvec3(0.0, 3.0, partTop - from.z - 10.0)));
-    QVERIFY(driver.waitFor([&] { return (workbench.session.state().sample.flags & sampleOnBoundary) != 0; }, 2000));
+    QVERIFY(driver.waitFor([&] { return (workbench.session.state().sample.flags & sampleOnBoundary) != 0; }));
     QVERIFY(workbench.session.state().sample.force.z > 0.1 || // forces fade in slowly on a busy machine
             driver.waitFor([&] { return workbench.session.state().sample.force.z > 0.1; }, 10000));
     driver.shoot("stylus-edit-2-held");
     const int entries = workbench.undo().count();
     hand.button = false;
-    QVERIFY(driver.waitFor([&] { return movesOf(workbench).size() == 1; }, 2000));
+    QVERIFY(driver.waitFor([&] { return movesOf(workbench).size() == 1; }));
     QCOMPARE(workbench.undo().count(), entries + 1);
     const MovePoints move = movesOf(workbench)[0];
     const double height = from.z + move.by.z - partTop;
@@ -183,7 +182,7 @@ void TestWindowStylusEdit::aDeviceMovesAPointAndThePartHoldsIt() {
     QVERIFY(lead(middle.pose.tip + glm::dvec3(0.0, 1.0, 0.0)));
     QVERIFY(driver.waitFor([&] { return editor.within().has_value(); }, 5000));
     hand.button = true;
-    QVERIFY(driver.waitFor([&] { return editor.held().has_value(); }, 2000));
+    QVERIFY(driver.waitFor([&] { return editor.held().has_value(); }));
     QVERIFY(lead(middle.pose.tip + glm::dvec3(0.0, 6.0, 0.0)));
     driver.key(Qt::Key_Escape);
     QVERIFY(!editor.held());

@@ -60,7 +60,7 @@ static void waitForRest(WindowDriver& driver) {
         2000);
 }
 
-void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, Pace pace) {
+void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, LinePace pace) {
     Viewport& viewport = driver.window().viewport();
     const Setup& setup = driver.window().workbench().setup.setup();
     const auto at = [&](const glm::dvec2& place) {
@@ -69,7 +69,7 @@ void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to
     QTest::mouseMove(&viewport, at(from));
     waitForRest(driver);
     QTest::mousePress(&viewport, Qt::LeftButton, Qt::NoModifier, at(from));
-    const int steps = pace == Pace::quick ? 20 : 40, milliseconds = pace == Pace::quick ? 10 : 20;
+    const int steps = pace == LinePace::quick ? 20 : 40, milliseconds = pace == LinePace::quick ? 10 : 20;
     for (int i = 0; i <= steps; ++i) {
         QTest::mouseMove(&viewport, at(glm::mix(from, to, static_cast<double>(i) / steps)));
         QTest::qWait(milliseconds);
@@ -79,7 +79,7 @@ void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to
     QTest::qWait(100);
 }
 
-bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, Pace pace) {
+bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, LinePace pace) {
     Workbench& workbench = driver.window().workbench();
     if (!driver.step(JobStep::mill) || !driver.clickOn("millButton")) return false;
     if (!driver.waitFor([&] { return workbench.mill.active(); }, 5000)) return false;

@@ -26,11 +26,11 @@ QString writeBlock(const WindowDriver& driver, bool closed = true);
 /// behaviour of the window, not about how finely it mills. @param voxel  mm
 bool makeReady(WindowDriver& driver, double voxel = 0.5);
 /// How fast a line is drawn: as fast as the window follows, or as a hand does it, for what depends on its samples.
-enum class Pace : std::uint8_t { quick, ofAHand };
+enum class LinePace : std::uint8_t { quick, ofAHand };
 /// Draws a line on the stock's top with the left button down. Positions in mm from the middle of the stock's top.
-void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, Pace pace = Pace::quick);
+void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, LinePace pace = LinePace::quick);
 /// Records a take of one such line; enters and leaves mill mode.
-bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, Pace pace = Pace::quick);
+bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, LinePace pace = LinePace::quick);
 /// Makes a path of the recording and waits until it is evaluated.
 bool newPath(WindowDriver& driver);
 /// Posts the program and waits for its check. Returns false if that produced no new program.

@@ -156,8 +156,7 @@ QString Messages::sentence(const Error& error) {
             .arg(subject, place);
     case ErrorCode::deviceAssistDenied:
         return tr("\"%1\" moves the tool, but neither vibrates nor pushes, as you have no permission to write to it "
-                  "(%2); "
-                  "install Burin's udev rule and plug it in again.")
+                  "(%2); install Burin's udev rule and plug it in again.")
             .arg(subject, place);
     case ErrorCode::deviceIncompatible:
         return tr("The device \"%1\" speaks version %2 of its protocol, but this Burin needs %3; update its firmware.")

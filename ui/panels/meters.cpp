@@ -153,7 +153,7 @@ void Meters::Fields::showForce() {
     const bool atLimit = state.running && limited && state.force >= scale;
     force_->setValue(state.running ? text : QStringLiteral("–"),
                      atLimit ? Meters::tr("%1, at the limit").arg(text) : QString());
-    if (atLimit && !atLimit_) announce(*force_); // the bar tells it by its colour alone
+    if (atLimit && !atLimit_) announce(*force_); // the bar shows it by its colour alone
     atLimit_ = atLimit;
     forceBar_->setShare(state.running && scale > 0.0 ? state.force / scale : 0.0);
     forceBar_->setRole(limited && state.force < scale ? &Palette::accent : &Palette::force);

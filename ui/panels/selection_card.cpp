@@ -69,6 +69,7 @@ void SelectionCard::addStylus(QVBoxLayout& column) {
     stylusText_->hide();
     connect(stylus_, &QPushButton::clicked, this, &SelectionCard::stylusRequested);
     connect(reach_, &LengthField::valueEdited, this, &SelectionCard::stylusReachEdited);
+    setStylus({}, LengthUnit::millimetre);
 }
 
 void SelectionCard::setStylus(const StylusEditState& state, LengthUnit unit) {

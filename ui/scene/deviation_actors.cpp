@@ -63,7 +63,7 @@ void DeviationActors::set(const DeviationSurface& surface) {
     const ShadedPolyData measured = polyDataOf(surface.mesh);
     measured.surface->GetPointData()->SetScalars(scalarsOf(surface.colours));
     give(*measured_, measured.surface);
-    ShadedMesh others{surface.mesh.points, surface.mesh.normals, surface.unmeasured, {}};
+    ShadedMesh others{surface.mesh.points, surface.mesh.normals, surface.unmeasured, {}, {}};
     give(*unmeasured_, polyDataOf(others).surface);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int leastWidth = 344, mostWidth = 900; // pixels: a panel's 320 with margins; a program's long lines
 
-/// Each panel scrolls separately, so that a long one does not interval the others.
+/// Each panel scrolls separately, so that a long one does not stretch the others.
 QWidget* scrolling(QWidget* panel, const char* name, const QString& title) {
     auto* area = new QScrollArea;
     area->setObjectName(QString::fromLatin1(name));

@@ -205,6 +205,7 @@ void PathPresenter::askFrom(const RequestedPass& last) {
         lastPass_ = *wanted;
         lastPass_.request.area = {};
         lastPass_.request.lines.clear();
+        lastPass_.request.leads.clear(); // they name those lines
         lastPass_.request.places.clear();
     }
     workbench_.passes.compute(*wanted);
@@ -265,12 +266,14 @@ std::optional<RequestedPass> PathPresenter::asked(const RequestedPass& last, con
     connect(&dialog, &PassDialog::previewUnwanted, &previewer, &PassPreviewer::clear);
     connect(&previewer, &PassPreviewer::changed, &dialog, [&] { dialog.showPreview(previewText(previewer, unit())); });
     PassShow& show = workbench_.passShow;
-    connect(&dialog, &PassDialog::showMeRequested, &show, [&](RequestedPass shown) {
-        if (shown.leads.empty()) shown.request = withSample(shown.request, free ? milling.setup.stock : part);
-        previewer.show(shown);
-        show.start();
-        dialog.setShowing(show.showing());
-    });
+    // A copy: the workpiece may be exchanged while the dialog is open.
+    connect(&dialog, &PassDialog::showMeRequested, &show,
+            [&previewer, &show, &dialog, around = free ? milling.setup.stock : part](RequestedPass shown) {
+                if (shown.leads.empty()) shown.request = withSample(shown.request, around);
+                previewer.show(shown);
+                show.start();
+                dialog.setShowing(show.showing());
+            });
     connect(&dialog, &PassDialog::showStopped, &show, &PassShow::stop);
     connect(&show, &PassShow::finished, &dialog, [&] { dialog.setShowing(false); });
     // Next to the part, which shows the preview.

@@ -56,7 +56,7 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
     connect(&hand_, &PathHand::dropped, this, &PathScenePresenter::drop);
     connect(&hand_, &PathHand::handleDragging, this, &PathScenePresenter::showHandleDrag);
     connect(&hand_, &PathHand::handleDropped, this, [this](std::size_t handle, const glm::dvec3& by) {
-        if (workbench_.stylusEditor.held())
+        if (workbench_.stylusEditor.usesMouse())
             workbench_.stylusEditor.letGo();
         else if (handle < inserted_.size())
             workbench_.path.moveInserted(inserted_[handle].edit, by);
@@ -66,7 +66,7 @@ PathScenePresenter::PathScenePresenter(Workbench& workbench, Viewport& viewport,
     connect(&hand_, &PathHand::drawn, this, &PathScenePresenter::finishDrawing);
     connect(&hand_, &PathHand::givenUp, this, [this] {
         drawn_.clear();
-        workbench_.stylusEditor.giveUp();
+        if (workbench_.stylusEditor.usesMouse()) workbench_.stylusEditor.giveUp();
         markSelection();
     });
     connect(&hand_, &PathHand::escaped, this, &PathScenePresenter::escape);
@@ -269,7 +269,7 @@ void PathScenePresenter::showDrag(const PathPlace& place, const glm::dvec3& by) 
 }
 
 void PathScenePresenter::drop(const PathPlace& place, const glm::dvec3& by) {
-    if (workbench_.stylusEditor.held()) return workbench_.stylusEditor.letGo();
+    if (workbench_.stylusEditor.usesMouse()) return workbench_.stylusEditor.letGo();
     if (!path_) return;
     workbench_.path.movePlace(momentOf(place), by,
                               drag_ == DragChoice::surface ? MovePoints::Along::surface : MovePoints::Along::free);

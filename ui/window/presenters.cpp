@@ -87,10 +87,11 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part,    &setups,       &stock,  &zero,       &material,     &layers,    &tool,    &allowance,
-             &mill,    &surroundings, &guides, &hand,       &pathScene,    &path,      &program, &meters,
-             &status,  &job,          &scene,  &guideScene, &programScene, &deviation, &area,    &time,
-             &measure, &tree,         &excess, &faces,      &comparison,   &fixtures,  &holes,   &stylusEdit,   &gizmo})
+             &part,       &setups,   &stock,        &zero,       &material, &layers,     &tool,
+             &allowance,  &mill,     &surroundings, &guides,     &hand,     &pathScene,  &path,
+             &program,    &meters,   &status,       &job,        &scene,    &guideScene, &programScene,
+             &deviation,  &area,     &time,         &measure,    &tree,     &excess,     &faces,
+             &comparison, &fixtures, &holes,        &stylusEdit, &gizmo})
         presenter->setUnit(unit);
 }
 

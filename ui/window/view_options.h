@@ -14,8 +14,7 @@
 namespace burin {
 
 /// The display options of the view, chosen by actions, on the bar below the view, or by the handle of the section
-/// plane. Projection, transparency and the
-/// switch of the handles are remembered between sessions of the program.
+/// plane. Projection, transparency and the switch of the handles are remembered between sessions of the program.
 class ViewOptions final : public QObject {
     Q_OBJECT
 public:

@@ -5,6 +5,7 @@
 #include "core/job/touched_stock.h"
 #include "core/nc/work_offset.h"
 
+#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -95,15 +96,18 @@ void ZeroPresenter::placeAt(const glm::dvec3& point) {
 void ZeroPresenter::touch() {
     const auto& milling = workbench_.workpiece.milling();
     if (!milling || !workbench_.session.running()) return;
+    // The allowance grows the part alone; the stock is touched as it is.
+    const auto stock = workbench_.surroundings.stockNews();
+    const bool atStock = stock && stock->holds;
     const TouchedFace touched =
-        touchedFace(workbench_.session.state().sample, milling->tool, workbench_.mill.allowance());
+        touchedFace(workbench_.session.state().sample, milling->tool, atStock ? 0.0 : workbench_.mill.allowance());
     if (touched.outcome == TouchedFace::Outcome::nothing)
         return emit refused(
             tr("The tool touches nothing. Hold it against a face of the part, or of the stock after “Stop the "
                "tool at the stock”."));
     if (touched.outcome == TouchedFace::Outcome::aslant)
         return emit refused(tr("Touching off needs a vertical tool and a face that is parallel to two axes."));
-    if (const auto stock = workbench_.surroundings.stockNews(); stock && stock->holds) return touchStock(touched);
+    if (atStock) return touchStock(touched);
     workbench_.setup.examineFace(touched.place, [this, touched](const PartFace& face) {
         const int axis = touched.axis;
         if (glm::distance(face.place, touched.place) > workbench_.setup.setup().voxel)
@@ -117,6 +121,10 @@ void ZeroPresenter::touch() {
 void ZeroPresenter::touchStock(const TouchedFace& touched) {
     const std::optional<double> side = sideTouched(workbench_.setup.setup(), touched);
     if (!side) return emit refused(tr("Touching off needs a vertical tool and a face that is parallel to two axes."));
+    // A fixture may hold the tool together with the stock.
+    if (std::abs(touched.place[touched.axis] - *side) > workbench_.setup.setup().voxel)
+        return emit refused(
+            tr("The tool also touches something other than the stock. Hold it against the stock alone."));
     glm::dvec3 place = workbench_.setup.setup().workOffset;
     place[touched.axis] = *side;
     placeAt(place);

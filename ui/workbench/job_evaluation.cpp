@@ -46,10 +46,13 @@ JobEvaluation::JobEvaluation(const Desk& desk, WorkpieceController& workpiece, Q
     });
 }
 
-/// The running task is abandoned by the code that changes the workpiece.
+/// The running task is abandoned by the code that changes the workpiece. What it kept was made with the fixtures and
+/// the materials that are about to change, possibly within the same extent.
 void JobEvaluation::readersStop() {
     if (running_) interrupted_ = true;
     running_.reset();
+    for (std::vector<Entry>* entries : {&entries_, &resting_})
+        for (Entry& entry : *entries) entry.kept.reset();
 }
 
 void JobEvaluation::setJob(const std::vector<StoredPath>& inOrder, std::int64_t inForce) {
@@ -312,6 +315,7 @@ void JobEvaluation::takeEvaluated(const Running& asked, const Tool& tool, Result
     }
     if (entry->path.id != inForce_) forgetRecorded(*entry);
     const bool anew = entry->problem == std::nullopt;
+    if (!anew && entry->evaluated && entry->path.id == inForce_) emit firstResult(entry->evaluated);
     goOn();
     if (anew) emit evaluatedAnew(asked.path);
     emit changed();

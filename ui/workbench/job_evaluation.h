@@ -55,7 +55,7 @@ public:
 signals:
     void evaluatedAnew(qint64 path);
     /// While a path that has a result is evaluated again: the path in force after the first changed edit, without those
-    /// after it; for drawing only.
+    /// after it; if the evaluation fails or is cancelled, the last result again. For drawing only.
     void firstResult(const std::shared_ptr<const burin::EvaluatedPath>& path);
     void changed();
     /// Newer recordings with the path's tool were added to a path.

@@ -58,6 +58,7 @@ public:
     std::uint32_t forceButtons() const noexcept { return forceButtons_; }
     /// How much of the cutting a device lets the hand feel, from the next session on.
     void setFelt(const FeltCutting& felt) { felt_ = felt; }
+    const FeltCutting& felt() const noexcept { return felt_; }
     const StockLayer& stockLayer() const noexcept { return stock_; }
     /// Whether, and how far, shank and holder keep away from the stock. Another distance restarts mill mode.
     void setStockLayer(const StockLayer& layer);

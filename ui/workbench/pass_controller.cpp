@@ -21,6 +21,9 @@ PassController::PassController(const Desk& desk, WorkpieceController& workpiece,
     for (const auto signal : {&WorkpieceController::readersStop, &WorkpieceController::readersGoOn})
         connect(&workpiece_, signal, this, &PassController::goOn);
     connect(&workpiece_, &WorkpieceController::changed, this, &PassController::goOn);
+    connect(&desk_.tasks, &TaskRunner::changed, this, [this] { // others compute passes, too
+        if (wanted_ && !asked_ && ready() && !desk_.tasks.running(TaskKind::pass)) goOn();
+    });
 }
 
 bool PassController::ready() const {
@@ -78,7 +81,7 @@ void PassController::goOn() {
                 emit failed(matter.error());
                 return end();
             }
-            if (ready() && tools_.current().id == tool_)
+            if (ready() && tools_.current().id == tool_ && !desk_.tasks.running(TaskKind::pass))
                 run(std::move(*matter));
             else
                 goOn();

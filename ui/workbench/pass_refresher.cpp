@@ -56,6 +56,7 @@ PassRefresher::PassRefresher(const Desk& desk, const WorkpieceController& workpi
     connect(&path_, &PathController::changed, this, &PassRefresher::look);
     connect(&path_, &PathController::versionChanged, this, &PassRefresher::look);
     connect(&workpiece_, &Controller::changed, this, &PassRefresher::look);
+    connect(&workpiece_, &WorkpieceController::readersStop, this, &PassRefresher::readersStop);
 }
 
 bool PassRefresher::ready() const {
@@ -92,7 +93,7 @@ void PassRefresher::look() {
 }
 
 void PassRefresher::find(LedPasses led) {
-    if (!workpiece_.milling()) return looked_.reset();
+    if (!ready()) return looked_.reset(); // looked for again once it is
     desk_.tasks.start(
         TaskKind::outdated, tr("Looking for passes that are out of date"),
         [led = std::move(led), milling = workpiece_.milling()](Progress& progress) mutable {
@@ -132,9 +133,11 @@ void PassRefresher::refresh() {
             }
             return matters;
         },
-        [this, load = loads_](Result<std::vector<Matter>> matters) {
-            if (load != loads_) return; // another project
-            if (matters && ready()) return compute(std::move(*matters));
+        [this, load = loads_, tool = tools_.current().id](Result<std::vector<Matter>> matters) {
+            if (load != loads_) return; // stopped, or another project
+            // Meanwhile another tool may have been loaded, or another pass begun, which must not be superseded.
+            const bool same = tools_.current().id == tool && !desk_.tasks.running(TaskKind::pass);
+            if (matters && ready() && same) return compute(std::move(*matters));
             if (!matters) emit failed(matters.error());
             end();
         });
@@ -147,7 +150,7 @@ void PassRefresher::compute(std::vector<Matter> matters) {
             return computedAgain(*milling, std::move(matters), progress);
         },
         [this, load = loads_, tool = tools_.current()](const Result<Refreshed>& passes) {
-            if (load != loads_) return; // another project
+            if (load != loads_) return; // another project, or another workpiece
             if (passes)
                 path_.replacePasses(*passes, tool);
             else if (passes.error().code != ErrorCode::cancelled)
@@ -159,6 +162,17 @@ void PassRefresher::compute(std::vector<Matter> matters) {
 void PassRefresher::end() {
     refreshing_ = false;
     emit changed();
+}
+
+/// The code that changes the workpiece abandons the task that computes, which then reports nothing. The passes stay
+/// marked, and can be computed when the workpiece is ready again.
+void PassRefresher::readersStop() {
+    ++questions_;
+    looked_.reset();
+    desk_.tasks.abandon(TaskKind::outdated);
+    if (!refreshing_) return;
+    ++loads_;
+    end();
 }
 
 void PassRefresher::forget() {

@@ -34,6 +34,7 @@ private:
     using Key = std::pair<std::int64_t, quint64>; ///< path, and version of the paths
     bool ready() const;
     void look();
+    void readersStop();
     void find(LedPasses led);
     void know(std::vector<std::int64_t> outdated);
     void compute(std::vector<Matter> matters);

@@ -55,6 +55,7 @@ void StockSolidController::prepare() {
 double StockSolidController::depthOf(const std::shared_ptr<const Obstacle>& fixture) {
     if (!fixture->design) return 0.0;
     const StockSolid& solid = stock();
+    std::erase_if(depths_, [](const auto& known) { return known.first.use_count() == 1; }); // deleted for good
     const auto [entry, isNew] = depths_.try_emplace(fixture, 0.0);
     if (isNew) entry->second = depthIn(*fixture->design, solid);
     return entry->second;

@@ -41,8 +41,10 @@ StylusEditor::StylusEditor(const Desk& desk, WorkpieceController& workpiece, Mil
     connect(&paths_, &PathController::evaluatedAnew, this, &StylusEditor::takePath);
 }
 
+/// While a device is being connected, mill mode is about to begin; another connection would replace that one.
 bool StylusEditor::possible() const {
-    return !active_ && !session_.running() && workpiece_.ready() && paths_.stored() != nullptr && paths_.evaluated();
+    return !active_ && !session_.running() && !desk_.tasks.running(TaskKind::device) && workpiece_.ready() &&
+           paths_.stored() != nullptr && paths_.evaluated();
 }
 
 void StylusEditor::enter() {
@@ -58,13 +60,17 @@ void StylusEditor::enter() {
 void StylusEditor::enterWithDevice() {
     styluses_.connectDevice(
         [this, assignment = styluses_.axisMap(styluses_.choice().id)](std::unique_ptr<AnyStylus> stylus) {
-            if (!stylus || !possible()) return; // the reason for the request may be gone
+            if (!stylus || !possible()) { // the reason for the request may be gone
+                emit changed();
+                return;
+            }
             const StylusDevice& connected = StylusHandle(*stylus).device();
             const HandDevice device = handDevice(connected, *workpiece_.milling(), assignment);
             if (device.description.buttons == 0) {
                 emit refused(tr("“%1” has no button that could take a point of the path. Choose another device, or "
                                 "drag the point with the mouse.")
                                  .arg(QString::fromStdString(device.description.name)));
+                emit changed();
                 return;
             }
             begin(std::move(*stylus), nullptr, device);
@@ -75,6 +81,7 @@ void StylusEditor::enterWithDevice() {
 void StylusEditor::begin(AnyStylus stylus, SimulatedStylus* mouse, const std::optional<HandDevice>& device) {
     SessionRequest request;
     request.allowance = mill_.allowance();
+    request.felt = mill_.felt();
     request.undoable = false;
     request.cutsOnButton = true;
     if (device) request.mapping = device->mapping;
@@ -226,6 +233,7 @@ void StylusEditor::steer(const glm::dvec3& tip, bool held, bool finish) {
 void StylusEditor::lead(const PathGrip& grip, const glm::dvec3& by) {
     if (!usesMouse() || !path_ || released_) return;
     if (!held_) {
+        if (grip.at.piece + 1 >= path_->path.points.size()) return; // of an older path, which is still drawn
         take(grip);
         steer(grip.at.place, true, false);
     }

@@ -33,7 +33,7 @@ public:
     static constexpr double smallestReach = 0.1, largestReach = 50.0; ///< mm
 
     bool active() const noexcept { return active_; }
-    /// Whether it can be entered: there is an evaluated path and a workpiece, and no session runs.
+    /// Whether it can be entered: there is an evaluated path and a workpiece, and no session runs or is about to.
     bool possible() const;
     /// Connects the stylus and begins the session. Does nothing unless possible.
     void enter();

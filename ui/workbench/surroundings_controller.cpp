@@ -187,17 +187,23 @@ void SurroundingsController::setTravelOn(bool on) {
         }));
 }
 
+void SurroundingsController::setEditing(bool editing) {
+    editing_ = editing;
+    switchLayers();
+    emit changed();
+}
+
 /// The part's layer comes first; empty while the bounds in force are others.
 std::optional<std::size_t> SurroundingsController::layerOf(std::size_t place) const {
     const std::vector<PlacedObstacle>& bound = workpiece_.bound().obstacles;
-    if (!mill_.active() || place >= bound.size() || place >= wanted_.obstacles.size() ||
+    if (!moves() || place >= bound.size() || place >= wanted_.obstacles.size() ||
         bound[place].obstacle != wanted_.obstacles[place].obstacle)
         return std::nullopt;
     return place + 1;
 }
 
 std::optional<std::size_t> SurroundingsController::layerOfKind(BoundLayer::Kind kind) const {
-    if (!mill_.active() || !workpiece_.bounds()) return std::nullopt;
+    if (!moves() || !workpiece_.bounds()) return std::nullopt;
     const std::vector<BoundLayer>& layers = workpiece_.bounds()->layers();
     const auto layer = std::ranges::find(layers, kind, &BoundLayer::kind);
     if (layer == layers.end()) return std::nullopt;
@@ -223,7 +229,7 @@ void SurroundingsController::letGoOfStock() {
 }
 
 bool SurroundingsController::canHoldAtStock() const {
-    return layerOfKind(BoundLayer::Kind::stock) && !mill_.recording();
+    return mill_.active() && layerOfKind(BoundLayer::Kind::stock) && !mill_.recording();
 }
 
 void SurroundingsController::holdAtStock(bool hold) {
@@ -239,7 +245,8 @@ std::optional<LayerNews> SurroundingsController::stockNews() const {
 
 /// After a break of mill mode, as each new program zero causes, the stock holds the tool as before.
 void SurroundingsController::switchLayers() {
-    if (const std::optional<std::size_t> stock = layerOfKind(BoundLayer::Kind::stock); stock && stockHolds_)
+    if (const std::optional<std::size_t> stock = layerOfKind(BoundLayer::Kind::stock);
+        stock && stockHolds_ && mill_.active())
         session_.setLayer(*stock, true);
     for (std::size_t place = 0; place < wanted_.obstacles.size(); ++place)
         if (const std::optional<std::size_t> layer = layerOf(place))

@@ -57,11 +57,14 @@ public:
     bool canHoldAtStock() const;
     void holdAtStock(bool hold);
     std::optional<LayerNews> stockNews() const; ///< as `news`
+    /// The tool is moved by a session without mill mode, which edits a path, from now on or no longer.
+    void setEditing(bool editing);
 
 private:
     void setObstacles(const QString& title, std::vector<PlacedObstacle> obstacles, int kind = -1);
     void apply(const std::vector<PlacedObstacle>& obstacles);
     void switchLayers();
+    bool moves() const { return mill_.active() || editing_; } ///< whether layers of a session can be switched
     void letGoOfStock();
     QString nameFor(ObstacleKind kind) const;
     std::optional<std::size_t> layerOf(std::size_t place) const;
@@ -72,7 +75,7 @@ private:
     MillController& mill_;
     SessionRunner& session_;
     RequestedBounds wanted_;
-    bool stockHolds_ = false;
+    bool stockHolds_ = false, editing_ = false;
 };
 
 } // namespace burin

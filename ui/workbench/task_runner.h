@@ -54,7 +54,7 @@ enum class TaskKind {
     faces,
     score,
     deviation,
-    outdated
+    outdated,
     stockSolid
 };
 

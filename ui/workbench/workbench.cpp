@@ -75,11 +75,11 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document,   &model,        &setup,      &material,     &tool,         &target,  &workpiece, &styluses,
-            &session,    &deviceTester, &viewDevice, &mill,         &surroundings, &guides,  &hand,      &showMe,
-            &path,       &area,         &passes,     &passMeasurer, &pathValuer,   &measure, &program,   &setups,
-            &sheet,      &time,         &keeper,     &faces,        &pathComparer, &score,   &fixtures,  &axisTuner,
-            &deviations, &growing,      &stockSolid,      &passShow,   &passRefresher,      &stylusEditor};
+    return {&document,   &model,        &setup,      &material,      &tool,         &target,    &workpiece, &styluses,
+            &session,    &deviceTester, &viewDevice, &mill,          &surroundings, &guides,    &hand,      &showMe,
+            &path,       &area,         &passes,     &passMeasurer,  &pathValuer,   &measure,   &program,   &setups,
+            &sheet,      &time,         &keeper,     &faces,         &pathComparer, &score,     &fixtures,  &axisTuner,
+            &deviations, &growing,      &passShow,   &passRefresher, &stylusEditor, &stockSolid};
 }
 
 void Workbench::wire() {
@@ -114,6 +114,8 @@ void Workbench::wire() {
     connect(&surroundings, &Controller::changed, this, [this] { workpiece.setRequested(surroundings.wanted()); });
     connect(&workpiece, &WorkpieceController::surroundingsChanged, &path, &PathController::workpieceRemade);
     connect(&workpiece, &WorkpieceController::machineChanged, &path, &PathController::workpieceRemade);
+    connect(&stylusEditor, &StylusEditor::entered, &surroundings, [this] { surroundings.setEditing(true); });
+    connect(&stylusEditor, &StylusEditor::left, &surroundings, [this] { surroundings.setEditing(false); });
     connect(&material, &Controller::changed, &setup, &SetupController::readLibrary);
     connect(&tool, &ToolController::chosen, this, &Workbench::updateRequested);
     connect(&target, &Controller::changed, this, [this] { workpiece.setRequested(target.machine()); });

@@ -71,8 +71,9 @@ bool WorkpieceController::otherMaterials() const {
     });
 }
 
-/// The workpiece is kept, and so are the bounds, which don't depend on materials.
+/// The workpiece is kept, and so are the bounds, which don't depend on materials; feeds and speeds of paths do.
 void WorkpieceController::changeMaterials() {
+    emit surroundingsChanged();
     letGo([this] {
         if (!otherMaterials()) return; // changed again meanwhile
         if (const Result<void> done = burin::changeMaterials(*milling_, setup_, materials_); !done) {

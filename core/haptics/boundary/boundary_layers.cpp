@@ -53,8 +53,9 @@ bool BoundaryLayers::partAlone() const noexcept {
 }
 
 void BoundaryLayers::waitInside(std::size_t layer, const ToolPose& tool) noexcept {
+    constexpr double ofRounding = 1e-9; // mm, as Proxy allows a tool that rests on a boundary
     Layer& one = layers_[layer];
-    if (one.state == State::inForce && one.boundary->at(tool, one.keeps).clearance < one.keeps)
+    if (one.state == State::inForce && one.boundary->at(tool, one.keeps).clearance < one.keeps - ofRounding)
         one.state = State::waiting;
 }
 

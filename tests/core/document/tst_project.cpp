@@ -348,7 +348,7 @@ private slots:
         QVERIFY(project->removeTake(id) && project->save());
     }
 
-    void aIntervalThatCantBeTakenBackChangesNothing() {
+    void anIntervalThatCantBeTakenBackChangesNothing() {
         const QTemporaryDir folder;
         QVERIFY(fixture::fillProject(fileIn(folder)));
         Result<Project> project = Project::open(fileIn(folder));

@@ -112,6 +112,19 @@ private slots:
         QCOMPARE(touchStock(block, ball, {-30.0, 10.0, 18.5}, x)->outcome, TouchedFace::Outcome::aslant);
     }
 
+    /// A tool that stands on the stock and is pushed against a fixture beside it has not touched the stock's side.
+    void aFixtureIsNoSideOfTheStock() {
+        Setup block;
+        block.stock = {{0.0, 0.0, 0.0}, {40.0, 30.0, 20.0}};
+        TouchedFace fixture;
+        fixture.outcome = TouchedFace::Outcome::found;
+        fixture.high = true;
+        fixture.place = {12.0, 10.0, 20.0};
+        QVERIFY(!sideTouched(block, fixture));
+        fixture.place.x = 40.001;
+        QCOMPARE(sideTouched(block, fixture), std::optional(40.0));
+    }
+
     /// Each refusal names its reason.
     void whatCannotBeTouchedIsRefused() {
         const Tool ball = loadTool("ball-6").value();

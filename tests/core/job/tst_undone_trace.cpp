@@ -171,7 +171,7 @@ private slots:
 
     /// An interval that begins within a stroke, as where one punched in, is passed through without cutting. Counted by
     /// hand: six samples with the spindle on, of which the last four don't count.
-    void aIntervalWithinAStrokeDoesNotCut() {
+    void anIntervalWithinAStrokeDoesNotCut() {
         std::vector<Sample> samples(8);
         for (std::size_t i = 0; i < samples.size(); ++i) {
             samples[i].time = 0.001 * static_cast<double>(i);

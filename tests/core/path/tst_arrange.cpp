@@ -53,7 +53,7 @@ class TestArrange : public QObject {
     Q_OBJECT
 
 private slots:
-    void aIntervalIsCutOut() {
+    void anIntervalIsCutOut() {
         const auto strokes = strokesAfter({{CutOut{{1, 700, 799}}}});
         QCOMPARE(strokes.size(), std::size_t{4});
         QVERIFY(isAt(strokes[1].back(), {0.02 * 99, 4, -1}) && isAt(strokes[2].front(), {4.0, 4, -1}));
@@ -226,7 +226,7 @@ private slots:
         QVERIFY(std::abs(path->path.points[500].pose.tip.y - 4.0) < 0.2);
     }
 
-    void aIntervalIsReplacedByWhatWasDrawn() {
+    void anIntervalIsReplacedByWhatWasDrawn() {
         const std::vector<glm::dvec3> drawn{{2, 5, -1}, {5, 7, -2}, {8, 5, -1}};
         const auto strokes = strokesAfter({{ReplaceInterval{{1, 700, 1000}, drawn}}});
         QCOMPARE(strokes.size(), std::size_t{3});

@@ -39,7 +39,7 @@ class TestHandInterval : public QObject {
     Q_OBJECT
 private slots:
     void aMomentWhosePointIsLeftOutStaysInItsPlace();
-    void endsOfAIntervalStandBetweenPoints();
+    void endsOfAnIntervalStandBetweenPoints();
     void whatWasTurnedRoundOrCopiedIsMeantAsWell();
     void whatLeftThePathIsNowhere();
     void onAnArcItStaysOnTheArc();
@@ -55,7 +55,7 @@ void TestHandInterval::aMomentWhosePointIsLeftOutStaysInItsPlace() {
     QCOMPARE(pointsOf(path, {take, 250, 250})[0][0].pose.tip.z, -2.0);
 }
 
-void TestHandInterval::endsOfAIntervalStandBetweenPoints() {
+void TestHandInterval::endsOfAnIntervalStandBetweenPoints() {
     Path path;
     path.points = {point(0, 100), point(10, 200), point(30, 300)};
     QCOMPARE(along(path, {take, 150, 250}), (Chains{{{5.0, 150}, {10.0, 200}, {20.0, 250}}}));

@@ -60,6 +60,7 @@ private slots:
     void theResultIsThatOfAllEdits();
     void onlyWhatChangedIsAppliedAnew();
     void anotherContextBeginsAnew();
+    void anotherObstacleOfTheSameExtentBeginsAnew();
     void theFirstResultFollowsTheChangedEdit();
 };
 
@@ -117,6 +118,24 @@ void TestKeptEdits::anotherContextBeginsAnew() {
     const auto whole = evaluate("path", sources(), edits, context, progress);
     QVERIFY(slower && whole && alike(*slower, *whole));
     context.workOffset.x += 1.0;
+    kept.begin(edits, context);
+    QCOMPARE(kept.count(), std::size_t{0});
+}
+
+void TestKeptEdits::anotherObstacleOfTheSameExtentBeginsAnew() {
+    const MeshDistance part{block};
+    PathContext context = contextOf(part, ballTool(), {{-30, -30, -20}, {30, 30, 0}});
+    context.obstacles = {{std::make_shared<const MeshDistance>(boxMesh({{-30, -30, 0}, {-22, -22, 8}}))}};
+    const std::vector<Edit> edits = someEdits();
+    KeptEdits kept;
+    Progress progress;
+    QVERIFY(evaluate("path", sources(), edits, context, progress, {&kept, {}}));
+    context.obstacles = {{std::make_shared<const MeshDistance>(boxMesh({{-30, -30, 0}, {-22, -22, 8}}))}};
+    kept.begin(edits, context); // a copy of it is the same obstacle
+    QCOMPARE(kept.count(), edits.size() - 1);
+    TriangleMesh posts = boxMesh({{-30, -30, 0}, {-28, -28, 8}});
+    append(posts, boxMesh({{-24, -24, 0}, {-22, -22, 8}}));
+    context.obstacles = {{std::make_shared<const MeshDistance>(posts)}};
     kept.begin(edits, context);
     QCOMPARE(kept.count(), std::size_t{0});
 }

@@ -130,7 +130,7 @@ private slots:
                                    << "number";
         QTest::newRow("not JSON") << R"("number": 12)"
                                   << R"("number": )"
-                                  << "";
+                                  << "line 4, column 13";
     }
     void aBrokenFileNamesItsKey() {
         QFETCH(QString, from);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
 #include "core/cutting/cutting_force.h"
+#include "core/tool/hollow_tip.h"
 #include "core/verify/deviation_scale.h"
 #include "core/verify/load_chart.h"
 #include "core/verify/load_limits.h"
@@ -153,6 +154,7 @@ private slots:
     void noCutIsWiderThanTheTool();
     void aPlungeNeedsMaterialToBeOne_data();
     void aPlungeNeedsMaterialToBeOne();
+    void aHollowToolPlungesWithAPinOnly();
     void theDeepestCutBendsTheToolByWhatItMay_data();
     void theDeepestCutBendsTheToolByWhatItMay();
     void aReportKeepsItsLoadFindings();
@@ -1019,6 +1021,22 @@ void VerifyTest::aPlungeNeedsMaterialToBeOne() {
     const Finding& found = report.findings.front();
     QVERIFY(found.kind == FindingKind::centrePlunge && found.amount > 0.15 && found.amount < 2.1);
     QCOMPARE(found.line, static_cast<std::uint32_t>(line));
+}
+
+/// 10 × 8 mm, hollow over 20 mm. A core stays; a pin of 2 mm in the middle meets it at once.
+void VerifyTest::aHollowToolPlungesWithAPinOnly() {
+    for (const bool pin : {false, true}) {
+        Slotting job;
+        Cutter& cutter = job.request.tool.cutter;
+        cutter.type = CutterType::profile;
+        cutter.profile = {{5.0, 0.0}, {5.0, 25.0}};
+        PlanRing ring{{4.0, 0.0}, {5.0, 0.0}, {5.0, 25.0}, {0.0, 25.0}, {0.0, 20.0}, {4.0, 20.0}};
+        if (pin)
+            ring = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 20.0}, {4.0, 20.0}, {4.0, 0.0}, {5.0, 0.0}, {5.0, 25.0}, {0.0, 25.0}};
+        cutter.solid = std::make_shared<const ToolSolid>(turningSolid({{ring}}, cutter.profile));
+        const VerifyReport report = job.judge("G0 X0 Y0 Z5\nG1 Z-2 F200\nG0 Z5\n");
+        QCOMPARE(std::ranges::count(report.findings, FindingKind::centrePlunge, &Finding::kind), pin ? 1 : 0);
+    }
 }
 
 void VerifyTest::theDeepestCutBendsTheToolByWhatItMay_data() {
