@@ -1027,6 +1027,7 @@ void VerifyTest::aPlungeNeedsMaterialToBeOne() {
 void VerifyTest::aHollowToolPlungesWithAPinOnly() {
     for (const bool pin : {false, true}) {
         Slotting job;
+        job.request.tool.centreCutting = false;
         Cutter& cutter = job.request.tool.cutter;
         cutter.type = CutterType::profile;
         cutter.profile = {{5.0, 0.0}, {5.0, 25.0}};
