@@ -120,11 +120,12 @@ void WorkpieceHeights::lowerTo(const StandingStock& standing) noexcept {
 void WorkpieceHeights::cut(const glm::dvec3& tip) noexcept {
     const HollowSpace hollow = cutter_.hollow(); // a core may stand in it
     const double hollowRadius = hollow.radius > 0.0 ? hollow.radius + trembleMargin(cutter_) : 0.0;
+    const double flutes = usableFlutes(cutter_);
     visitDisc(tip.x, tip.y, cutter_.radius() - trembleMargin(cutter_), [&](std::size_t index, double distance) {
         const double lowest = distance < hollowRadius ? hollow.height : 0.0;
-        if (lowest >= usableFlutes(cutter_)) return;
+        if (lowest >= flutes) return;
         // Stock that is higher than the flutes reach is only undercut; its top stays.
-        if (heights_[index] <= tip.z + usableFlutes(cutter_))
+        if (heights_[index] <= tip.z + flutes)
             heights_[index] = std::min(heights_[index], tip.z + std::max(riseAt(distance), lowest));
     });
 }

@@ -92,7 +92,8 @@ void HeightMap::cutAt(const glm::dvec3& tip) {
             const double x = stock_.low.x + static_cast<double>(i) * edge_ - tip.x;
             const double farX = std::max(std::abs(x), std::abs(x + edge_));
             const double far = std::hypot(farX, farY);
-            const bool inHollow = std::hypot(std::max({x, -x - edge_, 0.0}), nearY) < hollow_.radius;
+            const bool inHollow =
+                hollow_.radius > 0.0 && std::hypot(std::max({x, -x - edge_, 0.0}), nearY) < hollow_.radius;
             const double lowest = inHollow ? hollow_.height : 0.0;
             // From the top down: above a piece nothing is cut, so material there stays.
             for (std::size_t piece = flutes.size(); piece-- > 0;) {
