@@ -14,25 +14,14 @@ namespace fs = std::filesystem;
 namespace {
 
 /// The headers that a plugin may include in addition to its own.
-constexpr std::array<std::string_view, 19> pluginInterface{"core/base/mailbox.h",
-                                                           "core/base/error.h",
-                                                           "core/base/progress.h",
-                                                           "core/base/result.h",
-                                                           "core/base/text.h",
-                                                           "core/base/units.h",
-                                                           "core/device/assist.h",
-                                                           "core/device/axis_map.h",
-                                                           "core/device/deflection.h",
-                                                           "core/device/device_driver.h",
-                                                           "core/device/device_fault.h",
-                                                           "core/device/device_thread.h",
-                                                           "core/device/figure.h",
-                                                           "core/device/stylus.h",
-                                                           "core/geometry/box.h",
-                                                           "core/geometry/pose.h",
-                                                           "core/machine/machine_profile.h",
-                                                           "core/nc/dialect.h",
-                                                           "core/nc/program.h"};
+constexpr std::array<std::string_view, 20> pluginInterface{
+    "core/base/mailbox.h",         "core/base/error.h",          "core/base/progress.h",
+    "core/base/result.h",          "core/base/text.h",           "core/base/units.h",
+    "core/device/assist.h",        "core/device/axis_map.h",     "core/device/deflection.h",
+    "core/device/device_driver.h", "core/device/device_fault.h", "core/device/device_thread.h",
+    "core/device/driver_thread.h", "core/device/figure.h",       "core/device/stylus.h",
+    "core/geometry/box.h",         "core/geometry/pose.h",       "core/machine/machine_profile.h",
+    "core/nc/dialect.h",           "core/nc/program.h"};
 
 /// Folders that others use unchanged outside our tree: their files include each other by file name only.
 constexpr std::array<std::string_view, 1> handedOut{"plugins/devices/open_stylus/firmware"};

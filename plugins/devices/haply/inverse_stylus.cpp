@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <system_error>
+#include <thread>
 
 namespace burin::haply {
 namespace {
@@ -87,24 +87,18 @@ void InverseStylus::cutMotors() noexcept {
 }
 
 Result<void> InverseStylus::start(StylusClient& client) {
-    if (thread_.joinable()) return Error{ErrorCode::argumentInvalid, "stylus", "started", "a stylus that stands"};
-    stop_ = ended_ = false;
-    try {
-        thread_ = std::thread([this, &client] { run(client); });
-    } catch (const std::system_error&) {
-        return Error{ErrorCode::outOfMemory, arm_, {}, "no thread"};
-    }
-    return {};
+    if (!thread_.started()) ended_ = false;
+    return thread_.start(arm_, [this, &client] { run(client); });
 }
 
 void InverseStylus::stop() noexcept {
-    if (!thread_.joinable()) return;
-    stop_ = true;
+    if (!thread_.started()) return;
+    thread_.end();
     const double until = steadySeconds() + stopWithin;
     while (!ended_.load(std::memory_order_acquire) && steadySeconds() < until)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     if (!ended_.load(std::memory_order_acquire)) cutMotors(); // the thread waits for the service
-    thread_.join();
+    thread_.stop();
 }
 
 void InverseStylus::run(StylusClient& client) noexcept {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/device/device_fault.h"
+#include "core/device/driver_thread.h"
 #include "core/device/stylus.h"
 #include "plugins/devices/haply/messages.h"
 #include "plugins/devices/haply/service.h"
@@ -13,7 +14,6 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 namespace burin::haply {
 
@@ -64,7 +64,7 @@ private:
     void waitForService(StylusClient& client) noexcept;
     std::unique_ptr<ServiceConnection> look() noexcept;
     void use(std::unique_ptr<ServiceConnection> connection) noexcept;
-    bool runs() const noexcept { return !stop_.load(std::memory_order_relaxed); }
+    bool runs() const noexcept { return thread_.runs(); }
 
     std::string arm_;
     std::mutex emergency_;
@@ -81,8 +81,8 @@ private:
     std::atomic<std::uint64_t> readings_{0};
     std::atomic<double> battery_{-1.0};
     std::atomic<unsigned int> cuts_{0};
-    std::atomic<bool> connected_{true}, stop_{false}, ended_{true};
-    std::thread thread_;
+    std::atomic<bool> connected_{true}, ended_{true};
+    DriverThread thread_;
 };
 
 } // namespace burin::haply

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <chrono>
 #include <exception>
-#include <system_error>
+#include <thread>
 #include <utility>
 
 namespace burin::input_events {
@@ -16,22 +16,11 @@ ForceWriter::ForceWriter(OpenEffectPort open, const ForceAbilities& abilities, s
     : open_(std::move(open)), abilities_(abilities), name_(std::move(name)), node_(std::move(node)) {}
 
 Result<void> ForceWriter::start() {
-    if (thread_.joinable()) return Error{ErrorCode::argumentInvalid, "stylus", "open", "a stylus that is closed"};
-    stop_.store(false, std::memory_order_relaxed);
-    openAt_ = 0.0;
-    failing_ = false;
-    try {
-        thread_ = std::thread([this] { run(); });
-    } catch (const std::system_error&) {
-        return Error{ErrorCode::outOfMemory, name_, {}, "no thread"};
+    if (!thread_.started()) {
+        openAt_ = 0.0;
+        failing_ = false;
     }
-    return {};
-}
-
-void ForceWriter::stop() noexcept {
-    if (!thread_.joinable()) return;
-    stop_.store(true, std::memory_order_relaxed);
-    thread_.join();
+    return thread_.start(name_, [this] { run(); });
 }
 
 std::optional<Error> ForceWriter::takeFault() {
@@ -43,7 +32,7 @@ std::optional<Error> ForceWriter::takeFault() {
 
 void ForceWriter::run() noexcept {
     blockSignals();
-    while (!stop_.load(std::memory_order_relaxed)) {
+    while (thread_.runs()) {
         step(steadySeconds());
         std::this_thread::sleep_for(std::chrono::duration<double>(cycle));
     }

@@ -5,6 +5,7 @@
 #include "core/base/mailbox.h"
 #include "core/base/result.h"
 #include "core/device/device_fault.h"
+#include "core/device/driver_thread.h"
 #include "plugins/devices/input_events/effect_player.h"
 
 #include <atomic>
@@ -12,7 +13,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 
 namespace burin::input_events {
 
@@ -35,7 +35,7 @@ public:
     /// Owner's thread. Errors: argumentInvalid (already running), outOfMemory.
     Result<void> start();
     /// Owner's thread. Waits for a write under way, then stops the effects and closes the device.
-    void stop() noexcept;
+    void stop() noexcept { thread_.stop(); }
     /// Owner's thread. The oldest fault that was not taken: deviceStopped, deviceAssistDenied.
     std::optional<Error> takeFault();
     /// Owner's thread: the device is known not to be writable.
@@ -70,8 +70,7 @@ private:
     std::atomic<std::uint32_t> cuts_{0};
     std::uint32_t cutsSeen_ = 0; ///< used by the haptic thread only
     BoxOf<ForceFault> faults_;
-    std::atomic<bool> stop_{false};
-    std::thread thread_;
+    DriverThread thread_;
 
     Cue cue_; ///< this member and the following belong to the writing thread
     std::unique_ptr<EffectPort> port_;

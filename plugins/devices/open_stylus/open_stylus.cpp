@@ -8,7 +8,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <system_error>
 
 namespace burin::openstylus {
 namespace {
@@ -76,21 +75,12 @@ DeviceHealth OpenStylus::health() const noexcept {
 }
 
 Result<void> OpenStylus::start(StylusClient& client) {
-    if (thread_.joinable()) return Error{ErrorCode::argumentInvalid, "stylus", "started", "a stylus that stands"};
-    stop_.store(false, std::memory_order_relaxed);
-    openEmergencyPort();
-    try {
-        thread_ = std::thread([this, &client] { run(client); });
-    } catch (const std::system_error&) {
-        return Error{ErrorCode::outOfMemory, name_, {}, "no thread"};
-    }
-    return {};
+    if (!thread_.started()) openEmergencyPort();
+    return thread_.start(name_, [this, &client] { run(client); });
 }
 
 void OpenStylus::stop() noexcept {
-    if (!thread_.joinable()) return;
-    stop_.store(true, std::memory_order_relaxed);
-    thread_.join();
+    thread_.stop();
 }
 
 void OpenStylus::run(StylusClient& client) noexcept {

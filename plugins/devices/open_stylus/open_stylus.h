@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/device/driver_thread.h"
 #include "core/device/stylus.h"
 #include "plugins/devices/hid/hid_bus.h"
 #include "plugins/devices/open_stylus/exchange.h"
@@ -10,7 +11,6 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 
 namespace burin::openstylus {
 
@@ -62,7 +62,7 @@ private:
     void waitForDevice(StylusClient& client) noexcept;
     void look() noexcept;
     void openEmergencyPort() noexcept;
-    bool runs() const noexcept { return !stop_.load(std::memory_order_relaxed); }
+    bool runs() const noexcept { return thread_.runs(); }
 
     hid::Bus& bus_;
     std::unique_ptr<hid::Port> port_; ///< belongs to the device's thread while it runs
@@ -75,8 +75,8 @@ private:
     double heardAt_ = 0.0; ///< s, time of the newest reading or of the connection
     double toldAt_ = 0.0;  ///< s, time of the newest tick
     bool silenceTold_ = false;
-    std::atomic<bool> connected_{true}, stop_{false};
-    std::thread thread_;
+    std::atomic<bool> connected_{true};
+    DriverThread thread_;
 };
 
 } // namespace burin::openstylus

@@ -5,7 +5,7 @@
 #include "core/device/device_thread.h"
 
 #include <chrono>
-#include <system_error>
+#include <thread>
 
 namespace burin::polled {
 namespace {
@@ -15,20 +15,7 @@ constexpr int waitMilliseconds = 20; // longest time that `stop` may have to wai
 } // namespace
 
 Result<void> PollingThread::start() {
-    if (thread_.joinable()) return Error{ErrorCode::argumentInvalid, "stylus", "open", "a stylus that is closed"};
-    stop_.store(false, std::memory_order_relaxed);
-    try {
-        thread_ = std::thread([this] { run(); });
-    } catch (const std::system_error&) {
-        return Error{ErrorCode::outOfMemory, name_, {}, "no thread"};
-    }
-    return {};
-}
-
-void PollingThread::stop() noexcept {
-    if (!thread_.joinable()) return;
-    stop_.store(true, std::memory_order_relaxed);
-    thread_.join();
+    return thread_.start(name_, [this] { run(); });
 }
 
 std::optional<Error> PollingThread::takeFault() {

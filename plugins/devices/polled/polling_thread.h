@@ -4,13 +4,13 @@
 
 #include "core/base/result.h"
 #include "core/device/device_fault.h"
+#include "core/device/driver_thread.h"
 #include "core/device/stylus.h"
 
 #include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <thread>
 
 namespace burin::polled {
 
@@ -43,7 +43,7 @@ public:
 
     /// Errors: argumentInvalid (already running), outOfMemory.
     Result<void> start();
-    void stop() noexcept;
+    void stop() noexcept { thread_.stop(); }
     std::optional<Error> takeFault();
     bool connected() const noexcept { return connected_.load(std::memory_order_relaxed); }
     /// Connection state, and the number of readings received.
@@ -52,14 +52,14 @@ public:
 private:
     void run() noexcept;
     void receive() noexcept;
-    bool runs() const noexcept { return !stop_.load(std::memory_order_relaxed); }
+    bool runs() const noexcept { return thread_.runs(); }
 
     PolledDevice& device_;
     std::string name_;
     FaultBox faults_;
     std::atomic<std::uint64_t> readings_{0};
-    std::atomic<bool> connected_{true}, stop_{false};
-    std::thread thread_;
+    std::atomic<bool> connected_{true};
+    DriverThread thread_;
 };
 
 } // namespace burin::polled
