@@ -33,12 +33,7 @@ MeshBoundary::MeshBoundary(std::shared_ptr<const MeshDistance> solid, std::vecto
     , asker_(*solid_, tool_) {}
 
 PoseSample MeshBoundary::at(const ToolPose& pose, double enough) noexcept {
-    // A tick begins at the pose where the previous one ended.
-    const bool again = pose.tip == lastPose_.tip && pose.axis == lastPose_.axis;
-    if (again && (last_.fine || enough <= lastEnough_)) return last_;
-    lastPose_ = pose;
-    lastEnough_ = enough;
-    return last_ = ask(pose, enough);
+    return newest_.at(pose, enough, [this](const ToolPose& at, double within) { return ask(at, within); });
 }
 
 PoseSample MeshBoundary::ask(const ToolPose& pose, double enough) noexcept {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/geometry/mesh_distance.h"
+#include "core/haptics/boundary/newest_sample.h"
 #include "core/haptics/boundary/pose_boundary.h"
 
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -39,9 +39,7 @@ private:
     std::vector<RevolvedPiece> tool_;
     double voxel_, margin_, reach_, overlap_; ///< mm
     ClearanceAsker asker_;
-    ToolPose lastPose_{glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
-    double lastEnough_ = 0.0;
-    PoseSample last_;
+    NewestSample newest_;
 };
 
 } // namespace burin

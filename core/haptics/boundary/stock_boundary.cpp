@@ -35,15 +35,11 @@ StockBoundary::StockBoundary(const RunVolume& workpiece, const Cutter& cutter, d
 void StockBoundary::beginTick(const CutCache* owed, bool cuts) noexcept {
     owed_ = owed;
     cuts_ = cuts;
-    lastPose_.tip = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    newest_.forget();
 }
 
 PoseSample StockBoundary::at(const ToolPose& pose, double enough) noexcept {
-    const bool again = pose.tip == lastPose_.tip && pose.axis == lastPose_.axis;
-    if (again && (last_.fine || enough <= lastEnough_)) return last_;
-    lastPose_ = pose;
-    lastEnough_ = enough;
-    return last_ = ask(pose, enough);
+    return newest_.at(pose, enough, [this](const ToolPose& at, double within) { return ask(at, within); });
 }
 
 PoseSample StockBoundary::ask(const ToolPose& pose, double enough) noexcept {

@@ -4,10 +4,10 @@
 
 #include "core/cutting/cut_cache.h"
 #include "core/cutting/occupied_bricks.h"
+#include "core/haptics/boundary/newest_sample.h"
 #include "core/haptics/boundary/pose_boundary.h"
 #include "core/tool/tool.h"
 
-#include <limits>
 #include <vector>
 
 namespace burin {
@@ -53,9 +53,7 @@ private:
     bool cuts_ = false;
     LineIndex nearest_; ///< scanline that was the nearest in the last query: tried first
     std::uint64_t visited_ = 0;
-    ToolPose lastPose_{glm::dvec3(std::numeric_limits<double>::quiet_NaN())};
-    double lastEnough_ = 0.0;
-    PoseSample last_;
+    NewestSample newest_;
 };
 
 } // namespace burin
