@@ -154,7 +154,9 @@ void Meters::Fields::showForce() {
     force_->setValue(state.running ? text : QStringLiteral("–"),
                      atLimit ? Meters::tr("%1, at the limit").arg(text) : QString());
     if (atLimit && !atLimit_) announce(*force_); // the bar shows it by its colour alone
-    atLimit_ = atLimit;
+    // A force that swings about its limit is announced once.
+    constexpr double clearlyBelow = 0.9;
+    atLimit_ = atLimit || (atLimit_ && state.running && limited && state.force > clearlyBelow * scale);
     forceBar_->setShare(state.running && scale > 0.0 ? state.force / scale : 0.0);
     forceBar_->setRole(limited && state.force < scale ? &Palette::accent : &Palette::force);
     force_->setToolTip(limited ? Meters::tr("Cutting force at the speed of the hand, not scaled. At the limit the bar "

@@ -35,7 +35,10 @@ void StockSolidController::prepare() {
     if (of_.form == StockForm::box) return;
     if (of_.form == StockForm::cylinder) {
         Progress progress;
-        if (Result<StockSolid> solid = StockSolid::of(*part_, of_, progress)) stock_ = *std::move(solid);
+        if (Result<StockSolid> solid = StockSolid::of(*part_, of_, progress))
+            stock_ = *std::move(solid);
+        else
+            emit failed(solid.error());
         return;
     }
     desk_.tasks.start(
