@@ -135,18 +135,25 @@ void addOutdated(const std::vector<std::int64_t>& outdated, json& passes) {
 std::string textOfOutdated(const std::vector<std::int64_t>& outdated) {
     std::string text;
     for (const std::int64_t pass : outdated)
-        text += "\n  " + worded(BURIN_TEXT("Command", "pass %1 is out of date: the strokes that lead it have changed. "
-                                                      "Compute it again with \"recompute --outdated\"."),
-                                {std::to_string(pass)});
+        text +=
+            "\n  " +
+            worded(BURIN_TEXT("Command", "pass %1 is out of date: hand strokes that it follows or heeds have changed. "
+                                         "Compute it again with \"recompute --outdated\"."),
+                   {std::to_string(pass)});
     return text;
 }
 
 int saveAndAnswer(ProjectChange& project, const StoredPath& path, CommandContext& context, json further,
                   const std::string& furtherText) {
-    const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
-    if (!passes) return context.fail(passes.error());
     if (const Result<void> saved = project.save(); !saved) return context.fail(saved.error());
     tellKeptEarlier(context, *project);
+    return answerUnchanged(*project, path, context, std::move(further), furtherText);
+}
+
+int answerUnchanged(const Project& project, const StoredPath& path, CommandContext& context, json further,
+                    const std::string& furtherText) {
+    const Result<std::vector<GeneratedInfo>> passes = passesOf(project, path);
+    if (!passes) return context.fail(passes.error());
     further.update(jsonOf(path, *passes));
     context.answer(further, textOf(path, *passes) + furtherText);
     return 0;

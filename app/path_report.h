@@ -39,5 +39,8 @@ std::string csvOf(const Path& path);
 /// @return exit status
 int saveAndAnswer(ProjectChange& project, const StoredPath& path, CommandContext& context,
                   nlohmann::json further = nlohmann::json::object(), const std::string& furtherText = {});
+/// The same answer without saving, where nothing has changed.
+int answerUnchanged(const Project& project, const StoredPath& path, CommandContext& context, nlohmann::json further,
+                    const std::string& furtherText);
 
 } // namespace burin

@@ -2486,20 +2486,12 @@
         <translation>kein Wert, außer wenn --stylus ein Gerät ist</translation>
     </message>
     <message>
-        <source>%1 mm were left to strokes of the hand, which have finished the part there.</source>
-        <translation>%1 mm blieben Zügen der Hand überlassen, die das Teil dort fertig bearbeitet haben.</translation>
-    </message>
-    <message>
         <source>all passes are up to date</source>
         <translation>alle Durchgänge sind aktuell</translation>
     </message>
     <message>
         <source>hollow, %1 mm in diameter and %2 mm deep (at most %3 mm narrower than the model): a core stands in it; the tool stays upright</source>
         <translation>hohl, %1 mm im Durchmesser und %2 mm tief (höchstens %3 mm enger als das Modell): darin bleibt ein Kern stehen; das Werkzeug bleibt aufrecht</translation>
-    </message>
-    <message>
-        <source>pass %1 is out of date: the strokes that lead it have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
-        <translation>Durchgang %1 ist veraltet: Die Züge, die ihn führen, haben sich geändert. Berechnen Sie ihn mit &quot;recompute --outdated&quot; neu.</translation>
     </message>
     <message>
         <source>the stock</source>
@@ -2512,6 +2504,14 @@
     <message>
         <source>a point from which the tool meets a side of the stock squarely, a ball with its middle below the upper edge</source>
         <translation>ein Punkt, von dem aus das Werkzeug gerade auf eine Seite des Rohteils trifft, eine Kugel mit ihrer Mitte unter der oberen Kante</translation>
+    </message>
+    <message>
+        <source>%1 mm were skipped: hand strokes have finished the part there.</source>
+        <translation>%1 mm wurden ausgelassen: Züge der Hand haben das Teil dort fertig bearbeitet.</translation>
+    </message>
+    <message>
+        <source>pass %1 is out of date: hand strokes that it follows or heeds have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
+        <translation>Durchgang %1 ist veraltet: Züge der Hand, denen er folgt oder die er beachtet, haben sich geändert. Mit „recompute --outdated“ neu berechnen.</translation>
     </message>
 </context>
 <context>
@@ -15767,8 +15767,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Berechnet die Durchgänge neu, deren Züge sich geändert haben; alle anderen bleiben, wie sie sind</translation>
     </message>
     <message>
-        <source>Out of date: the strokes that lead this pass have changed.</source>
-        <translation>Veraltet: Die Züge, die diesen Durchgang führen, haben sich geändert.</translation>
+        <source>Out of date: hand strokes that this pass follows or heeds have changed.</source>
+        <translation>Veraltet: Züge der Hand, denen dieser Durchgang folgt oder die er beachtet, haben sich geändert.</translation>
     </message>
 </context>
 <context>
@@ -15794,8 +15794,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Auf 99 % des erreichbaren Teils bleibt höchstens %1 Material (größter Wert: %2).</translation>
     </message>
     <message>
-        <source>%1 are left to strokes of the hand.</source>
-        <translation>%1 bleiben Zügen der Hand überlassen.</translation>
+        <source>%1 are skipped: hand strokes have finished the part there.</source>
+        <translation>%1 werden ausgelassen: Züge der Hand haben das Teil dort fertig bearbeitet.</translation>
     </message>
 </context>
 <context>

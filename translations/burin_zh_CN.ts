@@ -2485,20 +2485,12 @@
         <translation>不给值，除非 --stylus 是设备</translation>
     </message>
     <message>
-        <source>%1 mm were left to strokes of the hand, which have finished the part there.</source>
-        <translation>%1 mm留给手动笔画，那里的零件已由其精加工。</translation>
-    </message>
-    <message>
         <source>all passes are up to date</source>
         <translation>所有走刀均为最新</translation>
     </message>
     <message>
         <source>hollow, %1 mm in diameter and %2 mm deep (at most %3 mm narrower than the model): a core stands in it; the tool stays upright</source>
         <translation>空心，直径 %1 mm，深 %2 mm（最多比模型窄 %3 mm）：其中会留下芯柱；刀具保持竖直</translation>
-    </message>
-    <message>
-        <source>pass %1 is out of date: the strokes that lead it have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
-        <translation>走刀%1已过时：引导它的笔画已改变。请用&quot;recompute --outdated&quot;重新计算。</translation>
     </message>
     <message>
         <source>the stock</source>
@@ -2511,6 +2503,14 @@
     <message>
         <source>a point from which the tool meets a side of the stock squarely, a ball with its middle below the upper edge</source>
         <translation>刀具从该点能正对毛坯侧面的位置；球头的球心须低于上边缘</translation>
+    </message>
+    <message>
+        <source>%1 mm were skipped: hand strokes have finished the part there.</source>
+        <translation>已跳过 %1 mm：手动笔画已在此处完成零件。</translation>
+    </message>
+    <message>
+        <source>pass %1 is out of date: hand strokes that it follows or heeds have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
+        <translation>走刀 %1 已过时：它所依循或避让的手动笔画已更改。请用“recompute --outdated”重新计算。</translation>
     </message>
 </context>
 <context>
@@ -15747,8 +15747,8 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>重新计算笔画已改变的走刀；其他走刀保持不变</translation>
     </message>
     <message>
-        <source>Out of date: the strokes that lead this pass have changed.</source>
-        <translation>已过时：引导此走刀的笔画已改变。</translation>
+        <source>Out of date: hand strokes that this pass follows or heeds have changed.</source>
+        <translation>已过时：此走刀所依循或避让的手动笔画已更改。</translation>
     </message>
 </context>
 <context>
@@ -15774,8 +15774,8 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>可到达的零件表面中 99 % 的残料不超过%1（最大：%2）。</translation>
     </message>
     <message>
-        <source>%1 are left to strokes of the hand.</source>
-        <translation>%1留给手动笔画。</translation>
+        <source>%1 are skipped: hand strokes have finished the part there.</source>
+        <translation>已跳过 %1：手动笔画已在此处完成零件。</translation>
     </message>
 </context>
 <context>

@@ -26,8 +26,7 @@ std::string textOfOmissions(const Pass& pass, bool threads) {
     add(pass.leftOut, BURIN_TEXT("Command", "%1 mm were skipped: too much stock is in the way of the tool. Rough it "
                                             "first, or use a longer tool."));
     add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were skipped: fixtures or keep-out volumes are in the way."));
-    add(pass.leftToHand, BURIN_TEXT("Command", "%1 mm were left to strokes of the hand, which have finished the part "
-                                               "there."));
+    add(pass.leftToHand, BURIN_TEXT("Command", "%1 mm were skipped: hand strokes have finished the part there."));
     if (pass.unreachedHoles > 0) text += "\n" + unreachedHolesText(pass.unreachedHoles, threads).toStdString();
     return text;
 }
@@ -192,8 +191,10 @@ int recompute(ProjectChange& project, StoredPath path, const PassChoice& choice,
         });
     }
     nlohmann::json made = nlohmann::json::array();
+    if (passes->empty())
+        return answerUnchanged(*project, path, context, {{"computed", std::move(made)}},
+                               "\n" + worded(BURIN_TEXT("Command", "all passes are up to date")));
     std::string text;
-    if (passes->empty()) text = "\n" + worded(BURIN_TEXT("Command", "all passes are up to date"));
     for (const GeneratedInfo& each : *passes) {
         if (pass && each.id != *pass) continue;
         Result<PassRequest> request = passRequestFromJson(each.request, each.name);

@@ -57,10 +57,10 @@ Result<TouchedFace> touchStock(const Setup& setup, const Tool& tool, const glm::
     const double end = glm::distance(tip, setup.stock.centre()) + glm::length(setup.stock.size()) +
                        tool.cutter.length() + tool.cutter.diameter;
     glm::dvec3 hand = tip;
-    for (double way = 0.0; way < end;) {
+    for (double travel = 0.0; travel < end;) {
         ProxyStride stride;
         stride.travel = std::clamp(boundary.at(pose, largestStride).clearance, leastStride, largestStride);
-        way += stride.travel;
+        travel += stride.travel;
         hand += stride.travel * towards;
         const ProxyStep step = proxy.advance(pose, {hand, uprightAxis}, stride);
         pose = step.pose;

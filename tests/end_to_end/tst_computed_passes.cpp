@@ -173,7 +173,9 @@ private slots:
             return each;
         };
         QCOMPARE(outdated(), (QList<bool>{false, false}));
+        const QString stored = contentOf(in("l.burin"));
         const ProgramRun nothing = run({"path", in("l.burin"), "recompute", path, "--outdated"});
+        QVERIFY(contentOf(in("l.burin")) == stored); // nothing is saved
         QVERIFY2(nothing.status == 0, nothing.messages.constData());
         QVERIFY(nothing.json()["computed"].toArray().isEmpty());
         const QJsonArray before = nothing.json()["passes"].toArray();

@@ -166,8 +166,8 @@ private slots:
         for (const double distance : {50.0, 300.0, 4000.0}) {
             CameraView view{gizmo.centre, 0.0, 0.5 * pi, distance, 0.0};
             const GizmoLine line = handleLine(gizmo, {GizmoPart::arrow, 0}, view, pixelAt(view, size, gizmo.centre));
-            const QPointF way = appearanceOf(view, size, line.back()) - appearanceOf(view, size, gizmo.centre);
-            QVERIFY(std::abs(std::hypot(way.x(), way.y()) - gizmoArrowLength) < 1e-3);
+            const QPointF arrow = appearanceOf(view, size, line.back()) - appearanceOf(view, size, gizmo.centre);
+            QVERIFY(std::abs(std::hypot(arrow.x(), arrow.y()) - gizmoArrowLength) < 1e-3);
         }
         // From above: no arrow towards the eye, and of the rings only the one that faces it.
         const CameraView above{gizmo.centre, 0.0, 0.5 * pi, 300.0, 0.0};

@@ -32,9 +32,9 @@ public:
     }
     StylusState read(double time) {
         const std::lock_guard lock(mutex_);
-        const glm::dvec3 way = goal_ - at_;
-        const double most = 60.0 * std::clamp(time - time_, 0.0, 0.005), distance = glm::length(way);
-        at_ += distance > most ? way * (most / distance) : way;
+        const glm::dvec3 rest = goal_ - at_;
+        const double most = 60.0 * std::clamp(time - time_, 0.0, 0.005), distance = glm::length(rest);
+        at_ += distance > most ? rest * (most / distance) : rest;
         time_ = time;
         StylusState state;
         state.time = time;

@@ -78,8 +78,8 @@ bool GizmoTool::move(const ViewportEvent& event) {
         cancel();
         return true;
     }
-    const QPointF way = event.position - pointer_;
-    moves_ = moves_ || std::hypot(way.x(), way.y()) > clickReach;
+    const QPointF drag = event.position - pointer_;
+    moves_ = moves_ || std::hypot(drag.x(), drag.y()) > clickReach;
     if (!moves_) return true;
     const GizmoMotion motion = follow(event);
     emit moved(drag_->handle(), motion);

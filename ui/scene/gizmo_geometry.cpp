@@ -24,10 +24,10 @@ struct ScreenDistance {
 };
 
 ScreenDistance distanceTo(const QPointF& from, const QPointF& to, const QPointF& pointer) {
-    const QPointF along = to - from, way = pointer - from;
+    const QPointF along = to - from, offset = pointer - from;
     const double square = QPointF::dotProduct(along, along);
-    const double share = square > 0.0 ? std::clamp(QPointF::dotProduct(way, along) / square, 0.0, 1.0) : 0.0;
-    const QPointF gap = way - share * along;
+    const double share = square > 0.0 ? std::clamp(QPointF::dotProduct(offset, along) / square, 0.0, 1.0) : 0.0;
+    const QPointF gap = offset - share * along;
     return {std::hypot(gap.x(), gap.y()), share};
 }
 
