@@ -49,7 +49,7 @@ void DialogWalk::walk() {
         if (!action->isEnabled() || !opensDialog(*action)) continue;
         action->trigger();
         QTest::qWait(opensWithin);
-        driver_.waitFor([this] { return open_.isEmpty(); }, 20000);
+        driver_.waitFor([this] { return open_.isEmpty(); });
         driver_.settle();
     }
 }

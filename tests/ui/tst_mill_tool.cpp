@@ -127,7 +127,7 @@ private slots:
         QCOMPARE(rest().z, towerTop - 6.0 + hoverClearance);
         tool_->move(over({towerLow - 6.0, 10.0, top}));
         QCOMPARE(rest().z, towerTop - 6.0 + hoverClearance); // the tool has to get there first
-        QTRY_COMPARE_WITH_TIMEOUT(rest(100).z, std::max(top, towerTop - 20.0) + hoverClearance, 5000);
+        QTRY_COMPARE_WITH_TIMEOUT(rest(100).z, std::max(top, towerTop - 20.0) + hoverClearance, 30000);
         const Cutter cutter = slimTool().cutter;
         QCOMPARE(clearTipHeight(workpiece(), cutter, {16.0, 0.0}, {16.0, 0.0}), towerTop + hoverClearance);
     }
@@ -549,7 +549,7 @@ private slots:
         const double passed = 1e-3 * static_cast<double>(clock.elapsed());
         const double sunk = top - rest().z;
         QVERIFY2(sunk > 0.3 && sunk <= 10.0 * passed + 1e-6, qPrintable(QString::number(sunk)));
-        QTRY_VERIFY_WITH_TIMEOUT(std::abs(rest(200).z - (top - 3.0)) < 1e-6, 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(std::abs(rest(200).z - (top - 3.0)) < 1e-6, 30000);
         QTest::qWait(50);
         QCOMPARE(rest().z, top - 3.0); // and no deeper
     }

@@ -102,10 +102,10 @@ bool takeInHand(Shelf& shelf, Workbench& workbench) {
     workbench.workpiece.embed();
     if (!QTest::qWaitFor([&] { return workbench.workpiece.ready(); }, 60000)) return false;
     workbench.styluses.start(shelf.registry);
-    if (!QTest::qWaitFor([&] { return workbench.styluses.choices().size() == 2; }, 5000)) return false;
+    if (!QTest::qWaitFor([&] { return workbench.styluses.choices().size() == 2; }, 30000)) return false;
     workbench.styluses.choose(1);
     workbench.mill.enter();
-    return QTest::qWaitFor([&] { return workbench.mill.active() && workbench.session.state().ticks > 50; }, 5000);
+    return QTest::qWaitFor([&] { return workbench.mill.active() && workbench.session.state().ticks > 50; }, 30000);
 }
 
 QStringList namesOf(const StylusController& styluses) {

@@ -103,7 +103,7 @@ private slots:
             idle = viewport_->grabFramebuffer();
             return difference(plain_, idle);
         };
-        QTRY_VERIFY_WITH_TIMEOUT(drawn().width() > 60, 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(drawn().width() > 60, 30000);
         QVERIFY(rig_->save(qPrintable(QStringLiteral("guide-") + name), idle));
         GuideMarks holding = marks;
         holding.guides[0].holds = true;

@@ -179,7 +179,7 @@ private slots:
         marks.ghost = true;
         viewport_->setToolMarks(marks);
         for (float x = -20.0F; x < -8.0F; x += 2.0F) viewport_->appendLivePath(wave(x), true);
-        QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 30000);
         rig_->settle();
         const FrameStatistics statistics = viewport_->statistics();
         QCOMPARE(statistics.cutsShown, std::size_t{1});
@@ -199,7 +199,7 @@ private slots:
         viewport_->setWorkpiece(volume_->snapshot());
         viewport_->setStandardView(StandardView::top);
         viewport_->setToolMarks(marksAt({-9.0, -7.0, 30.0})); // parked above the milled side, where the part is visible
-        QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(viewport_->statistics().fullDetail, 30000);
         rig_->settle();
         QVERIFY(rig_->save("viewport-faded-holder"));
         const QImage with = viewport_->grabFramebuffer();
@@ -270,10 +270,10 @@ private slots:
                        alike(colour, fixture::palette().holder, 60);
             });
         };
-        QTRY_VERIFY_WITH_TIMEOUT(solid(pictureOf(aside, clamped)), 5000); // its mesh is made on another thread
+        QTRY_VERIFY_WITH_TIMEOUT(solid(pictureOf(aside, clamped)), 30000); // its mesh is made on another thread
         QVERIFY(rig_->save("viewport-solid-fixture"));
         const QImage bare = pictureOf(under, {}), bareAside = pictureOf(aside, {});
-        QTRY_VERIFY_WITH_TIMEOUT(seenThrough(pictureOf(under, clamped), bare), 5000);
+        QTRY_VERIFY_WITH_TIMEOUT(seenThrough(pictureOf(under, clamped), bare), 30000);
         QVERIFY(rig_->save("viewport-faded-fixture"));
         QVERIFY(solid(pictureOf(aside, clamped))); // it is opaque again
         viewport_->setPressMark(PressMark{under, {0.0, 0.0, 1.0}, 3.0, 1.0, std::nullopt});

@@ -81,10 +81,10 @@ void TestWindow::unitAndThemeChangeAtOnce() {
             QTest::keyClick(box, Qt::Key_Down);
         };
         chooseNext("unitChoice");
-        scaleBarFollows = driver.waitFor([&] { return scaleBar() != millimetres; }, 5000);
+        scaleBarFollows = driver.waitFor([&] { return scaleBar() != millimetres; });
         chooseNext("themeChoice");
         QTest::qWait(200);
-        dialog.grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/08-preferences.png"));
+        keepPicture(dialog, "08-preferences");
         QTest::keyClick(&dialog, Qt::Key_Escape);
     });
     driver.key(Qt::Key_Comma, Qt::ControlModifier);
@@ -166,7 +166,7 @@ void TestWindow::allKeysAreListed() {
         QVERIFY2(all.contains(action->shortcut().toString(QKeySequence::NativeText)), qPrintable(action->text()));
     }
     QVERIFY(shortcuts > 40);
-    list->grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/24-keys.png"));
+    keepPicture(*list, "24-keys");
     auto* search = list->findChild<QLineEdit*>(QStringLiteral("keySearch"));
     QTest::keyClicks(search, "spindle");
     QVERIFY(shown().contains(QStringLiteral("Space")));
@@ -187,7 +187,7 @@ void TestWindow::unsavedChangesAreGuarded() {
     QTRY_VERIFY(driver.window().workbench().document.unsaved());
     bool asked = false;
     driver.whenDialogStands([&](QWidget& dialog) {
-        dialog.grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/11-unsaved.png"));
+        keepPicture(dialog, "11-unsaved");
         asked = answer(dialog, "cancelButton");
     });
     driver.window().close();
@@ -241,7 +241,7 @@ void TestWindow::workOfAProgramThatIsStillEndingIsOfferedOnceItHasEnded() {
     QVERIFY(driver.restart(true));
     QVERIFY(driver.visible<QWidget>("recoverButton") == nullptr);
     ending.reset();
-    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recoverButton") != nullptr; }, 10000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recoverButton") != nullptr; }));
 }
 
 BURIN_TEST(TestWindow, QApplication)

@@ -119,8 +119,7 @@ void TestWindowAccess::look(QWidget& window) {
     for (const VisibleText& text : clippedTexts(window))
         faults_ << QStringLiteral("%1: no room: %2: %3").arg(name, text.where, text.text);
     QString file = QStringLiteral("access-%1-%2").arg(QLatin1String(QTest::currentDataTag()), name);
-    window.grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/%1.png")
-                           .arg(file.replace(QLatin1String(", "), QLatin1String("-"))));
+    keepPicture(window, file.replace(QLatin1String(", "), QLatin1String("-")));
 }
 
 /// A job with something of each kind, so that every action is possible.
@@ -131,7 +130,7 @@ void TestWindowAccess::doTheJob(WindowDriver& driver) {
     QVERIFY(driver.settle() && recordLine(driver, {-15, 0}, {15, 0}) && driver.settle());
     workbench.guides.add(GuideKind::plane);
     QVERIFY(newPath(driver) && postProgram(driver));
-    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }));
     auto* text = driver.visible<QPlainTextEdit>("programText");
     const std::vector<NcMotion>& motions = workbench.program.program()->parsed.motions;
     const auto line = static_cast<int>(motions[motions.size() / 2].line) - 1; // the program can be restarted there
@@ -150,7 +149,7 @@ void TestWindowAccess::everythingHasANameAndRoom() {
     faults_.clear();
     look(driver.window()); // the welcome page
     driver.key(Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
-    QVERIFY(driver.waitFor([&] { return driver.window().coach().running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return driver.window().coach().running(); }));
     look(*driver.window().findChild<QWidget*>("coachPanel"));
     look(driver.window());
     QVERIFY(driver.clickOn("coachEndButton"));

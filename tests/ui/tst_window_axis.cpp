@@ -45,7 +45,7 @@ void TestWindowAxis::theToolStandsAsChosen() {
     driver.shoot("18-chosen-axis");
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }));
     const glm::dvec3 axis = workbench.workpiece.bound().axis.direction;
     bool stood = true;
     int ticks = 0;
@@ -58,14 +58,14 @@ void TestWindowAxis::theToolStandsAsChosen() {
     QVERIFY(ticks > 10 && stood);
     driver.shoot("19-milled-leaning");
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
 
     driver.window().viewport().setStandardView(StandardView::top);
     QTest::qWait(400);
     driver.key(Qt::Key_X, Qt::ControlModifier | Qt::ShiftModifier); // along the view direction: straight down
-    QVERIFY(driver.waitFor([&] { return workbench.surroundings.axis().direction.z > 1.0 - 1e-9; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.surroundings.axis().direction.z > 1.0 - 1e-9; }));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return glm::distance(workbench.surroundings.axis().direction, axis) < 1e-9; }, 3000));
+    QVERIFY(driver.waitFor([&] { return glm::distance(workbench.surroundings.axis().direction, axis) < 1e-9; }));
     QVERIFY(driver.settle());
 }
 

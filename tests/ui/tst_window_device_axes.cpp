@@ -115,7 +115,7 @@ void TestWindowDeviceAxes::axesAreAssignedAndCalibrated() {
         QTest::mouseClick(calibrate, Qt::LeftButton);
         QTRY_VERIFY(!calibrate->isEnabled()); // two seconds at rest
         driver.shoot("axes-1-rest");
-        QTRY_COMPARE_WITH_TIMEOUT(calibrate->text(), QString("Finish"), 5000);
+        QTRY_COMPARE_WITH_TIMEOUT(calibrate->text(), QString("Finish"), 30000);
         for (const int x : {300, 0, -300, 0}) {
             daemon.send({0, x, 0, 0, 0, 0, 0, 16});
             QTest::qWait(60);

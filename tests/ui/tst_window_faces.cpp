@@ -57,7 +57,7 @@ bool clickFaces(WindowDriver& driver) {
     if (page == nullptr || button == nullptr) return false;
     page->ensureWidgetVisible(button);
     QTest::mouseClick(button, Qt::LeftButton);
-    return driver.waitFor([&] { return dialogOf(driver) != nullptr; }, 3000);
+    return driver.waitFor([&] { return dialogOf(driver) != nullptr; });
 }
 
 QString cell(const QTableView& table, int row, int column) {
@@ -105,7 +105,7 @@ private slots:
         const QPointF appears = viewport.project(focus);
         QVERIFY(QLineF(appears, QRectF(viewport.rect()).center()).length() < 2.0);
         driver.shoot("faces-1-gouge");
-        dialog.grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/faces-1-table.png"));
+        keepPicture(dialog, "faces-1-table");
         // The arrow key chooses the next face, a side or the bottom, which is seen from outside.
         QTest::keyClick(&table, Qt::Key_Down);
         QVERIFY(glm::distance(viewport.cameraView().focus, focus) > 1.0);

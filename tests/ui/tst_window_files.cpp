@@ -60,7 +60,7 @@ QString writeNewer(const WindowDriver& driver, const QString& project) {
 bool milledAndUnsaved(WindowDriver& driver) {
     const Workbench& workbench = driver.window().workbench();
     return makeReady(driver, 1.0) && recordLine(driver, {-10, 0}, {10, 0}) && driver.settle() &&
-           driver.waitFor([&] { return workbench.mill.takes().size() == 1 && workbench.document.unsaved(); }, 10000);
+           driver.waitFor([&] { return workbench.mill.takes().size() == 1 && workbench.document.unsaved(); });
 }
 
 } // namespace
@@ -102,7 +102,7 @@ void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
         driver.whenDialogStands([&](QWidget& dialog) { asked = answer(dialog, "cancelButton"); });
         drop(driver.window(), file);
         const QString name = QFileInfo(file).fileName();
-        QVERIFY2(driver.waitFor([&] { return driver.message().contains(name); }, 20000), qPrintable(name));
+        QVERIFY2(driver.waitFor([&] { return driver.message().contains(name); }), qPrintable(name));
         QVERIFY2(driver.message().endsWith('.') && driver.message().count(QStringLiteral(". ")) == 0,
                  qPrintable(driver.message()));
         QVERIFY2(!asked, qPrintable(name));
@@ -123,7 +123,7 @@ void TestWindowFiles::aWrongFileLeavesTheOpenProjectAsItIs() {
 void TestWindowFiles::aProgramNeedsAWorkpiece() {
     WindowDriver driver;
     drop(driver.window(), write(driver, "part.ngc", "G21\nG0 X1 Y2\nG1 Z-1 F100\nM2\n"));
-    QVERIFY(driver.waitFor([&] { return driver.message().contains(QStringLiteral("part.ngc")); }, 20000));
+    QVERIFY(driver.waitFor([&] { return driver.message().contains(QStringLiteral("part.ngc")); }));
     QVERIFY(driver.message().endsWith('.'));
     QVERIFY(driver.settle() && !driver.window().workbench().document.isOpen());
     QVERIFY(driver.window().workbench().program.storedText().isEmpty());
@@ -144,7 +144,7 @@ void TestWindowFiles::theQuestionComesOnceTheFileIsKnownToBeGood() {
         bool asked = false;
         driver.whenDialogStands([&](QWidget& dialog) { asked = answer(dialog, "cancelButton"); });
         drop(driver.window(), file);
-        QVERIFY(driver.waitFor([&] { return asked; }, 20000));
+        QVERIFY(driver.waitFor([&] { return asked; }));
         QVERIFY(driver.settle());
         QCOMPARE(workbench.document.file(), open);
         QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
@@ -153,7 +153,7 @@ void TestWindowFiles::theQuestionComesOnceTheFileIsKnownToBeGood() {
     QVERIFY(!QFile::exists(driver.folder().filePath(".good.burin.working"))); // and the project is no longer locked
     driver.whenDialogStands([&](QWidget& dialog) { answer(dialog, "discardButton"); });
     drop(driver.window(), project);
-    QVERIFY(driver.waitFor([&] { return workbench.document.file() == project.toStdString(); }, 20000));
+    QVERIFY(driver.waitFor([&] { return workbench.document.file() == project.toStdString(); }));
     QVERIFY(driver.settle());
 }
 
@@ -169,12 +169,12 @@ void TestWindowFiles::aMissingRecentFileIsTakenOffTheList() {
     QVERIFY(driver.clickOn("recentFileButton"));
     QCOMPARE(UserSettings().recentFiles(), QStringList{file}); // it stays until the user removes it
     driver.whenDialogStands([&](QWidget& dialog) {
-        dialog.grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/41-missing-recent.png"));
+        keepPicture(dialog, "41-missing-recent");
         answer(dialog, "confirmButton");
     });
     QVERIFY(driver.clickOn("recentFileButton"));
-    QVERIFY(driver.waitFor([&] { return UserSettings().recentFiles().isEmpty(); }, 5000));
-    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recentFileButton") == nullptr; }, 5000));
+    QVERIFY(driver.waitFor([&] { return UserSettings().recentFiles().isEmpty(); }));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recentFileButton") == nullptr; }));
 }
 
 void TestWindowFiles::whatIsOpenAlreadyIsShown() {
@@ -184,10 +184,10 @@ void TestWindowFiles::whatIsOpenAlreadyIsShown() {
     const QString file = driver.folder().filePath("here.burin");
     QVERIFY(saveAs(driver, file));
     driver.key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recentFileButton") != nullptr; }, 5000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("recentFileButton") != nullptr; }));
     const auto workpiece = driver.window().workbench().workpiece.milling();
     QVERIFY(driver.clickOn("recentFileButton"));
-    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("workPage") != nullptr; }, 5000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("workPage") != nullptr; }));
     QCOMPARE(driver.window().workbench().workpiece.milling(), workpiece);
 }
 
@@ -213,22 +213,22 @@ void TestWindowFiles::aPartThatWasChangedIsReadAgain() {
     const double volume = workbench.model.model()->volume();
     write(driver, "block.stl", stlText(shapes::box(glm::dvec3(0.0), {40.0, 30.0, 18.0}), "block"));
     driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return driver.message().contains("Changed bodies: "); }, 20000));
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("Changed bodies: "); }));
     QVERIFY2(driver.message().contains("Stock and program zero stay where they are"), qPrintable(driver.message()));
     QVERIFY(std::abs(workbench.model.model()->volume() - volume * 0.9) < 1e-6 * volume);
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }, 20000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }));
     QCOMPARE(workbench.setup.setup().stock.high.z, before.stock.high.z);
     QCOMPARE(workbench.setup.setup().workOffset.z, before.workOffset.z);
     QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
     driver.shoot("part-updated");
     // Once more, unchanged.
     driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return driver.message() == "The part has not changed."; }, 20000));
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }, 20000));
+    QVERIFY(driver.waitFor([&] { return driver.message() == "The part has not changed."; }));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }));
     // An unreadable file is reported in one sentence.
     write(driver, "block.stl", "nonsense");
     driver.key(Qt::Key_U, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return driver.message().contains("block.stl"); }, 20000));
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("block.stl"); }));
     QVERIFY(workbench.workpiece.ready());
     QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
 }

@@ -124,7 +124,7 @@ private:
 
 bool begin(WindowDriver& driver) {
     driver.key(Qt::Key_J, Qt::ControlModifier | Qt::AltModifier);
-    return driver.waitFor([&] { return driver.window().coach().running() && outline() != nullptr; }, 5000);
+    return driver.waitFor([&] { return driver.window().coach().running() && outline() != nullptr; });
 }
 
 } // namespace
@@ -148,19 +148,19 @@ void TestWindowFirstJob::whoFollowsItGetsToAProgram() {
     auto* offer = driver.visible<QPushButton>("firstJobButton");
     QVERIFY(offer && offer->property("look").toString() == "primary");
     QVERIFY(driver.clickOn("firstJobButton"));
-    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "samplePartButton"; }, 5000));
+    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "samplePartButton"; }));
     QVERIFY(!workbench.document.isOpen()); // the coach does nothing by itself
     driver.shoot("first-job-1");
     Follower follower(driver);
     QVERIFY(follower.reach(voxel));
-    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "voxelField"; }, 5000));
+    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "voxelField"; }));
     driver.shoot("first-job-2");
     QVERIFY(follower.reach(embed));
     QCOMPARE(workbench.setup.setup().voxel, 1.0);
     QVERIFY(!workbench.workpiece.embedded());
     for (const QSize& size : {QSize(1024, 680), QSize(1400, 900)}) { // the frame follows the target
         driver.window().resize(size);
-        QVERIFY(driver.waitFor([&] { return driver.window().size() == size; }, 3000));
+        QVERIFY(driver.waitFor([&] { return driver.window().size() == size; }));
         QTest::qWait(100);
         const auto* button = driver.visible<QPushButton>("embedButton");
         const QRect meant(button->mapTo(&driver.window(), QPoint(0, 0)), button->size());
@@ -171,7 +171,7 @@ void TestWindowFirstJob::whoFollowsItGetsToAProgram() {
     }
     QVERIFY(follower.reach(tool));
     QVERIFY(workbench.workpiece.embedded());
-    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "stepTool"; }, 5000));
+    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "stepTool"; }));
     driver.shoot("first-job-4-way");
     QVERIFY(follower.reach(mill));
     QCOMPARE(workbench.tool.current().id, std::string("ball-10"));
@@ -186,14 +186,14 @@ void TestWindowFirstJob::whoFollowsItGetsToAProgram() {
     QVERIFY(follower.reach(edit));
     QVERIFY(workbench.path.evaluated() != nullptr);
     const std::size_t edits = workbench.path.stored()->edits.size();
-    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "addEditButton"; }, 5000));
+    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "addEditButton"; }));
     driver.shoot("first-job-9");
     QVERIFY(follower.reach(post));
     QCOMPARE(workbench.path.stored()->edits.size(), edits + 1);
     QCOMPARE(follower.menuEntries, 2); // a group and the edit
     QVERIFY(follower.reach(exporting));
     QVERIFY(workbench.program.exportable());
-    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "exportButton"; }, 5000));
+    QVERIFY(driver.waitFor([&] { return nameOf(coach.pointed()) == "exportButton"; }));
     driver.shoot("first-job-11");
     QVERIFY(!UserSettings().firstJobFinished());
     const QString program = driver.folder().filePath("first.ngc");
@@ -216,11 +216,11 @@ void TestWindowFirstJob::whatIsDoneAnotherWayCounts() {
     WindowDriver driver;
     Workbench& workbench = driver.window().workbench();
     const Coach& coach = driver.window().coach();
-    const auto at = [&](std::size_t step) { return driver.waitFor([&] { return coach.job().at() == step; }, 20000); };
+    const auto at = [&](std::size_t step) { return driver.waitFor([&] { return coach.job().at() == step; }); };
     QVERIFY(begin(driver));
     drop(driver.window(), writeBlock(driver));
     QVERIFY(at(voxel));
-    QVERIFY(driver.waitFor([&] { return driver.visible("embedButton") != nullptr; }, 5000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("embedButton") != nullptr; }));
     driver.key(Qt::Key_B, Qt::ControlModifier); // with the present voxel: choosing it is optional
     QVERIFY(at(tool));
     QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle());
@@ -228,7 +228,7 @@ void TestWindowFirstJob::whatIsDoneAnotherWayCounts() {
     QVERIFY(at(stroke));
     driver.key(Qt::Key_M); // stops without a stroke
     QVERIFY(at(mill));
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
     QTest::qWait(300); // panels follow
     QVERIFY(recordLine(driver, {-15, 0}, {15, 0}));
     QVERIFY(at(path));
@@ -243,7 +243,7 @@ void TestWindowFirstJob::itSaysWhereToReturn() {
     WindowDriver driver;
     const Coach& coach = driver.window().coach();
     const auto points = [&](const char* name) {
-        return driver.waitFor([&] { return nameOf(coach.pointed()) == name && outline() != nullptr; }, 5000);
+        return driver.waitFor([&] { return nameOf(coach.pointed()) == name && outline() != nullptr; });
     };
     QVERIFY(begin(driver));
     drop(driver.window(), writeBlock(driver));
@@ -290,7 +290,7 @@ void TestWindowFirstJob::itAsksAboutUnsavedWork() {
     QVERIFY(driver.visible("backButton") == nullptr);
     // With an empty project, the sample part is opened from the menu.
     driver.key(Qt::Key_N, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return qobject_cast<QMenuBar*>(coach.pointed().widget) != nullptr; }, 5000));
+    QVERIFY(driver.waitFor([&] { return qobject_cast<QMenuBar*>(coach.pointed().widget) != nullptr; }));
     Follower follower(driver);
     QVERIFY(follower.reach(voxel));
     QCOMPARE(follower.menuEntries, 1);

@@ -36,7 +36,7 @@ void clickAt(WindowDriver& driver, const glm::dvec3& place) {
 /// Opens the dialog by its key and chooses a kind.
 bool beginFixture(WindowDriver& driver, const QString& kind) {
     driver.key(Qt::Key_W, Qt::ControlModifier | Qt::AltModifier);
-    if (!driver.waitFor([&] { return driver.visible("fixtureDialog") != nullptr; }, 5000)) return false;
+    if (!driver.waitFor([&] { return driver.visible("fixtureDialog") != nullptr; })) return false;
     auto* box = driver.visible<QComboBox>("fixtureKind");
     box->setFocus();
     QTest::keyClick(box, Qt::Key_Home);
@@ -45,7 +45,7 @@ bool beginFixture(WindowDriver& driver, const QString& kind) {
 }
 
 bool isClosed(WindowDriver& driver) {
-    return driver.waitFor([&] { return driver.visible("fixtureDialog") == nullptr; }, 5000);
+    return driver.waitFor([&] { return driver.visible("fixtureDialog") == nullptr; });
 }
 
 const Obstacle* lastOf(WindowDriver& driver) {
@@ -123,9 +123,7 @@ private slots:
         QCOMPARE(workbenchOf(driver).fixtures.problem()->code, ErrorCode::fixtureInStock);
         QTRY_VERIFY(!driver.visible<QPushButton>("acceptFixtureButton")->isEnabled());
         driver.shoot("fixtures-2-in-the-stock");
-        driver.visible("fixtureDialog")
-            ->grab()
-            .save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/fixtures-2-dialog.png"));
+        keepPicture(*driver.visible("fixtureDialog"), "fixtures-2-dialog");
         QVERIFY(driver.clickOn("fixtureTurn-15"));
         QVERIFY(!workbenchOf(driver).fixtures.problem());
         QTRY_VERIFY(driver.visible<QPushButton>("acceptFixtureButton")->isEnabled());

@@ -44,7 +44,7 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     kind->setCurrentIndex(1);
     scrollTo(driver, "addGuideButton");
     QVERIFY(driver.clickOn("addGuideButton"));
-    QVERIFY(driver.waitFor([&] { return workbench.guides.guides().size() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.guides.guides().size() == 1; }));
     QCOMPARE(workbench.guides.guides()[0].kind, GuideKind::plane);
     Guide plane = workbench.guides.guides()[0];
     plane.direction = {0, 1, 0};
@@ -53,7 +53,7 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     workbench.guides.change(0, plane);
 
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }));
     double farthest = 0.0, wanted = 0.0;
     bool told = false;
     QObject::connect(&workbench.session, &SessionRunner::ticked, this, [&] {
@@ -67,7 +67,7 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     // On a busy machine the window is notified of few ticks: a whole stroke may pass without one in its middle.
     for (std::size_t stroke = 1; stroke <= 5 && wanted <= 1.0; ++stroke) {
         millLine(driver, {-20, 1.2}, {20, 1.2});
-        QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == stroke; }, 10000));
+        QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == stroke; }));
     }
     QVERIFY(told);
     QVERIFY2(wanted > 1.0, qPrintable(QString::number(wanted)));
@@ -78,11 +78,11 @@ void TestWindowGuides::aStrokeBesideAPlaneIsMilledOnIt() {
     driver.shoot("guides-cards");
 
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
     driver.key(Qt::Key_G); // all guides, by the keyboard
-    QVERIFY(driver.waitFor([&] { return !workbench.guides.on(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return !workbench.guides.on(); }));
     const auto* guidesSwitch = driver.window().findChild<QCheckBox*>("guidesSwitch");
-    QVERIFY(driver.waitFor([&] { return !guidesSwitch->isChecked(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return !guidesSwitch->isChecked(); }));
 }
 
 BURIN_TEST(TestWindowGuides, QApplication)

@@ -106,7 +106,7 @@ private slots:
         QTest::keyClicks(search, "worn cutter");
         QCOMPARE(topicIn(*help), QString("Tool and allowance"));
         QVERIFY(!help->findChild<QTextBrowser*>("helpPage")->extraSelections().isEmpty());
-        help->grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/help.png"));
+        keepPicture(*help, "help");
         search->selectAll();
         QTest::keyClicks(search, "submarine");
         QVERIFY(help->findChild<QLabel*>("helpEmpty")->isVisible());
@@ -223,7 +223,7 @@ private slots:
         const double wide = drawnWidth(*page->document(), shownPictures(*page->document()).front());
         help.resize(640, 640);
         QTRY_VERIFY(drawnWidth(*page->document(), shownPictures(*page->document()).front()) < wide - 100.0);
-        page->grab().save(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots/help-time-%1.png").arg(language));
+        keepPicture(*page, QStringLiteral("help-time-%1").arg(language));
     }
 
     /// Names of files are no words of a page.

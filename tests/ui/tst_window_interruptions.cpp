@@ -41,7 +41,7 @@ private slots:
         }
         QVERIFY(driver_->clickOn("strokeButton") && driver_->enter("speedField", "200"));
         if (!workbench().mill.active()) QVERIFY(driver_->clickOn("millButton"));
-        QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }));
         millLine(*driver_, {-12, -9}, {12, -9}); // so that there is a stroke to continue from
         QVERIFY(strokesAre(1));
         QVERIFY(driver_->enter("speedField", "15")); // so that cutting without the pointer takes some time
@@ -62,8 +62,7 @@ private slots:
         QVERIFY2(!meaning.isEmpty() && !meaning.contains(QStringLiteral("stop milling")), qPrintable(meaning));
         driver_->shoot(QStringLiteral("interrupted-%1").arg(QTest::currentDataTag()));
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !cutting() && escapeLabel().contains(QStringLiteral("stop milling")); },
-                                 5000));
+        QVERIFY(driver_->waitFor([&] { return !cutting() && escapeLabel().contains(QStringLiteral("stop milling")); }));
         letGo();
         QTest::qWait(300);
         QVERIFY(!cutting() && workbench().mill.active());
@@ -87,7 +86,7 @@ private slots:
         if (!isCut(middle)) { // the stroke before is undone, as always
             QVERIFY(strokesAre(0));
             letGo();
-            QVERIFY(driver_->waitFor([&] { return !cutting() && !escapeLabel().contains("stop the tool"); }, 20000));
+            QVERIFY(driver_->waitFor([&] { return !cutting() && !escapeLabel().contains("stop the tool"); }));
             return;
         }
         QVERIFY(cutting());
@@ -95,7 +94,7 @@ private slots:
         driver_->key(Qt::Key_Escape);
         letGo();
         QVERIFY(strokesAre(2)); // both strokes are kept
-        QVERIFY(driver_->waitFor([&] { return !cutting(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !cutting(); }));
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
         QVERIFY(strokesAre(1));
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
@@ -109,7 +108,7 @@ private slots:
         QFETCH(Middle, middle);
         begin(middle);
         QVERIFY(driver_->step(JobStep::tool));
-        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }));
         letGo();
         QVERIFY(!workbench().mill.active());
         QVERIFY(strokesAre(isCut(middle) ? 2 : 1));
@@ -132,12 +131,12 @@ private slots:
             QTest::keyClick(&dialog, Qt::Key_Escape);
         });
         driver_->key(Qt::Key_S, Qt::ControlModifier);
-        QVERIFY(driver_->waitFor([&] { return stood; }, 5000));
+        QVERIFY(driver_->waitFor([&] { return stood; }));
         movePointer(at({14, 11}), Qt::NoButton); // the button was released over the dialog
         QTest::qWait(100);
         const QString meaning = escapeLabel();
         movePointer(at({-14, 11}), Qt::NoButton);
-        QVERIFY(driver_->waitFor([&] { return !cutting() || middle == Middle::spindle; }, 20000));
+        QVERIFY(driver_->waitFor([&] { return !cutting() || middle == Middle::spindle; }));
         if (cutting()) driver_->key(Qt::Key_Escape); // the spindle, which no mouse button keeps turning
         letGo();
         QVERIFY2(!meaning.contains(QStringLiteral("cancel")), qPrintable(meaning));

@@ -30,20 +30,20 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     driver.shoot("02-embedded");
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }));
     millLine(driver, {-20, -12}, {20, -12});
     driver.shoot("03-first-stroke");
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }));
     millLine(driver, {-20, 0}, {20, 0});
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 2; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 2; }));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }));
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 2; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 2; }));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }));
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
     QCOMPARE(workbench.mill.takes().size(), std::size_t{1});
     QVERIFY(workbench.setup.locked());
     const double removed = removedSoFar(*workbench.workpiece.milling());
@@ -64,7 +64,7 @@ void TestWindowJob::strokesAreMilledTakenBackSavedAndFoundAgain() {
     const QString program = driver.folder().filePath("groove.ngc");
     chooseFile(driver, program);
     QVERIFY(driver.clickOn("exportButton"));
-    QVERIFY(driver.waitFor([&] { return QFile::exists(program); }, 5000));
+    QVERIFY(driver.waitFor([&] { return QFile::exists(program); }));
 
     const QString file = driver.folder().filePath("groove.burin");
     QVERIFY(saveAs(driver, file));

@@ -185,7 +185,7 @@ void TestWindowLanguages::numbersHaveTheDecimalComma() {
     QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr; }));
     QVERIFY(postProgram(driver));
     QVERIFY(driver.step(JobStep::program));
-    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }));
     QString program = driver.visible<QPlainTextEdit>("programText")->toPlainText();
     program.remove(QRegularExpression(QStringLiteral("\\([^)]*\\)"))); // comments
     QVERIFY(program.contains(QRegularExpression(QStringLiteral("X-?[0-9]+\\.[0-9]"))));

@@ -367,7 +367,7 @@ private slots:
         });
         driver.window().setFocus();
         driver.key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(driver.waitFor([&] { return workbench.tool.current().id == "form-tool"; }, 10000));
+        QVERIFY(driver.waitFor([&] { return workbench.tool.current().id == "form-tool"; }));
         QCOMPARE(workbench.tool.current().cutter.diameter, 10.0);
         QVERIFY(driver.step(JobStep::stock) && driver.clickOn("embedButton") &&
                 driver.waitFor([&] { return workbench.workpiece.ready(); }) && driver.settle());
@@ -409,7 +409,7 @@ private slots:
         });
         driver.window().setFocus();
         driver.key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(driver.waitFor([&] { return workbench.tool.current().id == "scraper"; }, 10000));
+        QVERIFY(driver.waitFor([&] { return workbench.tool.current().id == "scraper"; }));
         const Cutter& cutter = workbench.tool.current().cutter;
         QVERIFY(!cutter.turns() && std::abs(cutter.solid->angle - 0.5 * std::acos(-1.0)) < 1e-9);
         QVERIFY(driver.waitFor([&] {
@@ -455,7 +455,7 @@ private slots:
         });
         driver.window().setFocus();
         driver.key(Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(driver.waitFor([&] { return workbench.tool.current().id == "core-drill"; }, 10000));
+        QVERIFY(driver.waitFor([&] { return workbench.tool.current().id == "core-drill"; }));
         const Tool& tool = workbench.tool.current();
         QVERIFY(tool.cutter.turns() && tool.cutter.isHollow());
         QVERIFY2(toolSummary(tool, LengthUnit::millimetre).contains("hollow Ø"),
@@ -512,7 +512,7 @@ private slots:
         });
         driver.window().setFocus();
         driver.key(Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(driver.waitFor([&] { return workbench.setup.setup().form == StockForm::file; }, 10000));
+        QVERIFY(driver.waitFor([&] { return workbench.setup.setup().form == StockForm::file; }));
         QVERIFY2(!workbench.setup.problem(), workbench.setup.problem()->subject.c_str());
         QCOMPARE(workbench.setup.setup().voxel, 0.5);
         QVERIFY(driver.step(JobStep::stock) && driver.settle());
@@ -536,7 +536,7 @@ private slots:
         QVERIFY(driver.restart());
         drop(driver.window(), file);
         Workbench& again = driver.window().workbench();
-        QVERIFY(driver.waitFor([&] { return again.setup.setup().form == StockForm::file; }, 10000));
+        QVERIFY(driver.waitFor([&] { return again.setup.setup().form == StockForm::file; }));
         QVERIFY(again.setup.setup().volume && again.setup.setup().volume->name() == "scan.nrrd");
     }
 };

@@ -135,7 +135,7 @@ private slots:
         QVERIFY(driver.window().findChild<Notice*>("layerProblem")->sentence().contains(QStringLiteral("0.01 +")));
         driver.window().setFocus();
         driver.key(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(driver.waitFor([&] { return !workbench.setup.problem().has_value(); }, 5000));
+        QVERIFY(driver.waitFor([&] { return !workbench.setup.problem().has_value(); }));
     }
 
     void undoBringsRolesAndLayersBack() {
@@ -150,8 +150,8 @@ private slots:
         QCOMPARE(workbench.setup.setup().regions.size(), std::size_t{1});
         driver.window().setFocus();
         for (int i = 0; i < 10; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(driver.waitFor([&] { return workbench.setup.setup().regions.empty(); }, 5000));
-        QVERIFY(driver.waitFor([&] { return roleOf(workbench.setup.setup(), cubeRow) == BodyRole::part; }, 5000));
+        QVERIFY(driver.waitFor([&] { return workbench.setup.setup().regions.empty(); }));
+        QVERIFY(driver.waitFor([&] { return roleOf(workbench.setup.setup(), cubeRow) == BodyRole::part; }));
     }
 
     /// Figure 13b of the paper.

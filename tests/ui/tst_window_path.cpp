@@ -138,11 +138,11 @@ void TestWindowPath::placesAreDraggedIntervalsDrawnAndEditsOrdered() {
     // The creation of the path itself can be undone, and redo restores the same path.
     const std::int64_t made = workbench.path.stored()->id;
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return workbench.path.stored() == nullptr; }, 3000));
-    QVERIFY(driver.waitFor([&] { return driver.visible<QAbstractButton>("newPathButton") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.path.stored() == nullptr; }));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QAbstractButton>("newPathButton") != nullptr; }));
     driver.shoot("23-path-undone");
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return workbench.path.stored() != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.path.stored() != nullptr; }));
     QCOMPARE(workbench.path.stored()->id, made);
     QCOMPARE(editsOf(workbench), before);
     QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr; }));
@@ -153,8 +153,7 @@ void TestWindowPath::placesAreDraggedIntervalsDrawnAndEditsOrdered() {
     const PathPoint middle = pointNear(workbench, {0.0, 0.0});
     const glm::dvec3 aside = middle.pose.tip + glm::dvec3(0.0, 4.0, 0.0);
     drag(*viewport, viewport->project(middle.pose.tip).toPoint(), viewport->project(aside).toPoint());
-    QVERIFY(driver.waitFor([&] { return placeOf(workbench, "move-points") < workbench.path.stored()->edits.size(); },
-                           3000));
+    QVERIFY(driver.waitFor([&] { return placeOf(workbench, "move-points") < workbench.path.stored()->edits.size(); }));
     QVERIFY(placeOf(workbench, "move-points") < placeOf(workbench, "hold-out"));
     QVERIFY(evaluatedAgain(driver));
     const glm::dvec2 zero(workbench.workpiece.milling()->setup.workOffset);
@@ -168,7 +167,7 @@ void TestWindowPath::placesAreDraggedIntervalsDrawnAndEditsOrdered() {
     QVERIFY(std::abs(end.pose.tip.y - middle.pose.tip.y) < 0.5);
     driver.shoot("24-dragged");
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return editsOf(workbench) == before; }, 3000));
+    QVERIFY(driver.waitFor([&] { return editsOf(workbench) == before; }));
     QVERIFY(evaluatedAgain(driver));
     QVERIFY(std::abs(pointNear(workbench, {0.0, 0.0}).pose.tip.y - middle.pose.tip.y) < 0.05);
 
@@ -181,38 +180,38 @@ void TestWindowPath::placesAreDraggedIntervalsDrawnAndEditsOrdered() {
     QVERIFY(workbench.path.selection() && workbench.path.selection()->first == workbench.path.selection()->last);
     const QPoint dot = viewport->mapTo(&driver.window(), viewport->project(from.pose.tip).toPoint());
     const auto isMarked = [&] { return driver.window().grab().toImage().pixelColor(dot).green() > 215; };
-    QVERIFY(driver.waitFor(isMarked, 5000)); // yellow; the line is orange
+    QVERIFY(driver.waitFor(isMarked)); // yellow; the line is orange
     driver.shoot("25-chosen-place");
     // A moment nearby whose own point was removed by simplification can be chosen as well.
     const std::vector<PathPoint>& left = workbench.path.evaluated()->path.points;
     const Moment leftOut{from.source, from.sample + 5};
     QVERIFY(std::ranges::find(left, leftOut.tick, &PathPoint::sample) == left.end());
     workbench.path.clearSelection();
-    QVERIFY(driver.waitFor([&] { return !isMarked(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !isMarked(); }));
     workbench.path.select(leftOut);
-    QVERIFY(driver.waitFor(isMarked, 5000));
+    QVERIFY(driver.waitFor(isMarked));
     workbench.path.select({from.source, from.sample});
     QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.pose.tip).toPoint());
     QVERIFY(workbench.path.selection()->last > workbench.path.selection()->first + 20);
-    QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }));
     QVERIFY(driver.clickOn("drawStretchButton"));
     std::vector<glm::dvec3> corners{from.pose.tip, from.pose.tip + glm::dvec3(0.0, 5.0, 0.0),
                                     to.pose.tip + glm::dvec3(0.0, 5.0, 0.0), to.pose.tip};
     const auto replaced = [&] { return placeOf(workbench, "replace-stretch") < workbench.path.stored()->edits.size(); };
     drawAlong(driver, *viewport, corners, "25-drawing");
-    QVERIFY(driver.waitFor(replaced, 3000));
+    QVERIFY(driver.waitFor(replaced));
     QVERIFY(evaluatedAgain(driver));
     const double length = cuttingLength(workbench);
     QVERIFY2(std::abs(length - straight - 10.0) < 1.0, qPrintable(QString::number(length - straight)));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return !replaced(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return !replaced(); }));
     QVERIFY(evaluatedAgain(driver));
     // Drawn against the direction of the recording, it contains no segment twice.
-    QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QPushButton>("drawStretchButton")->isEnabled(); }));
     QVERIFY(driver.clickOn("drawStretchButton"));
     std::ranges::reverse(corners);
     drawAlong(driver, *viewport, corners, "25-drawing-back");
-    QVERIFY(driver.waitFor(replaced, 3000));
+    QVERIFY(driver.waitFor(replaced));
     QVERIFY(evaluatedAgain(driver));
     QVERIFY2(std::abs(cuttingLength(workbench) - length) < 1.0,
              qPrintable(QString::number(cuttingLength(workbench) - length)));
@@ -225,8 +224,7 @@ void TestWindowPath::placesAreDraggedIntervalsDrawnAndEditsOrdered() {
     auto* add = driver.window().findChild<QAction*>("add-lead-in");
     QVERIFY(add != nullptr);
     add->trigger();
-    QVERIFY(
-        driver.waitFor([&] { return placeOf(workbench, "lead-in") < workbench.path.stored()->edits.size(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return placeOf(workbench, "lead-in") < workbench.path.stored()->edits.size(); }));
     QVERIFY(placeOf(workbench, "lead-in") > placeOf(workbench, "fit-arcs") &&
             placeOf(workbench, "lead-in") < placeOf(workbench, "link"));
     QVERIFY(evaluatedAgain(driver));
@@ -237,7 +235,7 @@ void TestWindowPath::placesAreDraggedIntervalsDrawnAndEditsOrdered() {
     QVERIFY(!driver.window().focusWidget()->visibleRegion().isEmpty());
     const std::vector<std::string> ordered = editsOf(workbench);
     const QString later = QStringLiteral("edit%1Later").arg(placeOf(workbench, "lead-in"));
-    QVERIFY(driver.waitFor([&] { return show(driver, later); }, 3000));
+    QVERIFY(driver.waitFor([&] { return show(driver, later); }));
     QVERIFY(driver.clickOn(qPrintable(later)));
     QVERIFY(driver.waitFor([&] { return workbench.path.problem().has_value(); }));
     driver.shoot("26-wrong-order");
@@ -245,7 +243,7 @@ void TestWindowPath::placesAreDraggedIntervalsDrawnAndEditsOrdered() {
     QVERIFY(driver.waitFor([&] { return editsOf(workbench) == ordered && !workbench.path.problem(); }));
     QVERIFY(evaluatedAgain(driver));
     const QString remove = QStringLiteral("edit%1Remove").arg(placeOf(workbench, "replace-stretch"));
-    QVERIFY(driver.waitFor([&] { return show(driver, remove); }, 3000));
+    QVERIFY(driver.waitFor([&] { return show(driver, remove); }));
     QVERIFY(driver.clickOn(qPrintable(remove)));
     QVERIFY(
         driver.waitFor([&] { return placeOf(workbench, "replace-stretch") == workbench.path.stored()->edits.size(); }));
@@ -347,9 +345,9 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
     const QString button = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(workbench, "mirror"));
     auto* draw = driver.window().findChild<QAbstractButton*>(button);
     QVERIFY(draw != nullptr && !draw->toolTip().isEmpty());
-    QVERIFY(driver.waitFor([&] { return draw->isChecked(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return draw->isChecked(); }));
     drawLine({3.5, -8.0}, {4.5, 8.0});
-    QVERIFY(driver.waitFor([&] { return std::abs(mirror().at - zero.x - 4.0) < 0.3; }, 3000));
+    QVERIFY(driver.waitFor([&] { return std::abs(mirror().at - zero.x - 4.0) < 0.3; }));
     QVERIFY(mirror().across == Mirror::Across::x);
     QVERIFY(evaluatedAgain(driver));
     QVERIFY2(std::abs(rightEnd() - before - 8.0) < 0.7, qPrintable(QString::number(rightEnd() - before)));
@@ -357,18 +355,18 @@ void TestWindowPath::theMirrorsPlaneIsDrawn() {
 
     // By its button: a line along X makes a plane across Y. Esc leaves everything as it is.
     const QString again = QStringLiteral("edit%1_at_mm_draw").arg(placeOf(workbench, "mirror"));
-    QVERIFY(driver.waitFor([&] { return show(driver, again); }, 3000));
+    QVERIFY(driver.waitFor([&] { return show(driver, again); }));
     QVERIFY(driver.clickOn(qPrintable(again)));
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !driver.window().findChild<QAbstractButton*>(again)->isChecked(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return !driver.window().findChild<QAbstractButton*>(again)->isChecked(); }));
     QVERIFY(mirror().across == Mirror::Across::x);
     QVERIFY(driver.clickOn(qPrintable(again)));
     drawLine({-10.0, 5.0}, {10.0, 5.0});
-    QVERIFY(driver.waitFor([&] { return mirror().across == Mirror::Across::y; }, 3000));
+    QVERIFY(driver.waitFor([&] { return mirror().across == Mirror::Across::y; }));
     QVERIFY(std::abs(mirror().at - zero.y - 5.0) < 0.3);
     QVERIFY(evaluatedAgain(driver));
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return mirror().across == Mirror::Across::x; }, 3000));
+    QVERIFY(driver.waitFor([&] { return mirror().across == Mirror::Across::x; }));
     QVERIFY(std::abs(mirror().at - zero.x - 4.0) < 0.3);
     QVERIFY(evaluatedAgain(driver));
 }
@@ -424,7 +422,7 @@ void TestWindowPath::aPointIsInsertedAndDragged() {
     driver.shoot("27-point-menu");
     QTest::mouseClick(menu, Qt::LeftButton, {},
                       menu->actionGeometry(menu->findChild<QAction*>("insertPointHere")).center());
-    QVERIFY(driver.waitFor([&] { return edit() != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return edit() != nullptr; }));
     QVERIFY(placeOf(workbench, "insert-point") < placeOf(workbench, "hold-out"));
     QVERIFY(workbench.path.selection() && workbench.path.selection()->first == edit()->at.tick);
     QVERIFY(evaluatedAgain(driver));
@@ -454,10 +452,10 @@ void TestWindowPath::aPointIsInsertedAndDragged() {
     QVERIFY(driver.settle());
 
     QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(middle).toPoint());
-    QVERIFY(driver.waitFor([&] { return menuAction(driver, "insertPointAction")->isEnabled(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return menuAction(driver, "insertPointAction")->isEnabled(); }));
     viewport->setFocus();
     driver.key(Qt::Key_Insert);
-    QVERIFY(driver.waitFor([&] { return edit() != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return edit() != nullptr; }));
     QVERIFY(evaluatedAgain(driver));
     QVERIFY(glm::distance(inserted(), middle) < 0.3);
 }

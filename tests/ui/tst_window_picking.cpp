@@ -27,7 +27,7 @@ bool recordCircle(WindowDriver& driver, double radius) {
     Workbench& workbench = driver.window().workbench();
     Viewport& viewport = driver.window().viewport();
     if (!driver.step(JobStep::mill) || !driver.clickOn("millButton")) return false;
-    if (!driver.waitFor([&] { return workbench.mill.active(); }, 5000)) return false;
+    if (!driver.waitFor([&] { return workbench.mill.active(); })) return false;
     const glm::dvec3 zero = workbench.setup.setup().workOffset;
     const auto at = [&](int degrees) {
         const double angle = degrees * M_PI / 180.0;
@@ -38,9 +38,9 @@ bool recordCircle(WindowDriver& driver, double radius) {
     QTest::mousePress(&viewport, Qt::LeftButton, {}, at(0));
     for (int degrees = 0; degrees <= 270; degrees += 3) QTest::mouseMove(&viewport, at(degrees), 15);
     QTest::mouseRelease(&viewport, Qt::LeftButton, {}, at(270));
-    if (!driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 10000)) return false;
+    if (!driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; })) return false;
     driver.key(Qt::Key_Escape);
-    return driver.waitFor([&] { return !workbench.session.running(); }, 5000);
+    return driver.waitFor([&] { return !workbench.session.running(); });
 }
 
 QString escapeLabel(WindowDriver& driver) {
@@ -86,7 +86,7 @@ private slots:
             const double off = glm::distance(chosen.front().front().pose.tip, meant);
             QVERIFY2(off < nearest, qPrintable(QStringLiteral("%1 of %2").arg(off).arg(nearest))); // a pixel is 0.3 mm
         }
-        QVERIFY(driver.waitFor([&] { return driver.visible<QLabel>("pathSelection") != nullptr; }, 3000));
+        QVERIFY(driver.waitFor([&] { return driver.visible<QLabel>("pathSelection") != nullptr; }));
         QTest::qWait(100);
         // The time of the recording at that point. A take that missed ticks lasts longer than its ticks.
         const QString told = driver.visible<QLabel>("pathSelection")->text();
@@ -146,7 +146,7 @@ private slots:
             QTRY_COMPARE(escapeLabel(driver), QStringLiteral("Esc: clear the selection"));
             driver.shoot(view == StandardView::top ? "picking-arc-top" : "picking-arc-aslant");
             driver.key(Qt::Key_Escape);
-            QVERIFY(driver.waitFor([&] { return !workbench.path.selection(); }, 2000));
+            QVERIFY(driver.waitFor([&] { return !workbench.path.selection(); }));
             QTRY_COMPARE(escapeLabel(driver), QString());
         }
     }

@@ -172,7 +172,7 @@ void TestWindowPreview::stoppingBringsTheOpenJobBack() {
     QVERIFY(workbench.model.model() == model && workbench.workpiece.milling() == workpiece);
     QVERIFY(!sameView(viewOf(driver).cameraView(), view));
     QVERIFY(driver.clickOn("cancelTaskButton"));
-    QVERIFY(driver.waitFor([&] { return !viewOf(driver).showsPreview(); }, 20000));
+    QVERIFY(driver.waitFor([&] { return !viewOf(driver).showsPreview(); }));
     QVERIFY(driver.settle());
     QVERIFY(workbench.model.model() == model && workbench.workpiece.milling() == workpiece);
     QCOMPARE(workbench.undo().index(), undo);
@@ -189,8 +189,8 @@ void TestWindowPreview::fromTheWelcomePageAndBack() {
     drop(driver.window(), part);
     QVERIFY(seesPreview(driver, import));
     QVERIFY(driver.clickOn("cancelTaskButton"));
-    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("workPage") == nullptr; }, 20000));
-    QVERIFY(driver.waitFor([&] { return !viewOf(driver).showsPreview(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QWidget>("workPage") == nullptr; }));
+    QVERIFY(driver.waitFor([&] { return !viewOf(driver).showsPreview(); }));
 }
 
 BURIN_TEST(TestWindowPreview, QApplication)

@@ -95,7 +95,7 @@ void TestWindowProgram::theRestIsExportedFromTheSelectedLine() {
     QVERIFY(!menuAction(driver, "restartAction")->isEnabled());
     QVERIFY(mill(driver) && post(driver));
     Workbench& workbench = driver.window().workbench();
-    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }));
     auto* text = driver.visible<QPlainTextEdit>("programText");
     const std::string whole = workbench.program.program()->text;
     const NcMotion* longest = longestCut(workbench.program.program()->parsed);
@@ -239,12 +239,12 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
         typicalIsLocked = field("maximum_feed_mm_per_min")->isReadOnly() &&
                           !dialog.findChild<QPushButton*>("deleteMachineButton")->isEnabled();
         QTest::keyClick(&dialog, Qt::Key_D, Qt::ControlModifier); // copies, and its name is chosen then
-        if (!driver.waitFor([&] { return dialog.focusWidget()->objectName() == "name"; }, 3000)) return;
+        if (!driver.waitFor([&] { return dialog.focusWidget()->objectName() == "name"; })) return;
         QTest::keyClicks(dialog.focusWidget(), "Mill in the shop");
         enter("tool_change_height_mm", "400"); // more than the travel of Z
         QTest::keyClick(&dialog, Qt::Key_S, Qt::ControlModifier);
         const auto* notice = dialog.findChild<Notice*>("machineNotice");
-        tooLittleIsRefused = driver.waitFor([&] { return notice->sentence().contains("tool_change_height_mm"); }, 3000);
+        tooLittleIsRefused = driver.waitFor([&] { return notice->sentence().contains("tool_change_height_mm"); });
         enter("tool_change_height_mm", "60");
         enter("maximum_feed_mm_per_min", "3500");
         // Three points of torque in any order, one of them entered twice and one invalid; one is deleted again.
@@ -292,8 +292,8 @@ void TestWindowProgram::aMachineIsCopiedChangedUsedAndDeleted() {
     QCOMPARE(kept->spindleTorque[1].torque, 2.25);
     QVERIFY(kept->home == glm::dvec3(-10.0, -20.5, 0.0));
     QVERIFY(kept->sources.contains("maximum_feed_mm_per_min")); // it is the user's own value now
-    QVERIFY(driver.waitFor(
-        [&] { return driver.visible<QLabel>("machineNote")->accessibleName() == "Your own machine."; }, 3000));
+    QVERIFY(
+        driver.waitFor([&] { return driver.visible<QLabel>("machineNote")->accessibleName() == "Your own machine."; }));
     QVERIFY(workbench.program.outdated());
 
     // Undo restores the values: use, values, copy.
@@ -376,10 +376,10 @@ void TestWindowProgram::aCheckOutlastsAChangeOfTheMachine() {
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "(mine)");
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return workbench.program.edited(); }, 3000));
-    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.program.edited(); }));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }));
     auto* check = driver.visible<QPushButton>("checkTextButton");
-    QVERIFY(driver.waitFor([&] { return check->isEnabled(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return check->isEnabled(); }));
     QVERIFY(driver.clickOn("checkTextButton") && workbench.program.busy());
     const MachineProfile other = copyOf(workbench.target.machine(), "slower", "Slower");
     QVERIFY(saveMachine(other, false));
@@ -394,7 +394,7 @@ void TestWindowProgram::aCheckOutlastsAChangeOfTheMachine() {
 void TestWindowProgram::theTextOpensNextToTheView() {
     WindowDriver driver;
     QVERIFY(mill(driver) && post(driver));
-    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }));
     auto* text = driver.visible<QPlainTextEdit>("programText");
     const QPointer<QWidget> panel = driver.visible("programPage");
     QVERIFY(panel->isAncestorOf(text));
@@ -403,7 +403,7 @@ void TestWindowProgram::theTextOpensNextToTheView() {
     auto* dock = driver.visible<QDockWidget>("programDock");
     QVERIFY(dock != nullptr && dock->isAncestorOf(text) && !panel->isAncestorOf(text));
     QVERIFY(text->hasFocus());
-    QVERIFY(driver.waitFor([&] { return text->width() > 600; }, 3000));
+    QVERIFY(driver.waitFor([&] { return text->width() > 600; }));
     QVERIFY(text->viewport()->width() >= 80 * text->fontMetrics().horizontalAdvance(QLatin1Char('0')));
     auto* viewport = driver.visible<Viewport>("viewport");
     QVERIFY(viewport->height() > dock->height()); // the view keeps the larger share
@@ -427,7 +427,7 @@ void TestWindowProgram::theTextOpensNextToTheView() {
     QVERIFY(driver.visible("welcomePage") != nullptr && !dock->isVisible());
     driver.key(Qt::Key_F1, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(dock->isVisible());
-    QVERIFY(driver.waitFor([&] { return text->hasFocus(); }, 3000)); // the focus is where it was before
+    QVERIFY(driver.waitFor([&] { return text->hasFocus(); })); // the focus is where it was before
 
     QVERIFY(saveAs(driver, driver.folder().filePath("docked.burin")));
     QVERIFY(driver.restart() && driver.clickOn("recentFileButton"));
@@ -435,7 +435,7 @@ void TestWindowProgram::theTextOpensNextToTheView() {
     QVERIFY(driver.waitFor([&] { return workbench.workpiece.ready() && workbench.path.evaluated(); }) &&
             driver.settle());
     QVERIFY(driver.step(JobStep::program));
-    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }));
     dock = driver.visible<QDockWidget>("programDock");
     QVERIFY(dock != nullptr && dock->isFloating() && dock->isAncestorOf(driver.visible("programText")));
     QCOMPARE(dock->size(), QSize(900, 500));
@@ -455,14 +455,14 @@ void TestWindowProgram::findingsStandBesideTheText() {
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "G999");
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return driver.visible("findingList") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("findingList") != nullptr; }));
     QTest::keyClick(text, Qt::Key_End, Qt::ControlModifier);
     const auto lies = [&](const char* name) {
         return QRect(driver.visible(name)->mapTo(&driver.window(), QPoint(0, 0)), driver.visible(name)->size());
     };
     QVERIFY(lies("findingList").top() > lies("programText").bottom());
     driver.key(Qt::Key_F7);
-    QVERIFY(driver.waitFor([&] { return lies("findingList").left() > lies("programText").right(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return lies("findingList").left() > lies("programText").right(); }));
     QVERIFY(lies("checkTextButton").top() > lies("findingList").bottom());
     QTest::mouseClick(driver.visible<QAbstractScrollArea>("findingList")->viewport(), Qt::LeftButton, {}, {20, 10});
     QCOMPARE(text->textCursor().blockNumber(), 0);
@@ -470,7 +470,7 @@ void TestWindowProgram::findingsStandBesideTheText() {
     driver.key(Qt::Key_F9); // without the timeline the dock is higher than wide
     auto* docks = driver.window().findChild<QMainWindow*>("viewDocks");
     docks->addDockWidget(Qt::LeftDockWidgetArea, driver.visible<QDockWidget>("programDock"));
-    QVERIFY(driver.waitFor([&] { return lies("findingList").top() > lies("programText").bottom(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return lies("findingList").top() > lies("programText").bottom(); }));
     driver.shoot("47-text-left-of-the-view");
 }
 
@@ -492,7 +492,7 @@ void TestWindowProgram::lettersInTheTextAreNoShortcuts() {
     QVERIFY(mill(driver) && post(driver));
     if (docked) driver.key(Qt::Key_F7);
     QVERIFY(!editable || driver.clickOn("editTextButton"));
-    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }));
     auto* text = driver.visible<QPlainTextEdit>("programText");
     auto* viewport = driver.visible<Viewport>("viewport");
     const QString before = text->toPlainText();
@@ -520,7 +520,7 @@ void TestWindowProgram::aNewTextToolAndValuesStandOnOneLine() {
     WindowDriver driver;
     const ProgramController& program = driver.window().workbench().program;
     QVERIFY(mill(driver) && post(driver));
-    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }));
     const auto* text = driver.visible<QPlainTextEdit>("programText");
     auto* viewport = driver.visible<Viewport>("viewport");
     const glm::dvec3 zero = driver.window().workbench().workpiece.milling()->setup.workOffset;
@@ -556,7 +556,7 @@ void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "(first)");
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }));
 
     const auto typeWhile = [&](const char* button, const QString& words) {
         if (!driver.clickOn(button) || !program.busy()) return false;
@@ -570,9 +570,9 @@ void TestWindowProgram::whatIsTypedWhileItIsCheckedStays() {
     QVERIFY(text->toPlainText().startsWith("(second)\n(first)\n"));
     QVERIFY(program.storedText().startsWith("(second)\n(first)\n"));
     QVERIFY(program.edited() && !program.exportable());
-    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }));
     auto* check = driver.visible<QPushButton>("checkTextButton");
-    QVERIFY(driver.waitFor([&] { return check->isEnabled(); }, 3000)); // the window knows that the text is not checked
+    QVERIFY(driver.waitFor([&] { return check->isEnabled(); })); // the window knows that the text is not checked
     driver.shoot("33-typed-while-checked");
 
     // While it is posted, too.
@@ -602,8 +602,8 @@ void TestWindowProgram::textThatTheCheckRefusedSurvives() {
     text->setTextCursor(cursor);
     QTest::keyClicks(text, "G1 Z-50 F100"); // through the part and everything below
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.edited(); }, 3000));
-    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.edited(); }));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }));
     QVERIFY(driver.clickOn("checkTextButton"));
     QVERIFY(driver.settle());
     QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.refused(); }));
@@ -625,7 +625,7 @@ void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "(half a thought)");
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.edited(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.window().workbench().program.edited(); }));
     QVERIFY(driver.restart(true));
     QVERIFY(driver.clickOn("recoverButton"));
     Workbench& workbench = driver.window().workbench();
@@ -634,7 +634,7 @@ void TestWindowProgram::textThatWasNotCheckedSurvivesAnEndFromOutside() {
     QVERIFY(workbench.program.edited() && !workbench.program.exportable());
     QVERIFY(workbench.program.storedText().startsWith("(half a thought)\n"));
     QVERIFY(driver.step(JobStep::program));
-    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }));
     QVERIFY(driver.clickOn("checkTextButton"));
     QVERIFY(driver.waitFor([&] { return workbench.program.exportable(); }));
 }
@@ -645,7 +645,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY(mill(driver));
     QVERIFY(post(driver));
     QVERIFY(workbench.program.exportable());
-    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programText") != nullptr; }));
     auto* text = driver.visible<QPlainTextEdit>("programText");
     auto* viewport = driver.visible<Viewport>("viewport");
     QVERIFY(text && viewport);
@@ -694,17 +694,17 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY(deviation != nullptr);
     page8->ensureWidgetVisible(deviation);
     QTest::mouseClick(deviation, Qt::LeftButton, {}, {10, 10});
-    QVERIFY(driver.waitFor([&] { return deviation->isChecked(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return deviation->isChecked(); }));
     QTest::qWait(200);
     const Box part = workbench.model.model()->box();
     QTest::mouseMove(viewport, viewport->project({part.centre().x, part.centre().y, part.high.z}).toPoint());
     QVERIFY(driver.waitFor(
-        [&] { return driver.visible<QLabel>("deviationUnderPointer")->text().contains(QStringLiteral("left")); },
-        3000));
+        [&] { return driver.visible<QLabel>("deviationUnderPointer")->text().contains(QStringLiteral("left")); }));
     // The legend is visible, below the last element of the page's former content.
     auto* legend = driver.visible<QWidget>("deviationLegend");
     QVERIFY(legend != nullptr);
-    QVERIFY(QTest::qWaitFor([&] { return legend->visibleRegion().boundingRect().height() == legend->height(); }, 3000));
+    QVERIFY(
+        QTest::qWaitFor([&] { return legend->visibleRegion().boundingRect().height() == legend->height(); }, 30000));
     driver.shoot("20-deviation");
     QTest::mouseClick(deviation, Qt::LeftButton, {}, {10, 10});
 
@@ -716,7 +716,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "G999");
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return workbench.program.edited(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.program.edited(); }));
     QVERIFY(!workbench.program.lint().empty() && workbench.program.lint().front().line == 1);
     QVERIFY(!workbench.program.exportable());
     driver.shoot("20-lint");
@@ -725,13 +725,13 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QTest::keyClick(text, Qt::Key_Home, Qt::ControlModifier);
     QTest::keyClicks(text, "(a word of mine)");
     QTest::keyClick(text, Qt::Key_Return);
-    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("checkTextButton") != nullptr; }));
     page8->ensureWidgetVisible(driver.visible("checkTextButton"));
     QCoreApplication::processEvents();
-    QVERIFY(driver.waitFor([&] { return workbench.program.lint().empty(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.program.lint().empty(); }));
     QVERIFY(driver.clickOn("checkTextButton"));
     QVERIFY(driver.settle());
-    QVERIFY(driver.waitFor([&] { return workbench.program.exportable(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.program.exportable(); }));
     QVERIFY(workbench.program.program()->text.find("(a word of mine)") != std::string::npos);
     QVERIFY(driver.clickOn("editTextButton"));
 
@@ -740,7 +740,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     auto* page = driver.visible<QScrollArea>("stockPage");
     page->ensureWidgetVisible(driver.window().findChild<QWidget*>("addObstacleButton"));
     QVERIFY(driver.clickOn("addObstacleButton"));
-    QVERIFY(driver.waitFor([&] { return workbench.surroundings.obstacles().size() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.surroundings.obstacles().size() == 1; }));
     for (const auto& [field, value] :
          {std::pair{"obstacle0PlaceX", "5"}, {"obstacle0PlaceZ", "-1"}, {"obstacle0SizeZ", "8"}})
         QVERIFY2(driver.enter(field, value), field);
@@ -760,7 +760,7 @@ void TestWindowProgram::aMoveAndItsLineLeadToEachOther() {
     QVERIFY(driver.clickOn("overrideButton"));
     QVERIFY(driver.settle());
     QVERIFY(workbench.program.exportable());
-    QVERIFY(driver.waitFor([&] { return text->toPlainText().contains("(Reason: the clamp is moved by hand)"); }, 3000));
+    QVERIFY(driver.waitFor([&] { return text->toPlainText().contains("(Reason: the clamp is moved by hand)"); }));
     driver.shoot("22-wanted-all-the-same");
     // A reason does not turn a failed check into a passed one.
     const QString spoken = driver.visible<QWidget>("stepProgram")->accessibleDescription();

@@ -66,7 +66,7 @@ Notice* verdict(const WindowDriver& driver) {
 
 /// Whether the verdict becomes one of that kind in time.
 bool told(const WindowDriver& driver, Notice::Kind kind) {
-    return driver.waitFor([&] { return verdict(driver) != nullptr && verdict(driver)->kind() == kind; }, 5000);
+    return driver.waitFor([&] { return verdict(driver) != nullptr && verdict(driver)->kind() == kind; });
 }
 
 QString figure(const WindowDriver& driver, const char* name) {
@@ -135,7 +135,7 @@ void TestWindowReopen::aWorkpieceIsThereWithoutAStroke() {
     QVERIFY(driver.step(JobStep::stock) && driver.enter("topMarginField", QStringLiteral("4")));
     QVERIFY(driver.settle() && !driver.window().workbench().workpiece.embedded());
     driver.key(Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return !driver.window().workbench().document.unsaved(); }, 10000));
+    QVERIFY(driver.waitFor([&] { return !driver.window().workbench().document.unsaved(); }));
     QVERIFY(driver.restart());
 
     const Workbench& workbench = driver.window().workbench();
@@ -161,13 +161,13 @@ void TestWindowReopen::whatCanBeUndoneIsSaid() {
     QVERIFY(makeReady(driver, 1.0));
     const auto undo = [&] { return driver.visible<QPushButton>("undoStrokeButton"); };
     QVERIFY(recordLine(driver, {-10, 0}, {10, 0}) && driver.settle());
-    QVERIFY(driver.waitFor([&] { return undo()->toolTip().contains(QStringLiteral("no other one")); }, 5000));
+    QVERIFY(driver.waitFor([&] { return undo()->toolTip().contains(QStringLiteral("no other one")); }));
     QVERIFY(recordLine(driver, {-10, 5}, {10, 5}) && driver.settle());
-    QVERIFY(driver.waitFor([&] { return undo()->toolTip().contains(QStringLiteral("last 2 strokes")); }, 5000));
+    QVERIFY(driver.waitFor([&] { return undo()->toolTip().contains(QStringLiteral("last 2 strokes")); }));
     QVERIFY(saveAs(driver, driver.folder().filePath("strokes.burin")));
     QVERIFY(driver.restart());
     QVERIFY(reopen(driver));
-    QVERIFY(driver.waitFor([&] { return undo() != nullptr && !undo()->isEnabled(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return undo() != nullptr && !undo()->isEnabled(); }));
     QVERIFY2(undo()->toolTip().contains(QStringLiteral("delete their take")), qPrintable(undo()->toolTip()));
 }
 
@@ -201,7 +201,7 @@ void TestWindowReopen::aProgramThatPassedIsPassedAgain() {
     const QString exported = driver.folder().filePath("again.ngc");
     chooseFile(driver, exported);
     QVERIFY(driver.clickOn("exportButton"));
-    QVERIFY(driver.waitFor([&] { return QFile::exists(exported); }, 5000));
+    QVERIFY(driver.waitFor([&] { return QFile::exists(exported); }));
     QFile file(exported);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll().toStdString(), text);

@@ -240,14 +240,14 @@ void TestWindowReversals::mouseStrokesMakeAProgramThatNeverStepsBack() {
     QVERIFY(makeReady(driver));
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }));
     for (std::size_t i = 0; i < strokeCount; ++i) {
         draw(driver, randomStroke(random));
-        QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == i + 1; }, 10000));
+        QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == i + 1; }));
     }
     driver.shoot("reversals-strokes");
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
     QVERIFY(driver.step(JobStep::path));
     QVERIFY(driver.clickOn("newPathButton"));
     QVERIFY(driver.waitFor(

@@ -53,7 +53,7 @@ void TestWindowRoom::lookIntoChoices(WindowDriver& driver) {
     for (auto* choice : driver.window().findChildren<QComboBox*>()) {
         if (!choice->isVisible() || !choice->isEnabled()) continue;
         QTest::mouseClick(choice, Qt::LeftButton);
-        if (!driver.waitFor([&] { return choice->view()->isVisible(); }, 2000)) {
+        if (!driver.waitFor([&] { return choice->view()->isVisible(); })) {
             cut_ << choice->objectName() + QStringLiteral(" does not open");
             continue;
         }
@@ -107,7 +107,7 @@ void TestWindowRoom::noTextOfAJobIsCut() {
     QTest::keyClicks(text, "G1 Z-50 F100");
     QTest::keyClick(text, Qt::Key_Return);
     QTest::keyClicks(text, "G999");
-    QVERIFY(driver.waitFor([&] { return workbench.program.edited(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.program.edited(); }));
     driver.key(Qt::Key_F7);
     look(driver, "docked");
     QVERIFY(driver.step(JobStep::mill) && driver.clickOn("millButton"));

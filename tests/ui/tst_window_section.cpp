@@ -73,13 +73,13 @@ private slots:
         };
         QCOMPARE(edit().interval, *workbench.path.selection());
         QVERIFY(driver.enter(field("speed_rpm"), QStringLiteral("4000")));
-        QVERIFY(driver.waitFor([&] { return edit().speed == 4000.0; }, 3000));
+        QVERIFY(driver.waitFor([&] { return edit().speed == 4000.0; }));
         QVERIFY(evaluatedNow(driver, workbench));
         auto* coolant = driver.visible<QComboBox>(field("coolant"));
-        QVERIFY(driver.waitFor([&] { return coolant != nullptr && coolant->isEnabled(); }, 3000));
+        QVERIFY(driver.waitFor([&] { return coolant != nullptr && coolant->isEnabled(); }));
         coolant->setFocus();
         driver.key(Qt::Key_End);
-        QVERIFY(driver.waitFor([&] { return edit().cooling == SpindleAndCoolant::Cooling::flood; }, 3000));
+        QVERIFY(driver.waitFor([&] { return edit().cooling == SpindleAndCoolant::Cooling::flood; }));
         QVERIFY(evaluatedNow(driver, workbench));
         driver.shoot("32-section");
 

@@ -25,7 +25,7 @@ void TestWindowShow::theVirtualOperatorShowsHowItIsDone() {
         [&] { return workbench.session.running() && workbench.session.state().recordedSeconds > 20.0; }, 60000));
     driver.shoot("14-show-me");
     QVERIFY(driver.clickOn("showMeButton")); // stops the demonstration
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running() && !workbench.showMe.showing(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running() && !workbench.showMe.showing(); }));
     QVERIFY(driver.waitFor([&] { return !workbench.mill.takes().empty() && workbench.mill.takes().front().complete; }));
     QVERIFY(workbench.mill.takes().front().sampleCount >= 20000); // the recording is kept
     QVERIFY(driver.waitFor([&] { return workbench.path.evaluated() != nullptr || workbench.path.problem(); }));

@@ -51,7 +51,7 @@ void TestWindowSteps::eachStepTellsWhatItHolds() {
     QTest::qWait(300);
     driver.shoot("small-03-mill");
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !workbench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.mill.active(); }));
 }
 
 /// A guess about what is protected must not look like a completed step.
@@ -105,7 +105,7 @@ void TestWindowSteps::choosingAMaterialKeepsTheWorkpiece() {
     QTest::keyClick(choice, Qt::Key_Home);
     const std::string chosen = choice->currentData().toString().toStdString();
     QVERIFY(chosen != "machinable-wax");
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.embedded() && materialCut() == chosen; }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.embedded() && materialCut() == chosen; }));
     QVERIFY(driver.settle());
     QCOMPARE(workbench.workpiece.milling(), workpiece);
     QCOMPARE(workbench.workpiece.bounds(), bounds);
@@ -116,9 +116,9 @@ void TestWindowSteps::choosingAMaterialKeepsTheWorkpiece() {
 
     driver.window().setFocus();
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.embedded() && materialCut() == "machinable-wax"; }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.embedded() && materialCut() == "machinable-wax"; }));
     driver.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    QVERIFY(driver.waitFor([&] { return workbench.workpiece.embedded() && materialCut() == chosen; }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.embedded() && materialCut() == chosen; }));
     QVERIFY(driver.settle());
     QVERIFY(recordLine(driver, {-10, 0}, {10, 0})); // and it is milled as any other
     QVERIFY(driver.settle());

@@ -23,7 +23,7 @@ class TestWindowStockLayer : public QObject {
     static void toggle(WindowDriver& driver) { driver.key(Qt::Key_K, Qt::ControlModifier | Qt::AltModifier); }
     static bool becomes(WindowDriver& driver, LayerState wanted) {
         const SessionRunner& session = driver.window().workbench().session;
-        return driver.waitFor([&] { return session.state().stock && session.state().stock->state == wanted; }, 5000);
+        return driver.waitFor([&] { return session.state().stock && session.state().stock->state == wanted; });
     }
 
 private slots:
@@ -33,7 +33,7 @@ private slots:
         QAction* action = menuAction(driver, QStringLiteral("keepFromStockAction"));
         QVERIFY(action != nullptr && action->isCheckable() && !action->isChecked());
         QVERIFY(driver.step(JobStep::mill) && driver.clickOn("millButton"));
-        QVERIFY(driver.waitFor([&] { return driver.window().workbench().mill.active(); }, 5000));
+        QVERIFY(driver.waitFor([&] { return driver.window().workbench().mill.active(); }));
         QVERIFY(becomes(driver, LayerState::off));
         toggle(driver); // over the stock, where the shank is clear of it
         QVERIFY(becomes(driver, LayerState::inForce));

@@ -66,7 +66,7 @@ private slots:
         QTest::qWait(400); // the view turns
         QVERIFY(driver_->step(JobStep::mill));
         QVERIFY(driver_->clickOn("millButton"));
-        QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }));
         trace_ = std::make_unique<CutTrace>(*driver_);
     }
     void cleanup() {
@@ -100,7 +100,7 @@ private slots:
         millLine(*driver_, {-15, -8}, {-5, -8});
         QVERIFY(strokesAre(1));
         const auto canRepeat = [&] { return driver_->visible<QPushButton>("repeatLowerButton")->isEnabled(); };
-        QVERIFY(driver_->waitFor(canRepeat, 2000));
+        QVERIFY(driver_->waitFor(canRepeat));
         const QPoint away = at({14, 10});
         QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, away);
         QTest::mouseMove(&viewport(), at({5, 10}));
@@ -110,25 +110,25 @@ private slots:
         QVERIFY(strokesAre(1) && workbench().mill.active());
         QCOMPARE(workbench().workpiece.strokes().count(), std::size_t{1});
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(driver_->waitFor([&] { return workbench().workpiece.strokes().count() == 0; }, 3000));
-        QVERIFY(driver_->waitFor([&] { return !canRepeat(); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return workbench().workpiece.strokes().count() == 0; }));
+        QVERIFY(driver_->waitFor([&] { return !canRepeat(); }));
         driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(driver_->waitFor(canRepeat, 3000));
+        QVERIFY(driver_->waitFor(canRepeat));
         QCOMPARE(workbench().workpiece.strokes().count(), std::size_t{1});
     }
 
     BURIN_ONLY_IN_LONG_RUNS void xAndYLockAStrokeUntilPressedAgain() {
         driver_->key(Qt::Key_X);
-        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("locked to X")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("locked to X")); }));
         millLine(*driver_, {-12, -6}, {12, 6});
         QVERIFY(strokesAre(1));
         const std::vector<glm::dvec3> along = trace_->last();
         for (const glm::dvec3& place : along) QVERIFY(std::abs(place.y - along.front().y) < halfTrail);
         QVERIFY(std::abs(along.back().x - along.front().x) > 20.0);
         driver_->key(Qt::Key_Y);
-        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("locked to Y")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return lockSentence().contains(QStringLiteral("locked to Y")); }));
         driver_->key(Qt::Key_Y);
-        QVERIFY(driver_->waitFor([&] { return lockSentence().isEmpty(); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return lockSentence().isEmpty(); }));
         millLine(*driver_, {-12, -6}, {12, 6});
         QVERIFY(strokesAre(2));
         QVERIFY(std::abs(trace_->last().back().y - trace_->last().front().y) > 10.0);
@@ -142,7 +142,7 @@ private slots:
         QTest::mouseMove(&viewport(), from);
         QTest::qWait(300);
         QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
-        QVERIFY(driver_->waitFor([&] { return workbench().session.state().cutting; }, 5000));
+        QVERIFY(driver_->waitFor([&] { return workbench().session.state().cutting; }));
         QPoint pointer = from;
         while (glm::distance(placeAt(pointer), placeAt(from)) < 25.0) {
             pointer += (pointer.x() - from.x() > pointer.y() - from.y()) ? QPoint(0, 1) : QPoint(1, 0);
@@ -157,7 +157,7 @@ private slots:
                      qPrintable(QString::number(distanceToLine(place, a, b))));
         QVERIFY(glm::distance(glm::dvec2(trace_->last().back()), glm::dvec2(b)) < halfTrail);
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }));
         const QString file = driver_->folder().filePath("sweep.burin"), copy = driver_->folder().filePath("copy.burin");
         QVERIFY(saveAs(*driver_, file));
         QVERIFY(QFile::copy(file, copy)); // the window has the original open
@@ -231,7 +231,7 @@ private slots:
             QVERIFY2(off < halfTrail, qPrintable(QString::number(off)));
         }
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }));
         const double removed = removedSoFar(*workbench().workpiece.milling()) - before;
         const double length = std::abs(b.x - a.x), reach = 2.0 * std::sqrt(9.0 - 4.0);
         QVERIFY(removed > length * width * (1.0 - (3.0 - std::sqrt(8.0))));
@@ -246,7 +246,7 @@ private slots:
         QTest::mouseMove(&viewport(), from);
         QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
         QTest::mouseMove(&viewport(), to);
-        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("cancel the raster")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("cancel the raster")); }));
         driver_->key(Qt::Key_Escape);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
         QTest::qWait(300);
@@ -255,14 +255,14 @@ private slots:
         QTest::mousePress(&viewport(), Qt::LeftButton, Qt::NoModifier, from);
         QTest::mouseMove(&viewport(), to);
         QTest::mouseRelease(&viewport(), Qt::LeftButton, Qt::NoModifier, to);
-        QVERIFY(driver_->waitFor([&] { return workbench().session.state().cutting; }, 3000));
-        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("stop the tool")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return workbench().session.state().cutting; }));
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("stop the tool")); }));
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !workbench().session.state().cutting; }, 2000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.state().cutting; }));
         QVERIFY(strokesAre(1)); // the part of the stroke that was cut
         QVERIFY(workbench().mill.active());
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !workbench().mill.active(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().mill.active(); }));
     }
 
     /// The focus is in a field: the first Esc discards what is typed there, the next one parks the tool.
@@ -277,10 +277,10 @@ private slots:
         QCOMPARE(field->text(), before);
         QTest::qWait(100);
         QVERIFY(workbench().mill.active());
-        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("stop milling")); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().contains(QStringLiteral("stop milling")); }));
         QTest::keyClick(field, Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !workbench().mill.active(); }, 5000));
-        QVERIFY(driver_->waitFor([&] { return escapeLabel().isEmpty(); }, 2000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().mill.active(); }));
+        QVERIFY(driver_->waitFor([&] { return escapeLabel().isEmpty(); }));
     }
 
     void aValueOutOfRangeSaysSo() {
@@ -300,8 +300,8 @@ private slots:
         QVERIFY(driver_->visible<QLabel>("recordingStatus") != nullptr);
         driver_->shoot("strokes-recording");
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
-        QVERIFY(driver_->waitFor([&] { return driver_->visible<QLabel>("recordingStatus") == nullptr; }, 2000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }));
+        QVERIFY(driver_->waitFor([&] { return driver_->visible<QLabel>("recordingStatus") == nullptr; }));
         // All that was cut is in the take: replayed, as when a project is opened, it gives the same workpiece.
         const double removed = removedSoFar(*workbench().workpiece.milling());
         QVERIFY(removed > 0.0);
@@ -330,17 +330,17 @@ private slots:
 
         QVERIFY(recordLine(*driver_, {-12, 5}, {12, 5}));
         QVERIFY(strokesAre(2));
-        QVERIFY(driver_->waitFor([&] { return takesAre(2) && path.outdated() && program.outdated(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return takesAre(2) && path.outdated() && program.outdated(); }));
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return takesAre(1); }));
         QVERIFY(!path.outdated() && path.evaluated() == evaluated);
         QVERIFY(!program.outdated());
         driver_->shoot("strokes-first-undone");
         driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(driver_->waitFor([&] { return takesAre(2) && path.outdated() && program.outdated(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return takesAre(2) && path.outdated() && program.outdated(); }));
         QCOMPARE(workbench().mill.strokesOf(workbench().mill.takes()[1].id), std::size_t{1});
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return takesAre(1); }));
 
         const double removed = removedSoFar(*workbench().workpiece.milling());
         const QString file = driver_->folder().filePath("strokes.burin");
@@ -349,7 +349,7 @@ private slots:
         QVERIFY(driver_->restart());
         driver_->window().openFile(file);
         QVERIFY(driver_->waitFor([&] { return workbench().workpiece.ready() && !workbench().workpiece.embedding(); }));
-        QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return takesAre(1); }));
         QCOMPARE(removedSoFar(*workbench().workpiece.milling()), removed);
         QVERIFY(driver_->waitFor(
             [&] { return workbench().path.evaluated() && !workbench().path.outdated() && !workbench().path.busy(); }));
@@ -360,13 +360,13 @@ private slots:
         millLine(*driver_, {-12, -4}, {12, -4});
         QVERIFY(strokesAre(1));
         driver_->key(Qt::Key_Escape);
-        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return !workbench().session.running(); }));
         QVERIFY(workbench().setup.locked() && workbench().path.hasTakes());
         driver_->key(Qt::Key_Z, Qt::ControlModifier);
-        QVERIFY(driver_->waitFor([&] { return takesAre(0); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return takesAre(0); }));
         QVERIFY(!workbench().setup.locked() && !workbench().path.hasTakes());
         driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(driver_->waitFor([&] { return takesAre(1); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return takesAre(1); }));
         QVERIFY(workbench().setup.locked() && workbench().path.hasTakes());
         // A path of the take is undone and redone with it.
         const PathController& path = workbench().path;
@@ -375,7 +375,7 @@ private slots:
         QVERIFY(driver_->waitFor([&] { return path.evaluated() && !path.outdated() && !path.busy(); }));
         const auto evaluated = path.evaluated();
         for (int i = 0; i < 2; ++i) driver_->key(Qt::Key_Z, Qt::ControlModifier); // the path, and the stroke
-        QVERIFY(driver_->waitFor([&] { return takesAre(0); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return takesAre(0); }));
         QVERIFY(path.stored() == nullptr && !path.evaluated());
         for (int i = 0; i < 2; ++i) driver_->key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(driver_->waitFor([&] { return takesAre(1) && path.evaluated() == evaluated && !path.outdated(); }));
@@ -411,7 +411,7 @@ private slots:
         driver_->shoot("strokes-cube");
         QTest::mouseMove(under, under->mapFrom(&driver_->window(), cube));
         QTest::mouseClick(under, Qt::LeftButton, {}, under->mapFrom(&driver_->window(), cube));
-        QVERIFY(driver_->waitFor([&] { return viewport().sight({1.0, 1.0}).rayDirection != looked; }, 3000));
+        QVERIFY(driver_->waitFor([&] { return viewport().sight({1.0, 1.0}).rayDirection != looked; }));
     }
 
     /// A lock is set by a key, while the user is moving to a field.

@@ -83,7 +83,7 @@ bool takeInHand(WindowDriver& driver, Hand& hand, int buttons) {
     const auto pen = [&] {
         return std::ranges::find(workbench.styluses.choices(), std::string("pens:one"), &StylusController::Choice::id);
     };
-    if (!driver.waitFor([&] { return pen() != workbench.styluses.choices().end(); }, 5000)) return false;
+    if (!driver.waitFor([&] { return pen() != workbench.styluses.choices().end(); })) return false;
     workbench.styluses.choose(static_cast<std::size_t>(pen() - workbench.styluses.choices().begin()));
     driver.key(Qt::Key_E, Qt::ControlModifier | Qt::AltModifier);
     return true;
@@ -126,7 +126,7 @@ void TestWindowStylusEdit::aDeviceMovesAPointAndThePartHoldsIt() {
     QVERIFY(makePath(driver));
     const StylusEditor& editor = workbench.stylusEditor;
     QVERIFY(takeInHand(driver, hand, 1));
-    QVERIFY(driver.waitFor([&] { return editor.active(); }, 10000));
+    QVERIFY(driver.waitFor([&] { return editor.active(); }));
     QVERIFY(menuAction(driver, "stylusEditAction")->isChecked());
     const WorkspaceMapping mapping = workbench.hand.device()->mapping;
     const PathPoint middle = middleOf(workbench);
@@ -159,7 +159,7 @@ void TestWindowStylusEdit::aDeviceMovesAPointAndThePartHoldsIt() {
     QVERIFY(lead(from + glm::dvec3(0.0, 3.0, partTop - from.z - 10.0)));
     QVERIFY(driver.waitFor([&] { return (workbench.session.state().sample.flags & sampleOnBoundary) != 0; }));
     QVERIFY(workbench.session.state().sample.force.z > 0.1 || // forces fade in slowly on a busy machine
-            driver.waitFor([&] { return workbench.session.state().sample.force.z > 0.1; }, 10000));
+            driver.waitFor([&] { return workbench.session.state().sample.force.z > 0.1; }));
     driver.shoot("stylus-edit-2-held");
     const int entries = workbench.undo().count();
     hand.button = false;
@@ -175,12 +175,12 @@ void TestWindowStylusEdit::aDeviceMovesAPointAndThePartHoldsIt() {
     QVERIFY(editor.active());                    // the next point can be taken
     QVERIFY(workbench.mill.takes().size() == 1); // nothing was recorded
     driver.key(Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return movesOf(workbench).empty(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return movesOf(workbench).empty(); }));
     QVERIFY(upToDate(driver));
 
     // Esc leaves the point where it was, and then ends the work with the stylus.
     QVERIFY(lead(middle.pose.tip + glm::dvec3(0.0, 1.0, 0.0)));
-    QVERIFY(driver.waitFor([&] { return editor.within().has_value(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return editor.within().has_value(); }));
     hand.button = true;
     QVERIFY(driver.waitFor([&] { return editor.held().has_value(); }));
     QVERIFY(lead(middle.pose.tip + glm::dvec3(0.0, 6.0, 0.0)));
@@ -190,7 +190,7 @@ void TestWindowStylusEdit::aDeviceMovesAPointAndThePartHoldsIt() {
     QTest::qWait(200);
     QVERIFY(movesOf(workbench).empty());
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !editor.active() && !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !editor.active() && !workbench.session.running(); }));
     QVERIFY(!workbench.hand.hasDevice());
 }
 
@@ -200,7 +200,7 @@ void TestWindowStylusEdit::thePointerLeadsTheTool() {
     QVERIFY(makePath(driver));
     const StylusEditor& editor = workbench.stylusEditor;
     QVERIFY(driver.clickOn("stylusEditButton"));
-    QVERIFY(driver.waitFor([&] { return editor.usesMouse(); }, 10000));
+    QVERIFY(driver.waitFor([&] { return editor.usesMouse(); }));
     Viewport& viewport = driver.window().viewport();
     const PathPoint middle = middleOf(workbench);
     const glm::dvec3 aside = middle.pose.tip + glm::dvec3(0.0, 4.0, 0.0);
@@ -211,7 +211,7 @@ void TestWindowStylusEdit::thePointerLeadsTheTool() {
     };
     drag();
     QVERIFY(editor.held());
-    QVERIFY(driver.waitFor([&] { return glm::length(editor.by()) > 3.5; }, 10000));
+    QVERIFY(driver.waitFor([&] { return glm::length(editor.by()) > 3.5; }));
     driver.shoot("stylus-edit-3-pointer");
     driver.key(Qt::Key_Escape);
     QVERIFY(!editor.held());
@@ -221,7 +221,7 @@ void TestWindowStylusEdit::thePointerLeadsTheTool() {
 
     drag();
     QTest::mouseRelease(&viewport, Qt::LeftButton, {}, to); // the tool goes on to where the pointer led it
-    QVERIFY(driver.waitFor([&] { return movesOf(workbench).size() == 1; }, 10000));
+    QVERIFY(driver.waitFor([&] { return movesOf(workbench).size() == 1; }));
     const MovePoints move = movesOf(workbench)[0];
     const QPointF pixels = viewport.project(aside) - viewport.project(aside - glm::dvec3(0.0, 1.0, 0.0));
     const double pixel = 1.0 / std::hypot(pixels.x(), pixels.y());
@@ -229,7 +229,7 @@ void TestWindowStylusEdit::thePointerLeadsTheTool() {
              qPrintable(QStringLiteral("%1 %2 %3").arg(move.by.x).arg(move.by.y).arg(move.by.z)));
     QVERIFY(upToDate(driver));
     QVERIFY(driver.step(JobStep::program)); // leaving the step puts the stylus down
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
 }
 
 void TestWindowStylusEdit::aDeviceWithoutAButtonIsRefused() {
@@ -237,7 +237,7 @@ void TestWindowStylusEdit::aDeviceWithoutAButtonIsRefused() {
     WindowDriver driver;
     QVERIFY(makePath(driver));
     QVERIFY(takeInHand(driver, hand, 0));
-    QVERIFY(driver.waitFor([&] { return driver.message().contains("“Pen” has no button"); }, 10000));
+    QVERIFY(driver.waitFor([&] { return driver.message().contains("“Pen” has no button"); }));
     QVERIFY(!driver.window().workbench().session.running());
 }
 

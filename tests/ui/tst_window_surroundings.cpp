@@ -62,7 +62,7 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
     // A clamp on the stock's top, starting 5 mm right of its middle; the tool keeps 1 mm away from it.
     QVERIFY(scrollTo(driver, "stockPage", "addObstacleButton"));
     QVERIFY(driver.clickOn("addObstacleButton"));
-    QVERIFY(driver.waitFor([&] { return workbench.surroundings.obstacles().size() == 1; }, 3000));
+    QVERIFY(driver.waitFor([&] { return workbench.surroundings.obstacles().size() == 1; }));
     for (const auto& [field, value] :
          {std::pair{"obstacle0PlaceX", "5"}, {"obstacle0PlaceZ", "0"}, {"obstacle0SizeZ", "8"}})
         QVERIFY2(driver.enter(field, value), field);
@@ -74,7 +74,7 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
 
     QVERIFY(driver.step(JobStep::mill));
     QVERIFY(driver.clickOn("millButton"));
-    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return workbench.mill.active(); }));
     bool told = false;
     const auto* hint = driver.window().findChild<Notice*>("millHint");
     const auto listening = QObject::connect(&workbench.session, &SessionRunner::ticked, this, [&] {
@@ -93,7 +93,7 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
 
     QVERIFY(scrollTo(driver, "millPage", "bound0Switch"));
     QTest::mouseClick(driver.window().findChild<QCheckBox*>("bound0Switch"), Qt::LeftButton, {}, QPoint(8, 8));
-    QVERIFY(driver.waitFor([&] { return !workbench.surroundings.obstacles()[0].on; }, 3000));
+    QVERIFY(driver.waitFor([&] { return !workbench.surroundings.obstacles()[0].on; }));
     QVERIFY(workbench.mill.recording()); // switching does not end the recording
     {
         const Farthest farthest(workbench);
@@ -101,7 +101,7 @@ void TestWindowSurroundings::theToolKeepsOutOfAFixture() {
         QVERIFY2(farthest.get() > 15.0, qPrintable(QString::number(farthest.get())));
     }
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
     workbench.guides.add(GuideKind::levels);
 
     const QString file = driver.folder().filePath("clamped.burin");

@@ -61,7 +61,7 @@ struct Table {
         }
         QObject::connect(&workbench.session, &SessionRunner::ticked, &driver.window(), [this] { watch(); });
         return driver.step(JobStep::mill) && driver.clickOn("millButton") &&
-               driver.waitFor([&] { return workbench.mill.active(); }, 5000);
+               driver.waitFor([&] { return workbench.mill.active(); });
     }
     double top() const { return workbench.setup.setup().workOffset.z; }
     void watch() {
@@ -91,7 +91,7 @@ struct Table {
         putDown(-12.0, y, pressure);
         drawTo(12.0, y, -12.0);
         pen.release(at(12.0, y));
-        driver.waitFor([this] { return !workbench.mill.stylus()->strokeUnderWay(); }, 5000);
+        driver.waitFor([this] { return !workbench.mill.stylus()->strokeUnderWay(); });
     }
 };
 
@@ -103,7 +103,7 @@ void TestWindowTablet::thePressureSetsTheDepth() {
     QVERIFY(!table.driver.visible("penDepthButton")); // no pen was seen yet
     table.line(0.0, 0.25);                            // of the depth of cut, 1 mm
     QVERIFY2(std::abs(table.lowest + 0.25) < 0.02, qPrintable(QString::number(table.lowest)));
-    QVERIFY(table.driver.waitFor([&] { return table.driver.visible("penDepthButton") != nullptr; }, 3000));
+    QVERIFY(table.driver.waitFor([&] { return table.driver.visible("penDepthButton") != nullptr; }));
     const double shallow = removedSoFar(*table.workbench.workpiece.milling());
     table.line(9.0, 0.75);
     QVERIFY2(std::abs(table.lowest + 0.75) < 0.02, qPrintable(QString::number(table.lowest)));
@@ -124,17 +124,16 @@ void TestWindowTablet::thePressureSinksTheTool() {
     table.pen.hover(table.at(0.0, 0.0));
     QVERIFY(table.driver.clickOn("penSinkButton"));
     QVERIFY(table.driver.enter("sinkSpeedField", "1"));
-    QVERIFY(
-        table.driver.waitFor([] { return UserSettings().penSinks() && UserSettings().penSinkSpeed() == 1.0; }, 3000));
+    QVERIFY(table.driver.waitFor([] { return UserSettings().penSinks() && UserSettings().penSinkSpeed() == 1.0; }));
     table.putDown(0.0, 0.0, 0.5);
-    QVERIFY(table.driver.waitFor([&] { return table.lowest < -0.1; }, 5000));
+    QVERIFY(table.driver.waitFor([&] { return table.lowest < -0.1; }));
     const double before = table.lowest;
     QElapsedTimer clock;
     clock.start();
     QTest::qWait(500); // the pen rests: no events
     const double sunk = before - table.lowest, seconds = 1e-3 * static_cast<double>(clock.elapsed());
     QVERIFY2(std::abs(sunk - 0.5 * seconds) < 0.12, qPrintable(QString::number(sunk))); // 0.5 mm/s at half the pressure
-    QVERIFY(table.driver.waitFor([&] { return table.lowest < -0.995; }, 5000));
+    QVERIFY(table.driver.waitFor([&] { return table.lowest < -0.995; }));
     QTest::qWait(300);
     QVERIFY(table.lowest > -1.02); // not below the depth of cut
     table.pen.release(table.at(0.0, 0.0));
@@ -187,7 +186,7 @@ void TestWindowTablet::theEraserRetractsTheTool() {
     table.lowest = 1e9;
     table.pen.drag(table.at(6.0, 0.0));
     const double above = table.workbench.workpiece.milling()->setup.stock.high.z;
-    QVERIFY(table.driver.waitFor([&] { return table.workbench.mill.stylus()->tip().z > above + 1.99; }, 5000));
+    QVERIFY(table.driver.waitFor([&] { return table.workbench.mill.stylus()->tip().z > above + 1.99; }));
     QVERIFY(!table.workbench.session.state().cutting);
     QTest::qWait(300); // it does not settle lower
     QVERIFY(table.workbench.mill.stylus()->tip().z > above + 1.99);
@@ -209,7 +208,7 @@ void TestWindowTablet::thePenMovesTheViewAndIsLost() {
     table.drawTo(0.0, 0.0, -12.0);
     QVERIFY(table.workbench.session.state().cutting);
     table.pen.leave(); // torn away: its release is never reported
-    QVERIFY(table.driver.waitFor([&] { return !table.workbench.mill.stylus()->strokeUnderWay(); }, 5000));
+    QVERIFY(table.driver.waitFor([&] { return !table.workbench.mill.stylus()->strokeUnderWay(); }));
     QTRY_VERIFY(!table.workbench.session.state().cutting);
 }
 

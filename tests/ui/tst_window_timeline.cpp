@@ -37,7 +37,7 @@ private slots:
         QVERIFY(driver_->step(JobStep::mill));
         stock_ = now();
         QVERIFY(driver_->clickOn("millButton"));
-        QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }, 5000));
+        QVERIFY(driver_->waitFor([&] { return workbench().mill.active(); }));
         millLine(*driver_, {-15, -8}, {-5, -8});
         QVERIFY(strokesAre(1));
         QVERIFY(leaveMilling());
@@ -406,17 +406,17 @@ private:
     std::uint64_t now() { return fingerprint(workbench().workpiece.milling()->embedded.workpiece.snapshot()); }
     bool busy() { return workbench().workpiece.embedding() || !workbench().tasks().idle(); }
     bool stands(std::uint64_t wanted) {
-        return driver_->waitFor([&] { return !busy() && now() == wanted; }, 10000);
+        return driver_->waitFor([&] { return !busy() && now() == wanted; });
     }
     bool strokesAre(std::size_t count) {
-        return driver_->waitFor([&] { return workbench().workpiece.strokes().count() == count; }, 10000);
+        return driver_->waitFor([&] { return workbench().workpiece.strokes().count() == count; });
     }
     bool enterMilling() {
-        return driver_->clickOn("millButton") && driver_->waitFor([&] { return workbench().mill.active(); }, 5000);
+        return driver_->clickOn("millButton") && driver_->waitFor([&] { return workbench().mill.active(); });
     }
     bool leaveMilling() {
         return driver_->clickOn("millButton") &&
-               driver_->waitFor([&] { return !workbench().mill.active() && !workbench().session.running(); }, 5000) &&
+               driver_->waitFor([&] { return !workbench().mill.active() && !workbench().session.running(); }) &&
                driver_->settle();
     }
     std::vector<std::int64_t> listed() {
@@ -426,14 +426,12 @@ private:
     }
     /// Waits until the takes are in that order, both in the list and in the timeline.
     bool goesBy(const std::vector<std::int64_t>& ids) {
-        const bool goes = driver_->waitFor(
-            [&] {
-                if (busy() || !time().possible() || time().reading()) return false;
-                std::vector<std::int64_t> tracks;
-                for (const TakeTrack& track : time().recorded()->tracks) tracks.push_back(track.info.id);
-                return listed() == ids && tracks == ids;
-            },
-            10000);
+        const bool goes = driver_->waitFor([&] {
+            if (busy() || !time().possible() || time().reading()) return false;
+            std::vector<std::int64_t> tracks;
+            for (const TakeTrack& track : time().recorded()->tracks) tracks.push_back(track.info.id);
+            return listed() == ids && tracks == ids;
+        });
         QTest::qWait(50); // the view is told
         return goes;
     }
@@ -474,8 +472,7 @@ private:
         QContextMenuEvent wanted(QContextMenuEvent::Mouse, place, view->mapToGlobal(place));
         QCoreApplication::sendEvent(view, &wanted);
         QMenu* menu = nullptr;
-        if (!driver_->waitFor([&] { return (menu = driver_->window().findChild<QMenu*>("takeMenu")) != nullptr; },
-                              3000))
+        if (!driver_->waitFor([&] { return (menu = driver_->window().findChild<QMenu*>("takeMenu")) != nullptr; }))
             return false;
         driver_->shoot("timeline-menu");
         for (QAction* each : menu->actions())

@@ -122,7 +122,7 @@ void TestWindowTools::eachToolHasItsPathAndTheProgramHasThemAll() {
     QVERIFY(workbench.program.exportable());
 
     // Inches, and back.
-    QVERIFY(driver.waitFor([&] { return driver.visible<QComboBox>("programUnits") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible<QComboBox>("programUnits") != nullptr; }));
     auto* units = driver.visible<QComboBox>("programUnits");
     QTRY_COMPARE(units->currentIndex(), 0); // panels follow a moment later
     units->setFocus();
@@ -246,9 +246,9 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     const QImage with = viewport->grabFramebuffer();
     driver.key(Qt::Key_6, Qt::ControlModifier);
     QVERIFY(!shown->isChecked());
-    QVERIFY(driver.waitFor([&] { return viewport->grabFramebuffer() != with; }, 3000));
+    QVERIFY(driver.waitFor([&] { return viewport->grabFramebuffer() != with; }));
     driver.key(Qt::Key_6, Qt::ControlModifier);
-    QVERIFY(driver.waitFor([&] { return viewport->grabFramebuffer() == with; }, 3000));
+    QVERIFY(driver.waitFor([&] { return viewport->grabFramebuffer() == with; }));
 
     // The ball's feed is that in a groove that is already cut; the program's text has the same feed.
     QVERIFY(useTool(driver, "ball-6"));
@@ -261,7 +261,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
 
     // Without the large tool's path the ball cuts everything in the program.
     QVERIFY(driver.step(JobStep::program));
-    QVERIFY(driver.waitFor([&] { return driver.visible("programPath1Switch") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("programPath1Switch") != nullptr; }));
     QVERIFY(driver.clickOn("programPath0Switch"));
     QVERIFY(postProgram(driver));
     QVERIFY(workbench.program.exportable());
@@ -291,7 +291,7 @@ void TestWindowTools::aLaterToolSeesWhatAnEarlierOneLeft() {
     QVERIFY(levelled());
     QVERIFY(std::abs(cutOver(*workbench.path.evaluated(), 8.0).feed / inStock - 1.0) < 0.2);
     QVERIFY(driver.step(JobStep::path));
-    QVERIFY(driver.waitFor([&] { return driver.visible("pathNotice") != nullptr; }, 3000));
+    QVERIFY(driver.waitFor([&] { return driver.visible("pathNotice") != nullptr; }));
     QTRY_VERIFY(driver.visible<Notice>("pathNotice")->sentence().contains(QStringLiteral("10 mm")));
     QVERIFY(driver.visible<Notice>("pathNotice")->kind() == Notice::Kind::warning);
     driver.shoot("33-path-before-impossible");

@@ -34,7 +34,7 @@ int apart(const QColor& a, const QColor& b) {
 bool startMilling(WindowDriver& driver) {
     if (!driver.step(JobStep::mill)) return false;
     driver.key(Qt::Key_M);
-    return driver.waitFor([&] { return driver.window().workbench().mill.active(); }, 5000);
+    return driver.waitFor([&] { return driver.window().workbench().mill.active(); });
 }
 
 bool pressed(const QAction* action) {
@@ -86,10 +86,10 @@ void TestWindowView::aClickInTheParallelTopViewCutsThere() {
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, at);
     QVERIFY(glm::distance(glm::dvec2(tip), expected) < 1.5 * scale);
     QVERIFY(tip.z < box.high.z);
-    QVERIFY(driver.waitFor([&] { return !workbench.session.state().cutting; }, 3000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.state().cutting; }));
     QTest::qWait(300); // before the tool has risen, Esc would end only the stroke
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
 }
 
 void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
@@ -137,10 +137,9 @@ void TestWindowView::thePartAndThePlaceOfAPressAreSeenThroughTheStock() {
     QTest::mouseRelease(&viewport, Qt::LeftButton, Qt::NoModifier, viewport.project(place).toPoint());
     const QPoint foot = (viewport.project({part.high.x - 9.0, part.low.y, part.low.z}) * ratio).toPoint();
     QVERIFY(apart(cutting.pixelColor(foot), bare.pixelColor(foot)) < 12);
-    QVERIFY(
-        driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; }, 5000)); // else Esc ends the stroke
+    QVERIFY(driver.waitFor([&] { return workbench.workpiece.strokes().count() == 1; })); // else Esc ends the stroke
     driver.key(Qt::Key_Escape);
-    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }, 5000));
+    QVERIFY(driver.waitFor([&] { return !workbench.session.running(); }));
 }
 
 void TestWindowView::theProjectionIsRemembered() {
@@ -153,14 +152,14 @@ void TestWindowView::theProjectionIsRemembered() {
     QVERIFY(!isParallel());
     driver.key(Qt::Key_P);
     QVERIFY(pressed(menuAction(driver, QStringLiteral("parallelViewAction"))));
-    QVERIFY(driver.waitFor(isParallel, 3000));
+    QVERIFY(driver.waitFor(isParallel));
     QTest::qWait(500);
     driver.shoot("32-parallel");
     QVERIFY(driver.restart(true));
     QVERIFY(pressed(menuAction(driver, QStringLiteral("parallelViewAction"))));
     QVERIFY(isParallel());
     driver.key(Qt::Key_P);
-    QVERIFY(driver.waitFor([&] { return !isParallel(); }, 3000));
+    QVERIFY(driver.waitFor([&] { return !isParallel(); }));
 }
 
 void TestWindowView::theSliderShowsThePartThroughTheWorkpiece() {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/ui/window_driver.h"
+#include "tests/long_run.h"
 #include "tests/places.h"
 
 #include <QAbstractSpinBox>
@@ -46,7 +47,7 @@ void WindowDriver::open() {
 
 bool WindowDriver::endQuietly() {
     window_->endQuietly();
-    return QTest::qWaitFor([this] { return !window_->isVisible(); }, 20000);
+    return QTest::qWaitFor([this] { return !window_->isVisible(); }, 30000);
 }
 
 bool WindowDriver::restart(bool quietly) {
@@ -54,7 +55,7 @@ bool WindowDriver::restart(bool quietly) {
         endQuietly();
     else
         window_->close();
-    if (!QTest::qWaitFor([this] { return !window_->isVisible(); }, 20000)) return false;
+    if (!QTest::qWaitFor([this] { return !window_->isVisible(); }, 30000)) return false;
     window_.reset();
     open();
     return true;
@@ -65,7 +66,7 @@ bool WindowDriver::clickOn(const char* name) {
         const auto* widget = visible<QWidget>(name);
         return widget != nullptr && widget->isEnabled();
     };
-    if (!waitFor(ready, 3000)) return false; // panels follow an event a moment later
+    if (!waitFor(ready)) return false; // panels follow an event a moment later
     auto* widget = visible<QWidget>(name);
     QTest::mouseClick(widget, Qt::LeftButton);
     return true;
@@ -80,7 +81,7 @@ bool WindowDriver::enter(const char* name, const QString& text) {
         const auto* field = visible<QAbstractSpinBox>(name);
         return field != nullptr && field->isEnabled();
     };
-    if (!waitFor(ready, 3000)) return false;
+    if (!waitFor(ready)) return false;
     auto* field = visible<QAbstractSpinBox>(name);
     for (QWidget* parent = field->parentWidget(); parent != nullptr; parent = parent->parentWidget())
         if (auto* area = qobject_cast<QScrollArea*>(parent)) area->ensureWidgetVisible(field);
@@ -128,11 +129,17 @@ bool WindowDriver::settle(int milliseconds) const {
 }
 
 void WindowDriver::shoot(const QString& name) const {
+    QWidget* dialog = QApplication::activeModalWidget();
+    keepPicture(dialog != nullptr ? *dialog : *window_, name);
+}
+
+void keepPicture(QWidget& widget, const QString& name) {
+    QCoreApplication::processEvents(); // what follows an event happens in any run
+    if (!longRun() && !qEnvironmentVariableIsSet("BURIN_SCREENSHOTS")) return;
     const QDir folder(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots"));
     folder.mkpath(QStringLiteral("."));
     QTest::qWait(150); // presenters and painting run after the event
-    QWidget* dialog = QApplication::activeModalWidget();
-    (dialog != nullptr ? dialog : window_.get())->grab().save(folder.filePath(name + QStringLiteral(".png")));
+    widget.grab().save(folder.filePath(name + QStringLiteral(".png")));
 }
 
 } // namespace burin::testing

@@ -13,6 +13,10 @@
 
 namespace burin::testing {
 
+/// Saves the picture of a widget as tests/screenshots/<name>.png in the build tree, to be looked at: in long runs, and
+/// where BURIN_SCREENSHOTS is set, as all of them together take a good part of a run.
+void keepPicture(QWidget& widget, const QString& name);
+
 /// A window that is independent of the tester's settings and projects, operated by mouse and keyboard.
 class WindowDriver {
 public:
@@ -46,7 +50,7 @@ public:
     QString message() const; ///< the sentence above the viewport; empty if there is none
     bool waitFor(const std::function<bool()>& what, int milliseconds = 30000) const;
     bool settle(int milliseconds = 30000) const; ///< until no work runs in the background
-    /// Saves the picture of the open dialog, or else of the window, as tests/screenshots/<name>.png in the build tree.
+    /// Keeps the picture of the open dialog, or else of the window.
     void shoot(const QString& name) const;
 
 private:

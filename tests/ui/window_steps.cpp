@@ -82,10 +82,10 @@ void millLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to
 bool recordLine(WindowDriver& driver, const glm::dvec2& from, const glm::dvec2& to, LinePace pace) {
     Workbench& workbench = driver.window().workbench();
     if (!driver.step(JobStep::mill) || !driver.clickOn("millButton")) return false;
-    if (!driver.waitFor([&] { return workbench.mill.active(); }, 5000)) return false;
+    if (!driver.waitFor([&] { return workbench.mill.active(); })) return false;
     millLine(driver, from, to, pace);
     driver.key(Qt::Key_Escape);
-    return driver.waitFor([&] { return !workbench.session.running(); }, 5000);
+    return driver.waitFor([&] { return !workbench.session.running(); });
 }
 
 bool newPath(WindowDriver& driver) {
@@ -130,8 +130,7 @@ std::vector<QAction*> menuActions(WindowDriver& driver) {
 bool saveAs(WindowDriver& driver, const QString& file) {
     chooseFile(driver, file);
     driver.key(Qt::Key_S, Qt::ControlModifier);
-    return driver.waitFor([&] { return QFile::exists(file) && !driver.window().workbench().document.unsaved(); },
-                          10000);
+    return driver.waitFor([&] { return QFile::exists(file) && !driver.window().workbench().document.unsaved(); });
 }
 
 bool answer(QWidget& dialog, const char* button) {
