@@ -142,14 +142,15 @@ function(burin_test_entry test seconds environment)
         ENVIRONMENT "QTEST_FUNCTION_TIMEOUT=${seconds}000;${environment}")
 endfunction()
 
-# burin_test(PLACE NAME [GUI] [USES ...] [TIMEOUT SECONDS] [LONG SECONDS] [AFTER ...])
+# burin_test(PLACE NAME [GUI] [USES ...] [TIMEOUT SECONDS] [LONG SECONDS] [ONLY_LONG] [AFTER ...])
 # tst_NAME.cpp, a class of QtTest, which ctest runs as PLACE.NAME. The tests of a PLACE share the program tst_PLACE,
 # which takes NAME as its first argument: compiling and linking them together takes half of the time. AFTER names
-# programs that it starts. With GUI it gets an X display of its own. LONG: it has more cases than the usual run uses
-# (tests/long_run.h); all of them, with that time limit, are the test PLACE.NAME.long of `tests/run --long`.
+# programs that it starts. With GUI it gets an X display of its own. Where its source names more cases than the usual run
+# uses (tests/long_run.h), all of them are the test PLACE.NAME.long of `tests/run --long`, with the time limit LONG;
+# ONLY_LONG: it has no others.
 find_program(XVFB_RUN xvfb-run)
 function(burin_test place name)
-    cmake_parse_arguments(PARSE_ARGV 2 arg "GUI" "TIMEOUT;LONG" "USES;AFTER")
+    cmake_parse_arguments(PARSE_ARGV 2 arg "GUI;ONLY_LONG" "TIMEOUT;LONG" "USES;AFTER")
     set(platform offscreen)
     set(launcher)
     if(arg_GUI)
@@ -169,7 +170,13 @@ function(burin_test place name)
         set(arg_TIMEOUT 300)
     endif()
     set(environment "QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
-    burin_test_entry(${place}.${name} ${arg_TIMEOUT} "${environment}" ${launcher} $<TARGET_FILE:${program}> ${name})
+    if(NOT arg_ONLY_LONG)
+        burin_test_entry(${place}.${name} ${arg_TIMEOUT} "${environment}" ${launcher} $<TARGET_FILE:${program}> ${name})
+    endif()
+    file(STRINGS tst_${name}.cpp more_cases REGEX "BURIN_ONLY_IN_LONG_RUNS|inLongRun|longRun|holdsInShare")
+    if(more_cases AND NOT arg_LONG)
+        set(arg_LONG 900)
+    endif()
     if(arg_LONG)
         burin_test_entry(${place}.${name}.long ${arg_LONG} "BURIN_LONG_RUN=1;${environment}"
             ${launcher} $<TARGET_FILE:${program}> ${name} -maxwarnings 0)

@@ -57,8 +57,10 @@ bool namesAFunction(const QMetaObject& test, const std::vector<QByteArray>& argu
 } // namespace
 
 std::vector<QByteArray> withFunctions(const QMetaObject& test, std::vector<QByteArray> arguments) {
-    if (!testing::longRun() && !namesAFunction(test, arguments))
-        for (const QByteArray& name : functionsOf(test, false)) arguments.push_back(name);
+    if (testing::longRun() || namesAFunction(test, arguments)) return arguments;
+    const std::vector<QByteArray> usual = functionsOf(test, false);
+    if (usual.empty()) qFatal("All functions of this test are for long runs: set BURIN_LONG_RUN, or name one.");
+    arguments.insert(arguments.end(), usual.begin(), usual.end());
     return arguments;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // Compares a path with another version of it, by mouse and keys.
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/scene/camera_view.h"
@@ -125,7 +126,7 @@ private slots:
     }
 
     /// The comparison follows the edits and ends with the path. A hidden path is visible while it is compared.
-    void theComparisonFollowsThePath() {
+    BURIN_ONLY_IN_LONG_RUNS void theComparisonFollowsThePath() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         QVERIFY(openShifted(driver));

@@ -142,8 +142,8 @@ private slots:
             enterCell(table, rowOf(table, "hardness"), 2, "ShoreD");
             driver.shoot("library-02-changed");
             QTest::keyClick(&dialog, Qt::Key_S, Qt::ControlModifier);
+            QVERIFY(driver.waitFor([&] { return !button(dialog, "saveMaterialButton").isEnabled(); }));
             driver.shoot("library-03-saved");
-            QVERIFY(!button(dialog, "saveMaterialButton").isEnabled());
             click(dialog, "closeMaterialsButton");
         });
         driver.window().setFocus();
@@ -350,7 +350,7 @@ private slots:
     }
 
     /// The expected value is from Pythagoras: a rotating bar of 6 × 8 mm sweeps a cylinder of 10 mm.
-    void aToolIsMadeOfAModel() {
+    BURIN_ONLY_IN_LONG_RUNS void aToolIsMadeOfAModel() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
         QVERIFY(open(driver));
@@ -442,7 +442,7 @@ private slots:
     }
 
     /// A core drill of 12 × 8 mm, made of a model and pressed down with the mouse: the stock inside it stays.
-    void aCoreDrillLeavesACore() {
+    BURIN_ONLY_IN_LONG_RUNS void aCoreDrillLeavesACore() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
         QVERIFY(makeReady(driver));

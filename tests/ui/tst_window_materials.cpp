@@ -181,7 +181,7 @@ private slots:
     }
 
     /// Aluminium, a brass insert, oak and a graded foam in one drag of the mouse; then the path and its program.
-    void oneDragMillsAllFourMaterials() {
+    BURIN_ONLY_IN_LONG_RUNS void oneDragMillsAllFourMaterials() {
         WindowDriver driver(QSize(1280, 800));
         Workbench& workbench = driver.window().workbench();
         QVERIFY(open(driver));

@@ -183,7 +183,7 @@ private slots:
     }
 
     /// A saved project opens again with its workpiece and its path.
-    void passesAreKept() {
+    BURIN_ONLY_IN_LONG_RUNS void passesAreKept() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         QVERIFY(hasTool(driver, "flat-10"));
@@ -253,7 +253,7 @@ private slots:
 
     /// A hole of 8 mm is picked by a click and drilled at 6.8 mm; then the thread mill offers its thread, which is
     /// milled. A second click removes the hole, and so does the key Del in the list.
-    void aPickedHoleGetsAThread() {
+    BURIN_ONLY_IN_LONG_RUNS void aPickedHoleGetsAThread() {
         WindowDriver driver;
         QVERIFY(hasPlateWithHole(driver, 8.0));
         Workbench& workbench = workbenchOf(driver);
@@ -423,7 +423,7 @@ private slots:
 
     /// A recorded line leads a pass that blends into it. When the path mills the line no more, the pass is
     /// marked, and one key computes it again; undone, it is out of date again, until the take is back as well.
-    void aChangedStrokeMarksItsPass() {
+    BURIN_ONLY_IN_LONG_RUNS void aChangedStrokeMarksItsPass() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         QVERIFY(hasTool(driver, "ball-6"));

@@ -123,7 +123,7 @@ private slots:
     BURIN_ONLY_IN_LONG_RUNS void anAreaIsDrawnAndEmptied();
     BURIN_ONLY_IN_LONG_RUNS void theMirrorsPlaneIsDrawn();
     void theWorstPlaceOfAnEditIsShown();
-    void aPointIsInsertedAndDragged();
+    BURIN_ONLY_IN_LONG_RUNS void aPointIsInsertedAndDragged();
 };
 
 void TestWindowPath::placesAreDraggedIntervalsDrawnAndEditsOrdered() {

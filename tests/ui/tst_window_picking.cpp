@@ -3,6 +3,7 @@
 // A click on a path selects the point under the pointer, on a line and on an arc.
 #include "core/geometry/arc.h"
 #include "core/path/hand_interval.h"
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/input/mill_tool.h"
@@ -99,7 +100,7 @@ private slots:
 
     /// Seen from above and obliquely: a click on a drawn arc selects that point of it, with its time in the recording;
     /// a click on the middle of the chord, where nothing is drawn, selects nothing. Esc does what the status line says.
-    void aPlaceOnAFittedArcIsChosen() {
+    BURIN_ONLY_IN_LONG_RUNS void aPlaceOnAFittedArcIsChosen() {
         WindowDriver driver(QSize(1280, 920)); // as high a resolution as without the timeline
         Workbench& workbench = driver.window().workbench();
         QVERIFY(makeReady(driver));

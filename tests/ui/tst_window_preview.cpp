@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/long_run.h"
 #include "tests/places.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
@@ -97,7 +98,7 @@ private slots:
     void aPartIsSeenBeforeItsMesh();
     void stoppingBringsTheOpenJobBack();
     void fromTheWelcomePageAndBack();
-    void theStatusLineNamesEachStep();
+    BURIN_ONLY_IN_LONG_RUNS void theStatusLineNamesEachStep();
 };
 
 void TestWindowPreview::aPartIsSeenBeforeItsMesh() {

@@ -74,13 +74,13 @@ class TestWindowProgram : public QObject {
 private slots:
     void aMoveAndItsLineLeadToEachOther();
     BURIN_ONLY_IN_LONG_RUNS void textThatWasNotCheckedSurvivesAnEndFromOutside();
-    void textThatTheCheckRefusedSurvives();
+    BURIN_ONLY_IN_LONG_RUNS void textThatTheCheckRefusedSurvives();
     BURIN_ONLY_IN_LONG_RUNS void whatIsTypedWhileItIsCheckedStays();
     BURIN_ONLY_IN_LONG_RUNS void aNewTextToolAndValuesStandOnOneLine();
     BURIN_ONLY_IN_LONG_RUNS void theTextOpensNextToTheView();
     void findingsStandBesideTheText();
     BURIN_ONLY_IN_LONG_RUNS void theRestIsExportedFromTheSelectedLine();
-    void aRefusedRestIsExportedWithAReason();
+    BURIN_ONLY_IN_LONG_RUNS void aRefusedRestIsExportedWithAReason();
     BURIN_ONLY_IN_LONG_RUNS void aMachineIsCopiedChangedUsedAndDeleted();
     BURIN_ONLY_IN_LONG_RUNS void aMachineThatIsGoneHasAStandIn();
     BURIN_ONLY_IN_LONG_RUNS void aPostOutlastsAChangeOfTheMachine();

@@ -29,7 +29,7 @@ private slots:
     BURIN_ONLY_IN_LONG_RUNS void whatCanBeUndoneIsSaid();
     BURIN_ONLY_IN_LONG_RUNS void aProgramThatPassedIsPassedAgain();
     BURIN_ONLY_IN_LONG_RUNS void aVerdictOfSomethingElseIsOutOfDate();
-    void whatChangesAfterOpeningMakesTheVerdictOutOfDate();
+    BURIN_ONLY_IN_LONG_RUNS void whatChangesAfterOpeningMakesTheVerdictOutOfDate();
 };
 
 namespace {

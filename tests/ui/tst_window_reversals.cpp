@@ -208,7 +208,7 @@ class TestWindowReversals : public QObject {
     Q_OBJECT
 private slots:
     void theReaderSeesABackStep();
-    void mouseStrokesMakeAProgramThatNeverStepsBack();
+    BURIN_ONLY_IN_LONG_RUNS void mouseStrokesMakeAProgramThatNeverStepsBack();
 };
 
 /// The back-steps that programs once had where the hand stopped, and what is no back-step: a retract, and a sharp turn

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // Scores a take against a reference: by shortcut, by the menu of the tree, and on the timeline.
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/panels/project_tree.h"
@@ -49,7 +50,7 @@ private slots:
     /// The shortcut compares the newest take with the first one. Both together removed what the workpiece lost; the
     /// longer line took longer. The reference is drawn behind the curve of the take until the box is unticked; nothing
     /// else in the timeline changes.
-    void theNewestTakeIsComparedByKey() {
+    BURIN_ONLY_IN_LONG_RUNS void theNewestTakeIsComparedByKey() {
         bool compared = false;
         driver_->whenDialogStands([&](QWidget& dialog) {
             lookAtComparison(dialog);

@@ -131,7 +131,7 @@ private slots:
     }
 
     /// The second side starts with what the first one left; each side keeps its own settings, also in the file.
-    void theSecondSideIsMilled() {
+    BURIN_ONLY_IN_LONG_RUNS void theSecondSideIsMilled() {
         WindowDriver driver;
         QVERIFY(makeReady(driver));
         Workbench& workbench = workbenchOf(driver);

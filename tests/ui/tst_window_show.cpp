@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/messages/messages.h"
@@ -14,7 +15,7 @@ using namespace burin::testing;
 class TestWindowShow : public QObject {
     Q_OBJECT
 private slots:
-    void theVirtualOperatorShowsHowItIsDone();
+    BURIN_ONLY_IN_LONG_RUNS void theVirtualOperatorShowsHowItIsDone();
 };
 
 void TestWindowShow::theVirtualOperatorShowsHowItIsDone() {

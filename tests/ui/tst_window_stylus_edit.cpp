@@ -3,6 +3,7 @@
 // Points of a path are moved by a device and by the mouse as stylus: the part holds the tool meanwhile.
 #include "tests/core/device/desktop_stylus.h"
 #include "tests/core/haptics/own_stylus.h"
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -115,7 +116,7 @@ class TestWindowStylusEdit : public QObject {
     Q_OBJECT
 private slots:
     void aDeviceMovesAPointAndThePartHoldsIt();
-    void thePointerLeadsTheTool();
+    BURIN_ONLY_IN_LONG_RUNS void thePointerLeadsTheTool();
     void aDeviceWithoutAButtonIsRefused();
 };
 

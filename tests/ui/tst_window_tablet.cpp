@@ -187,7 +187,7 @@ void TestWindowTablet::theEraserRetractsTheTool() {
     table.pen.drag(table.at(6.0, 0.0));
     const double above = table.workbench.workpiece.milling()->setup.stock.high.z;
     QVERIFY(table.driver.waitFor([&] { return table.workbench.mill.stylus()->tip().z > above + 1.99; }));
-    QVERIFY(!table.workbench.session.state().cutting);
+    QVERIFY(table.driver.waitFor([&] { return !table.workbench.session.state().cutting; }));
     QTest::qWait(300); // it does not settle lower
     QVERIFY(table.workbench.mill.stylus()->tip().z > above + 1.99);
     table.pen.release(table.at(6.0, 0.0));

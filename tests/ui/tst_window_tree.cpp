@@ -263,7 +263,7 @@ private slots:
     }
 
     /// A take is dragged before another one and to the end, and nowhere else; undo restores the order.
-    void takesAreDragged() {
+    BURIN_ONLY_IN_LONG_RUNS void takesAreDragged() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         for (const double y : {-6.0, 0.0, 6.0}) QVERIFY(recordLine(driver, {-10.0, y}, {10.0, y}) && driver.settle());

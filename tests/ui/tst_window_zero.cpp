@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // Program zero and its work offset, by mouse and keys.
+#include "tests/long_run.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -108,7 +109,7 @@ private slots:
     }
 
     /// A recording is kept: only the program follows the new zero, and says so in its header.
-    void zeroMayChangeBehindARecording() {
+    BURIN_ONLY_IN_LONG_RUNS void zeroMayChangeBehindARecording() {
         WindowDriver driver;
         QVERIFY(makeReady(driver, 1.0));
         QVERIFY(recordLine(driver, {-15, 0}, {15, 0}));

@@ -134,11 +134,10 @@ void WindowDriver::shoot(const QString& name) const {
 }
 
 void keepPicture(QWidget& widget, const QString& name) {
-    QCoreApplication::processEvents(); // what follows an event happens in any run
+    QTest::qWait(150); // presenters and painting run after the event, in any run
     if (!longRun() && !qEnvironmentVariableIsSet("BURIN_SCREENSHOTS")) return;
     const QDir folder(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots"));
     folder.mkpath(QStringLiteral("."));
-    QTest::qWait(150); // presenters and painting run after the event
     widget.grab().save(folder.filePath(name + QStringLiteral(".png")));
 }
 
