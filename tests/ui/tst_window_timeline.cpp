@@ -287,7 +287,7 @@ private slots:
 
     /// A point that is clicked on the path is marked at the time at which the tool was there, and the past follows it;
     /// a time of the timeline is marked on the path.
-    void pathAndTimelineShowTheSamePoint() {
+    BURIN_ONLY_IN_LONG_RUNS void pathAndTimelineShowTheSamePoint() {
         QVERIFY(newPath(*driver_));
         QVERIFY(driver_->step(JobStep::path));
         QVERIFY(driver_->waitFor([&] { return workbench().path.evaluated() && !workbench().path.busy(); }));
@@ -366,7 +366,7 @@ private slots:
     }
 
     /// The clip of a recording grows while it is milled, in no more than ten steps a second; its stroke is visible.
-    void aRecordingGrowsOnTheTimeline() {
+    BURIN_ONLY_IN_LONG_RUNS void aRecordingGrowsOnTheTimeline() {
         const double before = view().all();
         QVERIFY(enterMilling());
         QElapsedTimer passed;
