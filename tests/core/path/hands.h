@@ -97,9 +97,9 @@ inline std::vector<Tick> jitteryHand(std::mt19937& random, int count) {
     return ticks;
 }
 
-/// Turns of more than 155° with a leg of less than 0.1 mm, which make a machine stutter. Points closer than a control's
-/// resolution count as one.
-inline std::size_t backSteps(const std::vector<glm::dvec3>& line) {
+/// Turns of more than 155° with a leg of less than `longest` (mm), which make a machine stutter. Points closer than a
+/// control's resolution count as one.
+inline std::size_t backSteps(const std::vector<glm::dvec3>& line, double longest = 0.1) {
     std::vector<glm::dvec3> apart;
     for (const glm::dvec3& point : line)
         if (apart.empty() || glm::distance(point, apart.back()) > 1e-6) apart.push_back(point);
@@ -107,7 +107,7 @@ inline std::size_t backSteps(const std::vector<glm::dvec3>& line) {
     for (std::size_t i = 1; i + 1 < apart.size(); ++i) {
         const glm::dvec3 in = apart[i] - apart[i - 1], out = apart[i + 1] - apart[i];
         const double turn = std::acos(glm::clamp(glm::dot(in, out) / (glm::length(in) * glm::length(out)), -1.0, 1.0));
-        if (turn > 155.0 * pi / 180.0 && std::min(glm::length(in), glm::length(out)) < 0.1) ++count;
+        if (turn > 155.0 * pi / 180.0 && std::min(glm::length(in), glm::length(out)) < longest) ++count;
     }
     return count;
 }

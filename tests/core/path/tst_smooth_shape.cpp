@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
+#include "core/path/back_steps.h"
 #include "hands.h"
 #include "path_fixture.h"
 #include "tests/random_cases.h"
@@ -236,13 +237,14 @@ private slots:
     }
 
     void tremblingHandsLoseTheirBackSteps() {
-        QVERIFY(testing::holdsInShare("fewer than before", [&] {
+        QVERIFY(testing::holdsInShare("those within the tolerance", [&] {
             std::mt19937 random(*rc::gen::arbitrary<unsigned>());
             std::vector<Tick> ticks = steadyHand(random);
             tremble(ticks, 0.02, static_cast<unsigned>(random()));
             const auto path = run({takeOf(ticks)}, {{SmoothShape{}}, {HoldOut{}}, {Simplify{}}, {Link{}}}, context());
             RC_ASSERT(static_cast<bool>(path));
-            RC_ASSERT(backSteps(cutsOf(path->path.points)) == 0U);
+            // A hand that rests may wander farther than the tolerance: that turn is what it did.
+            RC_ASSERT(backSteps(cutsOf(path->path.points), backStepTolerance) == 0U);
         }));
     }
 
