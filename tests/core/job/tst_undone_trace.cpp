@@ -114,11 +114,14 @@ private slots:
         QCOMPARE(take.samples.size(), original.take.samples.size());
         QVERIFY(take.undone == original.take.undone);
         QVERIFY(take.undone.size() >= 2);
+        bool withheld = false; // in real time, on a loaded machine
         for (std::size_t i = 0; i < take.samples.size(); ++i) {
             const Sample &one = take.samples[i], &other = original.take.samples[i];
             QCOMPARE(one.proxy.tip, other.proxy.tip);
             QCOMPARE(one.cuttingForce, other.cuttingForce);
-            if (((one.flags | other.flags) & sampleForceLate) != 0) continue;
+            // A force that came too late was not sent, and limits of rate and energy count from what was sent.
+            withheld = withheld || ((one.flags | other.flags) & sampleForceLate) != 0;
+            if (withheld) continue;
             QCOMPARE(one.force, other.force);
             QCOMPARE(one.flags, other.flags);
         }
