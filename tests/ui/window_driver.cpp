@@ -134,11 +134,12 @@ void WindowDriver::shoot(const QString& name) const {
 }
 
 void keepPicture(QWidget& widget, const QString& name) {
-    QTest::qWait(150); // presenters and painting run after the event, in any run
+    QTest::qWait(150);                     // presenters and painting run after the event, in any run
+    const QPixmap picture = widget.grab(); // which also lays out what has just changed
     if (!longRun() && !qEnvironmentVariableIsSet("BURIN_SCREENSHOTS")) return;
     const QDir folder(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots"));
     folder.mkpath(QStringLiteral("."));
-    widget.grab().save(folder.filePath(name + QStringLiteral(".png")));
+    picture.save(folder.filePath(name + QStringLiteral(".png")));
 }
 
 } // namespace burin::testing
