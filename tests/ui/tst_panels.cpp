@@ -13,6 +13,7 @@
 #include "ui/panels/material_panel.h"
 #include "ui/panels/meters.h"
 #include "ui/panels/mill_panel.h"
+#include "ui/panels/notice.h"
 #include "ui/panels/part_panel.h"
 #include "ui/panels/path_panel.h"
 #include "ui/panels/program_panel.h"
@@ -188,6 +189,27 @@ private slots:
     void init() {
         QLocale::setDefault(QLocale(QStringLiteral("en_US")));
         applyTheme(*qApp, *loadPalette(Theme::dark));
+    }
+
+    /// As on the page of a step that is not shown yet.
+    void aNoticeThatIsToldWhileHiddenIsSeenWhole() {
+        const QString sentence =
+            QStringLiteral("The material can be changed until the first take; the workpiece is kept.");
+        QWidget page;
+        auto* place = new NoticePlace(&page);
+        Notice* notice = place->add("notice");
+        place->resize(300, place->sizeHint().height());
+        notice->tell(Notice::Kind::information, sentence);
+        page.resize(320, 200);
+        page.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&page));
+        const auto* text = notice->findChild<QLabel*>();
+        QVERIFY(text->isVisible());
+        QCOMPARE(QString(text->text()).remove(QChar(0x200B)), sentence); // U+200B marks where lines may break
+        const QRect needed =
+            text->fontMetrics().boundingRect(QRect(0, 0, text->width(), 1000), Qt::TextWordWrap, text->text());
+        QVERIFY(needed.height() > text->fontMetrics().lineSpacing()); // it has two lines
+        QVERIFY2(text->height() >= needed.height(), qPrintable(QString::number(text->height())));
     }
 
     void everyRowOfAChoiceIsSeen() {

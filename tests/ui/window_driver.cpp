@@ -134,12 +134,11 @@ void WindowDriver::shoot(const QString& name) const {
 }
 
 void keepPicture(QWidget& widget, const QString& name) {
-    QTest::qWait(150);                     // presenters and painting run after the event, in any run
-    const QPixmap picture = widget.grab(); // which also lays out what has just changed
+    QTest::qWait(150); // presenters and painting run after the event, in any run
     if (!longRun() && !qEnvironmentVariableIsSet("BURIN_SCREENSHOTS")) return;
     const QDir folder(QStringLiteral(BURIN_BUILD_DIRECTORY "/tests/screenshots"));
     folder.mkpath(QStringLiteral("."));
-    picture.save(folder.filePath(name + QStringLiteral(".png")));
+    widget.grab().save(folder.filePath(name + QStringLiteral(".png")));
 }
 
 } // namespace burin::testing

@@ -14,7 +14,7 @@
 namespace burin::testing {
 
 /// Saves the picture of a widget as tests/screenshots/<name>.png in the build tree, to be looked at: in long runs, and
-/// where BURIN_SCREENSHOTS is set, as all of them together take a good part of a run. The widget is drawn in any run.
+/// where BURIN_SCREENSHOTS is set, as all of them together take a good part of a run.
 void keepPicture(QWidget& widget, const QString& name);
 
 /// A window that is independent of the tester's settings and projects, operated by mouse and keyboard.

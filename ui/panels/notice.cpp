@@ -81,7 +81,7 @@ void Notice::tell(Kind kind, const QString& sentence) {
     update();
     kind_ = kind;
     sentence_ = sentence;
-    showText();
+    showText(width());
     const QString kindName = kind == Kind::warning ? tr("Warning") : kind == Kind::error ? tr("Error") : QString();
     setAccessibleName(kindName.isEmpty() ? sentence : kindName + QStringLiteral(": ") + sentence);
     setVisible(!sentence.isEmpty());
@@ -95,19 +95,25 @@ QString Notice::sentence() const {
 
 void Notice::setMaximumLines(int lines) {
     maximumLines_ = lines;
-    showText();
+    showText(width());
+}
+
+int Notice::fitTo(int width) {
+    showText(width);
+    const QMargins margins = layout()->contentsMargins();
+    return margins.top() + text_->heightForWidth(width - margins.left() - margins.right()) + margins.bottom();
 }
 
 int Notice::heightOfLines(int lines) const {
     return 2 * noticePaddingAlong + lines * text_->fontMetrics().lineSpacing();
 }
 
-void Notice::showText() {
+void Notice::showText(int width) {
     if (maximumLines_ > 0) text_->clear(); // it may contain only a part of the sentence
     setWrappedText(text_, sentence_);
     if (maximumLines_ == 0) return;
     const QMargins margins = layout()->contentsMargins();
-    const int room = width() - margins.left() - margins.right();
+    const int room = width - margins.left() - margins.right();
     const QString whole = text_->text(), shown = beginningOf(whole, text_->fontMetrics(), room, maximumLines_);
     text_->setText(shown);
     setToolTip(shown == whole ? QString() : sentence_);
@@ -115,7 +121,7 @@ void Notice::showText() {
 
 void Notice::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    if (maximumLines_ > 0) showText();
+    if (maximumLines_ > 0) showText(width());
 }
 
 void Notice::paintEvent(QPaintEvent*) {
@@ -168,8 +174,8 @@ void NoticePlace::showFirst() {
         std::ranges::find_if(notices_, [](const Notice* notice) { return !notice->sentence().isEmpty(); });
     for (auto it = notices_.begin(); it != notices_.end(); ++it) (*it)->setVisible(it == first);
     if (first == notices_.end()) return;
-    (*first)->resize(width(), height()); // determines the line breaks of its text
-    (*first)->resize(width(), std::min(height(), (*first)->heightForWidth(width())));
+    // Not by a resize, which a hidden notice hears of only when it is shown.
+    (*first)->resize(width(), std::min(height(), (*first)->fitTo(width())));
     if (footRequested_) foot_->setGeometry(0, (*first)->height() + footGap, width(), foot_->sizeHint().height());
 }
 

@@ -21,6 +21,9 @@ public:
     /// A longer sentence is elided with "…" and shown in full in the tooltip.
     void setMaximumLines(int lines);
     int heightOfLines(int lines) const; ///< pixels
+    /// Breaks the sentence for a width, whatever width the notice has now, and returns the height that it needs;
+    /// pixels.
+    int fitTo(int width);
     void clear() { tell(Kind::information, {}); }
     QString sentence() const;
     Kind kind() const noexcept { return kind_; }
@@ -33,7 +36,7 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    void showText();
+    void showText(int width);
 
     QLabel* text_ = nullptr;
     QString sentence_;
