@@ -135,28 +135,34 @@ void addOutdated(const std::vector<std::int64_t>& outdated, json& passes) {
 std::string textOfOutdated(const std::vector<std::int64_t>& outdated) {
     std::string text;
     for (const std::int64_t pass : outdated)
-        text +=
-            "\n  " +
-            worded(BURIN_TEXT("Command", "pass %1 is out of date: hand strokes that it follows or heeds have changed. "
-                                         "Compute it again with \"recompute --outdated\"."),
-                   {std::to_string(pass)});
+        text += "\n  " +
+                worded(BURIN_TEXT("Command", "pass %1 is out of date: hand strokes that it depends on have changed. "
+                                             "Compute it again with \"recompute --outdated\"."),
+                       {std::to_string(pass)});
     return text;
+}
+
+static int answer(const StoredPath& path, const std::vector<GeneratedInfo>& passes, CommandContext& context,
+                  json further, const std::string& furtherText) {
+    further.update(jsonOf(path, passes));
+    context.answer(further, textOf(path, passes) + furtherText);
+    return 0;
 }
 
 int saveAndAnswer(ProjectChange& project, const StoredPath& path, CommandContext& context, json further,
                   const std::string& furtherText) {
+    const Result<std::vector<GeneratedInfo>> passes = passesOf(*project, path);
+    if (!passes) return context.fail(passes.error()); // before anything is saved
     if (const Result<void> saved = project.save(); !saved) return context.fail(saved.error());
     tellKeptEarlier(context, *project);
-    return answerUnchanged(*project, path, context, std::move(further), furtherText);
+    return answer(path, *passes, context, std::move(further), furtherText);
 }
 
 int answerUnchanged(const Project& project, const StoredPath& path, CommandContext& context, json further,
                     const std::string& furtherText) {
     const Result<std::vector<GeneratedInfo>> passes = passesOf(project, path);
     if (!passes) return context.fail(passes.error());
-    further.update(jsonOf(path, *passes));
-    context.answer(further, textOf(path, *passes) + furtherText);
-    return 0;
+    return answer(path, *passes, context, std::move(further), furtherText);
 }
 
 std::string csvOf(const Path& path) {

@@ -2506,12 +2506,12 @@
         <translation>ein Punkt, von dem aus das Werkzeug gerade auf eine Seite des Rohteils trifft, eine Kugel mit ihrer Mitte unter der oberen Kante</translation>
     </message>
     <message>
-        <source>%1 mm were skipped: hand strokes have finished the part there.</source>
-        <translation>%1 mm wurden ausgelassen: Züge der Hand haben das Teil dort fertig bearbeitet.</translation>
+        <source>%1 mm were skipped: already finished by hand strokes.</source>
+        <translation>%1 mm wurden ausgelassen: von Zügen der Hand bereits fertig bearbeitet.</translation>
     </message>
     <message>
-        <source>pass %1 is out of date: hand strokes that it follows or heeds have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
-        <translation>Durchgang %1 ist veraltet: Züge der Hand, denen er folgt oder die er beachtet, haben sich geändert. Mit „recompute --outdated“ neu berechnen.</translation>
+        <source>pass %1 is out of date: hand strokes that it depends on have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
+        <translation>Durchgang %1 ist veraltet: Züge der Hand, von denen er abhängt, haben sich geändert. Mit „recompute --outdated“ neu berechnen.</translation>
     </message>
 </context>
 <context>
@@ -15767,8 +15767,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Berechnet die Durchgänge neu, deren Züge sich geändert haben; alle anderen bleiben, wie sie sind</translation>
     </message>
     <message>
-        <source>Out of date: hand strokes that this pass follows or heeds have changed.</source>
-        <translation>Veraltet: Züge der Hand, denen dieser Durchgang folgt oder die er beachtet, haben sich geändert.</translation>
+        <source>Out of date: hand strokes that this pass depends on have changed.</source>
+        <translation>Veraltet: Züge der Hand, von denen dieser Durchgang abhängt, haben sich geändert.</translation>
     </message>
 </context>
 <context>
@@ -15794,8 +15794,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Auf 99 % des erreichbaren Teils bleibt höchstens %1 Material (größter Wert: %2).</translation>
     </message>
     <message>
-        <source>%1 are skipped: hand strokes have finished the part there.</source>
-        <translation>%1 werden ausgelassen: Züge der Hand haben das Teil dort fertig bearbeitet.</translation>
+        <source>%1 are skipped: already finished by hand strokes.</source>
+        <translation>%1 werden ausgelassen: von Zügen der Hand bereits fertig bearbeitet.</translation>
     </message>
 </context>
 <context>

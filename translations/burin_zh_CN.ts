@@ -2505,12 +2505,12 @@
         <translation>刀具从该点能正对毛坯侧面的位置；球头的球心须低于上边缘</translation>
     </message>
     <message>
-        <source>%1 mm were skipped: hand strokes have finished the part there.</source>
-        <translation>已跳过 %1 mm：手动笔画已在此处完成零件。</translation>
+        <source>%1 mm were skipped: already finished by hand strokes.</source>
+        <translation>已跳过 %1 mm：手动笔画已精加工完毕。</translation>
     </message>
     <message>
-        <source>pass %1 is out of date: hand strokes that it follows or heeds have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
-        <translation>走刀 %1 已过时：它所依循或避让的手动笔画已更改。请用“recompute --outdated”重新计算。</translation>
+        <source>pass %1 is out of date: hand strokes that it depends on have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
+        <translation>走刀 %1 已过时：它所依赖的手动笔画已更改。请用“recompute --outdated”重新计算。</translation>
     </message>
 </context>
 <context>
@@ -15747,8 +15747,8 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>重新计算笔画已改变的走刀；其他走刀保持不变</translation>
     </message>
     <message>
-        <source>Out of date: hand strokes that this pass follows or heeds have changed.</source>
-        <translation>已过时：此走刀所依循或避让的手动笔画已更改。</translation>
+        <source>Out of date: hand strokes that this pass depends on have changed.</source>
+        <translation>已过时：此走刀所依赖的手动笔画已更改。</translation>
     </message>
 </context>
 <context>
@@ -15774,8 +15774,8 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>可到达的零件表面中 99 % 的残料不超过%1（最大：%2）。</translation>
     </message>
     <message>
-        <source>%1 are skipped: hand strokes have finished the part there.</source>
-        <translation>已跳过 %1：手动笔画已在此处完成零件。</translation>
+        <source>%1 are skipped: already finished by hand strokes.</source>
+        <translation>已跳过 %1：手动笔画已精加工完毕。</translation>
     </message>
 </context>
 <context>

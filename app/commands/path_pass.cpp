@@ -26,7 +26,7 @@ std::string textOfOmissions(const Pass& pass, bool threads) {
     add(pass.leftOut, BURIN_TEXT("Command", "%1 mm were skipped: too much stock is in the way of the tool. Rough it "
                                             "first, or use a longer tool."));
     add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were skipped: fixtures or keep-out volumes are in the way."));
-    add(pass.leftToHand, BURIN_TEXT("Command", "%1 mm were skipped: hand strokes have finished the part there."));
+    add(pass.leftToHand, BURIN_TEXT("Command", "%1 mm were skipped: already finished by hand strokes."));
     if (pass.unreachedHoles > 0) text += "\n" + unreachedHolesText(pass.unreachedHoles, threads).toStdString();
     return text;
 }

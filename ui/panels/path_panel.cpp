@@ -249,7 +249,7 @@ void PathPanel::Fields::refreshPasses() {
         passList_->addWidget(row);
         passRows_.push_back(row);
         if (pass.outdated)
-            addPassText(PathPanel::tr("Out of date: hand strokes that this pass follows or heeds have changed."),
+            addPassText(PathPanel::tr("Out of date: hand strokes that this pass depends on have changed."),
                         QStringLiteral("passOutdated%1").arg(i));
         if (!pass.measured.isEmpty()) addPassText(pass.measured, QStringLiteral("passMeasured%1").arg(i));
     }

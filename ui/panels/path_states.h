@@ -26,7 +26,7 @@ struct PassRow {
     QString name, figures;
     bool computed = true;  ///< whether it can be computed again; false: it comes from a program
     QString measured{};    ///< its effect on the stock, several lines; empty: not measured
-    bool outdated = false; ///< hand strokes that it follows or heeds have changed since it was computed
+    bool outdated = false; ///< hand strokes that it depends on have changed since it was computed
     friend bool operator==(const PassRow&, const PassRow&) = default;
 };
 

@@ -91,7 +91,7 @@ QString previewText(const PassPreviewer& previewer, LengthUnit unit) {
     QString text = PathPresenter::tr("Preview: about %1 of cutting, %2 without links.")
                        .arg(wayText(preview->length, unit), durationText(preview->duration));
     if (preview->leftToHand > 0.0)
-        text += QLatin1Char(' ') + PathPresenter::tr("%1 are skipped: hand strokes have finished the part there.")
+        text += QLatin1Char(' ') + PathPresenter::tr("%1 are skipped: already finished by hand strokes.")
                                        .arg(wayText(preview->leftToHand, unit));
     if (preview->every > 1.5)
         text += QLatin1Char(' ') + PathPresenter::tr("One row in %1 is drawn.").arg(std::lround(preview->every));
