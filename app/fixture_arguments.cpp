@@ -8,6 +8,7 @@
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/setup/fixture_library.h"
+#include "core/setup/obstacle_motion.h"
 
 #include <algorithm>
 #include <optional>
@@ -104,20 +105,49 @@ Result<Obstacle> addedFixture(const std::string& text, const FixtureSite& site, 
     return fixtureOf(design, site.stock, worded(rowOf(*kind).title), clearance);
 }
 
+/// Moves an obstacle that is not of the library: "by", "place" for the lower corner of the box around it, "turn" about
+/// Z through the middle of that box.
+Result<void> moveObstacle(Obstacle& obstacle, std::span<const std::string> words) {
+    for (const std::string& word : words) {
+        const std::size_t sign = word.find('=');
+        const std::string key = word.substr(0, sign), value = sign == std::string::npos ? "" : word.substr(sign + 1);
+        const Box box = boundsOf(obstacle);
+        Placement by;
+        if (key == "turn") {
+            const std::optional<double> angle = parseNumber(value);
+            if (!angle) return wrongArgument(changeOption, word, BURIN_TEXT("Command", "turn=DEGREES"));
+            by = turnedAbout({0.0, 0.0, 1.0}, glm::radians(*angle), box.centre());
+        } else if (key == "by" || key == "place") {
+            const std::optional<glm::dvec3> stated = vectorOf(value);
+            if (!stated)
+                return wrongArgument(changeOption, word,
+                                     key == "by" ? BURIN_TEXT("Command", "by=X,Y,Z in mm")
+                                                 : BURIN_TEXT("Command", "place=X,Y,Z in mm"));
+            by = movedBy(key == "by" ? *stated : *stated - box.low);
+        } else {
+            return Error{ErrorCode::nameUnknown, "change of a fixture", key, "by, place, turn"};
+        }
+        Result<Obstacle> changed = moved(obstacle, by);
+        if (!changed) return std::move(changed).error();
+        obstacle = std::move(*changed);
+        if (Result<void> usable = checkObstacle(obstacle); !usable) return usable;
+    }
+    return {};
+}
+
 /// "NAME: KEY=VALUE …"; of several names that fit, as one may contain a colon, the longest is meant.
 Result<void> changeFixture(std::vector<Obstacle>& obstacles, const std::string& text, const FixtureSite& site) {
     auto found = obstacles.end();
     for (auto one = obstacles.begin(); one != obstacles.end(); ++one)
-        if (one->design && text.starts_with(one->name + ":") &&
-            (found == obstacles.end() || one->name.size() > found->name.size()))
+        if (text.starts_with(one->name + ":") && (found == obstacles.end() || one->name.size() > found->name.size()))
             found = one;
     if (found == obstacles.end()) {
         std::string known;
-        for (const Obstacle& one : obstacles)
-            if (one.design) known += (known.empty() ? "" : ", ") + one.name;
-        return Error{ErrorCode::nameUnknown, "fixture of the library", text.substr(0, text.find(':')), known};
+        for (const Obstacle& one : obstacles) known += (known.empty() ? "" : ", ") + one.name;
+        return Error{ErrorCode::nameUnknown, "obstacle", text.substr(0, text.find(':')), known};
     }
     const std::vector<std::string> words = wordsOf(text.substr(found->name.size() + 1));
+    if (!found->design) return moveObstacle(*found, words);
     const Result<StatedFixture> stated = statedIn(words, found->design->kind, changeOption);
     if (!stated) return stated.error();
     FixtureDesign design = *found->design;
@@ -142,8 +172,9 @@ void addFixtures(CommandParser command, FixtureArguments& arguments) {
         .oneAtATime();
     command
         .option(changeOption, arguments.change,
-                BURIN_TEXT("Help", "Change a fixture of the library: \"NAME: SIZE=MM\", with the same words; may be "
-                                   "repeated"))
+                BURIN_TEXT("Help", "Change a fixture of the library: \"NAME: SIZE=MM\", with the same words; any other "
+                                   "is moved: by=X,Y,Z, place=X,Y,Z (its lower corner), turn=DEGREES about Z through "
+                                   "its middle; may be repeated"))
         .oneAtATime();
 }
 

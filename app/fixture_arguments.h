@@ -22,8 +22,8 @@ struct FixtureArguments {
 /// Declares --add-fixture and --change-fixture.
 void addFixtures(CommandParser command, FixtureArguments& arguments);
 
-/// Changes fixtures, then adds the new ones, each placed as by a click in the window. Nothing is changed after an
-/// error. Errors: argumentInvalid, nameUnknown, those of fixtureOf.
+/// Changes fixtures and keep-out volumes, then adds the new ones, each placed as by a click in the window. Nothing is
+/// changed after an error. Errors: argumentInvalid, nameUnknown, those of fixtureOf and moved.
 /// @param clearance of new ones, mm
 Result<void> changeFixtures(std::vector<Obstacle>& obstacles, const FixtureArguments& arguments,
                             const StockSolid& stock, double clearance);

@@ -8,8 +8,10 @@
 #include "core/verify/findings.h"
 #include "core/verify/report_json.h"
 #include "ui/panels/embedding_labels.h"
+#include "ui/panels/fixture_labels.h"
 
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace burin {
@@ -148,6 +150,16 @@ json jsonOf(const std::vector<LintMark>& marks) {
                         {"column", mark.column},
                         {"severity", mark.severity == LintSeverity::error ? "error" : "warning"},
                         {"text", mark.text}});
+    return list;
+}
+
+json jsonOf(const std::vector<BadFit>& fixtures) {
+    json list = json::array();
+    for (const auto& [name, fit] : fixtures)
+        list.push_back({{"name", name},
+                        {"in_stock_mm", fit.depth},
+                        {"gap_mm", std::isinf(fit.gap) ? json(nullptr) : json(fit.gap)},
+                        {"text", fitText(name, fit, LengthUnit::millimetre).toStdString()}});
     return list;
 }
 

@@ -7,6 +7,7 @@
 #include "core/machine/machine_profile.h"
 #include "core/nc/lint.h"
 #include "core/path/evaluate.h"
+#include "core/setup/fixture_fit.h"
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
 #include "core/verify/verify.h"
@@ -44,6 +45,10 @@ std::string textOf(const CheckedProgram& program, double gougeTolerance, const M
 std::vector<std::string> doubtsOf(const Model& model, const EmbeddedSetup& embedded);
 /// The same as readable text, lines to append to others; empty if there are none.
 std::string textOfDoubts(const Model& model, const EmbeddedSetup& embedded);
+/// [{"name", "in_stock_mm", "gap_mm": null if there is no stock where it clamps, "text"}]
+nlohmann::json jsonOf(const std::vector<BadFit>& fixtures);
+/// The same as readable text, lines to append to others; empty if there are none.
+std::string textOf(const std::vector<BadFit>& fixtures);
 /// Why a command refuses a part with bodies too small for the voxels to be protected, and how to continue nevertheless;
 /// empty if all bodies are protected.
 std::string unprotected(const EmbeddedSetup& embedded);

@@ -11,6 +11,7 @@
 #include "core/verify/load_chart.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/embedding_labels.h"
+#include "ui/panels/fixture_labels.h"
 #include "ui/panels/model_labels.h"
 #include "ui/panels/texts.h"
 
@@ -106,6 +107,14 @@ std::string textOfDoubts(const Model& model, const EmbeddedSetup& embedded) {
     for (const ImportNote& note : model.notes)
         if (note.kind == ImportNote::Kind::warning) add(importNoteText(note.text));
     for (const EmbeddingFinding& finding : embedded.findings) add(embeddingText(finding, LengthUnit::millimetre));
+    return text;
+}
+
+std::string textOf(const std::vector<BadFit>& fixtures) {
+    std::string text;
+    for (const auto& [name, fit] : fixtures)
+        text += "\n" + worded(BURIN_TEXT("Command", "warning: %1"),
+                              {fitText(name, fit, LengthUnit::millimetre).toStdString()});
     return text;
 }
 

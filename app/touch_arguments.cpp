@@ -4,8 +4,8 @@
 
 #include "app/number_list.h"
 #include "app/wording.h"
+#include "core/base/numbers.h"
 #include "core/job/milling_context.h"
-#include "core/job/touched_stock.h"
 
 #include <cmath>
 #include <optional>
@@ -48,8 +48,12 @@ void addTouches(CommandParser command, TouchArguments& arguments) {
     command.option("--touch-tool", arguments.tool, BURIN_TEXT("Help", "Tool for --touch")).showDefault();
 }
 
-Result<Setup> touchedOff(Setup setup, const TouchArguments& arguments, const Project& project, const Model& part) {
-    if (arguments.empty()) return setup;
+Result<TouchedOff> touchedOff(Setup setup, const TouchArguments& arguments, const Project& project, const Model& part,
+                              Progress& progress) {
+    TouchedOff answer{std::move(setup), {}};
+    if (arguments.empty()) return answer;
+    const Result<TouchableStock> stock = TouchableStock::of(part, answer.setup, progress);
+    if (!stock) return stock.error();
     const Result<Tool> tool = toolFor(project, arguments.tool);
     if (!tool) return tool.error();
     for (const std::string& text : arguments.touches) {
@@ -57,27 +61,48 @@ Result<Setup> touchedOff(Setup setup, const TouchArguments& arguments, const Pro
         if (!touch)
             return wrongArgument("--touch", text,
                                  BURIN_TEXT("Command", "X,Y,Z=AXIS: a point in mm, and x, -x, y, -y or -z"));
-        const Result<TouchedFace> face = touchStock(setup, *tool, touch->tip, touch->towards);
+        const Result<TouchedFace> face = touchStock(*stock, *tool, touch->tip, touch->towards);
         if (!face) {
             Error error = face.error();
             error.subject = "--touch";
             return error;
         }
-        const std::optional<double> side =
-            face->outcome == TouchedFace::Outcome::found ? sideTouched(setup, *face) : std::nullopt;
+        const std::optional<TouchedSide> side = stock->sideTouched(*face, *tool);
         if (!side)
             return wrongArgument("--touch", text,
                                  BURIN_TEXT("Command",
                                             "a point from which the tool meets a side of the stock squarely, "
                                             "a ball with its middle below the upper edge"));
-        setup.zero.on = ZeroReference::point;
-        setup.zero.point = setup.workOffset;
-        setup.zero.point[face->axis] = *side;
-        Result<Setup> placed = placeZero(part, std::move(setup));
-        if (!placed) return placed;
-        setup = std::move(*placed);
+        answer.setup.zero.on = ZeroReference::point;
+        answer.setup.zero.point = answer.setup.workOffset;
+        answer.setup.zero.point[face->axis] = side->coordinate;
+        Result<Setup> placed = placeZero(part, std::move(answer.setup));
+        if (!placed) return std::move(placed).error();
+        answer.setup = std::move(*placed);
+        answer.sides.push_back({face->axis, *side});
     }
-    return setup;
+    return answer;
+}
+
+nlohmann::json jsonOf(const std::vector<TouchedAxis>& sides) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const TouchedAxis& touched : sides)
+        list.push_back({{"axis", std::string(1, "xyz"[touched.axis])},
+                        {"coordinate_mm", touched.side.coordinate},
+                        {"error_mm", touched.side.error}});
+    return list;
+}
+
+std::string textOf(const std::vector<TouchedAxis>& sides) {
+    std::string text;
+    for (const TouchedAxis& touched : sides) {
+        const std::string axis(1, "XYZ"[touched.axis]), place = formatFixed(touched.side.coordinate, 3);
+        text += "\n";
+        text += touched.side.error > 0.0 ? worded(BURIN_TEXT("Command", "touched  %1 %2 mm, within %3 mm"),
+                                                  {axis, place, formatShortest(touched.side.error)})
+                                         : worded(BURIN_TEXT("Command", "touched  %1 %2 mm"), {axis, place});
+    }
+    return text;
 }
 
 } // namespace burin

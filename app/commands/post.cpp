@@ -106,9 +106,13 @@ int runPost(const PostArguments& arguments, CommandContext& context) {
     answer["lint"] = jsonOf(program->lint);
     const std::vector<std::string> doubts = doubtsOf(*milling->model, milling->embedded);
     answer["part_warnings"] = doubts;
+    const Result<std::vector<BadFit>> bad =
+        badFits(*milling->model, milling->setup, milling->obstacles, context.progress());
+    if (!bad) return context.fail(bad.error());
+    answer["fixture_warnings"] = jsonOf(*bad);
     const std::string verdict = textOf(*program, arguments.tolerance, milling->machine) +
                                 textOfEntries(edited->reports) + textOfOmissions(edited->reports) +
-                                textOfDoubts(*milling->model, milling->embedded);
+                                textOfDoubts(*milling->model, milling->embedded) + textOf(*bad);
     answer["overridden"] = program->overridden;
     answer["slowed_moves"] = program->slowed;
     if (!program->released()) {

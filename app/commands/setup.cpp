@@ -14,6 +14,7 @@
 #include "core/document/project_change.h"
 #include "core/machine/machine_library.h"
 #include "core/nc/dialect_library.h"
+#include "core/setup/fixture_fit.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -68,18 +69,20 @@ Result<void> changeObstacles(std::vector<Obstacle>& obstacles, const SetupArgume
     return {};
 }
 
+/// The model as far as the form of the stock depends on it, in the setup frame.
+Result<std::shared_ptr<const Model>> stockModel(const Project& project, const Setup& setup) {
+    if (setup.form != StockForm::solids) return std::make_shared<const Model>();
+    return project.placedModel();
+}
+
 Result<void> changeLibraryFixtures(const Project& project, std::vector<Obstacle>& obstacles,
                                    const SetupArguments& arguments, Progress& progress) {
     if (arguments.fixtures.empty()) return {};
     const Result<Setup> setup = project.setup();
     if (!setup) return setup.error();
-    auto part = std::make_shared<const Model>();
-    if (setup->form == StockForm::solids) {
-        Result<Model> model = project.model();
-        if (!model) return std::move(model).error();
-        part = placed(std::make_shared<const Model>(std::move(*model)), setup->placement);
-    }
-    const Result<StockSolid> stock = StockSolid::of(*part, *setup, progress);
+    const Result<std::shared_ptr<const Model>> part = stockModel(project, *setup);
+    if (!part) return part.error();
+    const Result<StockSolid> stock = StockSolid::of(**part, *setup, progress);
     if (!stock) return stock.error();
     return changeFixtures(obstacles, arguments.fixtures, *stock, arguments.around.clearance);
 }
@@ -100,9 +103,9 @@ Result<void> changeTarget(ProgramTarget& target, const SetupArguments& arguments
 }
 
 /// Recordings do not depend on program zero: it may change at any time.
-Result<void> changeZero(Project& project, const ZeroArguments& arguments, const TouchArguments& touch,
-                        Progress& progress) {
-    if (arguments.empty() && touch.empty()) return {};
+Result<std::vector<TouchedAxis>> changeZero(Project& project, const ZeroArguments& arguments,
+                                            const TouchArguments& touch, Progress& progress) {
+    if (arguments.empty() && touch.empty()) return std::vector<TouchedAxis>{};
     Result<Setup> setup = project.setup();
     if (!setup) return std::move(setup).error();
     const Result<std::shared_ptr<const Model>> part = project.placedModel();
@@ -111,8 +114,11 @@ Result<void> changeZero(Project& project, const ZeroArguments& arguments, const 
     if (!zero) return zero.error();
     setup->zero = *zero;
     Result<Setup> complete = placeZero(**part, std::move(*setup));
-    if (complete) complete = touchedOff(std::move(*complete), touch, project, **part);
-    return complete ? project.setSetup(*complete) : Result<void>(complete.error());
+    if (!complete) return std::move(complete).error();
+    Result<TouchedOff> touched = touchedOff(std::move(*complete), touch, project, **part, progress);
+    if (!touched) return std::move(touched).error();
+    if (Result<void> stored = project.setSetup(touched->setup); !stored) return std::move(stored).error();
+    return std::move(touched->sides);
 }
 
 /// Checks that the tool's tip can reach the zero, as it could not be touched off otherwise. Errors: argumentInvalid.
@@ -130,10 +136,13 @@ Result<void> checkTravel(const Around& around) {
     return {};
 }
 
-/// Applies the arguments; errors in them are detected before anything is stored.
-Result<void> change(ProjectChange& project, Around& around, const SetupArguments& arguments, Progress& progress) {
-    if (Result<void> done = changeObstacles(around.obstacles, arguments, progress); !done) return done;
-    if (Result<void> done = changeLibraryFixtures(*project, around.obstacles, arguments, progress); !done) return done;
+/// Applies the arguments; errors in them are detected before anything is stored. Returns what was touched off.
+Result<std::vector<TouchedAxis>> change(ProjectChange& project, Around& around, const SetupArguments& arguments,
+                                        Progress& progress) {
+    if (Result<void> done = changeObstacles(around.obstacles, arguments, progress); !done)
+        return std::move(done).error();
+    if (Result<void> done = changeLibraryFixtures(*project, around.obstacles, arguments, progress); !done)
+        return std::move(done).error();
     if (!arguments.around.axis.empty()) {
         const Result<AxisMode> axis = axisModeOf(arguments.around.axis);
         if (!axis) return axis.error();
@@ -144,14 +153,16 @@ Result<void> change(ProjectChange& project, Around& around, const SetupArguments
         if (!travel) return travel.error();
         around.travel = *travel;
     }
-    if (Result<void> done = changeTarget(around.target, arguments); !done) return done;
+    if (Result<void> done = changeTarget(around.target, arguments); !done) return std::move(done).error();
     if (!arguments.around.travel.empty() || !arguments.machine.empty())
-        if (Result<void> reached = checkTravel(around); !reached) return reached;
-    return inOrder([&] { return changeZero(*project, arguments.zero, arguments.touch, progress); },
-                   [&] { return project->setObstacles(around.obstacles); },
-                   [&] { return project->setAxisMode(around.axis); },
-                   [&] { return project->setTravelPlacement(around.travel); },
-                   [&] { return project->setProgramTarget(around.target); }, [&] { return project.save(); });
+        if (Result<void> reached = checkTravel(around); !reached) return std::move(reached).error();
+    Result<std::vector<TouchedAxis>> touched = changeZero(*project, arguments.zero, arguments.touch, progress);
+    if (!touched) return touched;
+    Result<void> stored = inOrder(
+        [&] { return project->setObstacles(around.obstacles); }, [&] { return project->setAxisMode(around.axis); },
+        [&] { return project->setTravelPlacement(around.travel); },
+        [&] { return project->setProgramTarget(around.target); }, [&] { return project.save(); });
+    return stored ? std::move(touched) : Result<std::vector<TouchedAxis>>(std::move(stored).error());
 }
 
 /// Data of a project on its setups, and on the one in use.
@@ -160,17 +171,29 @@ struct Answer {
     std::optional<Setup> setup; ///< empty if nothing is embedded yet
     nlohmann::json setups;
     std::string setupsText;
+    std::vector<BadFit> badFits;
+    std::vector<TouchedAxis> touched{};
 };
 
-Result<Answer> answerOf(const Project& project, Around around) {
+Result<std::vector<BadFit>> badFitsOf(const Project& project, const std::optional<Setup>& setup,
+                                      const std::vector<Obstacle>& obstacles, Progress& progress) {
+    if (!setup || obstacles.empty()) return std::vector<BadFit>{};
+    const Result<std::shared_ptr<const Model>> part = stockModel(project, *setup);
+    if (!part) return part.error();
+    return badFits(**part, *setup, obstacles, progress);
+}
+
+Result<Answer> answerOf(const Project& project, Around around, Progress& progress) {
     Result<nlohmann::json> setups = jsonOfSetups(project);
     if (!setups) return std::move(setups).error();
     Result<std::string> text = textOfSetups(project);
     if (!text) return std::move(text).error();
     Result<Setup> setup = project.setup();
     if (!setup && setup.error().code != ErrorCode::projectIncomplete) return std::move(setup).error();
-    return Answer{std::move(around), setup ? std::optional(std::move(*setup)) : std::nullopt, std::move(*setups),
-                  std::move(*text)};
+    std::optional<Setup> embedded = setup ? std::optional(std::move(*setup)) : std::nullopt;
+    Result<std::vector<BadFit>> bad = badFitsOf(project, embedded, around.obstacles, progress);
+    if (!bad) return std::move(bad).error();
+    return Answer{std::move(around), std::move(embedded), std::move(*setups), std::move(*text), std::move(*bad)};
 }
 
 Result<Answer> changed(const SetupArguments& arguments, CommandContext& context) {
@@ -181,18 +204,21 @@ Result<Answer> changed(const SetupArguments& arguments, CommandContext& context)
     Result<Around> around = aroundOf(**project);
     if (!around) return std::move(around).error();
     context.stage(BURIN_TEXT("Command", "Reading fixtures"));
-    if (Result<void> done = change(*project, *around, arguments, context.progress()); !done)
-        return std::move(done).error();
+    Result<std::vector<TouchedAxis>> touched = change(*project, *around, arguments, context.progress());
+    if (!touched) return std::move(touched).error();
     tellStock(*left, context);
     tellKeptEarlier(context, **project);
-    return answerOf(**project, std::move(*around));
+    Result<Answer> answer = answerOf(**project, std::move(*around), context.progress());
+    if (answer) answer->touched = std::move(*touched);
+    return answer;
 }
 
 Result<Answer> shown(const SetupArguments& arguments, CommandContext& context) {
     const Result<Project> project = projectForReading(arguments.project, context);
     if (!project) return project.error();
     Result<Around> around = aroundOf(*project);
-    return around ? answerOf(*project, std::move(*around)) : Result<Answer>(std::move(around).error());
+    if (!around) return std::move(around).error();
+    return answerOf(*project, std::move(*around), context.progress());
 }
 
 int runSetup(const SetupArguments& arguments, CommandContext& context) {
@@ -207,7 +233,9 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
                 : worded(BURIN_TEXT("Command", "machine  %1, dialect %2"), {target.machine, target.dialect});
     text += "\n" + worded(BURIN_TEXT("Command", "units    %1"), {idOf(target.units)});
     if (told->setup) text += "\n" + worded(BURIN_TEXT("Command", "zero     %1"), {textOf(told->setup->zero)});
+    text += textOf(told->touched);
     for (const Obstacle& obstacle : around->obstacles) text += "\n" + textOf(obstacle);
+    text += textOf(told->badFits);
     text += told->setupsText;
     context.answer({{"project", std::filesystem::absolute(arguments.project).lexically_normal().string()},
                     {"setups", told->setups},
@@ -218,6 +246,8 @@ int runSetup(const SetupArguments& arguments, CommandContext& context) {
                     {"units", idOf(target.units)},
                     {"zero", told->setup ? jsonOf(told->setup->zero) : nlohmann::json()},
                     {"work_offset_mm", told->setup ? jsonOf(told->setup->workOffset) : nlohmann::json()},
+                    {"touched", jsonOf(told->touched)},
+                    {"fixture_warnings", jsonOf(told->badFits)},
                     {"obstacles", jsonOf(around->obstacles)}},
                    text);
     return 0;

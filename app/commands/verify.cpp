@@ -159,6 +159,10 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
     answer["machine"] = jsonOf(milling->machine);
     const std::vector<std::string> doubts = doubtsOf(*milling->model, milling->embedded);
     answer["part_warnings"] = doubts;
+    const Result<std::vector<BadFit>> bad =
+        badFits(*milling->model, milling->setup, milling->obstacles, context.progress());
+    if (!bad) return context.fail(bad.error());
+    answer["fixture_warnings"] = jsonOf(*bad);
     answer["tool"] = jsonOf(checked->tools.front());
     answer["work_offset_mm"] = burin::jsonOf(milling->setup.workOffset);
     if (!arguments.map.empty()) {
@@ -180,7 +184,7 @@ int runVerify(const VerifyArguments& arguments, CommandContext& context) {
         faces = std::move(*inspected);
     }
     context.answer(answer, textOf(*checked, arguments.tolerance, milling->machine) + faces +
-                               textOfDoubts(*milling->model, milling->embedded));
+                               textOfDoubts(*milling->model, milling->embedded) + textOf(*bad));
     return checked->passed() ? 0 : static_cast<int>(ErrorClass::checkFailed);
 }
 

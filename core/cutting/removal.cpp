@@ -12,6 +12,7 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace burin {
 
@@ -58,7 +59,8 @@ SurfaceFlux surfaceOf(const Cutter& cutter, double edge) {
 
 } // namespace
 
-MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing)
+MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing,
+                                 std::shared_ptr<const SolidColumns> columns)
     : sweep_(flutePieces(cutter), grid.edge()), surface_(surfaceOf(cutter, grid.edge())), turns_(cutter.turns()) {
     const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
     const RevolvedPiece& first = flutes.front();
@@ -68,7 +70,7 @@ MaterialRemoval::MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing
     reach_ = reachOf(flutes);
     cutsSinceLook_ = cutsPerLook; // so that the first cut measures the engagement
     if (cutter.solid != nullptr)
-        solid_ = std::make_unique<SolidCutter>(*cutter.solid, grid);
+        solid_ = std::make_unique<SolidCutter>(columns ? std::move(columns) : columnsOf(cutter, grid));
     else if (known && writing == Writing::deferred)
         cutter_ = std::make_unique<WindowCutter>(first, grid);
 }

@@ -17,6 +17,7 @@
 
 namespace burin {
 
+class SolidColumns;
 class SolidCutter;
 class WindowCutter;
 
@@ -68,8 +69,10 @@ enum class Writing : std::uint8_t {
 /// not need it. Writes that are pending when the object is destroyed are lost.
 class MaterialRemoval {
 public:
-    /// Allocates. @param grid that of every workpiece that is cut
-    MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing = Writing::everyCut);
+    /// Allocates. @param grid that of every workpiece that is cut @param columns those of the cutter on this grid, if
+    /// they are shared; null: they are made if the cutter has a solid
+    MaterialRemoval(const Cutter& cutter, const Grid& grid, Writing writing = Writing::everyCut,
+                    std::shared_ptr<const SolidColumns> columns = nullptr);
     ~MaterialRemoval();
 
     /// The tool's axis points along the runs in the positive direction.

@@ -5,6 +5,7 @@
 #include "core/base/progress.h"
 #include "core/cutting/line_frame.h"
 #include "core/cutting/voxel_tool.h"
+#include "core/tool/tool.h"
 #include "core/volume/runs/run_volume.h"
 #include "core/volume/voxelisation/voxelisation.h"
 
@@ -45,6 +46,10 @@ SolidColumns::SolidColumns(const ToolSolid& solid, const Grid& grid) : hasShank_
     while (points_ > 1 && lines * points_ * points_ > mostLines) points_ /= 2;
     for (std::int32_t v = 0; v < points_; ++v)
         for (std::int32_t u = 0; u < points_; ++u) addLayer(flutes, shank, grid, u, v);
+}
+
+std::shared_ptr<const SolidColumns> columnsOf(const Cutter& cutter, const Grid& grid) {
+    return cutter.solid != nullptr ? std::make_shared<const SolidColumns>(*cutter.solid, grid) : nullptr;
 }
 
 /// @param lines the grid of the workpiece; its edge and its axis of runs count

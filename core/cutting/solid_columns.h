@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace burin {
+
+struct Cutter;
 
 /// Positions of the tip along the runs, in run units from the low end of a grid, while it is nearest to one point of
 /// the lattice across the runs.
@@ -100,6 +103,9 @@ private:
     std::vector<Layer> flutes_, shank_; ///< pointU + points_ * pointV
     glm::dvec3 low_{0.0}, high_{0.0};   ///< voxels from the tip, line frame: a box around the tool
 };
+
+/// The columns of a cutter's solid, for all that share them; null if the cutter has none. @throws std::bad_alloc
+std::shared_ptr<const SolidColumns> columnsOf(const Cutter& cutter, const Grid& grid);
 
 /// A straight move of an upright tool as stays, in order; their poses are those of the move, with the tip on the
 /// lattice. The union of the tool over the stays is what the tool so moved sweeps, however long the move is: splitting

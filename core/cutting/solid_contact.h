@@ -5,7 +5,9 @@
 #include "core/cutting/contact.h"
 #include "core/cutting/solid_columns.h"
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace burin {
 
@@ -18,16 +20,17 @@ inline constexpr RunPosition solidContactTolerance = unitsPerVoxel / 4;
 /// allocation, lock or exception after construction.
 class SolidContact {
 public:
-    /// Allocates. @param solid with a shank @param piece of the shank, for ShankContact
-    SolidContact(const ToolSolid& solid, const Grid& grid, std::uint32_t piece)
-        : columns_(solid, grid), piece_(piece) {}
+    /// @param columns never null, with a shank; made for the workpiece's grid @param piece of the shank, for
+    /// ShankContact
+    SolidContact(std::shared_ptr<const SolidColumns> columns, std::uint32_t piece)
+        : columns_(std::move(columns)), piece_(piece) {}
 
     /// @param tip mm, setup frame; one that is not finite touches nothing
     ShankContact at(const RunVolume& workpiece, const glm::dvec3& tip) noexcept;
     void forget() noexcept { free_.reset(); }
 
 private:
-    SolidColumns columns_;
+    std::shared_ptr<const SolidColumns> columns_;
     std::uint32_t piece_;
     std::optional<glm::dvec3> free_; ///< mm, tip at which the shank touched nothing
 };

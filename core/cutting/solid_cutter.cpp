@@ -12,17 +12,17 @@ void SolidCutter::cut(RunVolume& workpiece, const glm::dvec3& from, const glm::d
     std::optional<SolidStay> before;
     if (cleared_ == from) {
         if (from == to) return;
-        before = SolidTrack::at(columns_, grid, from);
+        before = SolidTrack::at(*columns_, grid, from);
     }
     cleared_.reset();
     RunAmounts taken;
     const LineInterval rows{0, grid.lineCountV() - 1};
-    SolidTrack track(columns_, grid, from, to);
+    SolidTrack track(*columns_, grid, from, to);
     while (const std::optional<SolidStay> stay = track.next()) {
-        columns_.forEachSpan(SolidColumns::Section::flutes, grid, *stay, before ? &*before : nullptr, rows,
-                             [&](LineIndex line, RunPosition low, RunPosition high) {
-                                 return removeCounted(workpiece, line, low, high, taken, removed);
-                             });
+        columns_->forEachSpan(SolidColumns::Section::flutes, grid, *stay, before ? &*before : nullptr, rows,
+                              [&](LineIndex line, RunPosition low, RunPosition high) {
+                                  return removeCounted(workpiece, line, low, high, taken, removed);
+                              });
         if (removed.outOfMemory) break;
         before = stay;
     }

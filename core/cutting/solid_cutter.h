@@ -6,7 +6,9 @@
 #include "core/cutting/solid_columns.h"
 #include "core/volume/runs/run_volume.h"
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace burin {
 
@@ -16,8 +18,8 @@ namespace burin {
 /// exception in `cut`. Only on the workpiece's writer thread.
 class SolidCutter {
 public:
-    /// Allocates. @param grid that of every workpiece that is cut
-    SolidCutter(const ToolSolid& solid, const Grid& grid) : columns_(solid, grid) {}
+    /// @param columns never null; made for the grid of every workpiece that is cut
+    explicit SolidCutter(std::shared_ptr<const SolidColumns> columns) : columns_(std::move(columns)) {}
 
     /// @param from, to tips, mm, setup frame, finite. Adds to `removed`.
     void cut(RunVolume& workpiece, const glm::dvec3& from, const glm::dvec3& to, RemovedUnits& removed) noexcept;
@@ -25,7 +27,7 @@ public:
     void reset() noexcept { cleared_.reset(); }
 
 private:
-    SolidColumns columns_;
+    std::shared_ptr<const SolidColumns> columns_;
     std::optional<glm::dvec3> cleared_; ///< mm, tip at which the flutes hold nothing machinable
 };
 

@@ -50,7 +50,11 @@ private:
 
 } // namespace
 
-Result<VolumeSurface> surfaceOf(const VolumeSnapshot& volume, Progress& progress) try {
+Result<VolumeSurface> surfaceOf(const VolumeSnapshot& volume, Progress& progress) {
+    return surfaceOf(volume, 0.0, progress);
+}
+
+Result<VolumeSurface> surfaceOf(const VolumeSnapshot& volume, double tolerance, Progress& progress) try {
     VolumeSurface surface;
     Welder welder(surface);
     SurfaceExtractor extractor;
@@ -59,7 +63,7 @@ Result<VolumeSurface> surfaceOf(const VolumeSnapshot& volume, Progress& progress
     for (std::int32_t v = 0; v < tiles.y; ++v)
         for (std::int32_t u = 0; u < tiles.x; ++u) {
             if (progress.cancelled()) return Error{ErrorCode::cancelled, "volume", {}, {}};
-            extractor.extract(volume, {u, v}, {}, tile);
+            extractor.extract(volume, {u, v}, {0, tolerance}, tile);
             welder.add(tile);
             progress.report(static_cast<double>(v * tiles.x + u + 1) / (tiles.x * tiles.y));
         }

@@ -18,5 +18,7 @@ struct VolumeSurface {
 };
 /// At full resolution, as it is displayed. Errors: cancelled, outOfMemory.
 Result<VolumeSurface> surfaceOf(const VolumeSnapshot& volume, Progress& progress);
+/// The same with fewer triangles. @param tolerance mm by which simplification may move the surface; 0: not at all
+Result<VolumeSurface> surfaceOf(const VolumeSnapshot& volume, double tolerance, Progress& progress);
 
 } // namespace burin

@@ -10,14 +10,14 @@
 
 namespace burin {
 
-BrakeOnContact::BrakeOnContact(const Cutter& cutter, const Grid& grid)
+BrakeOnContact::BrakeOnContact(const Cutter& cutter, const Grid& grid, std::shared_ptr<const SolidColumns> columns)
     : tool_(pieces(cutter)), fluteCount_(flutePieces(cutter).size()), reach_(reachOf(tool_)), check_(grid) {
     // Tool positions one stride apart overlap by more than half of the thinnest piece.
     double thinnest = tool_.front().widestRadius();
     for (const RevolvedPiece& piece : tool_) thinnest = std::min(thinnest, piece.widestRadius());
     stride_ = std::max(thinnest, 0.05);
     if (cutter.turns() || cutter.solid->shank.empty()) return;
-    solid_.emplace(*cutter.solid, grid, static_cast<std::uint32_t>(fluteCount_));
+    solid_.emplace(std::move(columns), static_cast<std::uint32_t>(fluteCount_));
     stride_ = std::min(stride_, grid.edge()); // its pieces say nothing about its thickness
     while (fluteCount_ < tool_.size() && sectionOf(cutter, fluteCount_) == ToolSection::shank) ++fluteCount_;
 }

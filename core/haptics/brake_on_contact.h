@@ -6,6 +6,7 @@
 #include "core/cutting/solid_contact.h"
 #include "core/tool/tool.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,7 +17,8 @@ namespace burin {
 /// shank of a tool that doesn't turn is that of its model, if it has one.
 class BrakeOnContact {
 public:
-    BrakeOnContact(const Cutter& cutter, const Grid& grid);
+    /// @param columns those of the cutter on this grid; null: it has no solid
+    BrakeOnContact(const Cutter& cutter, const Grid& grid, std::shared_ptr<const SolidColumns> columns);
 
     /// @param owed pending cuts that the workpiece does not show yet (MaterialRemoval::window), or null
     /// @param from current pose of the tool; @param to requested pose; the axis rotates uniformly in between. No

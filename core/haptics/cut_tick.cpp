@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -46,10 +47,11 @@ void addInOrder(std::array<MaterialVolume, maximumMachinableProperties>& removed
 
 } // namespace
 
-CutTick::CutTick(RunVolume& workpiece, const Tool& tool, const HapticSettings& settings)
+CutTick::CutTick(RunVolume& workpiece, const Tool& tool, const HapticSettings& settings,
+                 std::shared_ptr<const SolidColumns> columns)
     : workpiece_(&workpiece)
     , coefficients_(cuttingCoefficients(workpiece.properties(), tool.cutter.diameter))
-    , removal_(tool.cutter, workpiece.grid(), Writing::deferred)
+    , removal_(tool.cutter, workpiece.grid(), Writing::deferred, std::move(columns))
     , tool_(spinningTool(tool, settings.cuttingSpeed))
     , area_(areaVoxels * workpiece.grid().edge(), playOf(workpiece.grid(), settings))
     , onButton_(settings.cutsOnButton) {

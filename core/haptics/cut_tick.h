@@ -15,8 +15,9 @@ namespace burin {
 /// The spindle and the material that it removes in a tick. Called in the haptic tick; the only writer of the workpiece.
 class CutTick {
 public:
-    /// @param workpiece outlives the object
-    CutTick(RunVolume& workpiece, const Tool& tool, const HapticSettings& settings);
+    /// @param workpiece outlives the object @param columns of the tool on its grid; null: the tool has no solid
+    CutTick(RunVolume& workpiece, const Tool& tool, const HapticSettings& settings,
+            std::shared_ptr<const SolidColumns> columns);
 
     bool spindleTurns() const noexcept { return released_ && (!onButton_ || buttonDown_); }
     /// @param released false: the spindle is stopped, whatever the state of the button

@@ -15,12 +15,16 @@ HapticStep::HapticStep(RunVolume& workpiece, const ClearanceField& field, const 
     : HapticStep(workpiece, BoundaryLayers(std::make_unique<FixedAxisBoundary>(field)), tool, settings) {}
 
 HapticStep::HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& tool, const HapticSettings& settings)
+    : HapticStep(workpiece, std::move(layers), tool, settings, columnsOf(tool.cutter, workpiece.grid())) {}
+
+HapticStep::HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& tool, const HapticSettings& settings,
+                       const std::shared_ptr<const SolidColumns>& columns)
     : input_(settings)
     , layers_(std::move(layers))
     , part_(layers_.part())
     , guides_(part_, settings)
-    , mover_(layers_, tool, workpiece, settings)
-    , cut_(workpiece, tool, settings)
+    , mover_(layers_, tool, workpiece, settings, columns)
+    , cut_(workpiece, tool, settings, columns)
     , output_(settings) {}
 
 Sample HapticStep::advance(const StylusState& state, double period) noexcept {

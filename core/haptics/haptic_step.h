@@ -115,6 +115,9 @@ public:
     const ForceLimiter& limiter() const noexcept { return output_.limiter(); }
 
 private:
+    /// @param columns of the tool, which contact and cuts share; null: it has no solid
+    HapticStep(RunVolume& workpiece, BoundaryLayers layers, const Tool& tool, const HapticSettings& settings,
+               const std::shared_ptr<const SolidColumns>& columns);
     template <class Change>
     void tell(const Change& change) noexcept {
         if (listener_ != nullptr) listener_->changed(StepChange(change));

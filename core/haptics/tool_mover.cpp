@@ -46,7 +46,7 @@ StockBoundary* addStock(BoundaryLayers& layers, const Tool& tool, const RunVolum
 } // namespace
 
 ToolMover::ToolMover(BoundaryLayers& layers, const Tool& tool, const RunVolume& workpiece,
-                     const HapticSettings& settings)
+                     const HapticSettings& settings, std::shared_ptr<const SolidColumns> columns)
     : layers_(layers)
     , stock_(addStock(layers, tool, workpiece, settings.stock))
     , axis_(settings.axis)
@@ -58,7 +58,7 @@ ToolMover::ToolMover(BoundaryLayers& layers, const Tool& tool, const RunVolume& 
                      settings.tickPeriod)
     , handSpeed_(settings.stylus.maximumSpeed.value)
     , longestPeriod_(gapLimits(settings.tickPeriod).late)
-    , brake_(tool.cutter, workpiece.grid())
+    , brake_(tool.cutter, workpiece.grid(), std::move(columns))
     , proxy_(layers)
     , allowance_(layers, settings.allowance) {
     setScale(settings.mapping.scale);

@@ -21,7 +21,9 @@ public:
 
     /// Adds the layer of the stock if the settings ask for one: it is then the last one.
     /// @param layers, workpiece outlive the object
-    ToolMover(BoundaryLayers& layers, const Tool& tool, const RunVolume& workpiece, const HapticSettings& settings);
+    /// @param columns of the tool on the workpiece's grid, which its CutTick shares; null: the tool has no solid
+    ToolMover(BoundaryLayers& layers, const Tool& tool, const RunVolume& workpiece, const HapticSettings& settings,
+              std::shared_ptr<const SolidColumns> columns);
 
     /// Places the tool at the hand's pose if that is free. Returns false if it is not.
     bool start(const ToolPose& hand, const CutTick& cut) noexcept;

@@ -107,7 +107,9 @@ Result<SheetSource> sheetSource(const Project& project, const std::string& file)
 Result<SheetContent> sheetContent(SheetSource source, Progress& progress) {
     Result<EmbeddedSetup> embedded = embed(*source.model, source.setup, source.materials, progress);
     if (!embedded) return std::move(embedded).error();
-    return SheetContent{std::move(source), embedded->workpiece.snapshot(), materialAmounts(*embedded)};
+    Result<std::vector<BadFit>> bad = badFits(*source.model, source.setup, source.obstacles, progress);
+    if (!bad) return std::move(bad).error();
+    return SheetContent{std::move(source), embedded->workpiece.snapshot(), materialAmounts(*embedded), std::move(*bad)};
 }
 
 } // namespace burin

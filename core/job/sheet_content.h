@@ -4,6 +4,7 @@
 
 #include "core/document/project.h"
 #include "core/job/program_job.h"
+#include "core/setup/fixture_fit.h"
 
 #include <memory>
 #include <string>
@@ -34,6 +35,7 @@ struct SheetContent {
     SheetSource source;
     VolumeSnapshot stock; ///< before anything is milled
     std::vector<MaterialAmount> amounts;
+    std::vector<BadFit> badFits; ///< fixtures that do not fit the stock
 };
 
 /// Reads the source. Errors: projectIncomplete (no stock yet), fileDamaged, those of loadMachine.

@@ -7,7 +7,6 @@
 #include "core/haptics/boundary/fixed_axis_boundary.h"
 #include "core/haptics/boundary/mesh_boundary.h"
 #include "core/haptics/boundary/turned_field.h"
-#include "core/job/touched_stock.h"
 
 #include <limits>
 #include <utility>
@@ -181,10 +180,9 @@ Result<ToolBounds> ToolBounds::asGrown(const MillingContext& milling, const Tool
     return bounds;
 }
 
-void ToolBounds::addStock(const Setup& setup) {
-    const std::optional<Obstacle> stock = touchableStock(setup);
+void ToolBounds::addStock(std::shared_ptr<const TouchableStock> stock) {
     if (!stock || stock_ || layers_.size() >= capacity) return;
-    stock_ = std::make_shared<const MeshDistance>(meshOf(*stock));
+    stock_ = std::move(stock);
     layers_.push_back({BoundLayer::Kind::stock, {}, false});
 }
 
@@ -215,7 +213,7 @@ std::unique_ptr<PoseBoundary> ToolBounds::partBoundary() const {
 BoundaryLayers ToolBounds::boundaryLayers() const {
     BoundaryLayers layers(partBoundary());
     addLayers(layers, std::span<const ObstacleSolid>(obstacles_), envelope_, tool_, voxel_);
-    if (stock_) layers.add(std::make_unique<MeshBoundary>(stock_, pieces(tool_.cutter), voxel_), false);
+    if (stock_) layers.add(std::make_unique<MeshBoundary>(stock_->surface(), pieces(tool_.cutter), voxel_), false);
     return layers;
 }
 

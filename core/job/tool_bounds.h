@@ -8,6 +8,7 @@
 #include "core/haptics/boundary/tool_boundaries.h"
 #include "core/haptics/trace/session_trace.h"
 #include "core/job/milling_context.h"
+#include "core/job/touched_stock.h"
 #include "core/machine/envelope.h"
 #include "core/setup/axis_mode.h"
 #include "core/setup/obstacle.h"
@@ -78,9 +79,10 @@ public:
                                       const Surroundings& surroundings, const SessionTrace& trace, Progress& progress);
 
     /// Adds the stock before milling as the last layer, off until a session switches it on: for touching it off with a
-    /// tool that doesn't cut. Nothing is added for a stock that cannot be touched (touchableStock), or beyond
-    /// `capacity`.
-    void addStock(const Setup& setup);
+    /// tool that doesn't cut. Nothing is added beyond `capacity`, or a second time.
+    void addStock(std::shared_ptr<const TouchableStock> stock);
+    /// The stock that was added; null: none.
+    const std::shared_ptr<const TouchableStock>& stock() const noexcept { return stock_; }
 
     /// Blocks until the field has nothing left to compute for the tool's present position; returns immediately if no
     /// field grows.
@@ -129,7 +131,7 @@ private:
     Tool tool_;
     std::vector<ObstacleSolid> obstacles_;
     Envelope envelope_;
-    std::shared_ptr<const MeshDistance> stock_; ///< null: it is no layer
+    std::shared_ptr<const TouchableStock> stock_; ///< null: it is no layer
     std::vector<BoundLayer> layers_;
 };
 

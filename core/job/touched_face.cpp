@@ -40,7 +40,7 @@ TouchedFace touchedFace(const Sample& sample, const Tool& tool, double allowance
     if (!upright || std::abs(along) < leastAlignment || (face.axis == 2 && along < 0.0)) return face;
     face.outcome = TouchedFace::Outcome::found;
     face.high = along > 0.0;
-    face.place = sample.proxy.tip;
+    face.tip = face.place = sample.proxy.tip;
     const double reach = (face.axis == 2 ? 0.0 : tool.cutter.radius()) + allowance;
     if (face.axis != 2) face.place.z += heightOfRadius(tool.cutter);
     face.place[face.axis] -= std::copysign(reach, along);

@@ -17,8 +17,9 @@ struct TouchedFace {
         aslant   ///< the tool is tilted, or the face is not parallel to a plane of two axes
     };
     Outcome outcome = Outcome::nothing;
-    int axis = 0;      ///< 0, 1, 2: the axis that the face is perpendicular to
-    bool high = false; ///< of the two faces of a block along this axis, the one at the larger coordinate
+    int axis = 0;        ///< 0, 1, 2: the axis that the face is perpendicular to
+    bool high = false;   ///< of the two faces of a block along this axis, the one at the larger coordinate
+    glm::dvec3 tip{0.0}; ///< mm, setup frame: of the tool
     /// mm, setup frame: where the tool touches. For a side face at the height at which a ball or a rounded edge reaches
     /// the cutter's radius, as there the contact is certain.
     glm::dvec3 place{0.0};

@@ -3,6 +3,7 @@
 #include "core/setup/fixture_fit.h"
 
 #include "core/setup/fixture_solid.h"
+#include "core/setup/setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,8 @@ namespace burin {
 
 namespace {
 
-constexpr double touching = 1e-6; // mm, of rounding
+constexpr double touching = 1e-6;             // mm, of rounding
+constexpr double uprightCosine = 1.0 - 1e-12; // of the axis of a cylinder
 
 /// How far one interval has to move to get out of another one.
 double overlap(double low, double high, double otherLow, double otherHigh) noexcept {
@@ -64,6 +66,20 @@ double gapBefore(const FixtureDesign& design, const StockSolid& stock, int axis)
     return extent ? -extent->high : std::numeric_limits<double>::infinity();
 }
 
+double counted(double depth) noexcept {
+    return depth > touching ? depth : 0.0;
+}
+
+/// 0 for a shape that is not judged.
+double depthOfShape(const Obstacle& obstacle, const StockSolid& stock) {
+    if (const auto* box = std::get_if<Box>(&obstacle.shape)) return depthOfBox({}, *box, stock);
+    const auto* cylinder = std::get_if<CylinderShape>(&obstacle.shape);
+    if (cylinder == nullptr || std::abs(cylinder->axis.z) < uprightCosine) return 0.0;
+    const double end = cylinder->base.z + std::copysign(cylinder->height, cylinder->axis.z);
+    const RoundStep step{cylinder->radius, std::min(cylinder->base.z, end), std::max(cylinder->base.z, end)};
+    return depthOfRound({}, glm::dvec2(cylinder->base), step, stock);
+}
+
 } // namespace
 
 double depthIn(const FixtureDesign& design, const StockSolid& stock) {
@@ -75,7 +91,7 @@ double depthIn(const FixtureDesign& design, const StockSolid& stock) {
     for (const RoundBody& body : solids.rounds)
         for (const RoundStep& step : body.steps)
             if (!step.inStock) deepest = std::max(deepest, depthOfRound(placement, body.centre, step, stock));
-    return deepest > touching ? deepest : 0.0;
+    return counted(deepest);
 }
 
 std::optional<double> gapTo(const FixtureDesign& design, const StockSolid& stock) {
@@ -97,6 +113,34 @@ std::optional<double> gapTo(const FixtureDesign& design, const StockSolid& stock
         break;
     }
     return gap && *gap <= touching ? std::optional(0.0) : gap;
+}
+
+FixtureFit fitOf(const FixtureDesign& design, const StockSolid& stock) {
+    return {depthIn(design, stock), gapTo(design, stock).value_or(0.0)};
+}
+
+FixtureFit fitOf(const Obstacle& obstacle, const StockSolid& stock) {
+    if (obstacle.kind == ObstacleKind::keepOut || stock.empty()) return {};
+    if (obstacle.design) return fitOf(*obstacle.design, stock);
+    return {counted(depthOfShape(obstacle, stock)), 0.0};
+}
+
+Result<std::vector<BadFit>> badFits(const Model& model, const Setup& setup, std::span<const Obstacle> obstacles,
+                                    Progress& progress) {
+    std::vector<BadFit> bad;
+    const auto judged = [](const Obstacle& one) {
+        return one.on && one.kind == ObstacleKind::fixture &&
+               (one.design || !std::holds_alternative<TriangleMesh>(one.shape));
+    };
+    if (std::ranges::none_of(obstacles, judged)) return bad;
+    const Result<StockSolid> stock = StockSolid::of(model, setup, progress);
+    if (!stock) return stock.error();
+    for (const Obstacle& obstacle : obstacles) {
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "fixtures", {}, {}};
+        if (!judged(obstacle)) continue;
+        if (const FixtureFit fit = fitOf(obstacle, *stock); !fit.isGood()) bad.push_back({obstacle.name, fit});
+    }
+    return bad;
 }
 
 } // namespace burin

@@ -183,11 +183,14 @@ glm::dvec3 firstPoint(FixtureKind kind, const Box& stock) noexcept {
     return {stock.low.x + inset, centre.y, stock.high.z};
 }
 
+Error inStock(const std::string& name, double depth) {
+    return {ErrorCode::fixtureInStock, name, formatLimit(depth, 3) + " mm", {}};
+}
+
 Result<Obstacle> fixtureOf(const FixtureDesign& design, const StockSolid& stock, const std::string& name,
                            double margin) {
     if (Result<void> usable = checkFixture(design); !usable) return std::move(usable).error();
-    if (const double depth = depthIn(design, stock); depth > 0.0)
-        return Error{ErrorCode::fixtureInStock, name, formatLimit(depth, 3) + " mm", {}};
+    if (const double depth = depthIn(design, stock); depth > 0.0) return inStock(name, depth);
     Obstacle fixture;
     fixture.name = name;
     fixture.shape = meshOf(design);

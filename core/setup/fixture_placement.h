@@ -34,6 +34,9 @@ FixtureDesign placedAt(FixtureDesign design, const std::set<std::string>& given,
 /// so that its spindle is in front.
 glm::dvec3 firstPoint(FixtureKind kind, const Box& stock) noexcept;
 
+/// The error of a fixture that would enter the stock. @param depth mm
+Error inStock(const std::string& name, double depth);
+
 /// Returns the fixture as a solid. Errors: those of checkFixture, fixtureInStock if it would enter the stock.
 /// @param margin distance that the tool keeps from it, mm
 Result<Obstacle> fixtureOf(const FixtureDesign& design, const StockSolid& stock, const std::string& name,

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double withinRegion = 1e-6;    // mm: a face that lies in a side of a region is not in it
 constexpr double depthResolution = 1e-8; // mm
+constexpr std::size_t quickTriangles = 20'000;
 
 /// The faces of a box.
 std::array<Triangle, 12> trianglesOf(const Box& box) noexcept {
@@ -209,7 +210,17 @@ TriangleMesh prismIn(const CylinderShape& cylinder) {
     return mesh;
 }
 
+TriangleMesh outward(TriangleMesh mesh) {
+    if (signedVolume(mesh) < 0.0)
+        for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+    return mesh;
+}
+
 } // namespace
+
+bool StockSolid::isQuick() const noexcept {
+    return !runs_ && (!surface_ || surface_->triangles().size() <= quickTriangles);
+}
 
 Result<StockSolid> StockSolid::of(const Model& model, const Setup& setup, Progress& progress) {
     StockSolid solid(setup.stock);
@@ -218,7 +229,7 @@ Result<StockSolid> StockSolid::of(const Model& model, const Setup& setup, Progre
     } else if (setup.form == StockForm::solids) {
         TriangleMesh mesh;
         for (std::size_t i = 0; i < model.bodies.size(); ++i)
-            if (roleOf(setup, i) == BodyRole::stock) append(mesh, model.bodies[i].mesh);
+            if (roleOf(setup, i) == BodyRole::stock) append(mesh, outward(model.bodies[i].mesh));
         if (!mesh.empty()) solid.surface_ = std::make_shared<const MeshDistance>(mesh);
     } else if (setup.form == StockForm::file && setup.volume) {
         Result<RunVolume> volume = setup.volume->unpack(progress);

@@ -33,6 +33,12 @@ public:
     const Box& box() const noexcept { return box_; } ///< around it, mm, setup frame
     bool empty() const noexcept { return box_.empty(); }
     bool isBox() const noexcept { return !surface_ && !runs_; }
+    /// Whether each question is answered within some milliseconds, so that it may be asked on the user interface's
+    /// thread.
+    bool isQuick() const noexcept;
+    /// Of a cylinder and of solids, closed and oriented outwards where the bodies are; null for any other stock.
+    const std::shared_ptr<const MeshDistance>& surface() const noexcept { return surface_; }
+    const std::shared_ptr<const VolumeSnapshot>& runs() const noexcept { return runs_; } ///< from a file; else null
 
     /// Extent along an axis of the part of the stock that lies in a region, mm; empty if there is none. A voxel belongs
     /// to it as a whole.

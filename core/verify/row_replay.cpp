@@ -37,7 +37,7 @@ ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistan
     , near(nearDistance)
     , filter(std::span(stack).first(fluteCount), grid) {
     if (cutter.solid != nullptr) {
-        solid = std::make_shared<const SolidColumns>(*cutter.solid, grid);
+        solid = columnsOf(cutter, grid);
         turns = cutter.turns();
         section = oriented(cutter.solid->section);
     }

@@ -98,6 +98,45 @@ private slots:
         QCOMPARE(boundsOf(fixtures[1]).size().y, 125.0); // the body is as wide as before
     }
 
+    /// A box, and a fixture from a file, are moved and turned; what then is in the stock is told.
+    void anyOtherFixtureIsMoved() {
+        const ProgramRun added =
+            runBurin({"setup", project_, "--fixture", BURIN_FIXTURES "/models/cube.brep", "--keep-out", "20,0,0,30,4,6",
+                      "--change-fixture", "cube: place=16,-5,-5 turn=45", "--change-fixture",
+                      "keep-out: by=1,2,3 turn=90", "--json"});
+        QVERIFY2(added.status == 0, added.messages.constData());
+        const std::vector<Obstacle> fixtures = fixturesIn(project_);
+        const Box cube = boundsOf(fixtures[0]), space = boundsOf(fixtures[1]);
+        const double half = 5.0 * std::sqrt(2.0); // of the diagonal of the cube of 10 mm
+        QVERIFY(glm::distance(cube.low, {21.0 - half, -half, -5.0}) < 1e-9);
+        QVERIFY(glm::distance(cube.high, {21.0 + half, half, 5.0}) < 1e-9);
+        QCOMPARE(space.low, glm::dvec3(24.0, -1.0, 3.0));
+        QCOMPARE(space.high, glm::dvec3(28.0, 9.0, 9.0));
+        const ProgramRun refused = runBurin({"setup", project_, "--change-fixture", "keep-out: turn=30"});
+        QCOMPARE(refused.status, 2);
+        QVERIFY2(refused.messages.contains("a multiple of 90 degrees"), refused.messages.constData());
+        const ProgramRun unknown = runBurin({"setup", project_, "--change-fixture", "cube: jaw-width=3"});
+        QVERIFY2(unknown.status == 2 && unknown.messages.contains("by, place, turn"), unknown.messages.constData());
+    }
+
+    /// A vise that doesn't touch the stock: told by setup, verify and the sheet, in both forms of output.
+    void whatDoesNotTouchTheStockIsTold() {
+        const QStringList add{"setup", project_, "--add-fixture", "vise opening=23"};
+        const ProgramRun text = runBurin(add);
+        QVERIFY2(text.status == 0, text.messages.constData());
+        const char* const sentence = "doesn't touch the stock: a gap of 3.000";
+        QVERIFY2(text.output.contains(sentence), text.output.constData());
+        const QJsonArray told = runBurin({"setup", project_, "--json"}).json()["fixture_warnings"].toArray();
+        QCOMPARE(told.size(), 1);
+        QCOMPARE(told[0].toObject()["name"].toString(), QString("Vise"));
+        QCOMPARE(told[0].toObject()["gap_mm"].toDouble(), 3.0);
+        QCOMPARE(told[0].toObject()["in_stock_mm"].toDouble(), 0.0);
+        const QJsonArray none = runBurin({"setup", project_, "--change-fixture", "Vise: opening=20", "--json"})
+                                    .json()["fixture_warnings"]
+                                    .toArray();
+        QVERIFY(none.isEmpty());
+    }
+
     void whatCanNotBeIsRefusedInOneSentence() {
         const std::tuple<const char*, int, const char*> cases[] = {{"magnet", 2, "vise, step-clamp"},
                                                                    {"vise wide=3", 2, "jaw-width"},

@@ -224,6 +224,65 @@ private slots:
                  qPrintable(QString::number(glm::degrees(fixtures.design().turn - before.turn))));
     }
 
+    /// A box of no library, moved by an arrow, the keys and its card: one undo step. It has no rings, as its edges stay
+    /// parallel to the axes; R turns it by 90°. Esc leaves it where it was. A cylinder has rings.
+    void anyOtherFixtureFollowsItsHandles() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 1.0));
+        Viewport& viewport = driver.window().viewport();
+        SurroundingsController& surroundings = workbenchOf(driver).surroundings;
+        ObstacleMover& mover = workbenchOf(driver).mover;
+        surroundings.addBox(ObstacleKind::fixture);
+        const auto box = [&] { return std::get<Box>(surroundings.obstacles().front().obstacle->shape); };
+        const Box before = box();
+        mover.begin(0);
+        QTRY_VERIFY(driver.visible("obstacle0Change") != nullptr);
+        QTest::qWait(500);
+        const Gizmo gizmo{before.centre(), false, false};
+        const auto arrow = gripOf(viewport, gizmo, {GizmoPart::arrow, 1});
+        QVERIFY(arrow && !gripOf(viewport, gizmo, {GizmoPart::ring, 2}));
+        const glm::dvec3 to = *arrow + glm::dvec3(0.0, 6.0, 0.0);
+        drag(viewport, *arrow, to, Qt::ControlModifier);
+        QTest::qWait(300);
+        driver.shoot("gizmo-8-box");
+        release(viewport, to, Qt::ControlModifier);
+        QVERIFY(near(mover.motion().shift, {0.0, 6.0, 0.0}));
+        QVERIFY(box().low == before.low); // not before it is accepted
+        viewport.setFocus();
+        QTest::keyClick(&viewport, Qt::Key_PageUp);
+        QTest::keyClick(&viewport, Qt::Key_R);
+        const int steps = workbenchOf(driver).undo().count();
+        QVERIFY(driver.clickOn("obstacle0Change"));
+        QTRY_VERIFY(!mover.moving());
+        QCOMPARE(workbenchOf(driver).undo().count(), steps + 1);
+        QVERIFY(near(box().centre(), before.centre() + glm::dvec3(0.0, 6.0, 1.0)));
+        QVERIFY(near(box().size(), before.size()));
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_VERIFY(box().low == before.low);
+
+        mover.begin(0);
+        QTest::keyClick(&viewport, Qt::Key_PageUp);
+        QVERIFY(near(mover.centre(), before.centre() + glm::dvec3(0.0, 0.0, 1.0)));
+        QTest::keyClick(&viewport, Qt::Key_Escape);
+        QTRY_VERIFY(!mover.moving());
+        QVERIFY(box().low == before.low && viewport.interactiveTool() == nullptr);
+
+        surroundings.addCylinder(ObstacleKind::keepOut);
+        mover.begin(1);
+        QTest::qWait(500);
+        const auto ring = gripOf(viewport, {mover.centre(), false, true}, {GizmoPart::ring, 0});
+        QVERIFY(ring);
+        const glm::dvec3 turned = turnedAbout({1.0, 0.0, 0.0}, pi / 6.0, mover.centre()).point(*ring);
+        drag(viewport, *ring, turned, Qt::ControlModifier);
+        release(viewport, turned, Qt::ControlModifier);
+        QTest::qWait(300);
+        driver.shoot("gizmo-9-cylinder");
+        QTest::keyClick(&viewport, Qt::Key_Return);
+        QTRY_VERIFY(!mover.moving());
+        const auto cylinder = std::get<CylinderShape>(surroundings.obstacles().back().obstacle->shape);
+        QVERIFY(near(cylinder.axis, {0.0, -0.5, std::sqrt(0.75)}));
+    }
+
     /// The drawing marks the size that is being edited.
     void theDrawingMarksTheEditedSize() {
         WindowDriver driver;

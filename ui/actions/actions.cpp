@@ -141,8 +141,8 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Click a vertex, an edge or a circle of the part, or a corner of the stock."),
         "Ctrl+Shift+O"},
     Row{ActionId::holdAtStock, "holdAtStockAction", QT_TRANSLATE_NOOP("Actions", "&Stop the tool at the stock"),
-        QT_TRANSLATE_NOOP("Actions", "Until a recording starts, a stock that is a box or a cylinder stops the tool, as "
-                                     "it was before milling, so that its sides can be touched off."),
+        QT_TRANSLATE_NOOP("Actions", "Until a recording starts, the stock stops the tool, as it was before milling, so "
+                                     "that its sides can be touched off."),
         "Ctrl+Alt+U", true},
     Row{ActionId::touchZero, "touchZeroAction", QT_TRANSLATE_NOOP("Actions", "&Touch off program zero"),
         QT_TRANSLATE_NOOP("Actions",

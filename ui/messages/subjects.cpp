@@ -31,7 +31,7 @@ constexpr std::array subjects{
     BURIN_TEXT("Subject", "dialect"),
     BURIN_TEXT("Subject", "edit"),
     BURIN_TEXT("Subject", "file"),
-    BURIN_TEXT("Subject", "fixture of the library"),
+    BURIN_TEXT("Subject", "change of a fixture"),
     BURIN_TEXT("Subject", "kind of fixture"),
     BURIN_TEXT("Subject", "size of a fixture"),
     BURIN_TEXT("Subject", "insert"),

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/obstacle_card.h"
 
+#include "core/setup/obstacle_motion.h"
 #include "ui/messages/messages.h"
 #include "ui/panels/buttons.h"
 #include "ui/panels/choice_box.h"
 #include "ui/panels/field_row.h"
+#include "ui/panels/fixture_labels.h"
 #include "ui/panels/focus_keeper.h"
 #include "ui/panels/guide_labels.h"
 #include "ui/panels/length_field.h"
@@ -76,12 +78,11 @@ void ObstacleCard::addHead() {
     connect(remove_, &QToolButton::clicked, this, &ObstacleCard::removalRequested);
     auto* head = new QHBoxLayout;
     head->addWidget(switch_, 1);
-    if (obstacle_.design) {
-        change_ = makeIconButton(QStringLiteral("edit"), tr("Change its sizes and its position"),
-                                 name_ + QStringLiteral("Change"), this);
-        connect(change_, &QToolButton::clicked, this, &ObstacleCard::changeRequested);
-        head->addWidget(change_);
-    }
+    change_ = makeIconButton(QStringLiteral("edit"), changeTip(), name_ + QStringLiteral("Change"), this);
+    change_->setAccessibleName(QString::fromStdString(obstacle_.name) + QStringLiteral(", ") + change_->toolTip());
+    change_->setCheckable(!obstacle_.design); // while it is moved in the view
+    connect(change_, &QToolButton::clicked, this, &ObstacleCard::changeRequested);
+    head->addWidget(change_);
     head->addWidget(remove_);
     static_cast<QVBoxLayout*>(layout())->addLayout(head);
 }
@@ -93,6 +94,7 @@ QuantityField* ObstacleCard::addField(const QString& name, const QString& label,
     fields_.push_back({field, std::move(get), axis});
     connect(field, &QuantityField::valueEdited, this, [this, axis, set = std::move(set)](double wanted) {
         set(obstacle_, axis < 0 ? wanted : wanted + zero_[axis]);
+        shown_.reset();
         emit edited(obstacle_);
     });
     return field;
@@ -136,6 +138,7 @@ void ObstacleCard::addShape() {
         FieldRow::choiceWidth));
     connect(kind_, &QComboBox::activated, this, [this](int index) {
         obstacle_.kind = static_cast<ObstacleKind>(index);
+        shown_.reset();
         emit edited(obstacle_);
     });
     if (std::holds_alternative<burin::Box>(obstacle_.shape)) {
@@ -170,34 +173,59 @@ void ObstacleCard::addShape() {
                    QStringLiteral("Height"), tr("Height"), -1, [](const Obstacle& of) { return cylinderOf(of).height; },
                    [](Obstacle& of, double value) { cylinderOf(of).height = value; }));
         fields_.back().field->limit(smallest, farthestCoordinate);
-    } else if (obstacle_.design) {
-        origin_ = makeWrappedLabel(figures_);
-        origin_->setObjectName(name_ + QStringLiteral("Origin"));
-        origin_->setProperty("look", "small");
-        figures_->layout()->addWidget(origin_);
     } else {
-        QLabel* count = makeWrappedLabel(figures_);
-        count->setProperty("look", "small");
-        setWrappedText(count, tr("As in its file, %1 triangles")
-                                  .arg(countText(std::get<TriangleMesh>(obstacle_.shape).triangles.size())));
-        figures_->layout()->addWidget(count);
+        QLabel* origin = makeWrappedLabel(figures_);
+        origin->setObjectName(name_ + QStringLiteral("Origin"));
+        origin->setProperty("look", "small");
+        figures_->layout()->addWidget(origin);
+        setWrappedText(origin, obstacle_.design
+                                   ? tr("From the library: %1").arg(Messages::text(rowOf(obstacle_.design->kind).title))
+                                   : tr("From a file, %1 triangles")
+                                         .arg(countText(std::get<TriangleMesh>(obstacle_.shape).triangles.size())));
+        if (!obstacle_.design) addMeshPlace();
     }
+    notFitting_ = makeWrappedLabel(figures_);
+    notFitting_->setObjectName(name_ + QStringLiteral("Fit"));
+    notFitting_->setProperty("look", "small");
+    figures_->layout()->addWidget(notFitting_);
 }
 
-void ObstacleCard::showOrigin() {
-    if (origin_ == nullptr || !obstacle_.design) return;
-    const QString kind = Messages::text(rowOf(obstacle_.design->kind).title);
-    setWrappedText(origin_, inStock_ > 0.0
-                                ? tr("From the library: %1. It is %2 deep in the stock; change its position or size.")
-                                      .arg(kind, lengthText(inStock_, unit_))
-                                : tr("From the library: %1").arg(kind));
+void ObstacleCard::addMeshPlace() {
+    addTriple(
+        QStringLiteral("Place"), tr("From"), tr("The corner with the lowest coordinates, from program zero"), true,
+        [](int axis) -> Get {
+            return [axis](const Obstacle& of) {
+                const burin::Box box = boundsOf(of);
+                return box.empty() ? 0.0 : box.low[axis];
+            };
+        },
+        [](int axis) -> Set {
+            return [axis](Obstacle& of, double value) {
+                glm::dvec3 shift(0.0);
+                shift[axis] = value - boundsOf(of).low[axis];
+                if (Result<Obstacle> there = moved(of, movedBy(shift))) of = *std::move(there);
+            };
+        });
+}
+
+QString ObstacleCard::changeTip() const {
+    return obstacle_.design ? tr("Change its sizes and its position")
+                            : tr("Move it in the view, with the mouse or the keys");
+}
+
+void ObstacleCard::showFit() {
+    const QString text = fitText(obstacle_.name, fit_, unit_);
+    notFitting_->setVisible(!text.isEmpty());
+    setWrappedText(notFitting_, text);
 }
 
 void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool locked) {
-    obstacle_ = *row.obstacle;
+    if (shown_ != row.obstacle) obstacle_ = *row.obstacle;
+    shown_ = row.obstacle;
     zero_ = zero;
-    inStock_ = row.inStock;
-    showOrigin();
+    fit_ = row.fit;
+    showFit();
+    change_->setChecked(row.moving);
     switch_->show(title(), row.on, boundNewsText(row.news));
     kind_->setCurrentIndex(static_cast<int>(obstacle_.kind));
     for (const Field& field : fields_) {
@@ -205,15 +233,13 @@ void ObstacleCard::showRow(const ObstacleRow& row, const glm::dvec3& zero, bool 
         field.field->showValue(field.axis < 0 ? value : value - zero[field.axis]);
     }
     setEnabledKeepingFocus(figures_, !locked);
-    if (change_ != nullptr)
-        enableUnless(change_, locked ? tr("Stop the recording first.") : QString(),
-                     tr("Change its sizes and its position"));
+    enableUnless(change_, locked ? tr("Stop the recording first.") : QString(), changeTip());
     enableUnless(remove_, locked ? tr("Stop the recording first.") : QString(), tr("Delete it"));
 }
 
 void ObstacleCard::setUnit(LengthUnit unit) {
     unit_ = unit;
-    showOrigin();
+    showFit();
     for (const Field& field : fields_) {
         field.field->setLengthUnit(unit);
         if (field.bare) field.field->setSuffix({}); // three fields side by side have no room for it

@@ -40,7 +40,7 @@ signals:
     void edited(const burin::Obstacle& obstacle);
     void switched(bool on);
     void removalRequested();
-    void changeRequested(); ///< of a fixture of the library
+    void changeRequested(); ///< to be changed by a dialog, or moved in the view; or its move to be ended
 
 private:
     using Get = std::function<double(const Obstacle&)>;
@@ -56,8 +56,10 @@ private:
         QString text;
     };
     void addHead();
-    void showOrigin();
+    void showFit();
+    QString changeTip() const;
     void addShape();
+    void addMeshPlace();
     QuantityField* addField(const QString& name, const QString& label, int axis, Get get, Set set);
     void addRow(const QString& label, const QString& toolTip, QuantityField* field);
     void addTriple(const QString& name, const QString& label, const QString& toolTip, bool place,
@@ -66,12 +68,13 @@ private:
     QString name_;
     Obstacle obstacle_;
     glm::dvec3 zero_{0.0};
-    double inStock_ = 0.0; ///< mm
+    std::shared_ptr<const Obstacle> shown_; ///< what `obstacle_` is a copy of; null once it was edited
+    FixtureFit fit_;
     LengthUnit unit_ = LengthUnit::millimetre;
     NamedSwitch* switch_ = nullptr;
-    QToolButton *change_ = nullptr, *remove_ = nullptr; ///< `change_`: of a fixture of the library, else null
+    QToolButton *change_ = nullptr, *remove_ = nullptr;
     ChoiceBox* kind_ = nullptr;
-    QLabel* origin_ = nullptr; ///< of a fixture of the library, else null
+    QLabel* notFitting_ = nullptr;
     QWidget* figures_ = nullptr;
     std::vector<Field> fields_;
     std::vector<Title> titles_; ///< of the rows of three fields

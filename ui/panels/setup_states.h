@@ -5,6 +5,7 @@
 #include "core/cad/model.h"
 #include "core/cad/model_preview.h"
 #include "core/setup/axis_mode.h"
+#include "core/setup/fixture_fit.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/setup.h"
 #include "core/tool/tool.h"
@@ -74,8 +75,8 @@ struct ObstacleRow {
     std::shared_ptr<const Obstacle> obstacle; ///< never null; `on` states whether it is switched on
     bool on = true;
     BoundNews news = BoundNews::none;
-    double inStock =
-        0.0; ///< how deep a fixture of the library is in the stock, mm: the stock changed after it was placed
+    FixtureFit fit{};    ///< the stock may have changed after it was placed
+    bool moving = false; ///< whether it is being moved in the view
 };
 
 struct SurroundingsState {

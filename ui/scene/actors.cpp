@@ -51,6 +51,13 @@ vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines, double height) {
     return actor;
 }
 
+void setMatrix(vtkMatrix4x4& matrix, const Placement& placement) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) matrix.SetElement(row, column, placement.turn[column][row]);
+        matrix.SetElement(row, 3, placement.shift[row]);
+    }
+}
+
 void setColour(vtkActor& actor, const QColor& colour) {
     actor.GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
 }

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/placement.h"
+
 #include <vtkActor.h>
+#include <vtkMatrix4x4.h>
 #include <vtkPlane.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
@@ -25,6 +28,7 @@ vtkSmartPointer<vtkActor> lineActor(vtkPolyData* lines);
 inline constexpr double seamHeight = 3.0, raisedHeight = 4.0, overSeamHeight = 6.0;
 vtkSmartPointer<vtkActor> raisedLineActor(vtkPolyData* lines, double height = raisedHeight);
 void setColour(vtkActor& actor, const QColor& colour);
+void setMatrix(vtkMatrix4x4& matrix, const Placement& placement);
 void setLineWidth(vtkActor& actor, double screenPixels);
 /// Draws only what a plane doesn't cut off; null: everything.
 void clipBy(vtkActor& actor, vtkPlane* plane);

@@ -30,6 +30,7 @@ struct GizmoHandle {
 struct Gizmo {
     glm::dvec3 centre{0.0}; ///< mm, setup frame
     bool upright = false;   ///< whether the object rotates about z only
+    bool rotates = true;    ///< whether there are rings
 
     friend bool operator==(const Gizmo&, const Gizmo&) = default;
 };

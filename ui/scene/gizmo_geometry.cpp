@@ -73,7 +73,7 @@ std::vector<GizmoHandle> offeredHandles(const Gizmo& gizmo, const CameraView& vi
         if (1.0 - along * along > leastSine * leastSine) handles.push_back({GizmoPart::arrow, axis});
         if (along <= leastSine) continue;
         handles.push_back({GizmoPart::square, axis});
-        if (!gizmo.upright || axis == 2) handles.push_back({GizmoPart::ring, axis});
+        if (gizmo.rotates && (!gizmo.upright || axis == 2)) handles.push_back({GizmoPart::ring, axis});
     }
     return handles;
 }

@@ -8,6 +8,7 @@
 #include "ui/scene/shaded_polydata.h"
 #include "ui/theme/colour.h"
 
+#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
@@ -45,6 +46,7 @@ struct ObstacleActors::Drawn {
         solids.AddActor(solid);
         solids.AddActor(edges);
         films.AddActor(film);
+        for (vtkActor* actor : {solid.Get(), edges.Get(), film.Get()}) actor->SetUserMatrix(motion);
     }
     ~Drawn() {
         solids.RemoveActor(solid);
@@ -60,6 +62,7 @@ struct ObstacleActors::Drawn {
     double opacity = 1.0;                           ///< of a fixture
     vtkSmartPointer<vtkActor> solid = surfaceActor(vtkNew<vtkPolyData>()),
                               edges = raisedLineActor(vtkNew<vtkPolyData>()), film;
+    vtkNew<vtkMatrix4x4> motion;
 };
 
 ObstacleActors::ObstacleActors(vtkRenderer& solids, vtkRenderer& films, SurfaceMaker maker)
@@ -108,7 +111,8 @@ void ObstacleActors::setLineWidth(double screenPixels) {
 
 void ObstacleActors::place(std::span<const CutPlace> cuts, const CameraView& view) {
     for (const auto& drawn : drawn_) {
-        if (!drawn->mark.on || !drawn->surface || isKeptOut(*drawn->mark.obstacle)) continue;
+        if (!drawn->mark.on || !drawn->surface || isKeptOut(*drawn->mark.obstacle) || !isNone(drawn->mark.moved))
+            continue;
         double covered = 0.0;
         for (const CutPlace& cut : cuts) covered = std::max(covered, coveredShare(drawn->surface->solid, cut, view));
         if (std::exchange(drawn->opacity, opacityOver(covered)) != drawn->opacity) dress(*drawn);
@@ -116,7 +120,8 @@ void ObstacleActors::place(std::span<const CutPlace> cuts, const CameraView& vie
 }
 
 void ObstacleActors::dress(const Drawn& drawn) const {
-    const auto& [obstacle, on, holds] = drawn.mark;
+    const auto& [obstacle, on, holds, moved] = drawn.mark;
+    setMatrix(*drawn.motion, moved);
     const bool keepOut = isKeptOut(*obstacle), faded = drawn.opacity < 1.0;
     const QColor solid = holds ? mixed(palette_.holder, palette_.force, holdingShare) : palette_.holder;
     drawn.solid->SetVisibility(on && !keepOut && !faded);
@@ -136,7 +141,7 @@ bool ObstacleActors::filmsVisible() const noexcept {
 Box ObstacleActors::box() const {
     Box box;
     for (const auto& drawn : drawn_)
-        if (drawn->mark.on) box.include(boundsOf(*drawn->mark.obstacle));
+        if (drawn->mark.on) box.include(boxAround(boundsOf(*drawn->mark.obstacle), drawn->mark.moved));
     return box;
 }
 

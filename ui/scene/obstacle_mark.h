@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/placement.h"
 #include "core/setup/obstacle.h"
 
 #include <memory>
@@ -13,6 +14,7 @@ struct ObstacleMark {
     std::shared_ptr<const Obstacle> obstacle; ///< never null; its address is not reused for another one in the meantime
     bool on = true;                           ///< whether it keeps the tool out; if not, only its outline is drawn
     bool holds = false;                       ///< whether it is currently holding the tool back
+    Placement moved{};                        ///< by how much it is drawn away from its position
 
     friend bool operator==(const ObstacleMark&, const ObstacleMark&) = default;
 };

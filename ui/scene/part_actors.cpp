@@ -104,10 +104,7 @@ void PartActors::setClip(vtkPlane* clip) {
 }
 
 void PartActors::setMotion(const Placement& motion) {
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) motion_->SetElement(row, column, motion.turn[column][row]);
-        motion_->SetElement(row, 3, motion.shift[row]);
-    }
+    setMatrix(*motion_, motion);
 }
 
 void PartActors::setColours(const QColor& part, const QColor& edges) {

@@ -4,6 +4,7 @@
 
 #include "core/geometry/upright.h"
 #include "core/nc/work_offset.h"
+#include "ui/panels/fixture_labels.h"
 #include "ui/panels/placement_labels.h"
 #include "ui/panels/texts.h"
 #include "ui/panels/zero_labels.h"
@@ -151,6 +152,7 @@ private:
         page_.table({SheetText::tr("Name"), SheetText::tr("Kind"), SheetText::tr("From"), SheetText::tr("To"),
                      SheetText::tr("Clearance")},
                     rows);
+        for (const auto& [name, fit] : content_.badFits) page_.sentence(fitText(name, fit, unit_), true);
     }
 
     static QString range(double least, double most, int decimals) {

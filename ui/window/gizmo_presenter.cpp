@@ -15,7 +15,9 @@ namespace burin {
 GizmoPresenter::GizmoPresenter(Workbench& workbench, Viewport& viewport, const PartPresenter& part,
                                const Actions& actions, QObject* parent)
     : Presenter(workbench,
-                {&workbench.setup, &workbench.setups, &workbench.model, &workbench.fixtures, &workbench.showMe}, parent)
+                {&workbench.setup, &workbench.setups, &workbench.model, &workbench.fixtures, &workbench.mover,
+                 &workbench.showMe},
+                parent)
     , viewport_(viewport)
     , part_(part)
     , actions_(actions)
@@ -56,14 +58,17 @@ bool GizmoPresenter::partPlaceable() const {
 std::optional<Gizmo> GizmoPresenter::gizmo() const {
     if (!actions_[ActionId::placementHandles]->isChecked()) return std::nullopt;
     if (workbench_.fixtures.placing()) return Gizmo{workbench_.fixtures.design().place, true};
+    const ObstacleMover& mover = workbench_.mover;
+    if (mover.moving()) return Gizmo{mover.centre(), false, mover.rotates()};
     if (!partPlaceable()) return std::nullopt;
     return Gizmo{workbench_.setup.part()->box().centre(), false};
 }
 
 void GizmoPresenter::present() {
     const std::shared_ptr<const Model>& part = workbench_.setup.part();
-    const bool exchanged = tool_.dragging() && !fixture_ && moving_ != part;
-    const bool gone = tool_.dragging() && fixture_ && !workbench_.fixtures.placing();
+    const bool exchanged = tool_.dragging() && partDragged() && moving_ != part;
+    const bool gone =
+        tool_.dragging() && ((fixture_ && !workbench_.fixtures.placing()) || (obstacle_ && !workbench_.mover.moving()));
     if (exchanged || gone) tool_.cancel();
     // A placement that failed or was cancelled leaves the part where it was.
     if (moving_ && !tool_.dragging() && !workbench_.setup.placing()) {
@@ -80,11 +85,14 @@ void GizmoPresenter::present() {
 void GizmoPresenter::begin() {
     from_ = *shown_;
     fixture_.reset();
+    obstacle_.reset();
     if (workbench_.fixtures.placing())
         fixture_ = workbench_.fixtures.design();
+    else if (workbench_.mover.moving())
+        obstacle_ = workbench_.mover.motion();
     else
         moving_ = workbench_.setup.part();
-    if (!fixture_ && workbench_.workpiece.embedded()) viewport_.setPartSeen(true);
+    if (partDragged() && workbench_.workpiece.embedded()) viewport_.setPartSeen(true);
     draw();
     emit escapeChanged();
 }
@@ -111,20 +119,22 @@ QString GizmoPresenter::valueOf(const GizmoHandle& handle, const GizmoMotion& mo
 }
 
 void GizmoPresenter::follow(const GizmoHandle& handle, const GizmoMotion& motion) {
-    if (!fixture_)
+    if (obstacle_)
+        workbench_.mover.setMotion(combined(*obstacle_, placementOf(handle, motion)));
+    else if (!fixture_)
         viewport_.movePart(placementOf(handle, motion));
     else if (handle.part == GizmoPart::ring)
         workbench_.fixtures.setTurn(fixture_->turn + motion.angle);
     else
         workbench_.fixtures.setPlace(fixture_->place + motion.shift);
-    shown_ = Gizmo{from_.centre + motion.shift, from_.upright};
+    shown_ = Gizmo{from_.centre + motion.shift, from_.upright, from_.rotates};
     mark_.value = valueOf(handle, motion);
     draw();
 }
 
 void GizmoPresenter::end(const GizmoHandle& handle, const GizmoMotion& motion) {
     follow(handle, motion);
-    if (!fixture_) workbench_.setup.place(placementOf(handle, motion)); // does nothing if it is back where it was
+    if (partDragged()) workbench_.setup.place(placementOf(handle, motion)); // does nothing if it is back where it was
     finish();
 }
 
@@ -142,7 +152,9 @@ void GizmoPresenter::click() {
 }
 
 void GizmoPresenter::giveUp() {
-    if (!fixture_) {
+    if (obstacle_) {
+        workbench_.mover.setMotion(*obstacle_);
+    } else if (!fixture_) {
         viewport_.movePart({});
         moving_.reset();
     } else if (workbench_.fixtures.placing()) {
@@ -153,7 +165,7 @@ void GizmoPresenter::giveUp() {
 }
 
 void GizmoPresenter::finish() {
-    if (!fixture_) viewport_.setPartSeen(false);
+    if (partDragged()) viewport_.setPartSeen(false);
     mark_.value.clear();
     presentSoon();
     draw();

@@ -13,8 +13,9 @@
 
 namespace burin {
 
-/// The gizmo in the view: on the part while its step is shown and it may be placed, on a fixture while it is placed. A
-/// drag of the part is shown at once and becomes one placement when it ends; a fixture follows as by its dialog.
+/// The gizmo in the view: on the part while its step is shown and it may be placed, on a fixture while it is placed or
+/// moved. A drag of the part is shown at once and becomes one placement when it ends; a fixture follows as by its
+/// dialog or by its keys.
 class GizmoPresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -32,6 +33,7 @@ private:
     void present() override;
     std::optional<Gizmo> gizmo() const;
     bool partPlaceable() const;
+    bool partDragged() const noexcept { return !fixture_ && !obstacle_; }
     Placement placementOf(const GizmoHandle& handle, const GizmoMotion& motion) const;
     QString valueOf(const GizmoHandle& handle, const GizmoMotion& motion) const;
     void begin();
@@ -51,7 +53,8 @@ private:
     GizmoMark mark_;
     // Of a drag, as it began:
     Gizmo from_;
-    std::optional<FixtureDesign> fixture_; ///< empty: the part is dragged
+    std::optional<FixtureDesign> fixture_; ///< of the library, which is being placed
+    std::optional<Placement> obstacle_;    ///< motion of any other one; neither: the part is dragged
     /// The part that is drawn moved: the one that is dragged, or whose new placement is being computed.
     std::shared_ptr<const Model> moving_;
 };

@@ -246,6 +246,7 @@ void MainWindow::showStep(JobStep step) {
     presenters_->stylusEdit.setShown(step);
     presenters_->zero.setShown(step);
     presenters_->fixtures.setShown(step);
+    presenters_->obstacleMove.setShown(step);
     presenters_->gizmo.setShown(step);
     presenters_->holes.setShown(step);
     if (step != JobStep::path) presenters_->area.setShown(step);

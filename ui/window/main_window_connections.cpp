@@ -108,9 +108,17 @@ void MainWindow::connectActions() {
         if (presenters_->job.shown() != JobStep::stock) showStep(JobStep::stock);
         panels_->showPanel(panels_->surroundings);
     });
+    connect(&presenters_->obstacleMove, &ObstacleMovePresenter::movingBegins, this, [this](const QString& hint) {
+        if (presenters_->job.shown() != JobStep::stock) showStep(JobStep::stock);
+        panels_->showPanel(panels_->surroundings);
+        message_->tell(Notice::Kind::information, hint);
+    });
+    connect(&presenters_->obstacleMove, &ObstacleMovePresenter::movingEnded, message_, &MessageStrip::dismiss);
     connect(&presenters_->surroundings, &SurroundingsPresenter::libraryFixtureRequested,
             actions_[ActionId::libraryFixture], &QAction::trigger);
     connect(&presenters_->zero, &ZeroPresenter::refused, this,
+            [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
+    connect(&presenters_->zero, &ZeroPresenter::told, this,
             [this](const QString& sentence) { message_->tell(Notice::Kind::information, sentence); });
     connect(&presenters_->tree, &TreePresenter::stepRequested, this, &MainWindow::showStep);
     connect(&presenters_->measure, &MeasurePresenter::told, this,

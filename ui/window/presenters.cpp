@@ -41,6 +41,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     , comparison(workbench, stage.viewport, this)
     , fixtures(workbench, stage.viewport, this)
     , holes(workbench, stage.viewport, this)
+    , obstacleMove(workbench, stage.viewport, this)
     , gizmo(workbench, stage.viewport, part, actions, this) {
     connect(&scene, &ScenePresenter::hiddenBodiesChanged, this, [this](const std::set<std::size_t>& bodies) {
         part.setHiddenBodies(bodies);
@@ -52,6 +53,7 @@ Presenters::Presenters(Workbench& workbench, const Actions& actions, const Stage
     connect(&area, &AreaPresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&gizmo, &GizmoPresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(&fixtures, &FixturePresenter::escapeChanged, &status, &Presenter::presentSoon);
+    connect(&obstacleMove, &ObstacleMovePresenter::escapeChanged, &status, &Presenter::presentSoon);
     connect(stage.panels.program, &ProgramPanel::lineChosen, &workbench.time, &TimeController::followLine);
     connect(&time, &TimePresenter::breakpointAsked, this,
             [&workbench, panel = stage.panels.program] { workbench.time.toggleBreakpoint(panel->line()); });
@@ -87,11 +89,11 @@ void Presenters::connectActions(const Actions& actions, const Viewport& viewport
 
 void Presenters::setUnit(LengthUnit unit) {
     for (Presenter* presenter : std::initializer_list<Presenter*>{
-             &part,       &setups,   &stock,        &zero,       &material, &layers,     &tool,
-             &allowance,  &mill,     &surroundings, &guides,     &hand,     &pathScene,  &path,
-             &program,    &meters,   &status,       &job,        &scene,    &guideScene, &programScene,
-             &deviation,  &area,     &time,         &measure,    &tree,     &excess,     &faces,
-             &comparison, &fixtures, &holes,        &stylusEdit, &gizmo})
+             &part,       &setups,   &stock,        &zero,       &material, &layers,      &tool,
+             &allowance,  &mill,     &surroundings, &guides,     &hand,     &pathScene,   &path,
+             &program,    &meters,   &status,       &job,        &scene,    &guideScene,  &programScene,
+             &deviation,  &area,     &time,         &measure,    &tree,     &excess,      &faces,
+             &comparison, &fixtures, &holes,        &stylusEdit, &gizmo,    &obstacleMove})
         presenter->setUnit(unit);
 }
 

@@ -16,6 +16,7 @@
 #include "ui/window/job_presenter.h"
 #include "ui/window/measure_presenter.h"
 #include "ui/window/mill_presenter.h"
+#include "ui/window/obstacle_move_presenter.h"
 #include "ui/window/panel_stack.h"
 #include "ui/window/path_presenters.h"
 #include "ui/window/path_scene_presenter.h"
@@ -84,6 +85,7 @@ public:
     ComparisonPresenter comparison;
     FixturePresenter fixtures;
     HolePresenter holes;
+    ObstacleMovePresenter obstacleMove;
     GizmoPresenter gizmo;
 };
 

@@ -18,7 +18,7 @@ SurroundingsPresenter::SurroundingsPresenter(Workbench& workbench, SurroundingsP
                                              Viewport& viewport, QObject* parent)
     : Presenter(workbench,
                 {&workbench.surroundings, &workbench.setup, &workbench.stockSolid, &workbench.workpiece,
-                 &workbench.mill, &workbench.fixtures},
+                 &workbench.mill, &workbench.fixtures, &workbench.mover},
                 parent)
     , panel_(panel)
     , switches_(switches)
@@ -29,7 +29,7 @@ SurroundingsPresenter::SurroundingsPresenter(Workbench& workbench, SurroundingsP
     connect(&panel, &SurroundingsPanel::obstacleEdited, &surroundings, &SurroundingsController::change);
     connect(&panel, &SurroundingsPanel::obstacleSwitched, &surroundings, &SurroundingsController::setOn);
     connect(&panel, &SurroundingsPanel::obstacleRemovalRequested, &surroundings, &SurroundingsController::remove);
-    connect(&panel, &SurroundingsPanel::obstacleChangeRequested, &workbench.fixtures, &FixtureController::beginChange);
+    connect(&panel, &SurroundingsPanel::obstacleChangeRequested, this, &SurroundingsPresenter::change);
     connect(&panel, &SurroundingsPanel::travelSwitched, &surroundings, &SurroundingsController::setTravelOn);
     connect(&panel, &SurroundingsPanel::axisChosen, &surroundings, &SurroundingsController::setAxis);
     connect(&switches, &BoundsPanel::obstacleSwitched, &surroundings, &SurroundingsController::setOn);
@@ -68,18 +68,36 @@ void SurroundingsPresenter::add(SurroundingsPanel::Addition addition) {
     }
 }
 
+/// A fixture of the library has a dialog; any other is moved in the view, until this is requested again.
+void SurroundingsPresenter::change(std::size_t place) {
+    if (place >= workbench_.surroundings.obstacles().size()) return;
+    if (workbench_.surroundings.obstacles()[place].obstacle->design)
+        workbench_.fixtures.beginChange(place);
+    else if (workbench_.mover.place() == place)
+        workbench_.mover.accept();
+    else
+        workbench_.mover.begin(place);
+}
+
 void SurroundingsPresenter::present() {
     const SurroundingsController& surroundings = workbench_.surroundings;
+    const ObstacleMover& mover = workbench_.mover;
     SurroundingsState state;
     state.hasPart = workbench_.setup.hasPart();
     std::vector<ObstacleMark> marks;
     for (std::size_t i = 0; i < surroundings.obstacles().size(); ++i) {
         const PlacedObstacle& placed = surroundings.obstacles()[i];
         const BoundNews news = newsOf(surroundings.news(i));
-        const double inStock = state.hasPart ? workbench_.stockSolid.depthOf(placed.obstacle) : 0.0;
-        state.obstacles.push_back({placed.obstacle, placed.on, news, inStock});
+        const std::optional<FixtureFit> fit =
+            state.hasPart ? workbench_.stockSolid.fitOf(placed.obstacle) : std::optional(FixtureFit{});
+        const bool moving = i == mover.place();
+        state.obstacles.push_back({placed.obstacle, placed.on, news, fit.value_or(FixtureFit{}), moving});
+        // The numbers of a mesh follow when its move ends.
+        if (moving && !std::holds_alternative<TriangleMesh>(placed.obstacle->shape))
+            state.obstacles.back().obstacle = std::make_shared<const Obstacle>(mover.moved());
         if (i != workbench_.fixtures.instead() || !workbench_.fixtures.preview())
-            marks.push_back({placed.obstacle, placed.on, news == BoundNews::holds});
+            marks.push_back(
+                {placed.obstacle, placed.on, news == BoundNews::holds, moving ? mover.motion() : Placement{}});
     }
     if (const std::shared_ptr<const Obstacle>& fixture = workbench_.fixtures.preview())
         marks.push_back({fixture, true, workbench_.fixtures.problem().has_value()});

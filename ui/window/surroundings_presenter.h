@@ -27,6 +27,7 @@ signals:
 private:
     void present() override;
     void add(SurroundingsPanel::Addition addition);
+    void change(std::size_t place);
     SurroundingsPanel& panel_;
     BoundsPanel& switches_;
     Viewport& viewport_;

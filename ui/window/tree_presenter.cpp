@@ -252,6 +252,9 @@ void TreePresenter::showFixtureMenu(std::size_t place, const QPoint& globalPosit
     if (fixture.design)
         addEntry(*menu, tr("&Change…"), tr("Change its sizes and its position."), "changeFixtureAction",
                  [this, place] { workbench_.fixtures.beginChange(place); });
+    else
+        addEntry(*menu, tr("&Move"), tr("Move it in the view, with the mouse or the keys."), "moveFixtureAction",
+                 [this, place] { workbench_.mover.begin(place); });
     addEntry(*menu, tr("&Rename…"), tr("Rename it."), "renameFixtureAction",
              [this, place, before = QString::fromStdString(fixture.name)] {
                  workbench_.surroundings.rename(place, askName(tr("Rename the fixture"), before, &tree_));

@@ -4,8 +4,9 @@
 
 #include "core/job/touched_stock.h"
 #include "core/nc/work_offset.h"
+#include "ui/panels/guide_labels.h"
+#include "ui/panels/quantity.h"
 
-#include <cmath>
 #include <utility>
 
 namespace burin {
@@ -98,7 +99,8 @@ void ZeroPresenter::touch() {
     if (!milling || !workbench_.session.running()) return;
     // The allowance grows the part alone; the stock is touched as it is.
     const auto stock = workbench_.surroundings.stockNews();
-    const bool atStock = stock && stock->holds;
+    const bool atStock =
+        stock && stock->holds && workbench_.workpiece.bounds() && workbench_.workpiece.bounds()->stock();
     const TouchedFace touched =
         touchedFace(workbench_.session.state().sample, milling->tool, atStock ? 0.0 : workbench_.mill.allowance());
     if (touched.outcome == TouchedFace::Outcome::nothing)
@@ -119,15 +121,18 @@ void ZeroPresenter::touch() {
 }
 
 void ZeroPresenter::touchStock(const TouchedFace& touched) {
-    const std::optional<double> side = sideTouched(workbench_.setup.setup(), touched);
-    if (!side) return emit refused(tr("Touching off needs a vertical tool and a face that is parallel to two axes."));
-    // A fixture may hold the tool together with the stock.
-    if (std::abs(touched.place[touched.axis] - *side) > workbench_.setup.setup().voxel)
+    const std::shared_ptr<const TouchableStock>& stock = workbench_.workpiece.bounds()->stock();
+    const std::optional<TouchedSide> side = stock->sideTouched(touched, workbench_.workpiece.milling()->tool);
+    if (!side) // an edge or a leaning side, or a fixture that holds the tool together with the stock
         return emit refused(
-            tr("The tool also touches something other than the stock. Hold it against the stock alone."));
+            tr("The tool doesn't touch a side of the stock squarely. Hold it against a side that is parallel to two "
+               "axes, and against nothing else."));
     glm::dvec3 place = workbench_.setup.setup().workOffset;
-    place[touched.axis] = *side;
+    place[touched.axis] = side->coordinate;
     placeAt(place);
+    if (side->error > 0.0)
+        emit told(tr("Zero along %1 is set to the touched side, which is known to within %2.")
+                      .arg(axisLetter(touched.axis), lengthText(side->error, unit())));
 }
 
 void ZeroPresenter::showHold() {

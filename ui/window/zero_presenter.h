@@ -26,6 +26,7 @@ public:
 signals:
     void pickBegins(); ///< its panel must be shown
     void refused(const QString& sentence);
+    void told(const QString& sentence);
 
 private:
     void present() override;

@@ -66,13 +66,19 @@ void FixtureController::cancel() {
     changed_.reset();
     preview_.reset();
     problem_.reset();
+    nextPoint_.reset();
+    acceptsOnceJudged_ = false;
+    for (const TaskKind kind : {TaskKind::fixturePlacing, TaskKind::fixtureJudging})
+        if (desk_.tasks.running(kind)) desk_.tasks.abandon(kind);
     emit changed();
 }
 
 void FixtureController::accept() {
     if (!placing() || !possible() || refusedDuringUndo(desk_, *this, SurroundingsController::tr("new fixture"))) return;
-    refresh(); // the stock may have changed
-    if (problem_) return;
+    const bool placed = !desk_.tasks.running(TaskKind::fixturePlacing);
+    if (placed && !judged_ && !desk_.tasks.running(TaskKind::fixtureJudging)) refresh(); // that was cancelled
+    acceptsOnceJudged_ = !placed || !judged_;
+    if (acceptsOnceJudged_ || problem_) return;
     last_ = design_->kind;
     const Obstacle fixture = *preview_;
     const std::optional<std::size_t> instead = instead_;
@@ -92,12 +98,32 @@ void FixtureController::chooseKind(FixtureKind kind) {
 
 void FixtureController::placeAt(const glm::dvec3& point) {
     if (!placing()) return;
-    design_ = placedAt(*std::move(design_), given_, site(), point);
-    setTurn(design_->turn);
+    acceptsOnceJudged_ = false;
+    nextPoint_.reset();
+    if (desk_.tasks.running(TaskKind::fixturePlacing)) {
+        nextPoint_ = point;
+        return;
+    }
+    const bool atOnce = stock_.ask(
+        TaskKind::fixturePlacing,
+        [design = *design_, given = given_, others = others(), point](const StockSolid& stock) {
+            return placedAt(design, given, siteOf(stock, others), point);
+        },
+        [this, before = *design_](const FixtureDesign& placed) {
+            if (!placing()) return;
+            if (*design_ == before) { // otherwise it was moved or changed meanwhile
+                design_ = placed;
+                design_->turn = std::remainder(placed.turn, 2.0 * pi);
+                refresh();
+            }
+            if (nextPoint_) placeAt(*nextPoint_);
+        });
+    if (!atOnce) refresh();
 }
 
 void FixtureController::setValue(std::size_t parameter, double value) {
     if (!placing()) return;
+    acceptsOnceJudged_ = false;
     design_->values[parameter] = value;
     given_.insert(rowOf(design_->kind).parameters[parameter].key);
     refresh();
@@ -105,12 +131,14 @@ void FixtureController::setValue(std::size_t parameter, double value) {
 
 void FixtureController::setPlace(const glm::dvec3& place) {
     if (!placing()) return;
+    acceptsOnceJudged_ = false;
     design_->place = place;
     refresh();
 }
 
 void FixtureController::setTurn(double turn) {
     if (!placing()) return;
+    acceptsOnceJudged_ = false;
     design_->turn = std::remainder(turn, 2.0 * pi);
     refresh();
 }
@@ -136,18 +164,41 @@ void FixtureController::refresh() {
     problem_.reset();
     preview_.reset();
     gap_ = 0.0;
-    const Result<Obstacle> fixture = fixtureOf(*design_, stock_.stock(), name(), margin());
-    if (!fixture) problem_ = fixture.error();
-    if (fixture) gap_ = gapTo(*design_, stock_.stock()).value_or(0.0);
-    if (fixture || fixture.error().code == ErrorCode::fixtureInStock) {
-        Obstacle shown = fixture ? *fixture : Obstacle{name(), meshOf(*design_), margin(), true, {}, design_};
+    judged_ = false;
+    if (desk_.tasks.running(TaskKind::fixtureJudging)) desk_.tasks.abandon(TaskKind::fixtureJudging);
+    if (const Result<void> usable = checkFixture(*design_); !usable) {
+        problem_ = usable.error();
+        judged_ = true;
+    } else {
+        Obstacle shown{name(), meshOf(*design_), margin(), true, {}, design_};
         if (changed_) {
             shown.kind = changed_->kind;
             shown.on = changed_->on;
         }
         preview_ = std::make_shared<const Obstacle>(std::move(shown));
+        judge();
     }
     emit changed();
+}
+
+void FixtureController::judge() {
+    const auto asking = std::make_shared<bool>(true);
+    stock_.ask(
+        TaskKind::fixtureJudging, [design = *design_](const StockSolid& stock) { return fitOf(design, stock); },
+        [this, design = *design_, asking](const FixtureFit& fit) {
+            if (!placing() || *design_ != design) return;
+            take(fit);
+            if (*asking) return; // `refresh` goes on
+            emit changed();
+            if (acceptsOnceJudged_) accept();
+        });
+    *asking = false;
+}
+
+void FixtureController::take(const FixtureFit& fit) {
+    judged_ = true;
+    gap_ = fit.gap;
+    if (fit.depth > 0.0) problem_ = inStock(name(), fit.depth);
 }
 
 } // namespace burin

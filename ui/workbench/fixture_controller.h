@@ -26,17 +26,19 @@ public:
     const FixtureDesign& design() const { return *design_; } ///< only while placing
     /// Index of the fixture that is being changed; empty: a new one.
     std::optional<std::size_t> instead() const noexcept { return instead_; }
-    /// The solid as it would be added, null if its sizes can't be used; `problem` is why it can't be accepted.
+    /// The solid as it would be added, null if its sizes can't be used; `problem` is why it can't be accepted, once it
+    /// is judged. A large stock is asked in the background.
     const std::shared_ptr<const Obstacle>& preview() const noexcept { return preview_; }
     const std::optional<Error>& problem() const noexcept { return problem_; }
     /// The gap between the fixture and the stock, mm, as gapTo (core/setup/fixture_fit.h); 0: it touches, or need not.
     double gap() const noexcept { return gap_; }
+    bool judged() const noexcept { return judged_; }
     FixtureSite site() const;
 
     void begin(); ///< with the kind used last
     void beginChange(std::size_t place);
     void cancel(); ///< does nothing unless placing
-    void accept(); ///< does nothing while there is a problem
+    void accept(); ///< as soon as it is judged; does nothing while there is a problem
 
     // While placing:
     void chooseKind(FixtureKind kind);
@@ -52,6 +54,8 @@ private:
     double margin() const;
     void follow();
     void refresh();
+    void judge();
+    void take(const FixtureFit& fit);
     std::vector<Obstacle> others() const;
 
     WorkpieceController& workpiece_;
@@ -65,6 +69,8 @@ private:
     std::shared_ptr<const Obstacle> preview_;
     std::optional<Error> problem_;
     double gap_ = 0.0;
+    bool judged_ = false, acceptsOnceJudged_ = false;
+    std::optional<glm::dvec3> nextPoint_; ///< of a click while the one before is still being answered
 };
 
 } // namespace burin

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/workbench/stock_solid_controller.h"
 
-#include "core/setup/fixture_fit.h"
-
 namespace burin {
 
 StockSolidController::StockSolidController(const Desk& desk, SetupController& setup, QObject* parent)
@@ -21,7 +19,7 @@ void StockSolidController::follow() {
     of_ = now;
     stock_ = part_ ? StockSolid(now.stock) : StockSolid();
     asked_ = false;
-    depths_.clear();
+    forgetFits();
     emit changed();
 }
 
@@ -47,7 +45,7 @@ void StockSolidController::prepare() {
         [this](const Result<StockSolid>& solid) {
             if (solid) {
                 stock_ = *solid;
-                depths_.clear();
+                forgetFits();
             } else if (solid.error().code != ErrorCode::cancelled) {
                 emit failed(solid.error());
             }
@@ -55,13 +53,26 @@ void StockSolidController::prepare() {
         });
 }
 
-double StockSolidController::depthOf(const std::shared_ptr<const Obstacle>& fixture) {
-    if (!fixture->design) return 0.0;
-    const StockSolid& solid = stock();
-    std::erase_if(depths_, [](const auto& known) { return known.first.use_count() == 1; }); // deleted for good
-    const auto [entry, isNew] = depths_.try_emplace(fixture, 0.0);
-    if (isNew) entry->second = depthIn(*fixture->design, solid);
-    return entry->second;
+void StockSolidController::forgetFits() {
+    if (desk_.tasks.running(TaskKind::fixtureFit)) desk_.tasks.abandon(TaskKind::fixtureFit);
+    fits_.clear();
+}
+
+std::optional<FixtureFit> StockSolidController::fitOf(const std::shared_ptr<const Obstacle>& fixture) {
+    std::erase_if(fits_, [](const auto& known) { return known.first.use_count() == 1; }); // deleted for good
+    const auto known = fits_.find(fixture);
+    if (known != fits_.end()) return known->second;
+    if (desk_.tasks.running(TaskKind::fixtureFit)) return std::nullopt; // one after the other
+    // What is answered at once needs no signal: its caller has the answer.
+    const auto asking = std::make_shared<bool>(true);
+    const bool atOnce = ask(
+        TaskKind::fixtureFit, [fixture](const StockSolid& solid) { return burin::fitOf(*fixture, solid); },
+        [this, fixture, asking](const FixtureFit& fit) {
+            fits_.insert_or_assign(fixture, fit);
+            if (!*asking) emit changed();
+        });
+    *asking = false;
+    return atOnce ? std::optional(fits_.at(fixture)) : std::nullopt;
 }
 
 } // namespace burin

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/setup/fixture_fit.h"
 #include "core/setup/obstacle.h"
 #include "core/setup/stock_solid.h"
 #include "ui/workbench/setup_controller.h"
@@ -9,6 +10,8 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 namespace burin {
 
@@ -22,20 +25,42 @@ public:
 
     const StockSolid& stock(); ///< the newest; starts preparing it
     bool preparing() const { return desk_.tasks.running(TaskKind::stockSolid); }
-    /// How deep a fixture of the library is in the stock, mm, as depthIn; 0 for any other. Kept until the stock
-    /// changes.
-    double depthOf(const std::shared_ptr<const Obstacle>& fixture);
+    /// How a fixture fits the stock. Kept until the stock changes; empty while it is being judged in the background,
+    /// whose end emits `changed`.
+    std::optional<FixtureFit> fitOf(const std::shared_ptr<const Obstacle>& fixture);
+    /// Asks the newest stock: at once if it answers quickly (StockSolid::isQuick), otherwise in the background, where a
+    /// later question of the same kind replaces this one. `done` is not called if it is replaced or cancelled.
+    /// @param work a value, of a const StockSolid& @param done gets the value
+    /// @return whether it was answered at once
+    template <class Work, class Done>
+    bool ask(TaskKind kind, Work work, Done done) {
+        const StockSolid& solid = stock();
+        if (solid.isQuick()) {
+            if (desk_.tasks.running(kind)) desk_.tasks.abandon(kind);
+            done(work(solid));
+            return true;
+        }
+        using Answer = std::invoke_result_t<Work&, const StockSolid&>;
+        desk_.tasks.start(
+            kind, tr("Fitting the fixture to the stock"),
+            [solid, work](Progress&) -> Result<Answer> { return work(solid); },
+            [done](Result<Answer> answer) {
+                if (answer) done(*std::move(answer));
+            });
+        return false;
+    }
 
 private:
     void follow();
     void prepare();
+    void forgetFits();
 
     SetupController& setup_;
     std::shared_ptr<const Model> part_; ///< the input of `stock_`
     Setup of_;
     StockSolid stock_;
     bool asked_ = false; ///< whether `stock_` is in its real form, or being prepared
-    std::map<std::shared_ptr<const Obstacle>, double> depths_;
+    std::map<std::shared_ptr<const Obstacle>, FixtureFit> fits_;
 };
 
 } // namespace burin

@@ -112,6 +112,14 @@ void SurroundingsController::importFile(const std::filesystem::path& file, doubl
 }
 
 void SurroundingsController::change(std::size_t place, const Obstacle& obstacle) {
+    changeTo(place, obstacle, tr("fixture"), obstacleValue + static_cast<int>(place));
+}
+
+void SurroundingsController::move(std::size_t place, const Obstacle& obstacle) {
+    changeTo(place, obstacle, tr("fixture moved"), -1);
+}
+
+void SurroundingsController::changeTo(std::size_t place, const Obstacle& obstacle, const QString& title, int kind) {
     if (locked() || place >= wanted_.obstacles.size() || *wanted_.obstacles[place].obstacle == obstacle) return;
     if (const Result<void> good = checkObstacle(obstacle); !good) {
         emit changed(); // resets the panel to the value in force
@@ -120,7 +128,7 @@ void SurroundingsController::change(std::size_t place, const Obstacle& obstacle)
     }
     std::vector<PlacedObstacle> obstacles = wanted_.obstacles;
     obstacles[place].obstacle = std::make_shared<const Obstacle>(obstacle);
-    setObstacles(tr("fixture"), std::move(obstacles), obstacleValue + static_cast<int>(place));
+    setObstacles(title, std::move(obstacles), kind);
 }
 
 void SurroundingsController::rename(std::size_t place, const QString& name) {
@@ -223,20 +231,29 @@ std::optional<LayerNews> SurroundingsController::travelNews() const {
     return newsOf(layerOfKind(BoundLayer::Kind::machineTravel));
 }
 
-/// The session has switched the layer off.
+/// The session has switched the layer off, or there is none.
 void SurroundingsController::letGoOfStock() {
+    desk_.tasks.abandon(TaskKind::touching); // its end would interrupt the recording
     if (std::exchange(stockHolds_, false)) emit changed();
 }
 
 bool SurroundingsController::canHoldAtStock() const {
-    return mill_.active() && layerOfKind(BoundLayer::Kind::stock) && !mill_.recording();
+    return mill_.active() && !mill_.recording() && (layerOfKind(BoundLayer::Kind::stock) || workpiece_.canBringStock());
 }
 
 void SurroundingsController::holdAtStock(bool hold) {
     if (hold == stockHolds_ || (hold && !canHoldAtStock())) return;
     stockHolds_ = hold;
-    if (const std::optional<std::size_t> layer = layerOfKind(BoundLayer::Kind::stock)) session_.setLayer(*layer, hold);
+    if (const std::optional<std::size_t> layer = layerOfKind(BoundLayer::Kind::stock))
+        session_.setLayer(*layer, hold);
+    else if (hold)
+        bringStock();
     emit changed();
+}
+
+/// Mill mode is entered again with that layer, which `switchLayers` then switches on.
+void SurroundingsController::bringStock() {
+    workpiece_.bringStock([this] { letGoOfStock(); });
 }
 
 std::optional<LayerNews> SurroundingsController::stockNews() const {
@@ -245,9 +262,12 @@ std::optional<LayerNews> SurroundingsController::stockNews() const {
 
 /// After a break of mill mode, as each new program zero causes, the stock holds the tool as before.
 void SurroundingsController::switchLayers() {
-    if (const std::optional<std::size_t> stock = layerOfKind(BoundLayer::Kind::stock);
-        stock && stockHolds_ && mill_.active())
-        session_.setLayer(*stock, true);
+    if (stockHolds_ && mill_.active()) {
+        if (const std::optional<std::size_t> stock = layerOfKind(BoundLayer::Kind::stock))
+            session_.setLayer(*stock, true);
+        else
+            bringStock();
+    }
     for (std::size_t place = 0; place < wanted_.obstacles.size(); ++place)
         if (const std::optional<std::size_t> layer = layerOf(place))
             session_.setLayer(*layer, wanted_.obstacles[place].on);

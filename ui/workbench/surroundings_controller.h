@@ -44,7 +44,8 @@ public:
     /// that states none
     void importFile(const std::filesystem::path& file, double fileUnit);
     void change(std::size_t place, const Obstacle& obstacle);
-    void rename(std::size_t place, const QString& name); ///< a name that another one has gets a number
+    void move(std::size_t place, const Obstacle& obstacle); ///< as `change`, as an entry of its own
+    void rename(std::size_t place, const QString& name);    ///< a name that another one has gets a number
     void remove(std::size_t place);
     void setAxis(const AxisMode& axis); ///< @param axis its direction is normalised
     // These are possible at any time.
@@ -61,11 +62,13 @@ public:
     void setEditing(bool editing);
 
 private:
+    void changeTo(std::size_t place, const Obstacle& obstacle, const QString& title, int kind);
     void setObstacles(const QString& title, std::vector<PlacedObstacle> obstacles, int kind = -1);
     void apply(const std::vector<PlacedObstacle>& obstacles);
     void switchLayers();
     bool moves() const { return mill_.active() || editing_; } ///< whether layers of a session can be switched
     void letGoOfStock();
+    void bringStock();
     QString nameFor(ObstacleKind kind) const;
     std::optional<std::size_t> layerOf(std::size_t place) const;
     std::optional<std::size_t> layerOfKind(BoundLayer::Kind kind) const;

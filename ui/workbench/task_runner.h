@@ -55,7 +55,11 @@ enum class TaskKind {
     score,
     deviation,
     outdated,
-    stockSolid
+    stockSolid,
+    fixtureFit,
+    fixturePlacing,
+    fixtureJudging,
+    touching
 };
 
 /// A task as the status line shows it.

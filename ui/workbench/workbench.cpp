@@ -41,6 +41,7 @@ Workbench::Workbench(QObject* parent)
     , mill(desk_, workpiece, session, styluses, this)
     , surroundings(desk_, workpiece, mill, session, this)
     , fixtures(desk_, workpiece, stockSolid, surroundings, this)
+    , mover(desk_, workpiece, stockSolid, surroundings, this)
     , guides(desk_, workpiece, mill, session, this)
     , hand(desk_, workpiece, mill, session, styluses, guides, this)
     , showMe(desk_, workpiece, session, this)
@@ -75,11 +76,11 @@ Workbench::~Workbench() {
 }
 
 std::vector<Controller*> Workbench::controllers() {
-    return {&document,   &model,        &setup,      &material,      &tool,         &target,    &workpiece, &styluses,
-            &session,    &deviceTester, &viewDevice, &mill,          &surroundings, &guides,    &hand,      &showMe,
-            &path,       &area,         &passes,     &passMeasurer,  &pathValuer,   &measure,   &program,   &setups,
-            &sheet,      &time,         &keeper,     &faces,         &pathComparer, &score,     &fixtures,  &axisTuner,
-            &deviations, &growing,      &passShow,   &passRefresher, &stylusEditor, &stockSolid};
+    return {&document,   &model,        &setup,      &material,      &tool,         &target,     &workpiece, &styluses,
+            &session,    &deviceTester, &viewDevice, &mill,          &surroundings, &guides,     &hand,      &showMe,
+            &path,       &area,         &passes,     &passMeasurer,  &pathValuer,   &measure,    &program,   &setups,
+            &sheet,      &time,         &keeper,     &faces,         &pathComparer, &score,      &fixtures,  &axisTuner,
+            &deviations, &growing,      &passShow,   &passRefresher, &stylusEditor, &stockSolid, &mover};
 }
 
 void Workbench::wire() {
@@ -158,6 +159,7 @@ void Workbench::load(const ProjectContents& contents) {
     setups.load(contents);
     target.load(contents.target);
     fixtures.cancel();
+    mover.cancel();
     surroundings.load(contents.obstacles, contents.axis, contents.travel);
     guides.load(contents.guides);
     mill.load(contents.takes);

@@ -15,6 +15,7 @@
 #include "ui/workbench/measure_controller.h"
 #include "ui/workbench/mill_controller.h"
 #include "ui/workbench/model_controller.h"
+#include "ui/workbench/obstacle_mover.h"
 #include "ui/workbench/pass_measurer.h"
 #include "ui/workbench/pass_previewer.h"
 #include "ui/workbench/pass_refresher.h"
@@ -71,6 +72,7 @@ public:
     MillController mill;
     SurroundingsController surroundings;
     FixtureController fixtures;
+    ObstacleMover mover;
     GuideController guides;
     HandController hand;
     ShowMe showMe;

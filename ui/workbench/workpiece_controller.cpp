@@ -163,6 +163,9 @@ void WorkpieceController::clear() {
     desk_.tasks.abandon(TaskKind::embedding);
     desk_.tasks.abandon(TaskKind::field);
     desk_.tasks.abandon(TaskKind::growth);
+    desk_.tasks.abandon(TaskKind::touching);
+    touchable_.reset();
+    touchableModel_.reset();
     milling_.reset();
     bounds_.reset();
     strokes_.clear();
@@ -278,8 +281,8 @@ void WorkpieceController::buildBounds() {
     desk_.tasks.start(
         TaskKind::field,
         tr("Computing the boundary for %1").arg(QCoreApplication::translate("Resource", tool_.name.c_str())),
-        [milling = milling_, tool = tool_,
-         wanted = wanted_](Progress& progress) -> Result<std::shared_ptr<const ToolBounds>> {
+        [milling = milling_, tool = tool_, wanted = wanted_,
+         stock = touchable()](Progress& progress) -> Result<std::shared_ptr<const ToolBounds>> {
             TravelPlacement travel = wanted.travel;
             travel.on = true; // sessions switch it as a layer
             // Shares ownership of the workpiece.
@@ -288,7 +291,10 @@ void WorkpieceController::buildBounds() {
                 ToolBounds::grow(*milling, part, tool, wanted.axis, surroundingsOf(*milling, travel, wanted.axis),
                                  maximumAllowance, {}, progress);
             if (!bounds) return std::move(bounds).error();
-            bounds->addStock(milling->setup);
+            bounds->addStock(stock);
+            if (!stock && TouchableStock::isQuick(milling->setup))
+                if (Result<TouchableStock> made = TouchableStock::of(*milling->model, milling->setup, progress))
+                    bounds->addStock(std::make_shared<const TouchableStock>(std::move(*made)));
             return std::make_shared<const ToolBounds>(std::move(*bounds));
         },
         [this, milling = milling_, tool = tool_, wanted = wanted_](Result<std::shared_ptr<const ToolBounds>> outcome) {
@@ -316,6 +322,7 @@ void WorkpieceController::adoptBounds(const Tool& tool, const RequestedBounds& w
     milling_->tool = tool;
     milling_->conditions = *conditions;
     bounds_ = std::move(bounds);
+    keepTouchable();
     bound_ = wanted;
     emit toolChanged();
     emit changed();

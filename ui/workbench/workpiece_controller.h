@@ -39,6 +39,11 @@ public:
     bool embedding() const { return reading_ || desk_.tasks.running(TaskKind::embedding); }
     bool fieldBusy() const { return desk_.tasks.running(TaskKind::field); }
     bool ready() const; ///< whether it can be milled: workpiece and bounds exist
+    /// Makes the stock before milling one of the bounds' layers (ToolBounds::addStock), in the background. Any stock
+    /// but one from a file is one from the start. @param refused called if that fails or is cancelled
+    void bringStock(std::function<void()> refused);
+    /// Whether the stock is no layer of the bounds, but `bringStock` makes it one.
+    bool canBringStock() const;
     /// Whether there are no bounds and none are being made, because that failed or was cancelled.
     bool lacksBounds() const { return embedded() && !bounds_ && !fieldBusy() && !changing(); }
 
@@ -93,6 +98,8 @@ private:
     void remakeWith(const RecordedWork& work);
     void adopt(std::shared_ptr<MillingContext> milling);
     void buildBounds();
+    std::shared_ptr<const TouchableStock> touchable() const;
+    void keepTouchable();
     void adoptBounds(const Tool& tool, const RequestedBounds& wanted, std::shared_ptr<const ToolBounds> bounds);
     void watchGrowth();
     void switchObstacles();
@@ -108,6 +115,9 @@ private:
     std::shared_ptr<MillingContext> milling_;
     std::shared_ptr<const ToolBounds> bounds_;
     RequestedBounds wanted_, bound_;
+    std::shared_ptr<const TouchableStock> touchable_; ///< the stock as it was made last
+    std::shared_ptr<const Model> touchableModel_;     ///< what it was made of
+    Setup touchableSetup_;
     StrokeHistory strokes_;
     std::function<void(std::function<void()>)> guard_;
     int changes_ = 0;        ///< number of changes about to come

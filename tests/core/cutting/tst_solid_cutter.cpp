@@ -104,7 +104,7 @@ private slots:
             const Grid& grid = block.grid();
             (void)block.fillSpan({7, 7}, 0, grid.lineEnd(), part);
             const std::vector<glm::dvec3> tips = anyWay();
-            SolidCutter cutter(tool.solid(), grid);
+            SolidCutter cutter(std::make_shared<const SolidColumns>(tool.solid(), grid));
             RemovedUnits removed;
             std::vector<glm::dvec3> poses;
             for (std::size_t i = 1; i < tips.size(); ++i) {
@@ -151,7 +151,8 @@ private slots:
             RunVolume one = solid(glm::dvec3(-5.0), edge, glm::ivec3(20), axis);
             RunVolume other = solid(glm::dvec3(-5.0), edge, glm::ivec3(20), axis);
             const std::uint64_t before = totalOf(one.amounts());
-            SolidCutter whole(tool, one.grid()), parts(tool, other.grid());
+            const auto columns = std::make_shared<const SolidColumns>(tool, one.grid()); // of both: the grids are equal
+            SolidCutter whole(columns), parts(columns);
             RemovedUnits atOnce, inParts, atRest;
             whole.cut(one, from, to, atOnce);
             whole.cut(one, to, to, atRest);
@@ -221,8 +222,9 @@ private slots:
     void theShankIsThatOfTheModel() {
         RunVolume block = solid({0.0, 0.0, 0.0}, 0.25, {160, 80, 80}, RunAxis::z); // 20 mm high
         const Cutter cutter = cutters::scraper(0.0, 10.0);
-        SolidContact shank(*cutter.solid, block.grid(), 1);
-        SolidCutter flutes(*cutter.solid, block.grid());
+        const auto columns = columnsOf(cutter, block.grid());
+        SolidContact shank(columns, 1);
+        SolidCutter flutes(columns);
         RemovedUnits removed;
         const double y = 10.03;
         const auto touches = [&](const glm::dvec3& tip) { return shank.at(block, tip).touches; };
@@ -243,7 +245,7 @@ private slots:
         RunVolume block = solid({0.0, 0.0, 0.0}, 0.25, {160, 80, 40}, RunAxis::z);
         const Cutter cutter = cutters::scraper(0.3, 4.0);
         MaterialRemoval removal(cutter, block.grid(), Writing::deferred);
-        SolidContact shank(*cutter.solid, block.grid(), 1);
+        SolidContact shank(columnsOf(cutter, block.grid()), 1);
         const std::size_t before = allocationCount.load();
         for (int i = 0; i < 500; ++i) {
             const ToolPose from{{0.05 * i, 10.0 + 0.01 * i, 7.0 - 0.004 * i}, up};

@@ -316,7 +316,9 @@ private slots:
     void theStockHoldsAToolUntilItIsToCut() {
         const QTemporaryDir folder;
         AroundStage stage(folder, {}, {}, 0);
-        stage.bounds->addStock(stage.milling.setup);
+        Progress progress;
+        stage.bounds->addStock(std::make_shared<const TouchableStock>(
+            *TouchableStock::of(*stage.milling.model, stage.milling.setup, progress)));
         QCOMPARE(stage.bounds->layers().back().kind, BoundLayer::Kind::stock);
         const std::size_t stock = stage.bounds->layers().size() - 1;
         stage.hand.letButton(false);
@@ -335,7 +337,7 @@ private slots:
         const TouchedFace face = touchedFace(state.sample, tool, 0.0);
         QCOMPARE(face.outcome, TouchedFace::Outcome::found);
         QVERIFY(face.axis == 0 && !face.high && std::abs(face.place.x) <= Proxy::contactGap);
-        QCOMPARE(sideTouched(stage.milling.setup, face), std::optional(0.0));
+        QCOMPARE(stage.bounds->stock()->sideTouched(face, tool)->coordinate, 0.0);
 
         QVERIFY(session->startRecording("cut"));
         QVERIFY(!session->setLayer(stock, true));

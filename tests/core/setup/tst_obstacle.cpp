@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-#include "core/setup/obstacle.h"
+#include "core/base/units.h"
+#include "core/setup/obstacle_motion.h"
 #include "tests/core/geometry/shapes.h"
 #include "tests/test_program.h"
 
@@ -41,6 +42,33 @@ private slots:
         QVERIFY(two && two->size() == 2);
         QCOMPARE(two->back().name, std::string("vise: jaw 2"));
         QCOMPARE(boundsOf(two->back()).low, glm::dvec3(5, 0, 0));
+    }
+
+    /// Corners, volume and axis after a rotation by 30° about Z through (5, 0, 0) and a shift, by hand. A box holds
+    /// quarter turns alone.
+    void whatIsMovedKeepsItsForm() {
+        const double cosine = std::sqrt(0.75), sine = 0.5;
+        const Placement by =
+            combined(turnedAbout({0.0, 0.0, 1.0}, pi / 6.0, {5.0, 0.0, 0.0}), movedBy({0.0, 0.0, 4.0}));
+        const Obstacle mesh{"jaw", cube, 1.5, false, ObstacleKind::keepOut};
+        const Result<Obstacle> turned = moved(mesh, by);
+        QVERIFY(turned && turned->margin == 1.5 && !turned->on && turned->kind == ObstacleKind::keepOut);
+        const Box around = boundsOf(*turned);
+        QVERIFY(glm::distance(around.low, {5.0 - 5.0 * cosine - 2.0 * sine, -5.0 * sine, 4.0}) < 1e-12);
+        QVERIFY(glm::distance(around.high, {5.0 - 4.0 * cosine, 2.0 * cosine - 4.0 * sine, 7.0}) < 1e-12);
+        QVERIFY(std::abs(signedVolume(std::get<TriangleMesh>(turned->shape)) - 6.0) < 1e-12);
+
+        const Obstacle lying{"bar", CylinderShape{{6.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, 2.0, 7.0}};
+        const auto bar = std::get<CylinderShape>(moved(lying, by)->shape);
+        QVERIFY(glm::distance(bar.base, {5.0 + cosine, sine, 5.0}) < 1e-12);
+        QVERIFY(glm::distance(bar.axis, {cosine, sine, 0.0}) < 1e-12 && bar.radius == 2.0 && bar.height == 7.0);
+
+        const Obstacle box{"block", Box{{0.0, 0.0, 0.0}, {1.0, 2.0, 3.0}}};
+        const Result<Obstacle> refused = moved(box, by);
+        QVERIFY(!refused && refused.error().code == ErrorCode::argumentInvalid);
+        const auto quarter = std::get<Box>(moved(box, turnedAbout({0.0, 0.0, 1.0}, 0.5 * pi, {}))->shape);
+        QCOMPARE(quarter.low, glm::dvec3(-2.0, 0.0, 0.0));
+        QCOMPARE(quarter.high, glm::dvec3(0.0, 1.0, 3.0));
     }
 
     void aFixtureThatIsInsideOutIsTurned() {

@@ -236,6 +236,43 @@ private slots:
         QCOMPARE(valueOf(boxed, "opening"), 60.0);
     }
 
+    /// A box 3 mm in the foot, a cylinder of 2 mm in the plate's side by 1.5 mm; a vise that is open too far. What is
+    /// switched off, a keep-out volume and what touches are not told.
+    void whatDoesNotFitIsTold() {
+        const Model model = test::modelOf({test::bodyOf("foot", test::boxMesh(foot.low, foot.high)),
+                                           test::bodyOf("plate", test::boxMesh(plate.low, plate.high))});
+        Setup setup;
+        setup.form = StockForm::solids;
+        setup.roles = {BodyRole::stock, BodyRole::stock};
+        setup.stock = aroundBoth;
+        const StockSolid stock = footedSolids();
+        const Box inFoot{{7.0, -5.0, 1.0}, {17.0, 5.0, 9.0}}, beside{{10.0, -5.0, 0.0}, {20.0, 5.0, 15.0}};
+        const CylinderShape pin{{31.5 - 1.0, 0.0, 30.0}, {0.0, 0.0, -1.0}, 2.0, 12.0};
+        FixtureDesign vise = placedOn(FixtureKind::vise, stock, {29.0, 0.0, 20.0});
+        setValue(vise, "opening", 22.5);
+        const std::vector<Obstacle> around{
+            {"in the foot", inFoot},
+            {"touches", beside},
+            {"pin", pin},
+            {"off", inFoot, 0.0, false},
+            {"keep-out", inFoot, 0.0, true, ObstacleKind::keepOut},
+            {"vise", meshOf(vise), 0.0, true, ObstacleKind::fixture, vise},
+            {"from a file", test::boxMesh(inFoot.low, inFoot.high)},
+        };
+        Progress progress;
+        const Result<std::vector<BadFit>> bad = badFits(model, setup, around, progress);
+        QVERIFY(bad);
+        QCOMPARE(bad->size(), std::size_t{3});
+        QCOMPARE((*bad)[0].name, std::string("in the foot"));
+        QVERIFY(near((*bad)[0].fit.depth, 3.0) && (*bad)[0].fit.gap == 0.0);
+        QCOMPARE((*bad)[1].name, std::string("pin"));
+        QVERIFY(near((*bad)[1].fit.depth, 1.5));
+        QCOMPARE((*bad)[2].name, std::string("vise"));
+        QVERIFY(near((*bad)[2].fit.gap, 2.5) && (*bad)[2].fit.depth == 0.0);
+        progress.cancel();
+        QCOMPARE(badFits(model, setup, around, progress).error().code, ErrorCode::cancelled);
+    }
+
     void aRayMeetsTheStockItself() {
         const StockSolid bar = standingBar();
         const auto side = bar.hit({100.0, 12.0, 5.0}, {-2.0, 0.0, 0.0});

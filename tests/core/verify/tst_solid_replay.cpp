@@ -105,7 +105,7 @@ private slots:
             const std::vector<ToolMove> moves = anyMoves();
             RunVolume byHand = milledBlock(RunAxis::z), byProgram = milledBlock(RunAxis::z);
             MaterialRemoval removal(tool.cutter, byHand.grid());
-            SolidContact shank(*tool.cutter.solid, byHand.grid(), 1);
+            SolidContact shank(columnsOf(tool.cutter, byHand.grid()), 1);
             Findings findings;
             Progress progress;
             (void)replay(moves, std::span(&tool, 1), byProgram, findings, progress).value();
