@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command.h"
 #include "app/commands/device_axes.h"
+#include "app/commands/device_gains.h"
 #include "app/wording.h"
 #include "core/device/device_registry.h"
 #include "core/device/device_trial.h"
@@ -76,6 +77,7 @@ void addDrivers(DeviceRegistry& registry, json& answer, std::string& text) {
 struct TrialArguments {
     std::string device, mode;
     TrialSettings settings;
+    GainArguments gains;
 };
 
 json jsonOf(const glm::dvec3& vector) {
@@ -90,6 +92,8 @@ json jsonOf(const TrialFigures& figures) {
             {"readings_invalid", figures.invalid},
             {"rate_hz", figures.rate},
             {"interval_median_s", figures.medianInterval},
+            {"interval_p99_s", figures.usualInterval},
+            {"latency_max_s", figures.latency > 0.0 ? json(figures.latency) : json(nullptr)},
             {"interval_max_s", figures.maximumInterval},
             {"step_min_mm", figures.smallestStep},
             {"rotation_max_rad", figures.maximumRotation},
@@ -114,8 +118,12 @@ int runTrial(CommandContext& context, const TrialArguments& arguments) {
     context.stage(BURIN_TEXT("Command", "Testing the device"));
     const Result<TrialFigures> figures = tryDevice(StylusHandle(*stylus), arguments.settings, context.progress());
     if (!figures) return context.fail(figures.error());
-    context.answer({{"device", device->id}, {"test", jsonOf(*figures)}},
-                   trialLines(*figures, QLocale::c()).join(QLatin1Char('\n')).toStdString());
+    json answer{{"device", device->id}, {"test", jsonOf(*figures)}};
+    std::string text = trialLines(*figures, QLocale::c()).join(QLatin1Char('\n')).toStdString();
+    const Result<void> kept =
+        answerGains(device->id, StylusHandle(*stylus).device().description(), *figures, arguments.gains, answer, text);
+    if (!kept) return context.fail(kept.error());
+    context.answer(answer, text);
     return figures->faults.empty() && figures->readings > 0 ? 0 : 1;
 }
 
@@ -176,13 +184,15 @@ void registerDevices(CommandParser program, CommandContext& context, int& status
                                    "strength rises to this share of its strongest effect within each second, 0 to 1"))
         .range(0.0, 1.0)
         .needs(test);
+    addGainOptions(command, arguments->gains, test);
     const auto axes = std::make_shared<AxesArguments>();
     addAxesOptions(command, *axes, test);
     command.run([&context, &status, arguments, axes] {
-        status = !axes->mapped.empty()       ? mapAxes(*axes, context)
-                 : !axes->calibrated.empty() ? calibrateAxes(*axes, context)
-                 : arguments->device.empty() ? runDevices(context)
-                                             : runTrial(context, *arguments);
+        status = !axes->mapped.empty()                ? mapAxes(*axes, context)
+                 : !axes->calibrated.empty()          ? calibrateAxes(*axes, context)
+                 : !arguments->gains.restored.empty() ? restoreGains(arguments->gains, context)
+                 : arguments->device.empty()          ? runDevices(context)
+                                                      : runTrial(context, *arguments);
     });
 }
 

@@ -61,7 +61,7 @@ void addMillOptions(CommandParser command, MillArguments& arguments) {
         BURIN_TEXT("Help",
                    "Mill even if bodies are too small for the voxels to be protected, and accept that the operator "
                    "reaches nothing"));
-    command.option("--tool", arguments.tool, BURIN_TEXT("Help", "Tool")).showDefault();
+    command.option("--tool", arguments.tool, BURIN_TEXT("Help", "Tool (default: that of the trace, otherwise ball-6)"));
     command.option("--machine", arguments.machine,
                    BURIN_TEXT("Help", "Machine, for its spindle speed and travel (default: the project's)"));
     const Argument realtime = command.flag("--realtime", arguments.realtime, BURIN_TEXT("Help", "Run in real time"));

@@ -12,7 +12,7 @@ namespace burin {
 
 /// The arguments of `burin mill`, as given by the user.
 struct MillArguments {
-    std::string project, stylus = "operator", mode, tool = "ball-6", machine, trace, axis, from;
+    std::string project, stylus = "operator", mode, tool, machine, trace, axis, from;
     bool realtime = false, fast = false, overrides = false;
     double seconds = 0.0, rate = 1000.0;
     int deadMan = 0;       ///< number of the button, from 1; 0: none

@@ -78,6 +78,8 @@ enum class ErrorCode : std::uint16_t {
     programSyntax,      ///< subject: file; place: line and column; detail: the word
     programLimit,       ///< subject: the quantity ("feed", "X travel"); place: the value and the limit
     checkFailed,        ///< subject: file or path; place: summary of the findings
+    // sessions
+    traceEnded, ///< a trace can't be written; milling goes on without it; subject: file; detail: why
 };
 
 /// The class of an error, which is the exit status of the command line (README.md lists them).
@@ -124,6 +126,7 @@ constexpr ErrorClass errorClass(ErrorCode code) noexcept {
     case ErrorCode::outOfMemory:
     case ErrorCode::volumeOutOfMemory:
     case ErrorCode::recordingOverflow:
+    case ErrorCode::traceEnded:
     case ErrorCode::projectInUse:
         return ErrorClass::outOfSpaceOrRights;
     case ErrorCode::pathGouges:

@@ -39,13 +39,22 @@ struct Gathered {
     std::array<std::uint32_t, bins> intervals{};
 };
 
-/// s
-double medianOf(const std::array<std::uint32_t, bins>& intervals) {
+/// The interval that this share of all intervals does not exceed, s.
+double quantileOf(const Gathered& gathered, double share) {
     std::uint64_t all = 0, below = 0;
-    for (const std::uint32_t count : intervals) all += count;
-    for (std::size_t i = 0; i < bins && all > 0; ++i)
-        if (2 * (below += intervals[i]) >= all) return (static_cast<double>(i) + 0.5) * binSeconds;
-    return 0.0;
+    for (const std::uint32_t count : gathered.intervals) all += count;
+    for (std::size_t i = 0; i + 1 < bins && all > 0; ++i)
+        if (static_cast<double>(below += gathered.intervals[i]) >= share * static_cast<double>(all))
+            return (static_cast<double>(i) + 0.5) * binSeconds;
+    return gathered.maximumInterval; // the last bin has no upper end
+}
+
+/// The value that nine of ten do not exceed; 0: there are none.
+double usualOf(std::vector<double> values) {
+    if (values.empty()) return 0.0;
+    const auto usual = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * 9 / 10);
+    std::ranges::nth_element(values, usual);
+    return *usual;
 }
 
 TrialFigures figuresOf(const Gathered& gathered) {
@@ -55,7 +64,8 @@ TrialFigures figuresOf(const Gathered& gathered) {
     figures.invalid = gathered.invalid;
     const auto intervals = static_cast<double>(gathered.readings + gathered.invalid) - 1.0;
     if (figures.seconds > 0.0) figures.rate = intervals / figures.seconds;
-    figures.medianInterval = medianOf(gathered.intervals);
+    figures.medianInterval = quantileOf(gathered, 0.5);
+    figures.usualInterval = quantileOf(gathered, 0.99);
     figures.maximumInterval = gathered.maximumInterval;
     figures.maximumRotation = gathered.maximumRotation;
     figures.smallestStep = gathered.smallestStep;
@@ -209,10 +219,13 @@ Result<TrialFigures> tryDevice(const StylusHandle& stylus, const TrialSettings& 
     const auto gathering = std::make_unique<Gathering>(settings, description.buttons > 0); // 24 kB
     TrialClient client(*gathering);
     std::vector<Error> faults;
+    std::vector<double> roundTrips;
     const auto look = [&] {
         TrialFigures figures = gathering->figures();
         while (std::optional<Error> fault = device.takeFault()) faults.push_back(std::move(*fault));
         figures.health = device.health();
+        if (figures.health.roundTrip > 0.0) roundTrips.push_back(figures.health.roundTrip);
+        figures.latency = usualOf(roundTrips);
         figures.faults = faults;
         return figures;
     };

@@ -17,9 +17,13 @@ struct TrialFigures {
     double seconds = 0.0;
     std::uint64_t readings = 0; ///< valid readings
     std::uint64_t invalid = 0;
-    double rate = 0.0;                    ///< Hz, of all readings
-    double medianInterval = 0.0;          ///< s, between two readings
-    double maximumInterval = 0.0;         ///< s, between two readings
+    double rate = 0.0;            ///< Hz, of all readings
+    double medianInterval = 0.0;  ///< s, between two readings
+    double usualInterval = 0.0;   ///< s, between two readings: 99 of 100 are shorter
+    double maximumInterval = 0.0; ///< s, between two readings
+    /// s, from a reading to its force, by the device's echoes (DeviceHealth::roundTrip): of those that were looked at,
+    /// ten a second, nine of ten were shorter. 0: it sends none
+    double latency = 0.0;
     double maximumRotation = 0.0;         ///< rad, from the first pose
     double smallestStep = 0.0;            ///< mm, between two consecutive readings; 0: the stylus did not move
     glm::dvec3 lowest{0.0}, highest{0.0}; ///< mm, of each coordinate; device frame

@@ -15,7 +15,7 @@ constexpr double averagingLoss = 0.8;
 /// Averaging two readings halves the step of the coupling force when the encoders of a resting hand tick. It delays
 /// them by this share of a tick, which for a spring K means a loss of K T.
 double averagingShare(const HapticSettings& settings) noexcept {
-    const double stiffness = couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod).stiffness;
+    const double stiffness = boundaryGains(settings).stiffness;
     const double loss = stiffness * settings.tickPeriod; // N·s/m, for a whole tick
     return loss > 0.0 ? std::min(0.5, averagingLoss / loss) : 0.0;
 }

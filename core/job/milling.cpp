@@ -230,6 +230,7 @@ Result<TakeOutcome> recordTake(Project& project, MillingContext& milling, const 
     session.cutsOnButton = request.cutsOnButton;
     session.felt = request.felt;
     session.stock = request.stock;
+    session.gains = request.gains;
     session.forceButtons = request.forceButtons;
     session.guides = request.guides;
     session.trace = request.trace;

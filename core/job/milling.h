@@ -34,6 +34,7 @@ struct TakeRequest {
     bool cutsOnButton = false;   ///< the spindle turns only while the stylus' first button is pressed
     FeltCutting felt;
     StockLayer stock;
+    GainLimits gains;
     std::uint32_t forceButtons = 0;                   ///< as in SessionRequest
     std::optional<GuideSettings> guides;              ///< as in SessionRequest
     std::filesystem::path trace, flights;             ///< as in SessionRequest

@@ -4,6 +4,7 @@
 
 #include "core/base/wall_clock.h"
 #include "core/job/session_settings.h"
+#include "core/job/traced_bounds.h"
 #include "core/setup/material_change.h"
 
 #include <algorithm>
@@ -42,11 +43,11 @@ MillingSession::MillingSession(Project& project, MillingContext& milling, const 
     , strokes_(strokes)
     , allowance_(request.allowance)
     , axis_(bounds.axis())
-    , growth_(bounds.growth())
     , layerCount_(bounds.layers().size())
     , stock_(request.stock)
     , stockLayer_(stockLayerOf(bounds))
     , traceOutput_(request.traceOutput)
+    , traceRequired_(request.traceRequired)
     , servo_(servoSettings(stylus, request))
     , step_(milling.embedded.workpiece, bounds.boundaryLayers(), milling.tool,
             hapticSettings(milling, bounds.axis(), stylus, request))
@@ -59,27 +60,44 @@ MillingSession::~MillingSession() {
     static_cast<void>(end());
 }
 
+/// Errors: those of TraceRecorder::begin, if the trace is required.
+Result<void> MillingSession::beginTrace(const ToolBounds& bounds, const SessionRequest& request, TickSink& next) {
+    using IfFull = TraceRecorder::IfFull;
+    TracedSession began;
+    began.stylus = stylus_.device().description();
+    began.mapping = request.mapping;
+    began.allowance = request.allowance;
+    began.period = servo_.period;
+    began.cutsOnButton = request.cutsOnButton;
+    began.forceButtons = request.forceButtons;
+    began.felt = request.felt;
+    began.axis = axis_;
+    began.growth = bounds.growth();
+    began.stock = request.stock;
+    began.gains = request.gains;
+    began.tool = milling_.tool.id;
+    began.layers = tracedLayers(bounds);
+    Result<std::unique_ptr<TraceRecorder>> trace =
+        TraceRecorder::begin(request.trace, next, began, request.traceRequired ? IfFull::endsLoop : IfFull::endsTrace);
+    if (!trace && request.traceRequired) return std::move(trace).error();
+    if (trace)
+        trace_ = std::move(*trace);
+    else
+        traceFault_ = traceEnded(trace.error());
+    return {};
+}
+
 /// Errors: those of startRecording, checkGuides and TraceRecorder::begin.
-Result<void> MillingSession::start(const SessionRequest& request) {
+Result<void> MillingSession::start(const ToolBounds& bounds, const SessionRequest& request) {
     TickSink* sink = &faults_.sink();
     if (request.replayed != nullptr) {
         replayed_.emplace(*request.replayed, step_, *sink);
         sink = &*replayed_;
     }
     if (!request.trace.empty()) {
-        const TracedSession began{stylus_.device().description(),
-                                  request.mapping,
-                                  request.allowance,
-                                  servo_.period,
-                                  request.cutsOnButton,
-                                  request.forceButtons,
-                                  request.felt,
-                                  axis_,
-                                  growth_,
-                                  request.stock};
-        Result<std::unique_ptr<TraceRecorder>> trace = TraceRecorder::begin(request.trace, *sink, began);
-        if (!trace) return std::move(trace).error();
-        trace_ = std::move(*trace);
+        if (Result<void> begun = beginTrace(bounds, request, *sink); !begun) return begun;
+    }
+    if (trace_) {
         step_.listen(trace_.get());
         sink = trace_.get();
     }
@@ -255,8 +273,18 @@ Result<void> MillingSession::setGuides(const GuideSettings& guides) {
     return {};
 }
 
+/// Once for each trace that can't be written, while milling goes on.
+std::optional<Error> MillingSession::takeTraceFault() {
+    if (traceFault_) return std::exchange(traceFault_, std::nullopt);
+    if (traceEnded_ || !trace_ || !trace_->failing()) return std::nullopt;
+    traceEnded_ = true;
+    return trace_->fault();
+}
+
 std::optional<Error> MillingSession::takeFault() {
     if (std::optional<Error> fault = faults_.take()) return fault;
+    if (!traceRequired_)
+        if (std::optional<Error> fault = takeTraceFault()) return fault;
     if (!loop_.takeHeat()) return std::nullopt;
     return Error{ErrorCode::deviceHot, stylus_.device().description().name, {}, {}};
 }
@@ -336,7 +364,7 @@ Result<LoopStatistics> MillingSession::end() {
     step_.listen(nullptr);
     if (const std::unique_ptr<TraceRecorder> trace = std::move(trace_)) {
         const Result<void> written = placeTrace(trace->finish());
-        if (!written && outcome_) outcome_ = written.error();
+        if (!written && outcome_ && !traceEnded_) outcome_ = written.error();
     }
     stylus_.device().close();
     return outcome_;
@@ -348,7 +376,7 @@ Result<std::unique_ptr<MillingSession>> MillingSession::begin(Project& project, 
     if (Result<void> opened = stylus.device().open(); !opened) return std::move(opened).error();
     std::unique_ptr<MillingSession> session(
         new MillingSession(project, milling, bounds, stylus, strokes, request)); // its constructor is private
-    if (Result<void> started = session->start(request); !started) return std::move(started).error();
+    if (Result<void> started = session->start(bounds, request); !started) return std::move(started).error();
     return session;
 }
 

@@ -109,7 +109,9 @@ public:
 private:
     MillingSession(Project& project, MillingContext& milling, const ToolBounds& bounds, const StylusHandle& stylus,
                    StrokeHistory& strokes, const SessionRequest& request);
-    Result<void> start(const SessionRequest& request);
+    Result<void> start(const ToolBounds& bounds, const SessionRequest& request);
+    Result<void> beginTrace(const ToolBounds& bounds, const SessionRequest& request, TickSink& next);
+    std::optional<Error> takeTraceFault();
     Result<void> beginTake(const std::string& name);
     void tell(const StepChange& change);
     void tellWhatWaits();
@@ -129,11 +131,11 @@ private:
     StrokeHistory& strokes_;
     double allowance_;
     const AxisMode axis_;
-    const std::optional<TracedSession::Growth> growth_;
     const std::size_t layerCount_; ///< without that of the stock, which is the next one
     const StockLayer stock_;
     const std::optional<std::size_t> stockLayer_;
     std::optional<StagedFile>* const traceOutput_;
+    const bool traceRequired_;
     const ServoSettings servo_;
     std::atomic<bool> stop_{false}, ended_{false};
     HapticStep step_;
@@ -142,6 +144,8 @@ private:
     std::deque<StepChange> untold_; ///< requests that found the ring full; none is lost
     std::optional<ReplayedChanges> replayed_;
     std::unique_ptr<TraceRecorder> trace_;
+    std::optional<Error> traceFault_; ///< of the beginning of a trace, not yet taken
+    bool traceEnded_ = false;         ///< its fault was reported
     std::unique_ptr<Recorder> recorder_;
     std::int64_t take_ = 0;
     LiveFigures figures_;

@@ -23,12 +23,15 @@ struct SessionRequest {
     bool cutsOnButton = false; ///< the spindle turns only while the stylus' first button is pressed
     FeltCutting felt;
     StockLayer stock;
+    GainLimits gains;
     std::uint32_t forceButtons = 0; ///< dead man's switch: forces only while one of these is held, by bit; 0: always
     /// Keeps the workpiece before each stroke, so that the stroke can be undone. This occupies memory of the volume:
     /// when it runs out, the older half of the strokes can no longer be undone.
     bool undoable = true;
     double period = 0.0;         ///< of a tick, s; 0: the rate of a stylus that paces itself, otherwise 1 kHz
     std::filesystem::path trace; ///< of ticks, written during the session; empty: none
+    /// Whether a trace that can't be written ends the session; otherwise it is discarded, which `takeFault` reports.
+    bool traceRequired = true;
     /// Receives the complete trace in `end`, to be put in place together with the project. Null: `end` puts it in
     /// place.
     std::optional<StagedFile>* traceOutput = nullptr;

@@ -30,6 +30,7 @@ HapticSettings hapticSettings(const MillingContext& milling, const AxisMode& axi
     settings.forceButtons = request.forceButtons;
     settings.felt = request.felt;
     settings.stock = request.stock;
+    settings.gains = request.gains;
     return settings;
 }
 

@@ -23,7 +23,7 @@ namespace burin::tst_messages {
 
 namespace {
 
-constexpr int codeCount = static_cast<int>(ErrorCode::checkFailed) + 1; // the last of the list
+constexpr int codeCount = static_cast<int>(ErrorCode::traceEnded) + 1; // the last of the list
 
 Error errorOf(int code) {
     return {static_cast<ErrorCode>(code), "SUBJECT", "PLACE", "DETAIL"};

@@ -55,6 +55,7 @@ private slots:
         StylusController& styluses = driver.window().workbench().styluses;
         QVERIFY(driver.waitFor([&] { return styluses.choices().size() > 1; }));
         bool done = false;
+        GainLimits kept;
         driver.whenDialogStands([&](QWidget& dialog) {
             QCOMPARE(dialog.objectName(), QString("deviceDialog"));
             auto* list = dialog.findChild<RowList*>("deviceList");
@@ -74,6 +75,21 @@ private slots:
             QVERIFY(text(dialog, "deviceFigures").contains("Maximum force commanded: 0.00 N"));
             QTest::mouseClick(test, Qt::LeftButton);
             QTRY_COMPARE(test->text(), QString("Test"));
+            // Gains follow from what was measured. One button uses them, another one takes that back, and again.
+            const std::string id = "openhaptics:Default Device";
+            auto* useGains = dialog.findChild<QPushButton*>("useGainsButton");
+            auto* previousGains = dialog.findChild<QPushButton*>("previousGainsButton");
+            QTRY_VERIFY(text(dialog, "deviceGains").contains("Suggested stiffness: 0."));
+            QVERIFY(useGains->isEnabled() && !previousGains->isEnabled());
+            QTest::mouseClick(useGains, Qt::LeftButton);
+            kept = UserSettings().gains(id).now;
+            QVERIFY(kept.stiffness < GainLimits::none && kept.damping < GainLimits::none);
+            QVERIFY(!useGains->isEnabled() && text(dialog, "deviceGains").contains("In use: stiffness up to"));
+            driver.shoot("devices-1-gains");
+            QTest::mouseClick(previousGains, Qt::LeftButton);
+            QCOMPARE(UserSettings().gains(id).now, GainLimits{});
+            QTest::mouseClick(previousGains, Qt::LeftButton);
+            QCOMPARE(UserSettings().gains(id).now, kept);
             // The motors exert only a requested force, and only while the button is held, which the simulated hand
             // does.
             auto* force = dialog.findChild<QWidget*>("deviceForce");
@@ -112,6 +128,7 @@ private slots:
         QCOMPARE(driver.window().workbench().styluses.chosenName(), QString("3D Systems: Default Device"));
         QCOMPARE(UserSettings().felt("openhaptics:Default Device").gain, 0.5);
         QCOMPARE(UserSettings().felt("spacenav:daemon").gain, 1.0);
+        QCOMPARE(driver.window().workbench().mill.gains(), kept);
     }
 
     /// A 3D mouse in the other hand: the view follows its cap, and the choice is restored.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shank and holder kept away from the stock: switched by key while milling, its distance set with the devices, both
 // kept.
+#include "core/haptics/trace/session_trace.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 #include "ui/dialogs/preferences.h"
@@ -9,6 +10,7 @@
 
 #include <QAction>
 #include <QDialog>
+#include <QFile>
 #include <QPushButton>
 #include <QtTest>
 
@@ -32,6 +34,13 @@ private slots:
         QVERIFY(makeReady(driver, 1.0));
         QAction* action = menuAction(driver, QStringLiteral("keepFromStockAction"));
         QVERIFY(action != nullptr && action->isCheckable() && !action->isChecked());
+        // Each session of mill mode is recorded as a trace of its own.
+        const QString trace = driver.folder().filePath("stock-layer-trace.csv");
+        const QString second = driver.folder().filePath("stock-layer-trace-2.csv");
+        QAction* recordTrace = menuAction(driver, QStringLiteral("recordTraceAction"));
+        chooseFile(driver, trace);
+        driver.key(Qt::Key_S, Qt::ControlModifier | Qt::AltModifier);
+        QVERIFY(driver.waitFor([&] { return recordTrace->isChecked(); }, 5000));
         QVERIFY(driver.step(JobStep::mill) && driver.clickOn("millButton"));
         QVERIFY(driver.waitFor([&] { return driver.window().workbench().mill.active(); }));
         QVERIFY(becomes(driver, LayerState::off));
@@ -68,11 +77,36 @@ private slots:
         QCOMPARE(workbench.mill.stockLayer().distance, 2.5);
         QVERIFY(driver.waitFor([&] { return workbench.mill.active() && workbench.session.running(); }, 10'000));
         QVERIFY(becomes(driver, LayerState::inForce));
+        QVERIFY(QFile::exists(trace) && !QFile::exists(second));
         toggle(driver);
         QVERIFY(becomes(driver, LayerState::off));
         toggle(driver);
         driver.key(Qt::Key_Escape);
         QVERIFY(driver.settle());
+        QVERIFY(driver.waitFor([&] { return QFile::exists(second); }, 5000));
+        driver.shoot("stock-layer-3-trace");
+        for (const auto& [file, distance] : {std::pair{trace, 1.0}, std::pair{second, 2.5}}) {
+            const auto session = readSessionTrace(file.toStdString());
+            QVERIFY(session && session->began && session->readings.size() > 10);
+            QCOMPARE(session->began->stock.distance, distance);
+            QCOMPARE(session->began->tool, workbench.workpiece.milling()->tool.id);
+            QCOMPARE(session->began->layers.size(), workbench.workpiece.bounds()->layers().size());
+        }
+        // A distance that is set while mill mode is being entered counts as well, by a session of its own.
+        const QString fourth = driver.folder().filePath("stock-layer-trace-4.csv");
+        workbench.mill.enter();
+        workbench.mill.setStockLayer({3.0, true});
+        const QString third = driver.folder().filePath("stock-layer-trace-3.csv");
+        QVERIFY(driver.waitFor([&] { return QFile::exists(third) && workbench.mill.active(); }, 10'000));
+        QVERIFY(becomes(driver, LayerState::inForce));
+        driver.key(Qt::Key_Escape);
+        QVERIFY(driver.waitFor([&] { return QFile::exists(fourth); }, 5000));
+        const auto adopted = readSessionTrace(fourth.toStdString());
+        QVERIFY(adopted && adopted->began);
+        QCOMPARE(adopted->began->stock.distance, 3.0);
+        workbench.mill.setStockLayer({2.5, true});
+        recordTrace->trigger();
+        QVERIFY(!recordTrace->isChecked() && workbench.mill.trace().empty());
 
         QVERIFY(saveAs(driver, driver.folder().filePath("stock-layer.burin")));
         QVERIFY(driver.restart(true)); // nobody is asked about the unsaved recording

@@ -106,6 +106,8 @@ void ActionStates::update() {
     actions_[ActionId::millMode]->setChecked(workbench.mill.active());
     actions_[ActionId::guides]->setChecked(workbench.guides.on());
     actions_[ActionId::keepFromStock]->setChecked(workbench.mill.stockLayer().on);
+    enable(ActionId::recordTrace, !showing && !workbench.mill.recording());
+    actions_[ActionId::recordTrace]->setChecked(!workbench.mill.trace().empty());
     actions_[ActionId::clutch]->setChecked(workbench.hand.clutched());
     actions_[ActionId::rateControl]->setChecked(workbench.hand.canRate() &&
                                                 workbench.hand.settings().control == WorkspaceControl::rate);

@@ -206,6 +206,11 @@ constexpr std::array rows{
         QT_TRANSLATE_NOOP("Actions", "Shank and holder push back before they touch the stock. The distance is set with "
                                      "the devices."),
         "Ctrl+Alt+K", true},
+    Row{ActionId::recordTrace, "recordTraceAction", QT_TRANSLATE_NOOP("Actions", "Record a session trace…"),
+        QT_TRANSLATE_NOOP("Actions",
+                          "Write every reading of the stylus, from entering mill mode until leaving it, to a "
+                          "file that \"burin mill\" replays to the bit."),
+        "Ctrl+Alt+S", true},
     Row{ActionId::newPath, "newPathAction", QT_TRANSLATE_NOOP("Actions", "&New path"),
         QT_TRANSLATE_NOOP("Actions", "Make a path from the takes, with the standard edits."), "Ctrl+P"},
     Row{ActionId::newPass, "newPassAction", QT_TRANSLATE_NOOP("Actions", "&Compute a pass…"),

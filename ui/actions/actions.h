@@ -88,6 +88,7 @@ enum class ActionId : std::size_t {
     coarserHand,
     rateControl,
     keepFromStock,
+    recordTrace,
     newPath,
     newPass,
     programPath,

@@ -145,6 +145,11 @@ QString askPictureToExport(QWidget* parent, const QString& folder, const QString
                      FileDialogs::tr("Pictures (*.png)"));
 }
 
+QString askTraceToRecord(QWidget* parent, const QString& folder, const QString& name) {
+    return askToSave(parent, FileDialogs::tr("Record a session trace"), folder, name, QStringLiteral("csv"),
+                     FileDialogs::tr("Traces (*.csv)"));
+}
+
 QString askFacesToExport(QWidget* parent, const QString& folder, const QString& name) {
     return askToSave(parent, FileDialogs::tr("Export the table of faces"), folder, name, QStringLiteral("csv"),
                      FileDialogs::tr("Tables (*.csv)"));

@@ -38,6 +38,8 @@ QString askProgramToExport(QWidget* parent, const QString& folder, const QString
 /// One page. @param name without its suffix; empty: cancelled
 QString askSheetToExport(QWidget* parent, const QString& folder, const QString& name);
 QString askPictureToExport(QWidget* parent, const QString& folder, const QString& name);
+/// With the suffix .csv unless the user entered another.
+QString askTraceToRecord(QWidget* parent, const QString& folder, const QString& name);
 QString askFacesToExport(QWidget* parent, const QString& folder, const QString& name);
 /// With the suffix .stl unless the user entered another.
 QString askWorkpieceToExport(QWidget* parent, const QString& folder, const QString& name);

@@ -31,6 +31,12 @@ constexpr const char* penSinkSpeedKey = "pen_sink_speed_mm_per_s";
 constexpr const char* shareKey = "cutting_force_share";
 constexpr const char* frictionKey = "friction";
 constexpr const char* assistKey = "assist";
+constexpr const char* stiffnessKey = "stiffness_n_per_m";
+constexpr const char* dampingKey = "damping_n_s_per_m";
+constexpr const char* previousStiffnessKey = "previous_stiffness_n_per_m";
+constexpr const char* previousDampingKey = "previous_damping_n_s_per_m";
+constexpr const char* ceilingKey = "stiffness_ceiling_n_per_m";
+constexpr const char* handleFrictionKey = "handle_friction_n";
 constexpr const char* stockLayerKey = "keeps_from_stock";
 constexpr const char* stockDistanceKey = "stock_distance_mm";
 constexpr const char* axisMapKey = "axis_map";
@@ -213,6 +219,39 @@ void UserSettings::setFelt(const std::string& device, const FeltCutting& felt) {
     settings_.setValue(deviceKeyOf(device, shareKey), felt.gain);
     settings_.setValue(deviceKeyOf(device, frictionKey), felt.friction);
     settings_.setValue(deviceKeyOf(device, assistKey), felt.assist);
+}
+
+KeptGains UserSettings::gains(const std::string& device) const {
+    const auto limit = [&](const char* key, double lowest) {
+        bool good = false;
+        const double value = settings_.value(deviceKeyOf(device, key)).toDouble(&good);
+        return good && value >= lowest ? value : GainLimits::none; // the file may have been edited
+    };
+    KeptGains gains;
+    gains.now = {limit(stiffnessKey, GainLimits::softest), limit(dampingKey, 0.0)};
+    gains.before = {limit(previousStiffnessKey, GainLimits::softest), limit(previousDampingKey, 0.0)};
+    gains.request.ceiling = limit(ceilingKey, GainLimits::softest);
+    const double friction = settings_.value(deviceKeyOf(device, handleFrictionKey)).toDouble();
+    gains.request.friction = friction > 0.0 && friction <= GainRequest::mostFriction ? friction : 0.0;
+    return gains;
+}
+
+QString UserSettings::setGains(const std::string& device, const KeptGains& gains) {
+    const auto keep = [&](const char* key, double value, bool needed) {
+        if (needed)
+            settings_.setValue(deviceKeyOf(device, key), value);
+        else
+            settings_.remove(deviceKeyOf(device, key));
+    };
+    const auto keepLimit = [&](const char* key, double value) { keep(key, value, value < GainLimits::none); };
+    keepLimit(stiffnessKey, gains.now.stiffness);
+    keepLimit(dampingKey, gains.now.damping);
+    keepLimit(previousStiffnessKey, gains.before.stiffness);
+    keepLimit(previousDampingKey, gains.before.damping);
+    keepLimit(ceilingKey, gains.request.ceiling);
+    keep(handleFrictionKey, gains.request.friction, gains.request.friction > 0.0);
+    settings_.sync();
+    return settings_.status() == QSettings::NoError ? QString() : settings_.fileName();
 }
 
 StockLayer UserSettings::stockLayer() const {

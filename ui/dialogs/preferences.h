@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/haptics/haptic_settings.h"
+#include "core/haptics/force/suggested_gains.h"
 #include "ui/theme/length_unit.h"
 #include "ui/theme/theme.h"
 
@@ -68,6 +68,9 @@ public:
     void setViewDevice(const std::string& id);
     FeltCutting felt(const std::string& device) const; ///< rendering of the cutting forces by one device
     void setFelt(const std::string& device, const FeltCutting& felt);
+    KeptGains gains(const std::string& device) const; ///< of one device
+    /// @return the file that could not be written; empty: it was
+    QString setGains(const std::string& device, const KeptGains& gains);
     /// Whether, and how far, shank and holder keep away from the stock.
     StockLayer stockLayer() const;
     void setStockLayer(const StockLayer& layer);

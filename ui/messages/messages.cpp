@@ -168,6 +168,9 @@ QString Messages::sentence(const Error& error) {
         return tr("The library \"%1\" can't be used (%2); install %3.").arg(file, place, detail);
     case ErrorCode::traceInvalid:
         return tr("The trace \"%1\" can't be used (%2); correct it or record it again.").arg(file, place);
+    case ErrorCode::traceEnded:
+        return tr("The trace \"%1\" could not be written (%2) and was discarded; milling goes on without it.")
+            .arg(file, detail);
     case ErrorCode::projectNotBurin:
         return tr("\"%1\" is not a Burin project; choose a file that Burin saved.").arg(file);
     case ErrorCode::fileFromNewerBurin:

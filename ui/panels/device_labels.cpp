@@ -147,6 +147,12 @@ QStringList trialLines(const TrialFigures& figures, const QLocale& locale) {
           << words(QT_TRANSLATE_NOOP("DeviceLabels", "Buttons pressed: %1")).arg(pressed(figures.buttons))
           << words(QT_TRANSLATE_NOOP("DeviceLabels", "Maximum force commanded: %1 N"))
                  .arg(number(figures.maximumForce, 2));
+    if (figures.usualInterval > 0.0)
+        lines.insert(1, words(QT_TRANSLATE_NOOP("DeviceLabels", "99 of 100 intervals are shorter than %1 ms"))
+                            .arg(number(milliseconds * figures.usualInterval, 2)));
+    if (figures.latency > 0.0)
+        lines.insert(2, words(QT_TRANSLATE_NOOP("DeviceLabels", "Latency from reading to force: at most %1 ms"))
+                            .arg(number(milliseconds * figures.latency, 2)));
     if (figures.maximumAssist > 0.0)
         lines << words(QT_TRANSLATE_NOOP("DeviceLabels", "Maximum strength commanded: %1 %"))
                      .arg(number(percent * figures.maximumAssist, 0));
@@ -160,6 +166,69 @@ QStringList trialLines(const TrialFigures& figures, const QLocale& locale) {
         lines << words(QT_TRANSLATE_NOOP("DeviceLabels", "Invalid readings: %1")).arg(figures.invalid);
     for (const Error& fault : figures.faults) lines << Messages::sentence(fault);
     return lines;
+}
+
+namespace {
+
+constexpr double newtonsPerMetre = 1e3; // in N/mm
+
+/// Stiffness that steps of the encoders permit, etc.: a sentence each, so that none is put together from parts.
+QString stiffnessLine(const SuggestedGains& gains, const QLocale& locale) {
+    const auto number = [&locale](double value, int digits) { return locale.toString(value, 'f', digits); };
+    const auto line = [&](const char* text) { return words(text).arg(number(gains.stiffness / newtonsPerMetre, 3)); };
+    switch (gains.bound) {
+    case GainBound::rate:
+        return line(
+                   QT_TRANSLATE_NOOP("DeviceLabels", "Suggested stiffness: %1 N/mm, limited by %2 ms between readings"))
+            .arg(number(milliseconds * gains.hold, 2));
+    case GainBound::jitter:
+        return line(QT_TRANSLATE_NOOP("DeviceLabels",
+                                      "Suggested stiffness: %1 N/mm, limited by readings up to %2 ms late"))
+            .arg(number(milliseconds * gains.jitter, 2));
+    case GainBound::latency:
+        return line(QT_TRANSLATE_NOOP("DeviceLabels", "Suggested stiffness: %1 N/mm, limited by %2 ms latency"))
+            .arg(number(milliseconds * gains.latency, 2));
+    case GainBound::encoders:
+        return line(QT_TRANSLATE_NOOP("DeviceLabels",
+                                      "Suggested stiffness: %1 N/mm, limited by steps of %2 mm at %3 N of friction"))
+            .arg(number(gains.step, 4), number(gains.friction, 3));
+    case GainBound::ceiling:
+        return line(QT_TRANSLATE_NOOP("DeviceLabels", "Suggested stiffness: %1 N/mm, limited by your own maximum"));
+    case GainBound::device:
+        break;
+    }
+    return line(QT_TRANSLATE_NOOP("DeviceLabels", "Suggested stiffness: %1 N/mm, limited by the device itself"));
+}
+
+} // namespace
+
+QStringList gainLines(const SuggestedGains& gains, const QLocale& locale) {
+    QStringList lines;
+    lines << stiffnessLine(gains, locale)
+          << words(QT_TRANSLATE_NOOP("DeviceLabels", "Suggested damping: %1 N·s/m"))
+                 .arg(locale.toString(gains.damping, 'f', 2))
+          << words(QT_TRANSLATE_NOOP("DeviceLabels",
+                                     "Safety margin: %1 % below what is stable for a handle that nobody holds"))
+                 .arg(locale.toString(percent * gainMargin, 'f', 0));
+    if (!gains.latencyMeasured)
+        lines << (gains.latency > 0.0
+                      ? words(QT_TRANSLATE_NOOP("DeviceLabels", "Latency: %1 ms, as the device states; not measured"))
+                            .arg(locale.toString(milliseconds * gains.latency, 'f', 2))
+                      : words(QT_TRANSLATE_NOOP("DeviceLabels",
+                                                "Latency: unknown, as the device neither states nor reports it")));
+    return lines;
+}
+
+QString gainsInUse(const GainLimits& gains, const QLocale& locale) {
+    const auto number = [&locale](double value, int digits) { return locale.toString(value, 'f', digits); };
+    const bool stiffness = gains.stiffness < GainLimits::none, damping = gains.damping < GainLimits::none;
+    if (stiffness && damping)
+        return words(QT_TRANSLATE_NOOP("DeviceLabels", "In use: stiffness up to %1 N/mm, damping up to %2 N·s/m"))
+            .arg(number(gains.stiffness / newtonsPerMetre, 3), number(gains.damping, 2));
+    if (stiffness)
+        return words(QT_TRANSLATE_NOOP("DeviceLabels", "In use: stiffness up to %1 N/mm, damping of the device"))
+            .arg(number(gains.stiffness / newtonsPerMetre, 3));
+    return words(QT_TRANSLATE_NOOP("DeviceLabels", "In use: stiffness and damping of the device"));
 }
 
 } // namespace burin

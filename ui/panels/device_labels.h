@@ -5,6 +5,7 @@
 #include "core/base/text.h"
 #include "core/device/axis_map_json.h"
 #include "core/device/device_trial.h"
+#include "core/haptics/force/suggested_gains.h"
 
 #include <QLocale>
 #include <QStringList>
@@ -29,6 +30,12 @@ std::vector<DeviceLimit> limitsOf(const StylusDescription& stylus);
 QStringList limitLines(const StylusDescription& stylus, const QLocale& locale);
 /// The measurements of a trial, one per line. @param locale of the numbers
 QStringList trialLines(const TrialFigures& figures, const QLocale& locale);
+
+/// Gains suggested for a device, with what limits them and the safety margin, one per line. @param locale of the
+/// numbers
+QStringList gainLines(const SuggestedGains& gains, const QLocale& locale);
+/// The gains in use, in a line. @param locale of the numbers
+QString gainsInUse(const GainLimits& gains, const QLocale& locale);
 
 /// What an axis moves, what a button does: the text of a choice.
 QString motionName(AxisMotion motion);

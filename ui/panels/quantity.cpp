@@ -68,6 +68,8 @@ constexpr std::array namedUnits{
     NamedUnit{Quantity::stress, "n/mm²", 1.0},
     NamedUnit{Quantity::stress, "mpa", 1.0},
     NamedUnit{Quantity::stress, "gpa", 1000.0},
+    NamedUnit{Quantity::stiffness, "n/mm", millimetresPerMetre},
+    NamedUnit{Quantity::stiffness, "n/m", 1.0},
     NamedUnit{Quantity::rate, "1/s", 1.0},
 };
 
@@ -115,6 +117,8 @@ DisplayUnit displayUnit(Quantity quantity, LengthUnit unit) {
         return {QStringLiteral("N·m"), 1.0, 4, false};
     case Quantity::stress:
         return {QStringLiteral("N/mm²"), 1.0, 1, false};
+    case Quantity::stiffness:
+        return {QStringLiteral("N/mm"), millimetresPerMetre, 3, false};
     case Quantity::rate:
         return {QStringLiteral("1/s"), 1.0, 1, false};
     case Quantity::count:

@@ -26,7 +26,8 @@ enum class Quantity {
     power,
     torque,
     stress,
-    rate, ///< of blocks
+    stiffness, ///< N/m, shown as N/mm
+    rate,      ///< of blocks
     count
 };
 

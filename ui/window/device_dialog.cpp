@@ -10,6 +10,7 @@
 #include "ui/panels/quantity_field.h"
 #include "ui/panels/row_list.h"
 #include "ui/window/axis_dialog.h"
+#include "ui/window/device_gains.h"
 
 #include <QBoxLayout>
 #include <QLabel>
@@ -96,6 +97,7 @@ void DeviceDialog::layOut() {
                        tr("Ceiling of a gamepad's vibration or a joystick's force, as a share of its strongest effect. "
                           "Vibration: the strong motor shows how deep you push, the weak one how hard the tool cuts. A "
                           "joystick pushes only while a button is held, in the test the first one. 0: off"));
+    addGains(*right);
     addStockDistance(*right);
     halves->addLayout(right, 1);
     column->addLayout(halves, 1);
@@ -124,6 +126,16 @@ void DeviceDialog::layOut() {
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
 }
 
+void DeviceDialog::addGains(QBoxLayout& column) {
+    gains_ = new DeviceGains(settings_, this);
+    column.addWidget(gains_);
+    connect(gains_, &DeviceGains::edited, this, &DeviceDialog::gainsEdited);
+    connect(gains_, &DeviceGains::unwritten, this, [this](const QString& file) {
+        notice_->tell(Notice::Kind::error,
+                      Messages::sentence({ErrorCode::fileNotWritable, file.toStdString(), {}, {}}));
+    });
+}
+
 void DeviceDialog::addStockDistance(QBoxLayout& column) {
     auto* field = new QuantityField(Quantity::length, this);
     field->setObjectName(QStringLiteral("stockDistance"));
@@ -131,8 +143,9 @@ void DeviceDialog::addStockDistance(QBoxLayout& column) {
     field->limit(StockLayer::distances.low, StockLayer::distances.high);
     field->showValue(settings_.stockLayer().distance);
     column.addWidget(new FieldRow(tr("Distance from the stock"), field,
-                                  tr("Distance that shank and holder keep from the stock, with every stylus, while "
-                                     "“Keep from the stock” is on in the menu Mill. A change restarts milling."),
+                                  tr("Distance that shank and holder keep from the stock, counted from the centres of "
+                                     "its voxels, with every stylus, while “Keep from the stock” is on in the menu "
+                                     "Mill. A change restarts milling."),
                                   this));
     connect(field, &QuantityField::valueEdited, this, [this](double distance) {
         settings_.setStockLayer({distance, settings_.stockLayer().on});
@@ -161,6 +174,7 @@ void DeviceDialog::showFelt() {
     share_->setEnabled(felt);
     friction_->setEnabled(felt);
     assist_->setEnabled(felt);
+    gains_->showDevice(felt ? device->id : std::string());
     share_->showValue(felt_.gain);
     friction_->showValue(felt_.friction);
     assist_->showValue(felt_.assist);
@@ -270,6 +284,7 @@ void DeviceDialog::showTest() {
     limits_->setText(tester_.description() ? limitLines(*tester_.description(), locale()).join(QLatin1Char('\n'))
                                            : QString());
     figures_->setText(tester_.figures() ? trialLines(*tester_.figures(), locale()).join(QLatin1Char('\n')) : QString());
+    gains_->showTrial(tester_.description(), tester_.figures(), !tester_.testing());
     if (tester_.fault())
         notice_->tell(Notice::Kind::error, Messages::sentence(*tester_.fault()));
     else if (tester_.testing())

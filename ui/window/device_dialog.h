@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace burin {
 
+class DeviceGains;
 class FieldRow;
 class Notice;
 class QuantityField;
@@ -32,6 +33,7 @@ public:
 
 signals:
     void feltEdited();       ///< share of the cutting force or friction; already stored
+    void gainsEdited();      ///< of any device; already stored
     void stockLayerEdited(); ///< already stored
 
 private:
@@ -39,6 +41,7 @@ private:
     QuantityField* addShare(QBoxLayout& column, const QString& label, const char* name, double FeltCutting::*value,
                             const QString& toolTip);
     void addStockDistance(QBoxLayout& column);
+    void addGains(QBoxLayout& column);
     void showFelt();
     void keepFelt();
     void showState();
@@ -60,6 +63,7 @@ private:
     QLabel *limits_ = nullptr, *figures_ = nullptr;
     QuantityField *force_ = nullptr, *share_ = nullptr, *friction_ = nullptr, *assist_ = nullptr;
     QPushButton *test_ = nullptr, *use_ = nullptr, *moveView_ = nullptr, *axes_ = nullptr;
+    DeviceGains* gains_ = nullptr;
     Notice* notice_ = nullptr;
     int row_ = 0;
     double pushed_ = 0.0; ///< N

@@ -84,6 +84,7 @@ void DocumentFlow::connectActions(const Actions& actions) {
     on(ActionId::exportProgram, &DocumentFlow::exportProgram);
     on(ActionId::exportWorkpiece, &DocumentFlow::exportWorkpiece);
     on(ActionId::exportSheet, &DocumentFlow::exportSheet);
+    connect(actions[ActionId::recordTrace], &QAction::triggered, this, &DocumentFlow::recordTrace);
     on(ActionId::stockFile, &DocumentFlow::readStock);
     on(ActionId::toolShape, &DocumentFlow::shapeTool);
     connect(actions[ActionId::programPath], &QAction::triggered, this, [this] { addProgramPath(); });
@@ -355,6 +356,13 @@ void DocumentFlow::exportSheet() {
     if (file.isEmpty()) return;
     keepFolder(file);
     workbench_.sheet.write(workbench_.document.title(), file);
+}
+
+void DocumentFlow::recordTrace(bool on) {
+    QString file;
+    if (on) file = askTraceToRecord(&window_, folder(), jobName(workbench_) + QStringLiteral("-trace"));
+    if (!file.isEmpty()) keepFolder(file);
+    workbench_.mill.setTrace(pathOf(file));
 }
 
 void DocumentFlow::exportPicture(const QImage& picture) {

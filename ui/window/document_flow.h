@@ -41,6 +41,8 @@ public:
     void shapeTool(); ///< from models
     void exportWorkpiece();
     void exportSheet();
+    /// Records the sessions of mill mode as traces, in a file that it asks for; or records no more.
+    void recordTrace(bool on);
     /// Asks for a file and writes a picture to it.
     void exportPicture(const QImage& picture);
     void exportFaces(const std::string& table); ///< asks for a file and writes the table of the part's faces to it

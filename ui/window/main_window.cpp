@@ -397,6 +397,7 @@ void MainWindow::showDevices() {
     DeviceDialog dialog(workbench_.styluses, workbench_.deviceTester, workbench_.axisTuner, workbench_.viewDevice,
                         settings_, this);
     connect(&dialog, &DeviceDialog::feltEdited, this, &MainWindow::followFelt);
+    connect(&dialog, &DeviceDialog::gainsEdited, this, &MainWindow::followFelt);
     connect(&dialog, &DeviceDialog::stockLayerEdited, this, &MainWindow::followStockLayer);
     dialog.exec();
 }
@@ -407,7 +408,9 @@ void MainWindow::showScore() {
 }
 
 void MainWindow::followFelt() {
-    workbench_.mill.setFelt(settings_.felt(workbench_.styluses.choice().id));
+    const std::string& device = workbench_.styluses.choice().id;
+    workbench_.mill.setFelt(settings_.felt(device));
+    workbench_.mill.setGains(device.empty() ? GainLimits{} : settings_.gains(device).inForce());
 }
 
 void MainWindow::followStockLayer() {

@@ -247,6 +247,9 @@ void MainWindow::connectWorkbench() {
         settings_.setStockLayer({settings_.stockLayer().distance, on});
         followStockLayer();
     });
+    connect(&workbench_.mill, &MillController::traceWritten, this, [this](const QString& file) {
+        message_->tell(Notice::Kind::information, tr("The trace of the session was written to “%1”.").arg(file));
+    });
     connect(&workbench_.document, &DocumentController::changed, this, &MainWindow::updateTitle);
     connect(&workbench_.document, &DocumentController::opened, this, [this](const ProjectContents& contents) {
         tellAboutOpened();

@@ -53,8 +53,8 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
              millMode,    raster,    repeatLower, repeatLeft,     repeatRight,    line,          playTime,
              presentTime, punchIn,   addMarker,   takeUp,         takeDown,       duplicateTake, scoreTake,
              line,        guides,    nearestEdge, levelAbove,     levelBelow,     line,          clutch,
-             recentre,    alignHand, finerHand,   coarserHand,    rateControl,    keepFromStock, line,
-             showMe,      stopShow});
+             recentre,    alignHand, finerHand,   coarserHand,    rateControl,    keepFromStock, recordTrace,
+             line,        showMe,    stopShow});
     addMenu(bar, tr("&Path"), "pathMenu", actions,
             {newPath, newPass, programPath, measurePasses, refreshPasses, brushArea, lassoArea, faceArea, clearArea,
              pickHoles, evaluatePath, comparePaths, line, drawInterval, insertPoint, stylusEdit, drawEdit});

@@ -34,6 +34,9 @@ MillController::MillController(const Desk& desk, WorkpieceController& workpiece,
             noteStrokes();
         });
     });
+    connect(&session_, &SessionRunner::failed, this, [this](const Error& error) {
+        if (error.subject == traces_.now().string()) traces_.drop();
+    });
     connect(&session_, &SessionRunner::endedByItself, this, [this] {
         if (active()) leave(); // a fault, which is reported when the session ends
     });
@@ -46,6 +49,8 @@ void MillController::noteLeft() {
     device_.reset();
     noteStrokes();
     refreshTakes([this] { noteRecording(); });
+    if (const std::filesystem::path trace = traces_.end(); !trace.empty())
+        emit traceWritten(QString::fromStdString(trace.string()));
     if (was) emit left();
     emit changed();
 }
@@ -86,31 +91,53 @@ void MillController::enterWithDevice() {
             request.cutsOnButton = device_->description.buttons > 0;
             request.forceButtons = forceButtons_;
             request.felt = felt_;
+            request.gains = gains_;
             begin(std::move(*stylus), nullptr, request);
         });
     emit changed();
 }
 
 void MillController::begin(AnyStylus stylus, SimulatedStylus* mouse, const SessionRequest& request) {
-    SessionRequest wanted = request;
-    wanted.allowance = allowance_;
-    wanted.stock = stock_;
-    session_.begin({workpiece_.milling(), workpiece_.bounds(), &workpiece_.strokes()}, std::move(stylus), wanted,
+    requested_ = request;
+    requested_.allowance = allowance_;
+    requested_.stock = stock_;
+    requested_.trace = traces_.begin();
+    requested_.traceRequired = false;
+    session_.begin({workpiece_.milling(), workpiece_.bounds(), &workpiece_.strokes()}, std::move(stylus), requested_,
                    [this, mouse](bool well) { begun(well, mouse); });
 }
 
 void MillController::begun(bool well, SimulatedStylus* mouse) {
     entering_ = false;
     if (!well) device_.reset();
+    if (!well) traces_.drop();
     if (well) {
         active_ = true;
         mouse_ = mouse;
         session_.setStockLayer(stock_.on); // it may have been switched since the request
         emit entered();
+        if (outdated()) {
+            interrupt([] {});
+            return;
+        }
     }
     // A stroke of a device without buttons ends only when milling ends: all its movements are recorded.
     const bool always = device_ && device_->description.buttons == 0;
     if ((std::exchange(recordOnceEntered_, false) || always) && well) startRecording();
+    emit changed();
+}
+
+/// Whether something was set since the request that only a new session adopts.
+bool MillController::outdated() const {
+    const bool ofDevice = requested_.forceButtons != forceButtons_ || requested_.gains != gains_;
+    return requested_.stock.distance != stock_.distance || (device_ && ofDevice) ||
+           requested_.trace.empty() != trace().empty();
+}
+
+void MillController::setTrace(const std::filesystem::path& file) {
+    const bool changes = !file.empty() || !trace().empty();
+    traces_.choose(file);
+    if (changes && active()) interrupt([] {});
     emit changed();
 }
 
@@ -249,47 +276,6 @@ void MillController::tookBack(std::int64_t take, bool undo) {
     emit strokeTakenBack(undo);
     emit takesChanged();
     emit changed();
-}
-
-void MillController::setSwitchedOff(const QString& title, RequestedOff wanted, Then then) {
-    struct Change {
-        SwitchedOff before, after;
-    };
-    desk_.project.ask(
-        [wanted = std::move(wanted)](Project& project) -> Result<Change> {
-            Result<SwitchedOff> after = wanted(project);
-            if (!after) return std::move(after).error();
-            Result<SwitchedOff> before = switchedOff(project, *after);
-            if (!before) return std::move(before).error();
-            return Change{std::move(*before), std::move(*after)};
-        },
-        [this, title, then = std::move(then)](const Result<Change>& change) {
-            if (!change) {
-                emit failed(change.error());
-                return;
-            }
-            if (change->before == change->after) {
-                if (then) then();
-                return;
-            }
-            auto once = std::make_shared<Then>(then);
-            desk_.undo.pushDone(new ValueCommand<SwitchedOff>(
-                title, -1, change->before, change->after,
-                [this, once](const SwitchedOff& off) { applySwitchedOff(off, std::exchange(*once, {})); }));
-        });
-}
-
-void MillController::applySwitchedOff(const SwitchedOff& off, const Then& then) {
-    desk_.project.post([off](Project& project) { return burin::setSwitchedOff(project, off); },
-                       [this, then](const Result<void>& outcome) {
-                           if (!outcome) {
-                               emit failed(outcome.error());
-                               return;
-                           }
-                           // At once, so that nothing uses the present workpiece as the project's new state.
-                           workpiece_.remake();
-                           refreshTakes(then);
-                       });
 }
 
 void MillController::moveStroke(std::int64_t take, bool undo) {

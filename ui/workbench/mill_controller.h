@@ -6,9 +6,11 @@
 #include "core/job/switched_off.h"
 #include "ui/workbench/hand_device.h"
 #include "ui/workbench/session_runner.h"
+#include "ui/workbench/session_traces.h"
 #include "ui/workbench/stylus_controller.h"
 #include "ui/workbench/workpiece_controller.h"
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -59,6 +61,14 @@ public:
     /// How much of the cutting a device lets the hand feel, from the next session on.
     void setFelt(const FeltCutting& felt) { felt_ = felt; }
     const FeltCutting& felt() const noexcept { return felt_; }
+    /// Limits the gains of a device, from the next session on.
+    void setGains(const GainLimits& gains) { gains_ = gains; }
+    const GainLimits& gains() const noexcept { return gains_; }
+    /// Records the sessions of mill mode as traces, from the next one on; mill mode that is on is restarted for it. The
+    /// first one is written to `file`, replacing it; the following ones to files next to it with a number, none of
+    /// which existed. Each is complete, with its name, when its session has ended. @param file empty: none is recorded
+    void setTrace(const std::filesystem::path& file);
+    const std::filesystem::path& trace() const noexcept { return traces_.chosen(); }
     const StockLayer& stockLayer() const noexcept { return stock_; }
     /// Whether, and how far, shank and holder keep away from the stock. Another distance restarts mill mode.
     void setStockLayer(const StockLayer& layer);
@@ -94,9 +104,10 @@ public:
 signals:
     void entered();
     void left();
-    void recordingBegan(bool well);  ///< after startRecording
-    void strokeTakenBack(bool undo); ///< the newest one; false: it was redone
-    void takesChanged();             ///< recordings were added or removed, or strokes of them undone
+    void recordingBegan(bool well);         ///< after startRecording
+    void traceWritten(const QString& file); ///< the trace of a session is complete
+    void strokeTakenBack(bool undo);        ///< the newest one; false: it was redone
+    void takesChanged();                    ///< recordings were added or removed, or strokes of them undone
     /// A recording without strokes is undone or redone.
     void takeUndone(qint64 take, bool undo);
 
@@ -125,6 +136,7 @@ private:
     void enterWithDevice();
     void begin(AnyStylus stylus, SimulatedStylus* mouse, const SessionRequest& request);
     void begun(bool well, SimulatedStylus* mouse);
+    bool outdated() const;
     void noteLeft();
     void followButton();
 
@@ -137,6 +149,9 @@ private:
     bool recordingSince_ = false; ///< a recording was begun; the session's state may not show it yet
     std::optional<HandDevice> device_;
     FeltCutting felt_;
+    GainLimits gains_;
+    SessionTraces traces_;
+    SessionRequest requested_; ///< of the session that is running, or about to begin
     StockLayer stock_{StockLayer::usualDistance, false};
     std::uint32_t forceButtons_ = 0;
     double allowance_ = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
-// How takes are noted, named, moved, copied and deleted.
+// How takes are noted, named, moved, copied, deleted and switched off.
 #include "core/job/take_moves.h"
 #include "ui/workbench/done_command.h"
 #include "ui/workbench/mill_controller.h"
@@ -168,6 +168,47 @@ void MillController::showCopy(std::int64_t id, bool shown) {
             if (!outcome) emit failed(outcome.error());
             refreshTakes();
         });
+}
+
+void MillController::setSwitchedOff(const QString& title, RequestedOff wanted, Then then) {
+    struct Change {
+        SwitchedOff before, after;
+    };
+    desk_.project.ask(
+        [wanted = std::move(wanted)](Project& project) -> Result<Change> {
+            Result<SwitchedOff> after = wanted(project);
+            if (!after) return std::move(after).error();
+            Result<SwitchedOff> before = switchedOff(project, *after);
+            if (!before) return std::move(before).error();
+            return Change{std::move(*before), std::move(*after)};
+        },
+        [this, title, then = std::move(then)](const Result<Change>& change) {
+            if (!change) {
+                emit failed(change.error());
+                return;
+            }
+            if (change->before == change->after) {
+                if (then) then();
+                return;
+            }
+            auto once = std::make_shared<Then>(then);
+            desk_.undo.pushDone(new ValueCommand<SwitchedOff>(
+                title, -1, change->before, change->after,
+                [this, once](const SwitchedOff& off) { applySwitchedOff(off, std::exchange(*once, {})); }));
+        });
+}
+
+void MillController::applySwitchedOff(const SwitchedOff& off, const Then& then) {
+    desk_.project.post([off](Project& project) { return burin::setSwitchedOff(project, off); },
+                       [this, then](const Result<void>& outcome) {
+                           if (!outcome) {
+                               emit failed(outcome.error());
+                               return;
+                           }
+                           // At once, so that nothing uses the present workpiece as the project's new state.
+                           workpiece_.remake();
+                           refreshTakes(then);
+                       });
 }
 
 } // namespace burin

@@ -86,6 +86,7 @@ void StylusEditor::begin(AnyStylus stylus, SimulatedStylus* mouse, const std::op
     request.cutsOnButton = true;
     if (device) request.mapping = device->mapping;
     if (device) request.forceButtons = mill_.forceButtons();
+    if (device) request.gains = mill_.gains();
     session_.begin({workpiece_.milling(), workpiece_.bounds(), &workpiece_.strokes()}, std::move(stylus), request,
                    [this, mouse, device](bool well) {
                        if (!well) return;

@@ -24,6 +24,7 @@ namespace burin {
 class StockBoundary final : public PoseBoundary {
 public:
     /// @param workpiece outlives the object @param distance mm, > 0, that shank and holder keep
+    /// from the centre lines of the runs; the voxels around them reach half an edge nearer, 0.71 at their own edges
     StockBoundary(const RunVolume& workpiece, const Cutter& cutter, double distance);
 
     /// Call once a tick, before the first query.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "core/device/stylus.h"
+#include "core/haptics/haptic_settings.h"
 
 namespace burin {
 
@@ -18,6 +18,10 @@ struct CouplingGains {
 /// the device. A damper that acts too late drives instead of damping. @param period s
 double usableDamping(const StylusDescription& stylus, double period) noexcept;
 
+/// The same for a lag, s > 0, from the motion of a handle to the end of the damper's answer. @param most N·s/m
+/// @param mass of the handle, kg
+double usableDamping(double most, double mass, double lag) noexcept;
+
 /// The damping, N·s/m, by which a sampled and held spring reduces a handle's own damping: K (T/2 + delay) (Colgate &
 /// Schenkel 1994; with delay: Gil, Hulin and others). @param stiffness N/m
 double sampledSpringLoss(double stiffness, double period, double delay) noexcept;
@@ -26,7 +30,18 @@ double sampledSpringLoss(double stiffness, double period, double delay) noexcept
 /// inversely proportional to the sum of half the period and the delay, and is not raised above `share` of the stylus'
 /// value for faster loops. Damping: 0.3 of the device's, as more helps stability but costs passivity; at rest no more
 /// than 0.6 of the damping that the spring takes. Zero for a stylus without motors.
-CouplingGains couplingGains(const StylusDescription& stylus, double share, double period) noexcept;
+/// @param limits lower the result, whatever the share
+CouplingGains couplingGains(const StylusDescription& stylus, double share, double period,
+                            const GainLimits& limits = {}) noexcept;
+
+/// Of the spring at the boundary, in a session.
+CouplingGains boundaryGains(const HapticSettings& settings) noexcept;
+/// Of the springs of the guides: limits leave their proportion to that at the boundary.
+CouplingGains guideGains(const HapticSettings& settings) noexcept;
+
+inline constexpr double ratedPeriod = 0.001; ///< s, for which a stylus states its stiffness
+inline constexpr double dampingShare = 0.3;  ///< of the usable damping, for the coupling
+inline constexpr double lightHandle = 0.1;   ///< kg, of a stylus that nobody holds; our estimate
 
 /// The only spring that the hand feels at the boundary, between the hand and the proxy. It acts in device space
 /// (Colgate 1995; Adams & Hannaford 1999), so that its stiffness does not depend on the scale of the workspace.

@@ -42,8 +42,8 @@ glm::dvec3 liftOf(double weight, double maximum) noexcept {
 
 ForceOutput::ForceOutput(const HapticSettings& settings) noexcept
     : assist_(settings)
-    , coupling_(couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod), settings.mapping.scale)
-    , guideSpring_(couplingGains(settings.stylus, settings.guideShare, settings.tickPeriod), settings.mapping.scale)
+    , coupling_(boundaryGains(settings), settings.mapping.scale)
+    , guideSpring_(guideGains(settings), settings.mapping.scale)
     , turnCoupling_(settings)
     , cuttingRendering_(renderingSettings(settings, coupling_.stiffness()))
     , passivity_(controllerSettings(settings, coupling_.stiffness()))

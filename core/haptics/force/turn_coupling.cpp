@@ -11,7 +11,6 @@
 namespace burin {
 namespace {
 
-constexpr double ratedPeriod = 0.001; // s, for which a stylus states its stiffness
 constexpr double believedTurn = 5.0;  // rad/s
 constexpr double slowestTurn = 0.002; // rad/s: the tip of a pen of 50 mm moves by 0.1 mm/s
 
@@ -19,10 +18,17 @@ bool turnsTheHand(const StylusDescription& stylus) noexcept {
     return stylus.actuated.rotations > 0;
 }
 
+/// The share of its stiffness that limits of the gains leave to the coupling: what makes the one spring too stiff makes
+/// the other one so as well.
+double softened(const HapticSettings& settings) noexcept {
+    const double full = couplingGains(settings.stylus, settings.couplingShare, settings.tickPeriod).stiffness;
+    return full > 0.0 ? boundaryGains(settings).stiffness / full : 1.0;
+}
+
 double stiffnessOf(const HapticSettings& settings) noexcept {
     if (!turnsTheHand(settings.stylus)) return 0.0;
     return settings.couplingShare * settings.stylus.maximumTurningStiffness.value *
-           std::min(1.0, ratedPeriod / settings.tickPeriod);
+           std::min(1.0, ratedPeriod / settings.tickPeriod) * softened(settings);
 }
 
 PassivityController::Settings controllerSettings(const HapticSettings& settings) noexcept {

@@ -27,9 +27,7 @@ double strongestPull(const HapticSettings& settings, double stiffness) noexcept 
 } // namespace
 
 GuideSet::GuideSet(const ClearanceField& field, const HapticSettings& settings)
-    : field_(&field)
-    , stiffness_(couplingGains(settings.stylus, settings.guideShare, settings.tickPeriod).stiffness)
-    , strongestPull_(strongestPull(settings, stiffness_)) {}
+    : field_(&field), stiffness_(guideGains(settings).stiffness), strongestPull_(strongestPull(settings, stiffness_)) {}
 
 void GuideSet::set(const GuideSettings& settings) noexcept {
     settings_ = settings;

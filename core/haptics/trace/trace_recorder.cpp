@@ -16,18 +16,26 @@ namespace {
 constexpr std::chrono::milliseconds interval{50}; // between two checks of the ring
 }
 
-Result<std::unique_ptr<TraceRecorder>> TraceRecorder::begin(const std::filesystem::path& file, TickSink& next,
-                                                            const std::optional<TracedSession>& session) {
-    Result<StagedFile> staged = StagedFile::begin(file);
-    if (!staged) return std::move(staged).error();
-    return std::unique_ptr<TraceRecorder>(new TraceRecorder(std::move(*staged), next, session));
+Error traceEnded(const Error& error) {
+    if (error.code == ErrorCode::traceEnded) return error;
+    const bool full = error.code == ErrorCode::diskFull;
+    return {ErrorCode::traceEnded, error.subject, {}, full ? "the disk is full" : error.detail};
 }
 
-TraceRecorder::TraceRecorder(StagedFile file, TickSink& next, const std::optional<TracedSession>& session)
-    : file_(std::move(file)), next_(next) {
+Result<std::unique_ptr<TraceRecorder>> TraceRecorder::begin(const std::filesystem::path& file, TickSink& next,
+                                                            const std::optional<TracedSession>& session,
+                                                            IfFull ifFull) {
+    Result<StagedFile> staged = StagedFile::begin(file);
+    if (!staged) return std::move(staged).error();
+    return std::unique_ptr<TraceRecorder>(new TraceRecorder(std::move(*staged), next, session, ifFull));
+}
+
+TraceRecorder::TraceRecorder(StagedFile file, TickSink& next, const std::optional<TracedSession>& session,
+                             IfFull ifFull)
+    : file_(std::move(file)), next_(next), ifFull_(ifFull) {
     text_.append(tickTraceMark).append("\n").append(tickTraceHeader).append("\n");
     if (session) text_.append(1, changeMark).append(formatTracedSession(*session)).append("\n");
-    outcome_ = file_.append(text_);
+    note(file_.append(text_));
     thread_ = std::jthread([this](const std::stop_token& stop) { write(stop); });
 }
 
@@ -40,11 +48,16 @@ TraceRecorder::~TraceRecorder() {
 AtEdge TraceRecorder::edge() noexcept {
     const AtEdge answer = next_.edge();
     const bool full = readings_.size() == readings_.capacity() || changeLost_;
-    return answer == AtEdge::tick && full ? AtEdge::full : answer;
+    if (answer != AtEdge::tick || !full || overrun_.load(std::memory_order_relaxed)) return answer;
+    if (ifFull_ == IfFull::endsLoop) return AtEdge::full;
+    overrun_.store(true, std::memory_order_relaxed);
+    return answer;
 }
 
 void TraceRecorder::changed(const StepChange& change) noexcept {
-    // A change that finds no room ends the loop at its next edge: a trace without it would replay a different session.
+    if (overrun_.load(std::memory_order_relaxed)) return;
+    // A change that finds no room ends the loop or the trace at the next edge: a trace without it would replay a
+    // different session.
     if (!changes_.push({read_, change})) changeLost_ = true;
 }
 
@@ -53,8 +66,10 @@ void TraceRecorder::tick(const Sample& sample, const TickTiming& timing) noexcep
     reading.time = sample.time;
     // 0 would mean "not specified"; any period that is not above 0 is the same fault to a tick.
     reading.period = timing.period != 0.0 ? timing.period : -1.0;
-    readings_.push(reading); // the edge has checked that there is room
-    ++read_;
+    if (!overrun_.load(std::memory_order_relaxed)) {
+        readings_.push(reading); // the edge has checked that there is room
+        ++read_;
+    }
     next_.tick(sample, timing);
 }
 
@@ -75,8 +90,19 @@ void TraceRecorder::writeWaiting() {
             appendChangesBefore(written_++);
             appendTick(text_, batch[i]);
         }
-        if (outcome_) outcome_ = file_.append(text_); // after an error the remaining data is of no use
+        if (outcome_) note(file_.append(text_)); // after an error the remaining data is of no use
     }
+    if (outcome_ && overrun_.load(std::memory_order_relaxed))
+        note(Error{ErrorCode::traceEnded, file_.file().string(), {}, "the disk could not keep up"});
+}
+
+void TraceRecorder::note(Result<void> outcome) {
+    outcome_ = std::move(outcome);
+    if (!outcome_) failing_.store(true, std::memory_order_release);
+}
+
+Error TraceRecorder::fault() const {
+    return traceEnded(outcome_.error());
 }
 
 /// Changes made before a reading are in their ring before the reading is.
@@ -95,8 +121,8 @@ Result<StagedFile> TraceRecorder::finish() {
     thread_.join();
     text_.clear();
     appendChangesBefore(std::numeric_limits<std::size_t>::max()); // what was changed after the last reading
-    if (outcome_) outcome_ = file_.append(text_);
-    if (outcome_) outcome_ = file_.flush();
+    if (outcome_) note(file_.append(text_));
+    if (outcome_) note(file_.flush());
     if (!outcome_) return outcome_.error();
     return std::move(file_);
 }

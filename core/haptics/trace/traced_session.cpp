@@ -85,6 +85,36 @@ json toJson(const AxisMode& axis) {
     return {{"free", axis.free}, {"direction", {axis.direction.x, axis.direction.y, axis.direction.z}}};
 }
 
+/// Limits that there are.
+json toJson(const GainLimits& gains) {
+    json object = json::object();
+    if (gains.stiffness < GainLimits::none) object["stiffness_n_per_m"] = gains.stiffness;
+    if (gains.damping < GainLimits::none) object["damping_n_s_per_m"] = gains.damping;
+    return object;
+}
+
+GainLimits readGains(JsonObject& object) {
+    GainLimits gains;
+    if (object.has("stiffness_n_per_m"))
+        gains.stiffness = object.number("stiffness_n_per_m", {GainLimits::softest, 1e9});
+    if (object.has("damping_n_s_per_m")) gains.damping = object.number("damping_n_s_per_m", atLeastNothing);
+    return gains;
+}
+
+json toJson(const std::vector<TracedSession::Layer>& layers) {
+    json list = json::array();
+    for (const TracedSession::Layer& layer : layers) {
+        json one{{"kind", layer.kind}, {"on", layer.on}};
+        if (!layer.name.empty()) one["name"] = layer.name;
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
+TracedSession::Layer readLayer(JsonObject& object) {
+    return {object.text("kind"), object.has("name") ? object.text("name") : std::string(), object.boolean("on")};
+}
+
 AxisMode readAxis(JsonObject& object) {
     const std::vector<double> d = object.numbers("direction", 3, {-1.0, 1.0});
     const AxisMode axis{object.boolean("free"), {d[0], d[1], d[2]}};
@@ -109,6 +139,9 @@ std::string formatTracedSession(const TracedSession& session) {
                                    {"whole", session.growth->whole}};
     if (session.stock.distance > 0.0)
         inner["stock_layer"] = {{"distance_mm", session.stock.distance}, {"on", session.stock.on}};
+    if (session.gains != GainLimits{}) inner["gain_limits"] = toJson(session.gains);
+    if (!session.tool.empty()) inner["tool"] = session.tool;
+    if (!session.layers.empty()) inner["layers"] = toJson(session.layers);
     return std::string(beginning) + inner.dump() + "}";
 }
 
@@ -141,6 +174,11 @@ Result<TracedSession> readTracedSession(std::string_view text, const std::string
             inner.object("stock_layer", [&](JsonObject& stock) {
                 session.stock = {stock.number("distance_mm", StockLayer::distances), stock.boolean("on")};
             });
+        if (inner.has("gain_limits"))
+            inner.object("gain_limits", [&](JsonObject& gains) { session.gains = readGains(gains); });
+        if (inner.has("tool")) session.tool = inner.text("tool");
+        if (inner.has("layers"))
+            inner.objects("layers", [&](JsonObject& layer) { session.layers.push_back(readLayer(layer)); });
     });
     if (Result<void> whole = object->finish(); !whole) return std::move(whole).error();
     if (Result<void> good = checkDescription(session.stylus); !good) return std::move(good).error();

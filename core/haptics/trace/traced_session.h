@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace burin {
 
@@ -30,6 +31,15 @@ struct TracedSession {
     };
     std::optional<Growth> growth{}; ///< empty: the boundary was complete from the start
     StockLayer stock{};             ///< the recorded changes contain when it was switched
+    GainLimits gains{};             ///< as in HapticSettings
+    std::string tool{};             ///< id; empty: not stated
+    /// The layers that bounded the tool; the recorded changes contain when they were switched. Empty: not stated.
+    struct Layer {
+        std::string kind, name; ///< name: of a fixture or keep-out volume
+        bool on = true;         ///< initially
+        friend bool operator==(const Layer&, const Layer&) = default;
+    };
+    std::vector<Layer> layers{};
 };
 
 /// Returns a JSON object in one line, without a line end. Numbers are read back exactly, to the bit.

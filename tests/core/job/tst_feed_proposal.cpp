@@ -166,7 +166,7 @@ private slots:
         for (LineIndex line; line.v < cells.lineCountV(); ++line.v)
             for (line.u = 0; line.u < cells.lineCountU(); ++line.u)
                 if (placeOn(cells, line, 0.0).x > border) (void)workpiece.fillSpan(line, 0, cells.lineEnd(), hardStock);
-        CutTick tick(workpiece, endMill(), {});
+        CutTick tick(workpiece, endMill(), {}, nullptr);
         RecentCut recent;
         constexpr double period = 0.001, speed = 20.0; // s, mm/s
         ToolPose from{{-4.0, width - 3.0, top - depth}};
