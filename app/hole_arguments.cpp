@@ -14,19 +14,21 @@ namespace burin {
 
 namespace {
 
-/// @param texts points in plan, or numbers of holes in the order of "info --json"
-Result<void> addPlaces(const std::vector<std::string>& texts, const Model& part, PassRequest& request) {
+/// @param texts points in plan, or numbers of holes (or studs) in the order of "info --json"
+Result<void> addPlaces(const std::vector<std::string>& texts, bool studs, const Model& part, PassRequest& request) {
     std::optional<std::vector<UprightHole>> holes;
     for (const std::string& text : texts) {
         if (const std::optional<std::vector<double>> place = numbersOf(text, 2)) {
             request.places.emplace_back(place->front(), place->back());
             continue;
         }
-        if (!holes) holes = uprightHoles(part);
+        if (!holes) holes = studs ? uprightStuds(part) : uprightHoles(part);
         const std::optional<std::size_t> index = indexOfNumber(text, holes->size());
         if (!index)
-            return Error{ErrorCode::argumentInvalid, "--hole", text,
-                         worded(BURIN_TEXT("Command", "X,Y in mm, or the number of a hole of the part, 1 to %1"),
+            return Error{ErrorCode::argumentInvalid, studs ? "--stud" : "--hole", text,
+                         worded(studs
+                                    ? BURIN_TEXT("Command", "X,Y in mm, or the number of a stud of the part, 1 to %1")
+                                    : BURIN_TEXT("Command", "X,Y in mm, or the number of a hole of the part, 1 to %1"),
                                 {std::to_string(holes->size())})};
         request.places.push_back((*holes)[*index].centre);
     }
@@ -37,17 +39,29 @@ Result<void> addPlaces(const std::vector<std::string>& texts, const Model& part,
 
 void addHoleOptions(CommandParser command, const Argument& pass, HoleArguments& arguments, PassRequest& request) {
     const auto withPass = [&](const Argument& argument) { return argument.needs(pass); };
-    withPass(
+    const Argument hole = withPass(
         command
             .option("--hole", arguments.holes,
                     BURIN_TEXT("Help", "drill, thread: a hole at X,Y, mm, or by its number in \"info --json\"; can "
                                        "be given several times (default: every upright hole of the part that fits "
                                        "the drill, or has the diameter of the thread)"))
             .oneAtATime());
+    withPass(
+        command
+            .option("--stud", arguments.studs,
+                    BURIN_TEXT("Help", "thread: an external thread on the stud at X,Y, mm, or by its number in \"info "
+                                       "--json\"; can be given several times"))
+            .oneAtATime())
+        .excludes(hole);
+    withPass(command.flag("--external", request.external,
+                          BURIN_TEXT("Help", "thread: on studs of the part instead of in its holes (default: every "
+                                             "upright stud that has the minor diameter of the thread)")))
+        .excludes(hole);
     const Argument thread =
         withPass(command.option("--thread", arguments.thread,
                                 BURIN_TEXT("Help", "thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the "
-                                                   "part's holes must be modelled with this diameter")));
+                                                   "part's holes must be modelled with this diameter, its studs with "
+                                                   "the minor diameter that the mill cuts")));
     const Argument pitch =
         withPass(command.option("--pitch", request.pitch, BURIN_TEXT("Help", "thread: pitch, mm"))).excludes(thread);
     withPass(command
@@ -56,8 +70,9 @@ void addHoleOptions(CommandParser command, const Argument& pass, HoleArguments& 
                  .range(1.0, 100.0))
         .excludes(thread)
         .excludes(pitch);
-    withPass(command.option("--major-diameter", request.majorDiameter,
-                            BURIN_TEXT("Help", "thread: major diameter, mm (default: that of each --hole)")))
+    withPass(
+        command.option("--major-diameter", request.majorDiameter,
+                       BURIN_TEXT("Help", "thread: major diameter, mm (default: as each --hole or --stud has it)")))
         .excludes(thread);
     withPass(
         command
@@ -78,7 +93,9 @@ Result<void> addHoles(const HoleArguments& arguments, const Model& part, PassReq
         request.pitch = size->pitch;
         request.majorDiameter = size->diameter;
     }
-    return addPlaces(arguments.holes, part, request);
+    if (arguments.studs.empty()) return addPlaces(arguments.holes, false, part, request);
+    request.external = true;
+    return addPlaces(arguments.studs, true, part, request);
 }
 
 } // namespace burin

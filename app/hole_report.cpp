@@ -19,12 +19,26 @@ nlohmann::json jsonOf(const std::vector<UprightHole>& holes) {
     return list;
 }
 
-std::string textOf(const std::vector<UprightHole>& holes) {
+namespace {
+
+std::string sizesTextOf(const std::vector<UprightHole>& holes) {
     std::string sizes;
     for (const HoleSize& size : sizesOf(holes))
         sizes +=
             (sizes.empty() ? "" : ", ") + std::to_string(size.count) + " × " + formatFixed(size.diameter, 2) + " mm";
+    return sizes;
+}
+
+} // namespace
+
+std::string textOf(const std::vector<UprightHole>& holes) {
+    const std::string sizes = sizesTextOf(holes);
     return sizes.empty() ? sizes : worded(BURIN_TEXT("Command", "holes    %1"), {sizes});
+}
+
+std::string textOfStuds(const std::vector<UprightHole>& studs) {
+    const std::string sizes = sizesTextOf(studs);
+    return sizes.empty() ? sizes : worded(BURIN_TEXT("Command", "studs    %1"), {sizes});
 }
 
 } // namespace burin

@@ -15,5 +15,7 @@ namespace burin {
 nlohmann::json jsonOf(const std::vector<UprightHole>& holes);
 /// The number of holes of each diameter, as readable text: one line; empty if there are none.
 std::string textOf(const std::vector<UprightHole>& holes);
+/// The same of studs.
+std::string textOfStuds(const std::vector<UprightHole>& studs);
 
 } // namespace burin

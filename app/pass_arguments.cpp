@@ -167,7 +167,8 @@ Argument addPass(CommandParser command, PassArguments& arguments) {
     withPass(command.option(
         "--depth", request.depth,
         BURIN_TEXT("Help", "engrave, drill: depth below the top of the stock, mm; thread: below the top of its "
-                           "hole (default of drill and thread: to the bottom of the part's hole)")));
+                           "hole or stud (default of drill and thread: to the bottom of the part's hole, or as far as "
+                           "the tool has room around the stud)")));
     addHoleOptions(command, pass, arguments.holes, request);
     withPass(command.option("--tabs", request.tabs,
                             BURIN_TEXT("Help", "profile: number of holding tabs left on each outline")));

@@ -110,13 +110,18 @@ int runInfo(const std::string& file, CommandContext& context) {
     const Result<std::optional<ReopenedProgram>> kept = reopenProgram(*project);
     if (!kept) return context.fail(kept.error());
 
-    std::vector<UprightHole> holes;
-    if (model && setup) holes = uprightHoles(*protectedPart(std::make_shared<const Model>(*model), *setup));
+    std::vector<UprightHole> holes, studs;
+    if (model && setup) {
+        const std::shared_ptr<const Model> part = protectedPart(std::make_shared<const Model>(*model), *setup);
+        holes = uprightHoles(*part);
+        studs = uprightStuds(*part);
+    }
 
     json answer{{"project", std::filesystem::absolute(file).lexically_normal().string()},
                 {"recovered", project->recovered()},
                 {"model", model ? burin::jsonOf(*model) : json(nullptr)},
                 {"holes", burin::jsonOf(holes)},
+                {"studs", burin::jsonOf(studs)},
                 {"setups", *setups},
                 {"axis", burin::jsonOf(around->axis)},
                 {"machine_travel", burin::jsonOf(around->travel)},
@@ -142,6 +147,7 @@ int runInfo(const std::string& file, CommandContext& context) {
                                   : "");
     if (model) text << "\n" << textOf(*model);
     if (const std::string sizes = textOf(holes); !sizes.empty()) text << "\n  " << sizes;
+    if (const std::string sizes = textOfStuds(studs); !sizes.empty()) text << "\n  " << sizes;
     if (setup)
         text << "\n  "
              << worded(BURIN_TEXT("Command", "stock    %1, voxel %2 mm"),

@@ -18,7 +18,7 @@ namespace {
 
 /// What was left out and why; lines to append to others, empty if nothing was. @param pass computed or a preview
 template <class Pass>
-std::string textOfOmissions(const Pass& pass, bool threads) {
+std::string textOfOmissions(const Pass& pass, HoleWork work) {
     std::string text;
     const auto add = [&text](double length, TextId why) {
         if (length > 0.0) text += "\n" + worded(why, {formatFixed(length, 1)});
@@ -27,7 +27,7 @@ std::string textOfOmissions(const Pass& pass, bool threads) {
                                             "first, or use a longer tool."));
     add(pass.inTheWay, BURIN_TEXT("Command", "%1 mm were skipped: fixtures or keep-out volumes are in the way."));
     add(pass.leftToHand, BURIN_TEXT("Command", "%1 mm were skipped: already finished by hand strokes."));
-    if (pass.unreachedHoles > 0) text += "\n" + unreachedHolesText(pass.unreachedHoles, threads).toStdString();
+    if (pass.unreachedHoles > 0) text += "\n" + unreachedHolesText(pass.unreachedHoles, work).toStdString();
     return text;
 }
 
@@ -74,7 +74,7 @@ struct KeptPass {
         return "\n" +
                worded(BURIN_TEXT("Command", "%1 mm in %2 strokes"),
                       {formatFixed(pass.length, 1), std::to_string(pass.moves.strokes.size())}) +
-               textOfOmissions(pass, millsThreads(pass.moves.info));
+               textOfOmissions(pass, holeWorkOf(pass.moves.info));
     }
 };
 
@@ -118,7 +118,7 @@ int tellPreview(const Project& project, const MillingContext& milling, const Sto
                     {"planned_share", 1.0 / preview->every}},
                    worded(BURIN_TEXT("Command", "about %1 mm in %2 s at the feed of tool and material, without links"),
                           {formatFixed(preview->length, 0), formatFixed(preview->duration, 0)}) +
-                       textOfOmissions(*preview, request.kind == PassKind::thread));
+                       textOfOmissions(*preview, holeWorkOf(request)));
     return 0;
 }
 

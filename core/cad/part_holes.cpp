@@ -6,13 +6,25 @@
 
 namespace burin {
 
-std::vector<UprightHole> uprightHoles(const Model& part) {
+namespace {
+
+std::vector<Triangle> trianglesOf(const Model& part) {
     std::vector<Triangle> triangles;
     for (const Body& body : part.bodies)
         for (const auto& corners : body.mesh.triangles)
             triangles.push_back(
                 {body.mesh.vertices[corners[0]], body.mesh.vertices[corners[1]], body.mesh.vertices[corners[2]]});
-    return uprightHoles(triangles);
+    return triangles;
+}
+
+} // namespace
+
+std::vector<UprightHole> uprightHoles(const Model& part) {
+    return uprightHoles(trianglesOf(part));
+}
+
+std::vector<UprightHole> uprightStuds(const Model& part) {
+    return uprightStuds(trianglesOf(part));
 }
 
 std::vector<HoleSize> sizesOf(const std::vector<UprightHole>& holes) {

@@ -10,8 +10,10 @@ namespace burin {
 /// Returns the round vertical holes of all bodies of a part, in its frame, mm. Thread-safe. Cost: linear in the
 /// triangles.
 std::vector<UprightHole> uprightHoles(const Model& part);
+/// The same for its round vertical studs.
+std::vector<UprightHole> uprightStuds(const Model& part);
 
-/// Holes of one diameter.
+/// Holes, or studs, of one diameter.
 struct HoleSize {
     double diameter = 0.0; ///< mm
     int count = 0;

@@ -112,21 +112,27 @@ double largestGapOf(const std::vector<glm::dvec2>& places, const glm::dvec2& cen
     return gap;
 }
 
-std::optional<UprightHole> holeOf(const std::vector<WallFacet>& facets, const std::vector<std::size_t>& wall) {
+/// @param stud whether it has to be a stud, and not a hole
+std::optional<UprightHole> holeOf(const std::vector<WallFacet>& facets, const std::vector<std::size_t>& wall,
+                                  bool stud) {
     std::vector<glm::dvec2> places;
     for (const std::size_t i : wall)
         for (const glm::dvec3& corner : facets[i].triangle) places.emplace_back(corner);
     const std::optional<glm::dvec3> circle = circleThrough(places);
     if (!circle) return {};
-    UprightHole hole{glm::dvec2(*circle), circle->z, circle->z, -std::numeric_limits<double>::infinity(),
-                     std::numeric_limits<double>::infinity()};
+    UprightHole hole{glm::dvec2(*circle),
+                     circle->z,
+                     circle->z,
+                     -std::numeric_limits<double>::infinity(),
+                     std::numeric_limits<double>::infinity(),
+                     stud};
     for (const glm::dvec2& place : places)
         if (std::abs(glm::distance(place, hole.centre) - hole.radius) > roundWithin) return {};
     if (largestGapOf(places, hole.centre) > largestGap) return {};
     for (const std::size_t i : wall) {
         const double inwards = glm::dot(hole.centre - glm::dvec2(facets[i].triangle[0]), facets[i].normal);
-        if (inwards <= 0.0) return {}; // a stud
-        hole.clearRadius = std::min(hole.clearRadius, inwards);
+        if ((inwards <= 0.0) != stud) return {};
+        hole.clearRadius = std::min(hole.clearRadius, std::abs(inwards));
         for (const glm::dvec3& corner : facets[i].triangle) {
             hole.top = std::max(hole.top, corner.z);
             hole.bottom = std::min(hole.bottom, corner.z);
@@ -139,13 +145,11 @@ bool isSame(const UprightHole& one, const UprightHole& other) {
     return glm::distance(one.centre, other.centre) < sameAxis && std::abs(one.radius - other.radius) < sameAxis;
 }
 
-} // namespace
-
-std::vector<UprightHole> uprightHoles(std::span<const Triangle> triangles) {
+std::vector<UprightHole> roundWalls(std::span<const Triangle> triangles, bool studs) {
     const std::vector<WallFacet> facets = wallFacets(triangles);
     std::vector<UprightHole> found, holes;
     for (const std::vector<std::size_t>& wall : Walls(facets).sets())
-        if (const std::optional<UprightHole> hole = holeOf(facets, wall)) found.push_back(*hole);
+        if (const std::optional<UprightHole> hole = holeOf(facets, wall, studs)) found.push_back(*hole);
     std::ranges::sort(found, [](const UprightHole& a, const UprightHole& b) {
         return a.centre.x != b.centre.x ? a.centre.x < b.centre.x : a.centre.y < b.centre.y;
     });
@@ -163,6 +167,16 @@ std::vector<UprightHole> uprightHoles(std::span<const Triangle> triangles) {
         same->clearRadius = std::min(same->clearRadius, hole.clearRadius);
     }
     return holes;
+}
+
+} // namespace
+
+std::vector<UprightHole> uprightHoles(std::span<const Triangle> triangles) {
+    return roundWalls(triangles, false);
+}
+
+std::vector<UprightHole> uprightStuds(std::span<const Triangle> triangles) {
+    return roundWalls(triangles, true);
 }
 
 const UprightHole* holeAround(std::span<const UprightHole> holes, const glm::dvec2& place) noexcept {

@@ -19,6 +19,24 @@ namespace {
 /// Placeholder in the order of a path's sources for a source without an id; no source of a project has this id.
 constexpr std::int64_t yetToCome = std::numeric_limits<std::int64_t>::min();
 
+/// The same for threads.
+std::string whyNoThread(const PlannedPass& planned, const PassRequest& request) {
+    const std::string needed = formatFixed(planned.neededDrilling, 3) + " mm in the coordinates of the setup";
+    if (!request.external && planned.unreachedHoles > 0)
+        return "the holes are not drilled as deep as the thread: drill them first, with the full diameter down to Z " +
+               needed;
+    if (!request.external) return "the part has no upright hole of the thread's major diameter there";
+    if (planned.unmilledStud && planned.unmilledStud->diameter < planned.unmilledStud->allowed)
+        return "the studs are milled to " + formatFixed(planned.unmilledStud->diameter, 2) +
+               " mm, too narrow for the thread's major diameter, " + formatFixed(planned.unmilledStud->allowed, 2) +
+               " mm";
+    if (planned.unmilledStud)
+        return "the stock around the studs is in the way: mill it to the thread's major diameter first, " +
+               formatFixed(planned.unmilledStud->allowed, 2) + " mm, down to Z " + needed;
+    if (planned.unreachedHoles > 0) return "the part is in the way of the tool around its studs, or it is too short";
+    return "the part has no upright stud of the thread's minor diameter there";
+}
+
 /// Returns why a pass has nothing to do, worded as an error's detail.
 std::string whyEmpty(const PlannedPass& planned, const PassRequest& request) {
     if (planned.inTheWay > 0.0) return "fixtures or keep-out volumes are in the way: move them";
@@ -26,10 +44,7 @@ std::string whyEmpty(const PlannedPass& planned, const PassRequest& request) {
     if (planned.leftToHand > 0.0) return "strokes of the hand have finished the part there";
     if (request.kind == PassKind::pencil && !request.restOnly)
         return "the part has no concave edge for this tool there";
-    if (planned.unreachedHoles > 0 && request.kind == PassKind::thread)
-        return "the holes are not drilled as deep as the thread: drill them first, with the full diameter down to Z " +
-               formatFixed(planned.neededDrilling, 3) + " mm in the coordinates of the setup";
-    if (request.kind == PassKind::thread) return "the part has no upright hole of the thread's major diameter there";
+    if (request.kind == PassKind::thread) return whyNoThread(planned, request);
     if (planned.unreachedHoles > 0) return "the part is in the way of the drill, or the drill is too short";
     if (request.kind == PassKind::drill && request.places.empty())
         return "the part has no upright hole there that fits this drill and is not drilled yet";
@@ -138,9 +153,13 @@ Result<ComputedPass> computePass(const MillingContext& milling, std::vector<Path
                         planned->inTheWay, planned->leftToHand, planned->unreachedHoles};
 }
 
-bool millsThreads(const GeneratedInfo& pass) {
+HoleWork holeWorkOf(const GeneratedInfo& pass) {
     const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
-    return request && request->kind == PassKind::thread;
+    return request ? holeWorkOf(*request) : HoleWork::drilling;
+}
+
+bool millsThreads(const GeneratedInfo& pass) {
+    return holeWorkOf(pass) != HoleWork::drilling;
 }
 
 StoredPath withPass(StoredPath path, const GeneratedInfo& pass, std::int64_t source,

@@ -61,8 +61,10 @@ double plannedFeed(const PlannedPass& planned, std::size_t stroke, std::size_t p
 Result<ComputedPass> computePass(const MillingContext& milling, std::vector<PathMatter> before,
                                  const PassRequest& request, Progress& progress);
 
+/// What a stored pass does in round holes, if it works in any.
+HoleWork holeWorkOf(const GeneratedInfo& pass);
 /// Whether a stored pass mills threads: it states the feeds of its moves, and the circle that it follows lies outside
-/// of the facets of its holes.
+/// of the facets of its holes, or touches the corners of its studs.
 bool millsThreads(const GeneratedInfo& pass);
 
 /// Returns the path with a pass added as its last source; a path without sources also gets the edits of computed paths.

@@ -3,6 +3,8 @@
 #include "core/passes/level_pass.h"
 
 #include "core/base/numbers.h"
+#include "core/base/units.h"
+#include "core/passes/bounded_cut.h"
 #include "core/passes/holding_tabs.h"
 #include "core/passes/level_order.h"
 #include "core/passes/tip_raster.h"
@@ -61,8 +63,9 @@ public:
         if (request_.kind == PassKind::profile && request_.tabs > 0) tabs_.place(nearStock(roomOn(raster, bottom_)));
         for (std::size_t i = 0; i < levels.size(); ++i) {
             progress_.report(0.3 + 0.7 * static_cast<double>(i) / static_cast<double>(levels.size()));
-            millLevel(raster, levels[i], false);
-            millStairs(raster, i == 0 ? top_ : levels[i - 1], levels[i]);
+            const double above = i == 0 ? top_ : levels[i - 1];
+            millLevel(raster, levels[i], above - levels[i]);
+            millStairs(raster, above, levels[i]);
             if (progress_.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
         }
         return std::move(planned_);
@@ -112,7 +115,7 @@ private:
         const double height = request_.stairs > 0.0 ? request_.stairs : usualStairs * ground_.tool.cutter.diameter;
         const int count = static_cast<int>(std::ceil((above - level) / height - tolerance));
         for (int i = 1; i < count && !progress_.cancelled(); ++i)
-            millLevel(raster, level + (above - level) * i / count, true);
+            millLevel(raster, level + (above - level) * i / count, std::nullopt);
     }
 
     double levelDepth() const {
@@ -139,9 +142,12 @@ private:
         return without(frame(), blocked.empty() ? middleOfStock() : blocked);
     }
 
+    double frameWidth() const noexcept {
+        return 3.0 * glm::length(glm::dvec2(ground_.stock.size())) + 10.0 * ground_.tool.cutter.diameter;
+    }
     /// So far around the stock that its inset never matters.
     PlanRegion frame() const {
-        const double away = 3.0 * glm::length(glm::dvec2(ground_.stock.size())) + 10.0 * ground_.tool.cutter.diameter;
+        const double away = frameWidth();
         return rectangle(glm::dvec2(ground_.stock.low) - away, glm::dvec2(ground_.stock.high) + away);
     }
 
@@ -217,19 +223,34 @@ private:
         return runs;
     }
 
-    void millLevel(const TipRaster& raster, double level, bool stairs) {
-        std::vector<LevelRun> runs = runsIn(roomOn(raster, level), level, stairs);
+    /// @param depth mm of the level, whose cuts are to be no wider than a step-over; empty: of steps on slopes, which
+    /// are so low that their width doesn't matter
+    void millLevel(const TipRaster& raster, double level, std::optional<double> depth) {
+        const PlanRegion room = roomOn(raster, level);
+        std::vector<LevelRun> runs = runsIn(room, level, !depth);
+        std::optional<RowedRegion> rowed;
+        std::optional<BoundedCut> bounded;
+        if (depth && request_.kind != PassKind::profile && !runs.empty()) {
+            rowed.emplace(room, ground_.stock.low.y - frameWidth(), ground_.stock.high.y + frameWidth());
+            const auto hasRoom = [&](const glm::dvec2& centre, double circle) {
+                return mayCircle(*rowed, {centre, level}, circle);
+            };
+            const double most = stepOver_ * std::max(1.0, levelDepth() / *depth);
+            bounded.emplace(
+                BoundedCut::Values{level, *depth, ground_.tool.cutter.radius(), stepOver_, most, heights_.raster()},
+                heights_, hasRoom);
+        }
         LevelOrder order(std::move(runs), stepOver_);
         bool open = false;
         while (std::optional<LevelRun> run = order.next(tip_ ? std::optional(glm::dvec2(*tip_)) : std::nullopt)) {
-            const TipLine tips = tabs_.over(*run, level);
-            const glm::dvec3& first = tips.front();
-            if (!open || !mayGo(*tip_, first))
-                planned_.strokes.emplace_back();
-            else
-                heights_.cut(*tip_, first);
+            if (bounded && run->step > 0 && !bounded->cuts(run->places)) continue; // circles have cut it
+            TipLine tips = tabs_.over(*run, level);
+            const bool joined = open && mayGo(*tip_, tips.front());
+            if (bounded && joined) run->places.insert(run->places.begin(), glm::dvec2(*tip_));
+            if (bounded) tips = bounded->along(run->places, joined);
+            if (!joined) planned_.strokes.emplace_back();
             open = true;
-            glm::dvec3 before = first;
+            glm::dvec3 before = joined ? *tip_ : tips.front();
             for (const glm::dvec3& tip : tips) {
                 heights_.cut(before, tip);
                 planned_.strokes.back().push_back(tip);
@@ -260,6 +281,21 @@ private:
             run.step = loop.step;
             runs.push_back(std::move(run));
         }
+    }
+
+    /// Whether the tip may go round a circle in the room of its level.
+    bool mayCircle(const RowedRegion& room, const glm::dvec3& centre, double radius) const {
+        constexpr int looks = 16;
+        constexpr double slack = 1e-3; // mm
+        for (int i = 0; i < looks; ++i) {
+            const double angle = 2.0 * pi * i / looks;
+            // Slightly within: it touches the border of the room where a run follows that.
+            const glm::dvec2 aside = 0.98 * radius * glm::dvec2(std::cos(angle), std::sin(angle));
+            const glm::dvec3 tip = centre + glm::dvec3(aside, 0.0);
+            if (!room.holds(glm::dvec2(tip)) || !(ground_.field->at(tip).clearance >= keep_ - slack)) return false;
+        }
+        const bool reaches = ground_.stock.high.z > centre.z + usableFlutes(ground_.tool.cutter);
+        return !reaches || !(heights_.safeHeight(centre, radius) > centre.z + tolerance);
     }
 
     /// Whether the tool may move straight within its level: over up to three step-overs, or where no stock is left.

@@ -10,6 +10,7 @@
 #include "core/tool/tool.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -54,11 +55,17 @@ struct PlannedPass {
     double inTheWay = 0.0;   ///< length of path left out because of fixtures and keep-out volumes, mm
     double leftToHand = 0.0; ///< length of path left out because strokes of the hand have finished the part there, mm
     /// of `drill`: holes whose bottom cannot be reached because of the part or the length of the drill; of `thread`:
-    /// holes left without a thread, as they, or their drillings, are not as deep as it
+    /// holes left without a thread, as they, or their drillings, are not as deep as it; studs without room for the tool
+    /// around them
     std::size_t unreachedHoles = 0;
-    /// of `thread`: height down to which those have to be drilled with their full diameter, mm, setup frame; 0 if there
-    /// are none
+    /// of `thread`: height down to which those have to be drilled with their full diameter, or milled to the major
+    /// diameter, mm, setup frame; 0 if there are none
     double neededDrilling = 0.0;
+    /// The first of the studs that are not milled to the thread's major diameter yet.
+    struct UnmilledStud {
+        double diameter = 0.0, allowed = 0.0; ///< mm: what stands there, the major diameter
+    };
+    std::optional<UnmilledStud> unmilledStud{};
     /// Feed of the tool's centre to each point of each stroke, as a share of the cutting feed; 0: the tool moves along
     /// its axis through air. Empty: all cutting feed.
     std::vector<std::vector<double>> feedShares{};

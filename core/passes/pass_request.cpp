@@ -41,7 +41,9 @@ const std::array<PassKindRow, 15> passKinds{{
     {PassKind::drill, "drill", BURIN_TEXT("Pass", "Drilling"),
      BURIN_TEXT("Pass", "Drills the upright holes of the part that fit the drill, or at given places")},
     {PassKind::thread, "thread", BURIN_TEXT("Pass", "Thread milling"),
-     BURIN_TEXT("Pass", "Mills internal threads in drilled holes that are modelled with the thread's major diameter")},
+     BURIN_TEXT("Pass",
+                "Mills threads in drilled holes that are modelled with the thread's major diameter, or on studs "
+                "that are modelled with its minor diameter")},
 }};
 
 const std::array<std::string_view, 4> handStrokesIds{"ignore", "keep-off", "blend", "extend"};
@@ -126,6 +128,7 @@ Result<void> checkThread(const PassRequest& request) {
         for (const auto& [key, isStated] : {std::pair{"pitch_mm", request.pitch != 0.0},
                                             {"major_diameter_mm", request.majorDiameter != 0.0},
                                             {"radial_passes", request.radialPasses != 1},
+                                            {"external", request.external},
                                             {"left_hand", request.leftHand},
                                             {"conventional", request.conventional},
                                             {"spring_pass", request.springPass}})
@@ -137,7 +140,7 @@ Result<void> checkThread(const PassRequest& request) {
     if (request.radialPasses < 1 || request.radialPasses > mostRadialPasses)
         return wrong("radial_passes", request.radialPasses, "1 to " + std::to_string(mostRadialPasses));
     if (request.majorDiameter == 0.0 && request.places.empty())
-        return wrong("major_diameter_mm", 0.0, "above 0, or the holes of the thread");
+        return wrong("major_diameter_mm", 0.0, "above 0, or the holes or studs of the thread");
     if (request.majorDiameter > 0.0 && request.pitch >= 0.5 * request.majorDiameter)
         return wrong("pitch_mm", request.pitch, "below half of the diameter");
     return {};
@@ -174,6 +177,11 @@ bool heedsHandStrokes(PassKind kind) noexcept {
 
 bool isInHoles(PassKind kind) noexcept {
     return kind == PassKind::drill || kind == PassKind::thread;
+}
+
+HoleWork holeWorkOf(const PassRequest& request) noexcept {
+    if (request.kind != PassKind::thread) return HoleWork::drilling;
+    return request.external ? HoleWork::externalThreads : HoleWork::internalThreads;
 }
 
 const PassKindRow& rowOf(PassKind kind) noexcept {

@@ -31,7 +31,7 @@ enum class PassKind : std::uint8_t {
     rest,      ///< rows and contours where stock is left
     engrave,   ///< along lines, at a depth
     drill,     ///< straight down in round holes of the part, or at given points
-    thread,    ///< internal threads, milled in round holes of the part
+    thread,    ///< threads, milled in round holes of the part or on its studs
 };
 
 /// Defaults of a request that does not state these values, relative to the diameter of the tool.
@@ -46,13 +46,16 @@ struct PassKindRow {
 /// All kinds, in the order of the enumeration.
 extern const std::array<PassKindRow, 15> passKinds;
 const PassKindRow& rowOf(PassKind kind) noexcept;
-/// Whether a kind works in round holes: its request may name them.
+/// Whether a kind works in round holes, or on round studs: its request may name them.
 bool isInHoles(PassKind kind) noexcept;
 /// Errors: nameUnknown (detail: the known ids).
 Result<PassKind> passKindWithId(std::string_view id);
 
 /// A line that guides a pass or is engraved, mm, setup frame.
 using PassLine = std::vector<glm::dvec3>;
+
+/// What a pass does in round holes or on round studs, as texts distinguish it.
+enum class HoleWork : std::uint8_t { drilling, internalThreads, externalThreads };
 
 /// How far a drill goes below the bottom of a hole with its full diameter, mm; less where the part stops it.
 inline constexpr double drilledThrough = 0.2;
@@ -115,10 +118,10 @@ struct PassRequest {
     double finishedWithin = 0.0;
     /// Identifies the strokes of the hand that the pass was computed on (digestOf); empty: they were ignored
     std::string strokesDigest{};
-    /// of `engrave` and `drill`, below the top; of `thread`, below the top of its hole; `drill`, `thread`: 0: from the
-    /// hole of the part
+    /// of `engrave` and `drill`, below the top; of `thread`, below the top of its hole or stud; `drill`, `thread`: 0:
+    /// from the hole or stud of the part
     double depth = 0.0;
-    /// of `drill` and `thread`, each in a hole; empty: every hole that fits the drill, or has the thread's diameter
+    /// of `drill` and `thread`, each in a hole or stud; empty: every one that fits the drill or the thread
     std::vector<glm::dvec2> places{};
     int tabs = 0;           ///< of `profile`: number of tabs left along each outline
     double tabWidth = 0.0;  ///< of each tab, along the outline
@@ -127,8 +130,9 @@ struct PassRequest {
     bool dogbones = false;
     // Of `thread`:
     double pitch = 0.0;         ///< mm between neighbouring crests
-    double majorDiameter = 0.0; ///< of the thread and its holes; 0: that of each hole at `places`
+    double majorDiameter = 0.0; ///< of the thread; 0: as the holes or studs at `places` have it
     int radialPasses = 1;       ///< how often the tool follows the thread, deeper each time
+    bool external = false;      ///< on studs instead of in holes
     bool leftHand = false;      ///< instead of right-handed
     bool conventional = false;  ///< against the feed instead of climb milling
     bool springPass = false;    ///< follows the thread once more at full depth
@@ -140,6 +144,9 @@ struct PassRequest {
 
     friend bool operator==(const PassRequest&, const PassRequest&) = default;
 };
+
+/// Of a kind that works in holes.
+HoleWork holeWorkOf(const PassRequest& request) noexcept;
 
 /// Errors: argumentInvalid (subject: the key of its JSON, place: the value, detail: what is allowed).
 Result<void> validate(const PassRequest& request);

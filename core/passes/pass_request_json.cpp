@@ -37,14 +37,12 @@ struct SwitchKey {
     const char* key;
     bool PassRequest::*member;
 };
-constexpr SwitchKey switchKeys[] = {{"one_way", &PassRequest::oneWay},
-                                    {"inside", &PassRequest::inside},
-                                    {"rest_only", &PassRequest::restOnly},
-                                    {"area_on_part", &PassRequest::areaOnPart},
-                                    {"dogbones", &PassRequest::dogbones},
-                                    {"left_hand", &PassRequest::leftHand},
-                                    {"conventional", &PassRequest::conventional},
-                                    {"spring_pass", &PassRequest::springPass}};
+constexpr SwitchKey switchKeys[] = {
+    {"one_way", &PassRequest::oneWay},        {"inside", &PassRequest::inside},
+    {"rest_only", &PassRequest::restOnly},    {"area_on_part", &PassRequest::areaOnPart},
+    {"dogbones", &PassRequest::dogbones},     {"external", &PassRequest::external},
+    {"left_hand", &PassRequest::leftHand},    {"conventional", &PassRequest::conventional},
+    {"spring_pass", &PassRequest::springPass}};
 struct HeightKey {
     const char* key;
     std::optional<double> PassRequest::*member;

@@ -6,8 +6,9 @@
 #include "core/base/units.h"
 #include "core/geometry/upright_holes.h"
 #include "core/passes/hole_order.h"
-#include "core/passes/keep_clear.h"
+#include "core/passes/stud_thread_pass.h"
 #include "core/passes/thread_size.h"
+#include "core/passes/thread_stroke.h"
 #include "core/passes/thread_tooth.h"
 #include "core/passes/tip_drop.h"
 
@@ -24,7 +25,6 @@ namespace {
 constexpr double sameDiameter = 0.02;    // mm between the diameters of a thread and its hole
 constexpr double coarsestFacets = 0.007; // mm inside of a hole's circle: the tool touches them by as much
 constexpr double leastRoom = 0.05;       // mm between the tool on the axis and the core hole
-constexpr double helixChord = 0.0005;    // mm
 constexpr double startsAbove = 1.0;      // mm above the standing stock
 constexpr double undrilled = 0.15;   // mm: less stock at the bottom of a hole is ignored, as by the check of plunges
 constexpr double touching = 1e-3;    // mm
@@ -35,17 +35,6 @@ constexpr double topRounding = 0.01; // mm: the limits of the top are stated in 
 struct ThreadHole {
     UprightHole hole;
     double low = 0.0, high = 0.0; ///< mm, lowest and highest tip
-};
-
-/// A stroke with the feed of each of its points, as in PlannedPass.
-struct ThreadStroke {
-    TipLine tips;
-    std::vector<double> shares;
-
-    void add(const glm::dvec3& tip, double share) {
-        tips.push_back(tip);
-        shares.push_back(share);
-    }
 };
 
 class ThreadPlanner {
@@ -70,7 +59,8 @@ public:
         for (const std::size_t i : shortestOrder(places)) {
             progress_.report(done++ / static_cast<double>(holes->size()));
             if (progress_.cancelled()) return Error{ErrorCode::cancelled, "pass", "", ""};
-            if (const std::optional<ThreadHole> hole = placed((*holes)[i])) add(strokeIn(*hole));
+            if (const std::optional<ThreadHole> hole = placed((*holes)[i]))
+                addThread(strokeIn(*hole), tool_, ground_.obstacles, progress_, planned_);
         }
         return std::move(planned_);
     }
@@ -226,7 +216,7 @@ private:
         stroke.add({centre, begin - rise * lead}, 0.0);
         // On a circle through the axis, the angle about the axis grows by half of that about the circle's centre.
         const double arcShare = shareOf(0.5 * radius), share = shareOf(radius);
-        const int arcSteps = stepsOf(pi, 0.5 * radius), steps = stepsOf(sweep, radius);
+        const int arcSteps = threadSteps(pi, 0.5 * radius), steps = threadSteps(sweep, radius);
         for (int i = 1; i <= arcSteps; ++i) {
             const double done = static_cast<double>(i) / arcSteps, angle = 0.5 * pi * (1.0 - done);
             stroke.add({at(-turn * angle, radius * std::cos(angle)), begin - rise * lead * (1.0 - done)}, arcShare);
@@ -241,25 +231,8 @@ private:
             stroke.add({tip, begin + rise * (height + lead * done)}, arcShare);
         }
     }
-    static int stepsOf(double sweep, double radius) noexcept {
-        const double step = 2.0 * std::acos(std::max(0.5, 1.0 - helixChord / radius));
-        return std::max(2, static_cast<int>(std::ceil(sweep / step)));
-    }
     /// The feed of the tool's centre on a circle, as a share of that of its cutting edge.
     double shareOf(double radius) const noexcept { return radius / (radius + tooth_.radius); }
-
-    /// Adds a hole, unless anything of it comes too near to an obstacle.
-    void add(ThreadStroke stroke) {
-        PlannedPass alone;
-        alone.strokes = {stroke.tips};
-        keepClear(alone, tool_, ground_.obstacles, progress_);
-        if (alone.inTheWay > 0.0) {
-            planned_.inTheWay += lengthOf(stroke.tips);
-            return;
-        }
-        planned_.strokes.push_back(std::move(stroke.tips));
-        planned_.feedShares.push_back(std::move(stroke.shares));
-    }
 
     const PassRequest& request_;
     const PassGround& ground_;
@@ -274,6 +247,7 @@ private:
 } // namespace
 
 Result<PlannedPass> planThreads(const PassRequest& request, const PassGround& ground, Progress& progress) {
+    if (request.external) return planStudThreads(request, ground, progress);
     const Result<ThreadTooth> tooth = threadTooth(ground.tool.cutter, request.pitch);
     if (!tooth) return tooth.error();
     return ThreadPlanner(request, ground, *tooth, progress).plan();

@@ -8,7 +8,8 @@
 
 namespace burin {
 
-/// Plans milling of internal threads with a thread mill of one tooth, in round upright holes.
+/// Plans milling of threads with a thread mill of one tooth: external ones as planStudThreads does, internal ones in
+/// round upright holes.
 ///
 /// *What may be cut.* Nothing of the part: its hole has to be drawn at the major diameter of the thread (within 0.02
 /// mm), and the thread's crests are stock that stays in front of its wall. A hole that is drawn at another diameter is

@@ -47,6 +47,10 @@ double threadDepth(double pitch) noexcept {
     return 0.625 * 0.5 * std::sqrt(3.0) * pitch;
 }
 
+double externalDepth(double pitch, double flat) noexcept {
+    return 0.5 * std::sqrt(3.0) * (0.875 * pitch - flat);
+}
+
 double minorDiameter(const ThreadSize& size) noexcept {
     return size.diameter - 2.0 * threadDepth(size.pitch);
 }

@@ -31,4 +31,9 @@ double threadDepth(double pitch) noexcept;
 /// The minor diameter of an internal thread, mm: the diameter of its core hole, D1 = D - 2 · 5/8 H (ISO 724:1993).
 double minorDiameter(const ThreadSize& size) noexcept;
 
+/// Depth of an external thread of 60° between its major diameter and a root with a flat, mm, where its flanks have the
+/// basic pitch diameter: the crest lies H/8 inside of the sharp profile, a flat w its √3/2 w (ISO 68-1:1998). With the
+/// flat of P/4 of the basic profile 5/8 H, with the P/8 of a tooth for internal threads 3/4 H.
+double externalDepth(double pitch, double flat) noexcept;
+
 } // namespace burin

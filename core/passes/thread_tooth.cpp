@@ -46,22 +46,59 @@ bool fitsGroove(const std::vector<RevolvedPiece>& flutes, const ThreadTooth& too
     return middle && middle->high - middle->low >= 0.5 * pitch - mostNarrower;
 }
 
+/// Whether flanks of 60° begin at the flat of a tooth, as far as the crests of an external thread.
+bool hasFlanks(const std::vector<RevolvedPiece>& flutes, const ThreadTooth& tooth, double depth) {
+    constexpr int looks = 32;
+    for (int i = 0; i <= looks; ++i) {
+        const double in = depth * i / looks, half = 0.5 * tooth.flat + in * std::tan(flank);
+        const std::optional<HeightRange> range = oneRange(flutes, tooth.radius - in - inwards);
+        if (!range || std::abs(range->low - tooth.height + half) > toothSlack ||
+            std::abs(range->high - tooth.height - half) > toothSlack)
+            return false;
+    }
+    return true;
+}
+
+/// The outermost part of the flutes.
+ThreadTooth crestOf(const Cutter& cutter, const std::vector<RevolvedPiece>& flutes) {
+    const std::optional<HeightRange> crest = oneRange(flutes, cutter.radius() - inwards);
+    if (!crest) return {cutter.radius(), 0.0, -1.0};
+    return {cutter.radius(), 0.5 * (crest->low + crest->high), crest->high - crest->low};
+}
+
 Error otherTool(std::string needed) {
     return {ErrorCode::notSupported, "this pass with this kind of tool", std::move(needed), {}};
+}
+
+Error toothFor(double pitch) {
+    return otherTool("a thread mill with one tooth for a pitch of " + formatShortest(pitch) + " mm");
+}
+
+/// The tooth, if the neck above it passes the crests of the thread. @param depth mm, of the thread
+Result<ThreadTooth> withNeck(const Cutter& cutter, const ThreadTooth& tooth, double depth) {
+    const double neck = 2.0 * (cutter.radius() - depth);
+    if (cutter.stickOut > cutter.fluteLength && cutter.shankDiameter > neck)
+        return otherTool("a thread mill with a neck of at most " + formatFixed(neck, 2) + " mm");
+    return tooth;
 }
 
 } // namespace
 
 Result<ThreadTooth> threadTooth(const Cutter& cutter, double pitch) {
     const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
-    const std::optional<HeightRange> crest = oneRange(flutes, cutter.radius() - inwards);
-    const ThreadTooth tooth{cutter.radius(), crest ? 0.5 * (crest->low + crest->high) : 0.0};
-    if (!crest || !fitsGroove(flutes, tooth, pitch))
-        return otherTool("a thread mill with one tooth for a pitch of " + formatShortest(pitch) + " mm");
-    const double neck = 2.0 * (cutter.radius() - threadDepth(pitch));
-    if (cutter.stickOut > cutter.fluteLength && cutter.shankDiameter > neck)
-        return otherTool("a thread mill with a neck of at most " + formatFixed(neck, 2) + " mm");
-    return tooth;
+    const ThreadTooth tooth = crestOf(cutter, flutes);
+    if (tooth.flat < 0.0 || !fitsGroove(flutes, tooth, pitch)) return toothFor(pitch);
+    return withNeck(cutter, tooth, threadDepth(pitch));
+}
+
+Result<ThreadTooth> externalThreadTooth(const Cutter& cutter, double pitch) {
+    const std::vector<RevolvedPiece> flutes = flutePieces(cutter);
+    const ThreadTooth tooth = crestOf(cutter, flutes);
+    const double depth = externalDepth(pitch, tooth.flat);
+    if (tooth.flat < 0.125 * pitch - toothSlack || tooth.flat > 0.25 * pitch + toothSlack ||
+        !hasFlanks(flutes, tooth, depth))
+        return toothFor(pitch);
+    return withNeck(cutter, tooth, depth);
 }
 
 } // namespace burin

@@ -11,6 +11,7 @@ namespace burin {
 struct ThreadTooth {
     double radius = 0.0; ///< mm from the axis, of its crest
     double height = 0.0; ///< mm above the tip, of the middle of its crest
+    double flat = 0.0;   ///< mm along the axis, of its crest
 };
 
 /// Finds the one tooth of a thread mill, and checks that it cuts the profile of a pitch: nowhere wider than the groove
@@ -20,5 +21,12 @@ struct ThreadTooth {
 /// crests at the minor diameter.
 /// Errors: notSupported (what the tool would have to be).
 Result<ThreadTooth> threadTooth(const Cutter& cutter, double pitch);
+
+/// The same for external threads. Their roots may be flatter than the crests of internal ones, so that a tooth may cut
+/// several pitches: its flat has to be from P/8 to P/4, those of the basic profile at major and minor diameter (ISO
+/// 68-1:1998), each within 0.005 mm, and its flanks have 60° within 0.005 mm. The neck has to pass the crests at the
+/// major diameter.
+/// Errors: notSupported (what the tool would have to be).
+Result<ThreadTooth> externalThreadTooth(const Cutter& cutter, double pitch);
 
 } // namespace burin

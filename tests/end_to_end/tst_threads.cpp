@@ -142,6 +142,67 @@ private slots:
         QVERIFY2(list.output.contains("left_hand") && list.output.contains("places_mm"), list.output.constData());
     }
 
+    /// A stud that is drawn at the minor diameter gets its thread, once the stock around it is milled to the major one.
+    /// The program passes its check, and LinuxCNC makes a helix of it: right-handed, clockwise, from the top down, of
+    /// (minor diameter + tool diameter) / 2, at (D + d) / D times the feed.
+    void anExternalThreadIsAHelix() {
+        constexpr double root = 4.0 - 0.649519 * pitch, radius = root + 3.0; // mm: 3/4 H below the crest
+        QVERIFY(writePlate(in("stud.brep").toStdString(), {}, {{40.0, 25.0, 2.0 * root, 12.0, 24.0}}));
+        QCOMPARE(run({"embed", in("stud.brep"), "-o", in("s.burin"), "--voxel", "0.5", "--margin", "1"}).status, 0);
+        const QJsonObject info = run({"info", in("s.burin")}).json();
+        QCOMPARE(info["holes"].toArray().size(), 0);
+        QCOMPARE(info["studs"].toArray().size(), 1);
+        const QJsonArray low = info["model"].toObject()["bounding_box_mm"].toArray()[0].toArray();
+        const glm::dvec3 start(low[0].toDouble(), low[1].toDouble(), low[2].toDouble());
+        const glm::dvec2 axis = glm::dvec2(start) + glm::dvec2(40.0, 25.0);
+        const QStringList thread{"path",           in("s.burin"), "new", "--pass",     "thread",  "--tool",
+                                 "thread-mill-m8", "--thread",    "M8",  "--external", "--depth", "8"};
+        const ProgramRun early = runBurin(thread);
+        QVERIFY(early.status != 0);
+        QVERIFY2(early.messages.contains("mill it to the thread's major diameter first, 8.00 mm"),
+                 early.messages.constData());
+        const QString circle = QString("0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\n0\n10\n%1\n20\n%2\n30\n0\n40\n12\n0\n"
+                                       "ENDSEC\n0\nEOF\n")
+                                   .arg(axis.x)
+                                   .arg(axis.y);
+        QFile drawing(in("around.dxf"));
+        QVERIFY(drawing.open(QIODevice::WriteOnly) && drawing.write(circle.toUtf8()) > 0);
+        drawing.close();
+        const ProgramRun milled = run({"path", in("s.burin"), "new", "--pass", "levels", "--tool", "flat-6",
+                                       "--allowance", "0.812", "--area", in("around.dxf"), "--unit", "mm"});
+        QVERIFY2(milled.status == 0, milled.messages.constData());
+        const ProgramRun made = run(thread);
+        QVERIFY2(made.status == 0, made.messages.constData());
+        QCOMPARE(made.json()["strokes"].toInt(), 1);
+        const ProgramRun post = run({"post", in("s.burin"), "-o", in("s.ngc"), "--dialect", "linuxcnc"});
+        QVERIFY2(post.status == 0, (post.messages + post.output).constData());
+        QVERIFY(post.json()["passed"].toBool());
+        QVERIFY2(post.json()["gouge_max_mm"].toDouble() < 0.01, post.output.constData());
+        const auto moves = canonicalMoves(in("s.ngc"), folder_.path(), toolsOf(post.json()));
+        QVERIFY(moves);
+        const glm::dvec3 move = zeroOf(post.json());
+        double turned = 0.0, first = 0.0, lowest = 1e9, highest = -1e9;
+        int points = 0;
+        for (std::size_t i = 1; i < moves->size(); ++i) {
+            const glm::dvec3 from = (*moves)[i - 1].to + move, to = (*moves)[i].to + move;
+            const glm::dvec2 before = glm::dvec2(from) - axis, place = glm::dvec2(to) - axis;
+            const auto on = [&](const glm::dvec2& at) { return std::abs(glm::length(at) - radius) < 0.005; };
+            if ((*moves)[i].rapid || !on(before) || !on(place)) continue;
+            const double angle = std::atan2(before.x * place.y - before.y * place.x, glm::dot(before, place));
+            QVERIFY(angle < 0.0);
+            if (points++ == 0) first = to.z - pitch * angle / (2.0 * pi);
+            turned += angle;
+            QVERIFY2(std::abs(to.z - first - pitch * turned / (2.0 * pi)) < 0.006,
+                     qPrintable(QString::number(to.z - first - pitch * turned / (2.0 * pi))));
+            lowest = std::min(lowest, to.z);
+            highest = std::max(highest, to.z);
+        }
+        QVERIFY2(points > 500, qPrintable(QString::number(points)));
+        const double tooth = 0.5 * loadTool("thread-mill-m8")->cutter.fluteLength, top = start.z + 24.0;
+        QVERIFY2(std::abs(lowest + tooth - (top - 8.0)) < 0.05, qPrintable(QString::number(lowest)));
+        QVERIFY2(highest + tooth > top + 0.5 * pitch - 0.05, qPrintable(QString::number(highest)));
+    }
+
 private:
     QString in(const QString& name) const { return folder_.filePath(name); }
     ProgramRun run(QStringList arguments) const { return runBurin(arguments << "--json"); }

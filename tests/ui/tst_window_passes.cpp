@@ -65,14 +65,26 @@ QString writePlateWithHole(const WindowDriver& driver, double diameter) {
     return file;
 }
 
+/// A plate of 40 x 30 x 8 mm with a round stud for M8 on its middle, 10 mm high.
+QString writePlateWithStud(const WindowDriver& driver) {
+    const QString file = driver.folder().filePath("stud.stl");
+    QFile text(file);
+    if (text.open(QIODevice::WriteOnly)) text.write(stlText(test::plateWithStud({20.0, 15.0}, 8.0, 3.188, 10.0)));
+    return file;
+}
+
 /// Embeds such a plate, ready to be milled.
-bool hasPlateWithHole(WindowDriver& driver, double diameter) {
-    drop(driver.window(), writePlateWithHole(driver, diameter));
+bool hasPlate(WindowDriver& driver, const QString& file) {
+    drop(driver.window(), file);
     Workbench& workbench = workbenchOf(driver);
     return driver.waitFor([&] { return workbench.model.model() != nullptr; }) && driver.step(JobStep::stock) &&
            driver.settle() && driver.enter("voxelField", "0.5") &&
            driver.waitFor([&] { return workbench.setup.setup().voxel == 0.5; }) && driver.clickOn("embedButton") &&
            driver.waitFor([&] { return workbench.workpiece.ready(); });
+}
+
+bool hasPlateWithHole(WindowDriver& driver, double diameter) {
+    return hasPlate(driver, writePlateWithHole(driver, diameter));
 }
 
 bool hasTool(WindowDriver& driver, const std::string& id) {
@@ -343,6 +355,51 @@ private slots:
         QVERIFY(workbench.program.program()->report.gougeMax < 0.02);
         const std::string text = workbench.program.program()->text;
         QVERIFY(text.find("G3") != std::string::npos); // helical arcs, anticlockwise
+    }
+
+    /// A click on a stud makes the thread an external one; the dialog shows it, and without the mark it shows the
+    /// holes.
+    void aPickedStudGetsAnExternalThread() {
+        WindowDriver driver;
+        QVERIFY(hasPlate(driver, writePlateWithStud(driver)));
+        Workbench& workbench = workbenchOf(driver);
+        QVERIFY(hasTool(driver, "thread-mill-m8"));
+        QVERIFY(driver.step(JobStep::path));
+        Viewport& viewport = driver.window().viewport();
+        viewport.setStandardView(StandardView::isometric);
+        QTest::qWait(600);
+        const Box part = workbench.setup.part()->box();
+        const glm::dvec3 top(glm::dvec2(part.centre()), part.high.z);
+        driver.whenDialogStands([&](QWidget& dialog) {
+            QVERIFY(dialog.findChild<QLabel*>("passHoles")->text().contains("no round upright holes"));
+            QVERIFY(!dialog.findChild<QCheckBox*>("passExternal")->isChecked());
+            QVERIFY(press(dialog, "pickHolesButton"));
+        });
+        QVERIFY(driver.clickOn("newPassButton"));
+        QTRY_VERIFY(driver.message().contains("Click the holes or the studs"));
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, viewport.project(top).toPoint());
+        QTRY_VERIFY2(driver.message().contains("stud") && driver.message().contains("1 stud is picked"),
+                     qPrintable(driver.message()));
+        QTest::qWait(300);
+        driver.shoot("passes-15-picked-stud");
+        bool answered = false;
+        driver.whenDialogStands([&](QWidget& dialog) {
+            auto* external = dialog.findChild<QCheckBox*>("passExternal");
+            auto* list = dialog.findChild<QListWidget*>("passPickedHoles");
+            QVERIFY(external->isChecked());
+            QCOMPARE(list->count(), 1);
+            QVERIFY2(list->item(0)->text().contains("6.376"), qPrintable(list->item(0)->text()));
+            QVERIFY(dialog.findChild<QLabel*>("passHoles")->text().contains("studs of the part: 1 × 6.376"));
+            QTest::qWait(300);
+            driver.shoot("passes-16-external-thread");
+            external->click();
+            QTRY_VERIFY(!list->isVisible()); // studs are no holes
+            QVERIFY(dialog.findChild<QLabel*>("passHoles")->text().contains("no round upright holes"));
+            answered = press(dialog, "cancelPassButton");
+        });
+        viewport.setFocus();
+        driver.key(Qt::Key_Return);
+        QTRY_VERIFY_WITH_TIMEOUT(answered, 40000);
     }
 
     /// Another kind and another value are previewed at once; for tabs, their size can be entered.

@@ -240,7 +240,9 @@ constexpr std::array rows{
     Row{ActionId::clearArea, "clearAreaAction", QT_TRANSLATE_NOOP("Actions", "Clea&r the area"),
         QT_TRANSLATE_NOOP("Actions", "The next pass goes over the whole part again."), "Ctrl+Alt+C"},
     Row{ActionId::pickHoles, "pickHolesAction", QT_TRANSLATE_NOOP("Actions", "Pick &holes for a pass"),
-        QT_TRANSLATE_NOOP("Actions", "Click holes of the part for drilling or thread milling with the loaded tool."),
+        QT_TRANSLATE_NOOP("Actions",
+                          "Click holes of the part for drilling or thread milling with the loaded tool, or studs for "
+                          "external threads."),
         "Ctrl+Alt+H"},
     Row{ActionId::evaluatePath, "evaluatePathAction", QT_TRANSLATE_NOOP("Actions", "&Update path"),
         QT_TRANSLATE_NOOP("Actions", "Apply the edits to the takes again."), "F5"},

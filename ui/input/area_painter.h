@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/area_shape.h"
 #include "core/geometry/plan_region.h"
 #include "ui/scene/interactive_tool.h"
 
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace burin {
-
-/// What a drag or a click paints.
-enum class AreaShape {
-    brush, ///< the area covered by a round brush
-    lasso, ///< the area enclosed by a line
-    face   ///< the face of the part that is clicked
-};
 
 /// The pointer as a brush on the part: paints an area in plan, and erases with Shift; Ctrl and the wheel change the
 /// brush. Esc cancels the current stroke, then ends painting. All other events are left to the camera.

@@ -15,13 +15,14 @@
 
 namespace burin {
 
-/// Picks round upright holes of a part: a click on the wall of a hole, or through its mouth, picks it. Esc or Enter
-/// ends picking; all other events are left to the camera. Thread: user interface.
+/// Picks round upright holes and studs of a part: a click on the wall of one, or through its mouth (on its top), picks
+/// it. Esc or Enter ends picking; all other events are left to the camera. Thread: user interface.
 class HolePicker final : public QObject, public InteractiveTool {
     Q_OBJECT
 public:
     using QObject::QObject;
-    /// @param part in the setup frame; null: nothing is picked @param holes of the part
+    /// @param part in the setup frame; null: nothing is picked @param holes of the part, and studs if they may be
+    /// picked
     void setPart(std::shared_ptr<const Model> part, std::vector<UprightHole> holes);
     const std::vector<UprightHole>& holes() const noexcept { return holes_; }
 
@@ -32,7 +33,7 @@ public:
 
 signals:
     void chosen(std::size_t hole); ///< index in `holes`
-    void missed();                 ///< the part was clicked where it has no hole
+    void missed();                 ///< the part was clicked where it has none of them
     void finished();
 
 private:

@@ -339,6 +339,16 @@ constexpr std::array details{
         "the holes are not drilled as deep as the thread: drill them first, with the full diameter down to Z %1 mm in "
         "the coordinates of the setup"),
     BURIN_TEXT("Detail", "the part has no upright hole of the thread's major diameter there"),
+    BURIN_TEXT("Detail", "the studs are milled to %1 mm, too narrow for the thread's major diameter, %2 mm"),
+    BURIN_TEXT(
+        "Detail",
+        "the stock around the studs is in the way: mill it to the thread's major diameter first, %1 mm, down to Z "
+        "%2 mm in the coordinates of the setup"),
+    BURIN_TEXT("Detail", "the part is in the way of the tool around its studs, or it is too short"),
+    BURIN_TEXT("Detail", "the part has no upright stud of the thread's minor diameter there"),
+    BURIN_TEXT("Detail", "a round upright stud of the part"),
+    BURIN_TEXT("Detail", "a stud modelled with the minor diameter that this mill cuts, %1 mm, not with %2 mm"),
+    BURIN_TEXT("Detail", "above %1 and at most %2 mm for the stud at %3, %4"),
     BURIN_TEXT("Detail", "a round upright hole of the part"),
     BURIN_TEXT("Detail", "a hole modelled with the major diameter, %1 mm, not with %2 mm"),
     BURIN_TEXT("Detail", "a model whose facets are at most %1 mm inside of that hole's circle"),
@@ -349,7 +359,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "a thread mill"),
     BURIN_TEXT("Detail", "a drill"),
     BURIN_TEXT("Detail", "0 for a thread"),
-    BURIN_TEXT("Detail", "above 0, or the holes of the thread"),
+    BURIN_TEXT("Detail", "above 0, or the holes or studs of the thread"),
     BURIN_TEXT("Detail", "below half of the diameter"),
     BURIN_TEXT("Detail", "the part has no concave edge for this tool there"),
     BURIN_TEXT("Detail", "it has no stroke"),

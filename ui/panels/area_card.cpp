@@ -38,7 +38,7 @@ AreaCard::AreaCard(QWidget* parent)
         shapes_[i]->setAutoExclusive(false); // a second click ends painting
         row->addWidget(shapes_[i], 1);
         connect(shapes_[i], &QPushButton::clicked, this,
-                [this, i](bool on) { emit paintingRequested(static_cast<AreaTool>(i), on); });
+                [this, i](bool on) { emit paintingRequested(static_cast<AreaShape>(i), on); });
     }
     column->addLayout(row);
     brush_->setObjectName(QStringLiteral("brushDiameter"));
@@ -66,9 +66,9 @@ void AreaCard::show() {
     const bool painted = state_.area > 0.0;
     QString text = painted ? tr("Area of the next pass: %1").arg(areaText(state_.area, unit_))
                            : tr("Area of the next pass: whole part");
-    if (state_.painting == AreaTool::brush && !painted) text = tr("Paint on the part; Shift erases");
-    if (state_.painting == AreaTool::lasso && !painted) text = tr("Draw round an area; Shift erases");
-    if (state_.painting == AreaTool::face && !painted) text = tr("Click faces of the part; Shift removes");
+    if (state_.painting == AreaShape::brush && !painted) text = tr("Paint on the part; Shift erases");
+    if (state_.painting == AreaShape::lasso && !painted) text = tr("Draw round an area; Shift erases");
+    if (state_.painting == AreaShape::face && !painted) text = tr("Click faces of the part; Shift removes");
     size_->setText(text);
     setEnabledKeepingFocus(clear_, painted);
     const QString none = state_.possible ? QString() : tr("There is no part to paint on yet.");
@@ -76,11 +76,11 @@ void AreaCard::show() {
                               tr("Draw round the area of the next pass; Shift erases"),
                               tr("Click faces of the part for the next pass; Shift removes them")};
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
-        shapes_[i]->setChecked(state_.painting == static_cast<AreaTool>(i));
+        shapes_[i]->setChecked(state_.painting == static_cast<AreaShape>(i));
         enableUnless(shapes_[i], none, toolTips[i]);
     }
     brush_->showValue(state_.brush);
-    brushRow_->setVisible(state_.painting == AreaTool::brush);
+    brushRow_->setVisible(state_.painting == AreaShape::brush);
 }
 
 } // namespace burin

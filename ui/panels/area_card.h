@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/geometry/area_shape.h"
 #include "ui/theme/length_unit.h"
 
 #include <QFrame>
@@ -18,17 +19,14 @@ class ElidedLabel;
 class FieldRow;
 class QuantityField;
 
-/// The tool that paints the area of the next pass.
-enum class AreaTool { brush, lasso, face };
-
 inline constexpr double thinnestBrush = 0.1, widestBrush = 1000.0; // mm
 
 /// The state shown by the card of the painted area.
 struct AreaState {
-    double area = 0.0;                ///< mm²; 0 if nothing is painted
-    std::optional<AreaTool> painting; ///< the active tool; empty: not painting
-    double brush = 10.0;              ///< mm, diameter
-    bool possible = false;            ///< whether there is a part to paint on
+    double area = 0.0;                 ///< mm²; 0 if nothing is painted
+    std::optional<AreaShape> painting; ///< the active tool; empty: not painting
+    double brush = 10.0;               ///< mm, diameter
+    bool possible = false;             ///< whether there is a part to paint on
 
     friend bool operator==(const AreaState&, const AreaState&) = default;
 };
@@ -42,7 +40,7 @@ public:
     void setState(const AreaState& state); ///< never emits
 
 signals:
-    void paintingRequested(burin::AreaTool shape, bool wanted);
+    void paintingRequested(burin::AreaShape shape, bool wanted);
     void brushChosen(double diameter); ///< mm
     void cleared();
 
@@ -53,7 +51,7 @@ private:
     LengthUnit unit_ = LengthUnit::millimetre;
     ElidedLabel* size_;
     QToolButton* clear_;
-    std::array<QPushButton*, 3> shapes_{}; ///< in the order of AreaTool
+    std::array<QPushButton*, 3> shapes_{}; ///< in the order of AreaShape
     QuantityField* brush_;
     FieldRow* brushRow_;
 };

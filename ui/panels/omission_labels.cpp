@@ -49,20 +49,29 @@ QString omissionNotice(const std::vector<EditReport>& reports, const glm::dvec3&
     return all + QLatin1Char(' ') + omissionLine(*longestFirst(parts).front(), zero, unit);
 }
 
-QString unreachedHolesText(std::size_t holes, bool threads) {
+QString unreachedHolesText(std::size_t holes, HoleWork work) {
     const bool one = holes == 1;
-    const QString text =
-        threads ? one ? OmissionLabels::tr(
-                            "One hole was not threaded: it is not drilled deep enough, or the part is in the "
-                            "way. Drill it deeper first.")
-                      : OmissionLabels::tr(
-                            "%1 holes were not threaded: they are not drilled deep enough, or the part is in "
-                            "the way. Drill them deeper first.")
-        : one
-            ? OmissionLabels::tr("One hole is not drilled to full depth: the part is in the way, or the drill is too "
-                                 "short.")
-            : OmissionLabels::tr("%1 holes are not drilled to full depth: the part is in the way, or the drill is too "
-                                 "short.");
+    QString text;
+    switch (work) {
+    case HoleWork::drilling:
+        text = one ? OmissionLabels::tr("One hole is not drilled to full depth: the part is in the way, or the drill "
+                                        "is too short.")
+                   : OmissionLabels::tr("%1 holes are not drilled to full depth: the part is in the way, or the drill "
+                                        "is too short.");
+        break;
+    case HoleWork::internalThreads:
+        text = one ? OmissionLabels::tr("One hole was not threaded: it is not drilled deep enough, or the part is in "
+                                        "the way. Drill it deeper first.")
+                   : OmissionLabels::tr("%1 holes were not threaded: they are not drilled deep enough, or the part is "
+                                        "in the way. Drill them deeper first.");
+        break;
+    case HoleWork::externalThreads:
+        text = one ? OmissionLabels::tr("One stud was not threaded: it is not milled to the major diameter, or part "
+                                        "or stock around it are in the way of the tool. Mill it first.")
+                   : OmissionLabels::tr("%1 studs were not threaded: they are not milled to the major diameter, or "
+                                        "part or stock around them are in the way of the tool. Mill them first.");
+        break;
+    }
     return one ? text : text.arg(countText(holes));
 }
 

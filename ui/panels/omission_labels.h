@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/passes/pass_request.h"
 #include "core/path/evaluate.h"
 #include "ui/theme/length_unit.h"
 
@@ -23,7 +24,8 @@ QString omissionLines(const EditReport& report, const glm::dvec3& zero, LengthUn
 /// A sentence for all edits together, then the position of the longest omitted part and the remedy. Empty if nothing
 /// was left out.
 QString omissionNotice(const std::vector<EditReport>& reports, const glm::dvec3& zero, LengthUnit unit);
-/// How many holes a pass did not drill or thread to the requested depth, and why. @param holes at least 1
-QString unreachedHolesText(std::size_t holes, bool threads);
+/// How many holes a pass did not drill or thread to the requested depth, or how many studs it did not thread, and why.
+/// @param holes at least 1
+QString unreachedHolesText(std::size_t holes, HoleWork work);
 
 } // namespace burin

@@ -299,7 +299,7 @@ void PathPanel::Fields::tell() {
                       PathPanel::tr("%1 of the pass were skipped: fixtures or keep-out volumes are in the way.")
                           .arg(lengthText(state.passInTheWay, unit)));
     else if (state.unreachedHoles > 0)
-        notice_->tell(Notice::Kind::warning, unreachedHolesText(state.unreachedHoles, state.threads));
+        notice_->tell(Notice::Kind::warning, unreachedHolesText(state.unreachedHoles, state.holeWork));
     else if (const QString omitted = omissionNotice(state.reports, state.zero, unit); !omitted.isEmpty())
         notice_->tell(Notice::Kind::warning, omitted);
     else

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/document/project.h"
+#include "core/passes/pass_request.h"
 #include "core/path/drawn_edit.h"
 #include "core/path/evaluate.h"
 #include "core/path/milling_side.h"
@@ -55,7 +56,7 @@ struct PathState {
     std::vector<PassRow> passes;                  ///< the path's passes, in order
     double passLeftOut = 0.0, passInTheWay = 0.0; ///< mm of the newest pass, see PlannedPass
     std::size_t unreachedHoles = 0;               ///< of the newest pass
-    bool threads = false;                         ///< whether the newest pass mills threads
+    HoleWork holeWork = HoleWork::drilling;       ///< of the newest pass
     bool refreshPossible = false;                 ///< whether the passes that are out of date can be computed now
     bool measurePossible = false;                 ///< whether the passes can be measured now
     bool passPossible = false;                    ///< whether a pass can be computed now

@@ -35,11 +35,11 @@ AreaPresenter::AreaPresenter(Workbench& workbench, Viewport& viewport, AreaCard&
     connect(&painter_, &AreaPainter::faceChosen, this, &AreaPresenter::takeFace);
     connect(&painter_, &AreaPainter::brushTurned, this, &AreaPresenter::turnBrush);
     connect(&painter_, &AreaPainter::hovered, this, [this](const std::optional<glm::dvec3>& place) {
-        if (painting_ == AreaTool::brush)
+        if (painting_ == AreaShape::brush)
             showUnderWay(place ? brushed({glm::dvec2(*place)}, 0.5 * brush_) : PlanRegion{});
     });
     connect(&painter_, &AreaPainter::givenUp, this, [this] { viewport_.setArea(lines_); });
-    connect(&painter_, &AreaPainter::cancelled, this, [this] { paint(AreaTool::brush, false); });
+    connect(&painter_, &AreaPainter::cancelled, this, [this] { paint(AreaShape::brush, false); });
     connect(&painter_, &AreaPainter::stateChanged, this, &AreaPresenter::escapeChanged);
     connect(&viewport, &Viewport::interactiveToolChanged, this, [this] {
         if (painting_ && viewport_.interactiveTool() != &painter_) { // another tool took the pointer
@@ -57,30 +57,30 @@ void AreaPresenter::setUnit(LengthUnit unit) {
 }
 
 void AreaPresenter::connectActions(const Actions& actions) {
-    const auto on = [this, &actions](ActionId id, AreaTool tool) {
-        connect(actions[id], &QAction::triggered, this, [this, tool] { toggle(tool); });
+    const auto on = [this, &actions](ActionId id, AreaShape shape) {
+        connect(actions[id], &QAction::triggered, this, [this, shape] { toggle(shape); });
     };
-    on(ActionId::brushArea, AreaTool::brush);
-    on(ActionId::lassoArea, AreaTool::lasso);
-    on(ActionId::faceArea, AreaTool::face);
+    on(ActionId::brushArea, AreaShape::brush);
+    on(ActionId::lassoArea, AreaShape::lasso);
+    on(ActionId::faceArea, AreaShape::face);
     connect(actions[ActionId::clearArea], &QAction::triggered, &workbench_.area, &AreaController::clear);
 }
 
 void AreaPresenter::setShown(JobStep step) {
     shown_ = step == JobStep::path;
-    if (!shown_) paint(AreaTool::brush, false);
+    if (!shown_) paint(AreaShape::brush, false);
     presentSoon();
 }
 
-void AreaPresenter::paint(AreaTool tool, bool wanted) {
+void AreaPresenter::paint(AreaShape shape, bool wanted) {
     followPart();
     if (wanted && !milling_) return;
     const bool was = painting_.has_value();
     if (wanted) {
         emit paintingBegins();
-        painter_.setShape(static_cast<AreaShape>(tool));
+        painter_.setShape(shape);
         if (!was) before_ = viewport_.interactiveTool();
-        painting_ = tool;
+        painting_ = shape;
         viewport_.setInteractiveTool(&painter_);
         viewport_.setFocus(); // so that the painter receives Esc, wherever painting was started
     } else if (was) {
@@ -131,7 +131,7 @@ void AreaPresenter::followPart() {
 
 void AreaPresenter::present() {
     followPart();
-    if (painting_ && !milling_) paint(AreaTool::brush, false);
+    if (painting_ && !milling_) paint(AreaShape::brush, false);
     AreaState state;
     state.area = areaInPlan(workbench_.area.area());
     state.painting = painting_;

@@ -30,8 +30,8 @@ signals:
 
 private:
     void present() override;
-    void paint(AreaTool tool, bool wanted);
-    void toggle(AreaTool tool) { paint(tool, painting_ != tool); }
+    void paint(AreaShape shape, bool wanted);
+    void toggle(AreaShape shape) { paint(shape, painting_ != shape); }
     void takeFace(const glm::dvec3& place, bool erase);
     void turnBrush(double notches);
     void followPart();
@@ -43,7 +43,7 @@ private:
     AreaPainter painter_;
     InteractiveTool* before_ = nullptr; ///< the view's tool before painting
     std::shared_ptr<const MillingContext> milling_;
-    std::optional<AreaTool> painting_;
+    std::optional<AreaShape> painting_;
     PlaceChains lines_;   ///< of the present area
     PlanRegion drawn_;    ///< the area that `lines_` belong to
     double brush_ = 10.0; // mm

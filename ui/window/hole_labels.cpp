@@ -6,6 +6,11 @@
 
 namespace burin {
 
+std::vector<UprightHole> sideOf(std::vector<UprightHole> walls, bool studs) {
+    std::erase_if(walls, [studs](const UprightHole& wall) { return wall.stud != studs; });
+    return walls;
+}
+
 QString holeSizesText(const std::vector<UprightHole>& holes, LengthUnit unit) {
     QStringList sizes;
     for (const HoleSize& size : sizesOf(holes))
@@ -14,13 +19,13 @@ QString holeSizesText(const std::vector<UprightHole>& holes, LengthUnit unit) {
 }
 
 QString holeText(const UprightHole& hole, LengthUnit unit) {
-    return HoleLabels::tr("⌀ %1, %2 deep")
+    return (hole.stud ? HoleLabels::tr("stud ⌀ %1, %2 high") : HoleLabels::tr("⌀ %1, %2 deep"))
         .arg(lengthText(2.0 * hole.radius, unit), lengthText(hole.top - hole.bottom, unit));
 }
 
 QString pickedText(const glm::dvec2& place, const std::vector<UprightHole>& holes, LengthUnit unit) {
     const UprightHole* hole = holeAround(holes, place);
-    const QString what = hole != nullptr ? holeText(*hole, unit) : HoleLabels::tr("no hole of the part");
+    const QString what = hole != nullptr ? holeText(*hole, unit) : HoleLabels::tr("no hole or stud of the part");
     return HoleLabels::tr("%1 at X %2, Y %3").arg(what, lengthText(place.x, unit), lengthText(place.y, unit));
 }
 

@@ -11,8 +11,8 @@
 
 namespace burin {
 
-/// Picks the holes of a pass in the view, between two appearances of the pass dialog. Ends without a pass if another
-/// tool takes the pointer, another step is shown, or the part changes.
+/// Picks the holes or studs of a pass in the view, between two appearances of the pass dialog. Ends without a pass if
+/// another tool takes the pointer, another step is shown, or the part changes.
 class HolePresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -32,12 +32,14 @@ private:
     void toggle(std::size_t hole);
     void leave();
     void mark(const std::optional<std::size_t>& newest);
+    std::vector<UprightHole> offered() const; ///< what the places of the request name: holes, or studs
 
     Viewport& viewport_;
     HolePicker picker_;
     InteractiveTool* before_ = nullptr; ///< the view's previous tool
     std::shared_ptr<const MillingContext> milling_;
     std::optional<RequestedPass> wanted_; ///< empty: not picking
+    bool studs_ = false;                  ///< whether studs may be picked as well: the tool mills threads
 };
 
 } // namespace burin

@@ -42,6 +42,7 @@ PassDialog::PassDialog(const Offer& offer, QWidget* parent)
     , takes_(offer.takes)
     , holes_(offer.holes)
     , picked_(offer.last.request.places)
+    , external_(offer.last.request.external)
     , unit_(offer.unit)
     , wanted_(offer.last) {
     setObjectName(QStringLiteral("passDialog"));
@@ -137,25 +138,23 @@ void PassDialog::addHoles() {
     auto* column = new QVBoxLayout(holesBox_);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
-    const QString sizes = holeSizesText(holes_, unit_);
-    auto* about = new QLabel(sizes.isEmpty() ? tr("The part has no round upright holes.")
-                                             : tr("Upright holes of the part: %1").arg(sizes),
-                             holesBox_);
-    about->setObjectName(QStringLiteral("passHoles"));
-    about->setWordWrap(true);
-    column->addWidget(about);
+    holesLabel_ = new QLabel(holesBox_);
+    holesLabel_->setObjectName(QStringLiteral("passHoles"));
+    holesLabel_->setWordWrap(true);
+    column->addWidget(holesLabel_);
     holeList_ = new QListWidget(holesBox_);
     holeList_->setObjectName(QStringLiteral("passPickedHoles"));
-    holeList_->setAccessibleName(tr("Picked holes"));
-    holeList_->setToolTip(tr("The holes of this pass, in the coordinates of the setup; Del removes one"));
+    holeList_->setAccessibleName(tr("Picked holes or studs"));
+    holeList_->setToolTip(tr("The holes or studs of this pass, in the coordinates of the setup; Del removes one"));
     column->addWidget(holeList_);
     auto* removal = new QShortcut(QKeySequence(Qt::Key_Delete), holeList_, nullptr, nullptr, Qt::WidgetShortcut);
     connect(removal, &QShortcut::activated, this, &PassDialog::removeChosenHole);
     auto* pick = makeButton(tr("Pick holes…"), {}, QStringLiteral("pickHolesButton"), holesBox_);
-    enableUnless(pick, holes_.empty() ? tr("The part has no round upright holes.") : QString(),
-                 tr("Click holes of the part in the view; a second click removes a hole"));
+    enableUnless(
+        pick, holes_.empty() ? tr("The part has no round upright holes.") : QString(),
+        tr("Click holes of the part in the view, or studs for an external thread; a second click removes one"));
     allHoles_ = makeButton(tr("All that fit"), {}, QStringLiteral("allHolesButton"), holesBox_);
-    allHoles_->setToolTip(tr("Clear the selection: the pass uses every hole of the part that fits"));
+    allHoles_->setToolTip(tr("Clear the selection: the pass uses every hole or stud of the part that fits"));
     auto* row = new QHBoxLayout;
     row->addWidget(pick);
     row->addWidget(allHoles_);
@@ -172,8 +171,14 @@ void PassDialog::addHoles() {
 }
 
 void PassDialog::showHoles() {
+    const std::vector<UprightHole> offered = sideOf(holes_, external_);
+    const QString sizes = holeSizesText(offered, unit_);
+    const QString none =
+        external_ ? tr("The part has no round upright studs.") : tr("The part has no round upright holes.");
+    const QString some = external_ ? tr("Upright studs of the part: %1") : tr("Upright holes of the part: %1");
+    holesLabel_->setText(sizes.isEmpty() ? none : some.arg(sizes));
     holeList_->clear();
-    for (const glm::dvec2& place : picked_) holeList_->addItem(pickedText(place, holes_, unit_));
+    for (const glm::dvec2& place : picked_) holeList_->addItem(pickedText(place, offered, unit_));
     holeList_->setVisible(!picked_.empty());
     allHoles_->setVisible(!picked_.empty());
     const int rows = std::min(mostHoleRows, holeList_->count());
@@ -267,6 +272,11 @@ void PassDialog::chooseDrawing(ChoiceBox* box, QString& file) {
 
 void PassDialog::update() {
     const PassKind chosen = form_->kind();
+    if (form_->external() != external_) {
+        external_ = !external_;
+        picked_.clear(); // they are of the other side
+        showHoles();
+    }
     areaRow_->setVisible(chosen != PassKind::engrave && !(isInHoles(chosen) && !picked_.empty()));
     holesBox_->setVisible(isInHoles(chosen));
     areaOnPart_->setVisible(laidOnPart(chosen) && area_->currentIndex() != 0);
@@ -320,7 +330,7 @@ QString PassDialog::missing(const RequestedPass& wanted) const {
     if (request.kind == PassKind::engrave && request.depth == 0.0) return tr("Enter the depth of the lines.");
     if (request.kind == PassKind::thread && request.pitch == 0.0) return tr("Choose a thread, or enter its pitch.");
     if (request.kind == PassKind::thread && request.majorDiameter == 0.0 && request.places.empty())
-        return tr("Enter the diameter of the thread, or pick its holes.");
+        return tr("Enter the diameter of the thread, or pick its holes or studs.");
     return {};
 }
 

@@ -40,7 +40,7 @@ public:
         PlanRegion painted;               ///< empty: no area is painted
         QString folder;                   ///< of drawings
         std::vector<PassKind> kinds;      ///< that the tool can do
-        std::vector<UprightHole> holes{}; ///< of the part
+        std::vector<UprightHole> holes{}; ///< of the part, and its studs
         LengthUnit unit = LengthUnit::millimetre;
     };
     PassDialog(const Offer& offer, QWidget* parent);
@@ -86,7 +86,8 @@ private:
     PlanRegion painted_;
     std::vector<TakeInfo> takes_;
     std::vector<UprightHole> holes_;
-    std::vector<glm::dvec2> picked_; ///< the points of the holes that were picked; empty: all that fit
+    std::vector<glm::dvec2> picked_; ///< the points of the holes, or studs, that were picked; empty: all that fit
+    bool external_ = false;          ///< they are studs
     LengthUnit unit_;
     RequestedPass wanted_;
     PassForm* form_ = nullptr;
@@ -96,6 +97,7 @@ private:
     Notice* notice_ = nullptr;
     QLabel* preview_ = nullptr;
     QWidget* holesBox_ = nullptr;
+    QLabel* holesLabel_ = nullptr;
     QListWidget* holeList_ = nullptr;
     QPushButton *allHoles_ = nullptr, *showMe_ = nullptr;
     bool showing_ = false;

@@ -125,13 +125,16 @@ void PassForm::addFigures() {
     addFigure(figure(&PassRequest::pitch, {PassKind::thread}), "passPitch", tr("Pitch"),
               tr("Distance between neighbouring crests of the thread; 25.4 mm divided by the threads per inch"),
               Quantity::length, 0.0, widestStep);
-    addFigure(
-        figure(&PassRequest::majorDiameter, {PassKind::thread}), "passMajorDiameter", tr("Major diameter"),
-        tr("Of the thread. The part's holes must be modelled with this diameter. 0: the diameter of each picked hole"),
-        Quantity::length, 0.0, widestStep);
-    addFigure(figure(&PassRequest::depth, {PassKind::thread}), "passThreadDepth", tr("Depth"),
-              tr("Length of the thread below the top of its hole. 0: as far as each hole is open and drilled"),
+    addFigure(figure(&PassRequest::majorDiameter, {PassKind::thread}), "passMajorDiameter", tr("Major diameter"),
+              tr("Of the thread. The part's holes must be modelled with this diameter, its studs with the minor "
+                 "diameter that "
+                 "the mill cuts. 0: as each picked hole or stud has it"),
               Quantity::length, 0.0, widestStep);
+    addFigure(
+        figure(&PassRequest::depth, {PassKind::thread}), "passThreadDepth", tr("Depth"),
+        tr("Length of the thread below the top of its hole or stud. 0: as far as each hole is open and drilled, or as "
+           "the tool has room around the stud"),
+        Quantity::length, 0.0, widestStep);
     addFigure(figure(&PassRequest::direction, {PassKind::parallel, PassKind::rest}), "passDirection", tr("Direction"),
               tr("Angle between the rows and X"), Quantity::angle, -pi, pi);
     addFigure(figure(&PassRequest::flattest, surfaceKinds), "passFlattest", tr("Steeper than"),
@@ -184,6 +187,12 @@ void PassForm::offerHand(HandStrokes chosen) {
 HandStrokes PassForm::hand() const {
     return heedsHandStrokes(kind()) ? static_cast<HandStrokes>(std::max(0, hand_->currentIndex()))
                                     : HandStrokes::ignore;
+}
+
+bool PassForm::external() const {
+    return kind() == PassKind::thread && std::ranges::any_of(switches_, [](const Switch& one) {
+               return one.member == &PassRequest::external && one.box->isChecked();
+           });
 }
 
 bool PassForm::extendsStrokes() const {
@@ -271,10 +280,15 @@ void PassForm::addSwitches(const PassRequest& last) {
         tr("Cuts into the inner corners of the area, so that a part with square corners fits"));
     add(&PassRequest::springPass, {PassKind::thread}, "passSpring", tr("Spring pass"),
         tr("Follows the thread once more at full depth"));
+    add(&PassRequest::external, {PassKind::thread}, "passExternal", tr("External thread"),
+        tr("On round studs of the part instead of in its holes; picking holes or studs in the view sets it"));
+    connect(switches_.back().box, &QCheckBox::toggled, this, &PassForm::kindChanged);
     add(&PassRequest::leftHand, {PassKind::thread}, "passLeftHand", tr("Left-handed"),
         tr("Left-handed instead of right-handed thread"));
     add(&PassRequest::conventional, {PassKind::thread}, "passConventional", tr("Conventional milling"),
-        tr("Conventional instead of climb milling: right-hand threads are cut from the top down"));
+        tr("Conventional instead of climb milling: internal right-hand threads are cut from the top down, external "
+           "ones "
+           "from the bottom up"));
 }
 
 void PassForm::addFigure(Figure figure, const char* name, const QString& label, const QString& toolTip,

@@ -40,6 +40,7 @@ public:
              QWidget* parent);
 
     PassKind kind() const;
+    bool external() const;       ///< whether a thread is to be on studs instead of in holes
     bool extendsStrokes() const; ///< whether the rows continue strokes of the hand, and follow no lines
     /// Accepts text that is being typed.
     void commitTyping();
@@ -47,8 +48,9 @@ public:
     void writeTo(PassRequest& request) const;
 
 signals:
-    void kindChanged(); ///< or what the pass does about strokes of the hand: other choices may apply
-    void changed();     ///< of a value
+    /// Or what the pass does about strokes of the hand, or whether a thread is external: other choices may apply.
+    void kindChanged();
+    void changed(); ///< of a value
 
 private:
     /// One value, and the kinds that it applies to.

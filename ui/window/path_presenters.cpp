@@ -66,6 +66,15 @@ PassRow rowOf(const GeneratedInfo& pass, LengthUnit unit) {
     return row;
 }
 
+/// The holes of a part in which passes of some kinds work, and its studs.
+std::vector<UprightHole> wallsFor(const std::vector<PassKind>& kinds, const Model& part) {
+    if (std::ranges::none_of(kinds, isInHoles)) return {};
+    std::vector<UprightHole> walls = uprightHoles(part);
+    if (std::ranges::find(kinds, PassKind::thread) != kinds.end())
+        for (const UprightHole& stud : uprightStuds(part)) walls.push_back(stud);
+    return walls;
+}
+
 std::vector<PassKind> kindsFor(const Tool& tool) {
     std::vector<PassKind> kinds;
     for (const PassKindRow& row : passKinds)
@@ -255,12 +264,12 @@ std::optional<RequestedPass> PathPresenter::asked(const RequestedPass& last, con
         begun.request = {};
         begun.request.kind = kinds.front();
         begun.request.places = last.request.places;
+        begun.request.external = last.request.external && kinds.front() == PassKind::thread;
     }
-    PassDialog dialog(
-        {toolName(workbench_.tool.current()), workbench_.mill.takes(), begun, defaults, painted,
-         QString::fromStdString(project.parent_path().string()), kinds,
-         std::ranges::any_of(kinds, isInHoles) ? uprightHoles(*milling.partModel) : std::vector<UprightHole>(), unit()},
-        panel_.window());
+    PassDialog dialog({toolName(workbench_.tool.current()), workbench_.mill.takes(), begun, defaults, painted,
+                       QString::fromStdString(project.parent_path().string()), kinds,
+                       wallsFor(kinds, *milling.partModel), unit()},
+                      panel_.window());
     PassPreviewer& previewer = workbench_.passPreview;
     connect(&dialog, &PassDialog::previewRequested, &previewer, &PassPreviewer::show);
     connect(&dialog, &PassDialog::previewUnwanted, &previewer, &PassPreviewer::clear);
@@ -308,7 +317,7 @@ void PathPresenter::present() {
         state.passLeftOut = newest->leftOut;
         state.passInTheWay = newest->inTheWay;
         state.unreachedHoles = newest->unreachedHoles;
-        state.threads = millsThreads(newest->moves.info);
+        state.holeWork = holeWorkOf(newest->moves.info);
     }
     state.passPossible = workbench_.passes.possible();
     state.toolTurns = workbench_.tool.current().cutter.turns();

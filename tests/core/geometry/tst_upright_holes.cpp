@@ -54,7 +54,10 @@ private slots:
         addWall(triangles, {-150.0, 0.0}, 6.0, 64, 0.0, 5.0, true);        // a stud
         addWall(triangles, {-200.0, 0.0}, 6.0, 64, 0.0, 5.0, false, 0.75); // open to one side
         std::ranges::shuffle(triangles, random);
-        const std::vector<UprightHole> found = uprightHoles(triangles);
+        const std::vector<UprightHole> found = uprightHoles(triangles), studs = uprightStuds(triangles);
+        QCOMPARE(studs.size(), std::size_t(1));
+        QVERIFY(studs[0].stud && std::abs(studs[0].radius - 6.0) < 1e-9 && studs[0].centre.x < -149.9);
+        QVERIFY(studs[0].top == 5.0 && studs[0].bottom == 0.0 && studs[0].clearRadius < 6.0);
         QCOMPARE(found.size(), made.size());
         for (std::size_t i = 0; i < found.size(); ++i) {
             QVERIFY(glm::distance(found[i].centre, made[i].centre) < 1e-9);
@@ -62,6 +65,7 @@ private slots:
             QVERIFY(std::abs(found[i].clearRadius - made[i].clearRadius) < 1e-9);
             QCOMPARE(found[i].top, made[i].top);
             QCOMPARE(found[i].bottom, made[i].bottom);
+            QVERIFY(!found[i].stud);
         }
     }
 
