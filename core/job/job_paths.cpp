@@ -252,6 +252,29 @@ Result<PathMatter> matterOf(const Project& project, const StoredPath& path) {
     return PathMatter{path, std::move(*strokes), std::move(*tool), nullptr};
 }
 
+Result<PathMatter> outlinedMatterOf(const Project& project, const StoredPath& path) {
+    const Result<std::vector<SourceInfo>> known = sourcesOf(project);
+    if (!known) return known.error();
+    std::vector<SourceStrokes> sources;
+    for (const PathSource source : path.sources)
+        if (const auto info = std::ranges::find(*known, source, &SourceInfo::source); info != known->end())
+            sources.push_back({*info, {}});
+    if (sources.empty()) return withoutTake();
+    Result<Tool> tool = toolFor(project, sources.front().info.toolId);
+    if (!tool) return std::move(tool).error();
+    return PathMatter{path, std::move(sources), std::move(*tool), nullptr};
+}
+
+bool areEvaluated(const std::vector<PathMatter>& matters) {
+    std::vector<MilledPath> milled;
+    for (const std::size_t place : milledOrder(matters)) {
+        const PathMatter& matter = matters[place];
+        if (!matter.evaluated || !comesAfter(*matter.evaluated, milled)) return false;
+        milled.push_back({matter.evaluated, matter.tool});
+    }
+    return true;
+}
+
 Result<EvaluatedPaths> evaluateInOrder(const MillingContext& milling, std::vector<PathMatter> matters,
                                        Progress& progress) {
     const std::vector<std::size_t> order = milledOrder(matters);

@@ -75,6 +75,10 @@ struct PathMatter {
 };
 /// Errors: projectIncomplete (a path without sources), those of strokesOf and toolFor.
 Result<PathMatter> matterOf(const Project& project, const StoredPath& path);
+/// The same without reading what its sources recorded: enough for a path that is evaluated already (areEvaluated).
+Result<PathMatter> outlinedMatterOf(const Project& project, const StoredPath& path);
+/// Whether evaluateInOrder takes all these paths as they are evaluated, and needs no strokes.
+bool areEvaluated(const std::vector<PathMatter>& matters);
 
 /// The paths of one job in milling order, and the reports of their edits.
 struct EvaluatedPaths {

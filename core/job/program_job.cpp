@@ -10,6 +10,7 @@
 #include "core/nc/dialect_library.h"
 #include "core/nc/work_offset.h"
 #include "core/path/milling_side.h"
+#include "core/verify/kept_check.h"
 
 #include <algorithm>
 #include <cctype>
@@ -331,7 +332,7 @@ Result<EvaluatedPath> evaluateStored(std::vector<SourceStrokes> strokes, const M
         return milling.stock->lend(before, use, lending);
     };
     if (!before.empty()) context.cleared = before.back().evaluated->cleared;
-    for (const SourceStrokes& each : strokes)
+    for (const SourceStrokes& each : help.sources != nullptr ? *help.sources : strokes)
         if (each.info.tickPeriod > 0.0) {
             context.tickPeriod = each.info.tickPeriod;
             break;
@@ -371,6 +372,7 @@ Result<CheckedProgram> makeProgram(const MillingContext& milling, const ProgramP
                                    const ProgramRequest& request, Progress& progress) {
     ProgramRequest wanted = request;
     wanted.tools = paths.tools;
+    if (!wanted.kept) wanted.kept = std::make_shared<KeptCheck>(); // lower feeds change no move
     Result<CheckedProgram> checked = postAndCheck(milling, paths, wanted, progress);
     if (!checked) return checked;
     ProgramPaths slower = paths;
@@ -444,7 +446,7 @@ Result<CheckedProgram> checkProgram(const MillingContext& milling, std::string t
     verification.promised = request.promised.get();
     verification.exactSamples = request.exactSamples;
     verification.import = request.import;
-    Result<VerifyReport> report = verify(verification, progress, &checked.machined);
+    Result<VerifyReport> report = verify(verification, progress, &checked.machined, request.kept.get());
     if (!report) return std::move(report).error();
     checked.lint = lint(text, {&control, &milling.machine});
     checked.text = std::move(text);

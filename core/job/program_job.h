@@ -52,6 +52,9 @@ struct ProgramRequest {
     std::string overrideReason;
     /// The program that milled the workpiece before: the check starts from what it left. Null: from unmilled stock.
     std::shared_ptr<const ParsedProgram> before{};
+    /// What earlier checks on the same milling context found out, so that only what changed is checked again. Null: all
+    /// is. One check at a time.
+    std::shared_ptr<KeptCheck> kept{};
 };
 
 /// A program that was posted, read back from its text and checked.

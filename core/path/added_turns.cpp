@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/added_turns.h"
 
+#include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/geometry/angle.h"
 #include "core/path/back_steps.h"
 #include "core/path/polyline.h"
+#include "core/path/sliding_window.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace burin {
 namespace {
@@ -19,29 +22,14 @@ constexpr double turnSlack = 6.0 * pi / 180.0; // rad
 /// shifted.
 constexpr double marginShare = 0.25;
 constexpr int mostRounds = 12;
+constexpr std::size_t markedTogether = 4096; // points that justify another core
 
-/// Intervals of a stroke, by its course.
-class Intervals {
-public:
-    explicit Intervals(std::span<const double> course) : course_(course) {}
-
-    /// The sum over all points within `half` mm of a point.
-    template <class Sum>
-    Sum within(const std::vector<Sum>& sums, std::size_t point, double half) const {
-        const auto [first, last] = around(point, half);
-        return first == 0 ? sums[last] : sums[last] - sums[first - 1];
-    }
-    /// First and last point within `half` mm of a point.
-    std::pair<std::size_t, std::size_t> around(std::size_t point, double half) const {
-        const auto first = std::lower_bound(course_.begin(), course_.end(), course_[point] - half);
-        const auto last = std::upper_bound(course_.begin(), course_.end(), course_[point] + half);
-        return {static_cast<std::size_t>(first - course_.begin()),
-                static_cast<std::size_t>(last - course_.begin()) - 1};
-    }
-
-private:
-    std::span<const double> course_; // mm
-};
+/// The sum over all points of a window. @param sums up to each point
+template <class Sum>
+Sum sumWithin(const std::vector<Sum>& sums, const SlidingWindow& window) {
+    const Sum all = sums[window.end() - 1];
+    return window.first() == 0 ? all : all - sums[window.first() - 1];
+}
 
 /// Share of the smoothing that is kept at each point.
 class Shares {
@@ -83,60 +71,57 @@ private:
 namespace {
 
 /// Counts single points as well: where two curves meet in a corner nearly as acute as a back-step.
-void countMovesThatStepBack(std::span<const StrokePoint> points, std::vector<std::size_t>& backSteps) {
+void countMovesThatStepBack(std::span<const glm::dvec3> tips, std::vector<std::size_t>& backSteps) {
     constexpr double standing = 1e-6; // mm
     std::vector<std::size_t> apart;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (apart.empty() || glm::distance(points[i].pose.tip, points[apart.back()].pose.tip) > standing)
-            apart.push_back(i);
+    for (std::size_t i = 0; i < tips.size(); ++i)
+        if (apart.empty() || glm::distance(tips[i], tips[apart.back()]) > standing) apart.push_back(i);
     for (std::size_t k = 1; k + 1 < apart.size(); ++k)
-        if (isBackStep(points[apart[k - 1]].pose.tip, points[apart[k]].pose.tip, points[apart[k + 1]].pose.tip))
-            ++backSteps[apart[k]];
+        if (isBackStep(tips[apart[k - 1]], tips[apart[k]], tips[apart[k + 1]])) ++backSteps[apart[k]];
 }
 
 } // namespace
 
-TurnCount::TurnCount(std::span<const StrokePoint> points, double detail, const Progress& progress)
-    : turns(points.size(), 0.0), backSteps(points.size(), 0) {
-    const auto anywhere = [](const glm::dvec3&, const glm::dvec3&) { return true; };
-    const std::vector<std::size_t> kept = simplifyInGroups(points, detail, anywhere, progress);
+TurnCount::TurnCount(std::span<const glm::dvec3> tips, double detail, const Progress& progress)
+    : turns(tips.size(), 0.0), backSteps(tips.size(), 0) {
+    const std::vector<std::size_t> kept = simplifyInGroups(tips, detail, progress);
     for (std::size_t k = 1; k + 1 < kept.size(); ++k) {
-        const glm::dvec3 &from = points[kept[k - 1]].pose.tip, &at = points[kept[k]].pose.tip,
-                         &to = points[kept[k + 1]].pose.tip;
+        const glm::dvec3 &from = tips[kept[k - 1]], &at = tips[kept[k]], &to = tips[kept[k + 1]];
         turns[kept[k]] = angleBetween(at - from, to - at);
         backSteps[kept[k]] = isBackStep(from, at, to) ? 1 : 0;
     }
-    countMovesThatStepBack(points, backSteps);
-    for (std::size_t i = 1; i < points.size(); ++i) {
+    countMovesThatStepBack(tips, backSteps);
+    for (std::size_t i = 1; i < tips.size(); ++i) {
         turns[i] += turns[i - 1];
         backSteps[i] += backSteps[i - 1];
     }
 }
 
-AddedTurns::AddedTurns(std::span<const StrokePoint> recorded, std::span<const double> course, const TurnLimits& limits,
+AddedTurns::AddedTurns(std::span<const glm::dvec3> recorded, std::span<const double> course, const TurnLimits& limits,
                        const Progress& progress)
     : recorded_(recorded), course_(course), limits_(limits), before_(recorded, limits.detail, progress) {}
 
 std::vector<bool> AddedTurns::in(std::span<const glm::dvec3> smoothed, const Progress& progress) const {
-    std::vector<StrokePoint> points(recorded_.begin(), recorded_.end());
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].pose.tip = smoothed[i];
-    const TurnCount after(points, limits_.detail, progress);
-    const Intervals intervals(course_);
+    const TurnCount after(smoothed, limits_.detail, progress);
     const double half = 0.5 * limits_.window, margin = marginShare * limits_.window;
-    std::vector<bool> marked(points.size(), false);
-    for (std::size_t i = 0; i < marked.size(); ++i)
-        marked[i] =
-            intervals.within(after.turns, i, half) > intervals.within(before_.turns, i, half + margin) + turnSlack ||
-            intervals.within(after.backSteps, i, half) > intervals.within(before_.backSteps, i, half + margin);
-    return marked;
+    std::vector<std::uint8_t> marked(smoothed.size(), 0); // bytes, which threads may write beside each other
+    parallelIntervals(std::size_t{0}, marked.size(), markedTogether, [&](std::size_t from, std::size_t end) {
+        SlidingWindow window(course_, half), wider(course_, half + margin);
+        for (std::size_t i = from; i != end; ++i) {
+            window.moveTo(i);
+            wider.moveTo(i);
+            marked[i] = sumWithin(after.turns, window) > sumWithin(before_.turns, wider) + turnSlack ||
+                        sumWithin(after.backSteps, window) > sumWithin(before_.backSteps, wider);
+        }
+    });
+    return {marked.begin(), marked.end()};
 }
 
 void AddedTurns::undo(std::vector<glm::dvec3>& smoothed, const Progress& progress) const {
     const std::vector<glm::dvec3> wanted = smoothed;
     Shares shares(course_, limits_.window);
     for (int round = 0; !progress.cancelled(); ++round) {
-        for (std::size_t i = 0; i < smoothed.size(); ++i)
-            smoothed[i] = glm::mix(recorded_[i].pose.tip, wanted[i], shares[i]);
+        for (std::size_t i = 0; i < smoothed.size(); ++i) smoothed[i] = glm::mix(recorded_[i], wanted[i], shares[i]);
         std::vector<bool> marked = in(smoothed, progress);
         if (round == mostRounds) marked.assign(marked.size(), true); // rather no smoothing than a bad one
         if (!shares.takeFrom(marked, 0.5 * limits_.window)) return;

@@ -16,7 +16,7 @@ struct TurnCount {
     std::vector<std::size_t> backSteps;
 
     /// @param detail mm, tolerance to which the stroke is simplified before its turns are counted
-    TurnCount(std::span<const StrokePoint> points, double detail, const Progress& progress);
+    TurnCount(std::span<const glm::dvec3> tips, double detail, const Progress& progress);
 };
 
 struct TurnLimits {
@@ -29,7 +29,7 @@ struct TurnLimits {
 class AddedTurns {
 public:
     /// Keeps references to both. @param course mm, of each point, non-decreasing
-    AddedTurns(std::span<const StrokePoint> recorded, std::span<const double> course, const TurnLimits& limits,
+    AddedTurns(std::span<const glm::dvec3> recorded, std::span<const double> course, const TurnLimits& limits,
                const Progress& progress);
 
     /// Marks the middle of every interval as long as the window in which the smoothed stroke turns more, or steps back
@@ -40,7 +40,7 @@ public:
     void undo(std::vector<glm::dvec3>& smoothed, const Progress& progress) const;
 
 private:
-    std::span<const StrokePoint> recorded_;
+    std::span<const glm::dvec3> recorded_; // mm
     std::span<const double> course_;
     TurnLimits limits_;
     TurnCount before_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/curve_deviation.h"
 
+#include "core/base/parallel.h"
 #include "core/path/polyline.h"
 
 #include <algorithm>
@@ -32,12 +33,18 @@ double StrokeCurve::distance(const glm::dvec3& tip, std::size_t point, double en
 
 Deviation curveDeviation(std::span<const glm::dvec3> before, std::span<const glm::dvec3> after, double reach) {
     const StrokeCurve from(before, reach), to(after, reach);
-    Deviation farthest;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        farthest.include(to.distance(before[i], i, farthest.distance), after[i]);
-        farthest.include(from.distance(after[i], i, farthest.distance), after[i]);
-    }
-    return farthest;
+    // The first of the farthest points counts, however many threads look for it.
+    constexpr std::size_t together = 4096; // points
+    std::vector<Deviation> farthest((before.size() + together - 1) / together);
+    parallelFor(std::size_t{0}, farthest.size(), [&](std::size_t part) {
+        for (std::size_t i = part * together; i < std::min((part + 1) * together, before.size()); ++i) {
+            farthest[part].include(to.distance(before[i], i, farthest[part].distance), after[i]);
+            farthest[part].include(from.distance(after[i], i, farthest[part].distance), after[i]);
+        }
+    });
+    Deviation all;
+    for (const Deviation& part : farthest) all.include(part);
+    return all;
 }
 
 } // namespace burin

@@ -7,6 +7,7 @@
 #include "core/path/edit_step.h"
 #include "core/path/hand_trail.h"
 #include "core/path/kept_edits.h"
+#include "core/path/polyline.h"
 #include "core/path/stated_feeds.h"
 #include "core/path/stroke.h"
 
@@ -16,6 +17,8 @@
 
 namespace burin {
 namespace {
+
+constexpr double drawnTolerance = 0.01; // mm: less than a picture shows
 
 Result<EditReport> applyOne(const Edit& edit, PathUnderEdit& state, const PathContext& context, Progress& progress) {
     EditReport report;
@@ -60,7 +63,28 @@ Result<EditedState> beforeEdits(std::vector<SourceStrokes> sources, const PathCo
     return state;
 }
 
-EvaluatedPath pathOf(const std::string& name, const EditedState& state, const PathContext& context) {
+/// The same line with fewer points: a hand's motion has one every millisecond, far more than a picture shows. Strokes
+/// with arcs have few.
+std::vector<PathPoint> drawnPointsOf(const PathUnderEdit& path, const Progress& progress) {
+    if (path.linked) return pointsOf(path);
+    PathUnderEdit drawn;
+    for (const PathStroke& stroke : path.strokes) {
+        if (std::ranges::any_of(stroke.points, [](const StrokePoint& point) { return point.arc.has_value(); })) {
+            drawn.strokes.push_back(stroke);
+            continue;
+        }
+        std::vector<glm::dvec3> tips;
+        for (const StrokePoint& point : stroke.points) tips.push_back(point.pose.tip);
+        PathStroke& thin = drawn.strokes.emplace_back();
+        thin.source = stroke.source;
+        for (const std::size_t point : simplifyInGroups(tips, drawnTolerance, progress))
+            thin.points.push_back(stroke.points[point]);
+    }
+    return pointsOf(drawn);
+}
+
+EvaluatedPath pathOf(const std::string& name, const EditedState& state, const PathContext& context,
+                     std::vector<PathPoint> points) {
     EvaluatedPath evaluated;
     evaluated.reports = state.reports;
     evaluated.errorBudget = state.errorBudget;
@@ -69,7 +93,7 @@ EvaluatedPath pathOf(const std::string& name, const EditedState& state, const Pa
     evaluated.path.spindleSpeed = state.path.spindleSpeed;
     evaluated.path.coolant = state.path.coolant;
     evaluated.path.leastFeed = state.path.leastFeed;
-    evaluated.path.points = pointsOf(state.path);
+    evaluated.path.points = std::move(points);
     return evaluated;
 }
 
@@ -97,6 +121,7 @@ Result<EvaluatedPath> evaluate(const std::string& name, std::vector<SourceStroke
                              "no feeds, and links at the safe height without ramps: the tool doesn't turn"};
     if (help.kept != nullptr) help.kept->begin(edits, context);
     const std::size_t begin = help.kept != nullptr ? help.kept->count() : 0;
+    if (begin == 0 && help.sources != nullptr) sources = *help.sources;
     Result<EditedState> state =
         begin > 0 ? Result<EditedState>(help.kept->newest()) : beforeEdits(std::move(sources), context);
     if (!state) return std::move(state).error();
@@ -113,10 +138,10 @@ Result<EvaluatedPath> evaluate(const std::string& name, std::vector<SourceStroke
         if (traitsOf(edits[i].parameters).approximates) state->errorBudget += report->largestDeviation;
         state->reports.push_back(std::move(*report));
         if (i + 1 == edits.size()) break;
+        if (!std::exchange(told, true)) help.first(pathOf(name, *state, context, drawnPointsOf(state->path, progress)));
         if (help.kept != nullptr) help.kept->keep(i + 1, *state);
-        if (!std::exchange(told, true)) help.first(pathOf(name, *state, context));
     }
-    EvaluatedPath evaluated = pathOf(name, *state, context);
+    EvaluatedPath evaluated = pathOf(name, *state, context, pointsOf(state->path));
     if (evaluated.path.points.empty()) return nothingLeft(name, evaluated.reports);
     progress.report(1.0);
     return evaluated;

@@ -83,8 +83,12 @@ struct EvaluationHelp {
     /// before every changed edit, and keeps its own. Null: all edits are applied, none is kept.
     KeptEdits* kept = nullptr;
     /// Called once, on the evaluation's thread, with the path after the first edit that had to be applied anew, without
-    /// those after it: for drawing it early. Not called if no edit follows. May be empty.
+    /// those after it: for drawing it early. Points are left out where those that remain describe the same line to 0.01
+    /// mm. Not called if no edit follows. May be empty.
     std::function<void(EvaluatedPath path)> first{};
+    /// Sources that stay with the caller, in place of those given as argument: copied only if no kept state is before
+    /// the first changed edit. May be null.
+    const std::vector<SourceStrokes>* sources = nullptr;
 };
 
 /// Evaluates a path: sources in order, then each edit in order; edits that are not enabled are skipped. The order has

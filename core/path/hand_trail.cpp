@@ -35,4 +35,10 @@ std::span<const HandMark> HandTrail::of(std::int64_t source) const {
     return found->second;
 }
 
+std::size_t HandTrail::bytes() const noexcept {
+    std::size_t bytes = sizeof(HandTrail);
+    for (const auto& [source, marks] : marks_) bytes += sizeof(marks) + marks.capacity() * sizeof(HandMark);
+    return bytes;
+}
+
 } // namespace burin

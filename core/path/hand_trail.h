@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -30,6 +31,7 @@ public:
 
     /// Marks of a source, ordered by tick; empty if there are none.
     std::span<const HandMark> of(std::int64_t source) const;
+    std::size_t bytes() const noexcept; ///< of memory
 
 private:
     std::map<std::int64_t, std::vector<HandMark>> marks_;

@@ -3,6 +3,8 @@
 #include "core/path/kept_edits.h"
 
 #include "core/machine/machine_library.h"
+#include "core/path/hand_trail.h"
+#include "core/path/stated_feeds.h"
 
 #include <bit>
 #include <cstdint>
@@ -47,11 +49,25 @@ std::string contextText(const PathContext& context) {
     return text.str();
 }
 
+std::size_t bytesOf(const EditReport& report) noexcept {
+    std::size_t bytes = sizeof(EditReport) + report.entries.size() * sizeof(StrokeEntry) +
+                        report.inserted.size() * sizeof(glm::dvec3) + report.omissions.size() * sizeof(Omission);
+    for (const Omission& part : report.omissions) bytes += part.line.size() * sizeof(glm::dvec3);
+    return bytes;
+}
+
+/// Of a state alone, without what it shares with the others.
 std::size_t bytesOf(const EditedState& state) noexcept {
     std::size_t bytes = state.path.points.size() * sizeof(PathPoint);
     for (const PathStroke& stroke : state.path.strokes)
         bytes += sizeof(PathStroke) + stroke.points.size() * sizeof(StrokePoint);
+    for (const EditReport& report : state.reports) bytes += bytesOf(report);
     return bytes;
+}
+
+/// Of the trails of the sources, which all states of a path share.
+std::size_t sharedBytesOf(const EditedState& state) noexcept {
+    return (state.path.hand ? state.path.hand->bytes() : 0) + (state.path.stated ? state.path.stated->bytes() : 0);
 }
 
 } // namespace
@@ -73,14 +89,18 @@ void KeptEdits::begin(const std::vector<Edit>& edits, const PathContext& context
 }
 
 void KeptEdits::keep(std::size_t count, const EditedState& state) {
-    const std::size_t bytes = bytesOf(state);
-    if (states_.contains(count) || bytes > mostBytes) return;
-    while (bytes_ + bytes > mostBytes) {
+    const std::size_t bytes = bytesOf(state), shared = sharedBytesOf(state);
+    if (states_.contains(count) || shared + bytes > mostBytes) return;
+    while (bytes_ + shared + bytes > mostBytes) {
         bytes_ -= bytesOf(states_.begin()->second);
         states_.erase(states_.begin());
     }
     states_.emplace(count, state);
     bytes_ += bytes;
+}
+
+std::size_t KeptEdits::bytes() const noexcept {
+    return states_.empty() ? 0 : bytes_ + sharedBytesOf(newest());
 }
 
 } // namespace burin

@@ -36,6 +36,8 @@ public:
     const EditedState& newest() const { return states_.rbegin()->second; } ///< `count` must not be 0
     /// Keeps the state after the first `count` edits.
     void keep(std::size_t count, const EditedState& state);
+    /// Memory that the states occupy, with their reports, and the trails of the sources that they share.
+    std::size_t bytes() const noexcept;
 
 private:
     std::string context_;

@@ -25,6 +25,8 @@ inline constexpr std::size_t simplifyGroup = 2000;
 /// The same for a stroke of any length, group by group; cancellable.
 std::vector<std::size_t> simplifyInGroups(std::span<const StrokePoint> points, double tolerance,
                                           const ShortcutTest& allowed, const Progress& progress);
+/// The same for tips alone, mm, with any shortcut allowed.
+std::vector<std::size_t> simplifyInGroups(std::span<const glm::dvec3> tips, double tolerance, const Progress& progress);
 
 /// The largest distance of the points that are not in `kept` from the polyline of those that are.
 /// @param kept ascending, with the first and the last index; empty only for no points

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/shape_course.h"
 
+#include "core/base/parallel.h"
 #include "core/path/polyline.h"
+#include "core/path/sliding_window.h"
 
 #include <algorithm>
 #include <cstddef>
 
 namespace burin {
 namespace {
+
+constexpr std::size_t evenedTogether = 4096; // points that justify another core
 
 /// Projections of points of a stroke onto its chord, mm from the first point, each between 0 and the chord's length.
 std::vector<double> alongChord(std::span<const StrokePoint> points) {
@@ -62,12 +66,14 @@ void makeMonotone(std::span<double> values) {
 std::vector<double> evenCourse(std::span<const double> course, double reach) {
     std::vector<double> sums(course.size() + 1, 0.0), even(course.size(), 0.0);
     for (std::size_t i = 0; i < course.size(); ++i) sums[i + 1] = sums[i] + course[i];
-    for (std::size_t i = 0; i < course.size(); ++i) {
-        const auto first = std::lower_bound(course.begin(), course.end(), course[i] - reach) - course.begin();
-        const auto end = std::upper_bound(course.begin(), course.end(), course[i] + reach) - course.begin();
-        const std::size_t around = std::min(i - static_cast<std::size_t>(first), static_cast<std::size_t>(end) - 1 - i);
-        even[i] = (sums[i + around + 1] - sums[i - around]) / static_cast<double>(2 * around + 1);
-    }
+    parallelIntervals(std::size_t{0}, course.size(), evenedTogether, [&](std::size_t from, std::size_t end) {
+        SlidingWindow window(course, reach);
+        for (std::size_t i = from; i != end; ++i) {
+            window.moveTo(i);
+            const std::size_t around = std::min(i - window.first(), window.end() - 1 - i);
+            even[i] = (sums[i + around + 1] - sums[i - around]) / static_cast<double>(2 * around + 1);
+        }
+    });
     makeMonotone(even);
     return even;
 }

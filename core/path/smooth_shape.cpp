@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
+#include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/path/added_turns.h"
 #include "core/path/apply.h"
@@ -50,11 +51,11 @@ public:
     /// The tips, mm, point by point; empty if the stroke is too short to have a shape, or the work was cancelled.
     std::vector<glm::dvec3> smoothed() {
         if (!findCourse()) return {};
-        const AddedTurns added(points_, course_, {wavelength_, bendShare * tolerance_}, progress_);
+        const AddedTurns added(recorded_, course_, {wavelength_, bendShare * tolerance_}, progress_);
         const ShapeCorners shape(points_, course_, {tolerance_, 2.0 * gap_, wavelength_}, progress_);
         std::vector<std::size_t> corners = shape.sharperThan({sharpCorner, sharpCornerLeg * wavelength_});
         fitBetween(corners, {});
-        if (corners.empty()) fitPiece(0, points_.size() - 1, true, true);
+        if (corners.empty()) fitPieces({{0, points_.size() - 1, true, true}});
         for (int round = 0; round < cornerRounds && !progress_.cancelled(); ++round) {
             std::vector<bool> marked = added.in(smoothed_, progress_);
             for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = marked[i] || outside_[i];
@@ -90,31 +91,50 @@ private:
         const std::size_t last = points_.size() - 1;
         const auto isEnd = [&](std::size_t point) { return point == 0 || point == last; };
         const auto stood = [&](std::size_t point) { return isEnd(point) || std::ranges::binary_search(before, point); };
+        std::vector<Piece> pieces;
         for (std::size_t k = 0; k <= corners.size(); ++k) {
             const std::size_t from = k == 0 ? 0 : corners[k - 1], to = k == corners.size() ? last : corners[k];
-            if (!stood(from) || !stood(to)) fitPiece(from, to, isEnd(from), isEnd(to));
+            if (!stood(from) || !stood(to)) pieces.push_back({from, to, isEnd(from), isEnd(to)});
         }
+        fitPieces(pieces);
     }
 
-    /// @param freeStart, freeEnd whether the curve may end elsewhere than the piece does
-    void fitPiece(std::size_t first, std::size_t last, bool freeStart, bool freeEnd) {
-        const std::size_t count = last - first + 1;
+    struct Piece {
+        std::size_t first = 0, last = 0;
+        bool freeStart = true, freeEnd = true; ///< whether the curve may end elsewhere than the piece does
+    };
+    struct Fitted {
+        std::vector<glm::dvec3> tips; ///< mm
+        std::vector<bool> outside;
+    };
+
+    /// Neighbours share a point, so what was found is put in place afterwards.
+    void fitPieces(const std::vector<Piece>& pieces) {
+        std::vector<Fitted> fitted(pieces.size());
+        parallelFor(std::size_t{0}, pieces.size(), [&](std::size_t i) { fitted[i] = fitTo(pieces[i]); });
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            const std::size_t first = pieces[k].first;
+            std::ranges::copy(fitted[k].tips, smoothed_.begin() + static_cast<std::ptrdiff_t>(first));
+            for (std::size_t i = 0; i < fitted[k].outside.size(); ++i) outside_[first + i] = fitted[k].outside[i];
+        }
+    }
+    Fitted fitTo(const Piece& piece) const {
+        const std::size_t first = piece.first, count = piece.last - first + 1;
         const auto points = std::span(points_).subspan(first, count);
         std::vector<glm::dvec3> tips(recorded_.begin() + static_cast<std::ptrdiff_t>(first),
-                                     recorded_.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+                                     recorded_.begin() + static_cast<std::ptrdiff_t>(piece.last) + 1);
         std::vector<double> course(count);
         for (std::size_t i = 0; i < count; ++i) course[i] = course_[first + i] - course_[first];
         ShapeFit fit(points, course, wavelength_, gap_);
-        if (!freeStart) fit.pin(0);
-        if (!freeEnd) fit.pin(count - 1);
+        if (!piece.freeStart) fit.pin(0);
+        if (!piece.freeEnd) fit.pin(count - 1);
         const ShapeTube tube(tips, tolerance_, wavelength_);
-        std::vector<glm::dvec3> drawn = tube.drawIn(fit, progress_);
-        if (!freeStart) drawn.front() = tips.front();
-        if (!freeEnd) drawn.back() = tips.back();
-        const std::vector<bool> outside = tube.outside(drawn);
-        tube.restoreOutside(drawn, progress_);
-        std::ranges::copy(drawn, smoothed_.begin() + static_cast<std::ptrdiff_t>(first));
-        for (std::size_t i = 0; i < count; ++i) outside_[first + i] = outside[i];
+        Fitted fitted{tube.drawIn(fit, progress_), {}};
+        if (!piece.freeStart) fitted.tips.front() = tips.front();
+        if (!piece.freeEnd) fitted.tips.back() = tips.back();
+        fitted.outside = tube.outside(fitted.tips);
+        tube.restoreOutside(fitted.tips, progress_);
+        return fitted;
     }
 
     const std::vector<StrokePoint>& points_;

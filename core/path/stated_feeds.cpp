@@ -29,4 +29,10 @@ std::optional<StatedFeed> StatedFeeds::between(const Moment& from, const Moment&
     return least;
 }
 
+std::size_t StatedFeeds::bytes() const noexcept {
+    std::size_t bytes = sizeof(StatedFeeds);
+    for (const auto& [source, feeds] : stated_) bytes += sizeof(feeds) + feeds.capacity() * sizeof(StatedFeed);
+    return bytes;
+}
+
 } // namespace burin

@@ -4,6 +4,7 @@
 
 #include "core/path/edit_values.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -27,6 +28,7 @@ public:
     explicit StatedFeeds(std::span<const SourceStrokes> sources);
 
     bool empty() const noexcept { return stated_.empty(); }
+    std::size_t bytes() const noexcept; ///< of memory
     bool holds(std::int64_t source) const { return stated_.contains(source); }
     /// The feed for a motion from one moment to another: if an edit merged several motions into one, the least of their
     /// feeds. Empty if none is stated.

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace burin {
 
@@ -17,7 +18,7 @@ constexpr double reachableDepth = 0.01; // mm: allows for the chord of the mesh
 
 /// A point with stock over it that faces a cutter from above: one of the tools may reach it.
 struct Covered {
-    std::size_t sample = 0;
+    std::uint32_t sample = 0;
     glm::dvec3 normal{0.0};
 };
 
@@ -69,7 +70,7 @@ std::vector<Covered> measureStock(const LeftOver& left, const SurfacePlaces& pla
         const bool faces = facesACutter(normal);
         // A bare point that faces a cutter from above needs no proof that a cutter gets there.
         samples[i] = {place, excess, 0.0, faces && excess == 0.0};
-        if (faces && excess > 0.0) covered.push_back({i, normal});
+        if (faces && excess > 0.0) covered.push_back({static_cast<std::uint32_t>(i), normal});
     });
     return covered;
 }
@@ -93,10 +94,32 @@ void markReached(const VerifyRequest& request, const TouchingTool& tool, double 
     std::erase_if(covered, [&](const Covered& place) { return samples[place.sample].reachable; });
 }
 
+/// Judges the points of a batch that have stock over them, unless the same ones were judged before.
+void judgeReach(const VerifyRequest& request, const std::vector<TouchingTool>& tools, double lowest,
+                std::vector<Covered> covered, std::span<DeviationSample> samples, KeptReach::Batch& kept,
+                const Progress& progress) {
+    if (std::ranges::equal(covered, kept.covered, {}, &Covered::sample)) {
+        for (std::size_t i = 0; i < covered.size(); ++i) samples[covered[i].sample].reachable = kept.reached[i] != 0;
+        return;
+    }
+    KeptReach::Batch judged;
+    for (const Covered& point : covered) judged.covered.push_back(point.sample);
+    for (const TouchingTool& tool : tools) markReached(request, tool, lowest, covered, samples, progress);
+    for (const std::uint32_t sample : judged.covered) judged.reached.push_back(samples[sample].reachable ? 1 : 0);
+    kept = std::move(judged);
+}
+
 } // namespace
 
+std::size_t KeptReach::bytes() const noexcept {
+    std::size_t bytes = 0;
+    for (const Batch& batch : batches)
+        bytes += sizeof(Batch) + batch.covered.capacity() * sizeof(std::uint32_t) + batch.reached.capacity();
+    return bytes;
+}
+
 Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,
-                                                   std::span<const Tool> tools, Progress& progress) {
+                                                   std::span<const Tool> tools, KeptReach& kept, Progress& progress) {
     SurfacePlaces places(workpiece.grid().edge());
     for (const Body& body : request.protectedBodies().bodies) places.add(body.mesh);
     std::vector<DeviationSample> samples(places.count());
@@ -104,14 +127,24 @@ Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, c
     const std::vector<TouchingTool> touching(tools.begin(), tools.end());
     const LeftOver left(workpiece);
     const std::size_t length = batchLength(places.count());
-    parallelFor(std::size_t{0}, (places.count() + length - 1) / length, [&](std::size_t batch) {
+    kept.batches.resize((places.count() + length - 1) / length);
+    parallelFor(std::size_t{0}, kept.batches.size(), [&](std::size_t batch) {
         if (progress.cancelled()) return;
         const std::size_t first = batch * length, end = std::min(first + length, places.count());
-        std::vector<Covered> covered = measureStock(left, places, first, end, samples);
-        for (const TouchingTool& tool : touching) markReached(request, tool, lowest, covered, samples, progress);
+        judgeReach(request, touching, lowest, measureStock(left, places, first, end, samples), samples,
+                   kept.batches[batch], progress);
     });
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
+    if (progress.cancelled()) {
+        kept = {}; // what was not judged any more would count as not reached
+        return Error{ErrorCode::cancelled, "verification", {}, {}};
+    }
     return samples;
+}
+
+Result<std::vector<DeviationSample>> measureExcess(const RunVolume& workpiece, const VerifyRequest& request,
+                                                   std::span<const Tool> tools, Progress& progress) {
+    KeptReach nothing;
+    return measureExcess(workpiece, request, tools, nothing, progress);
 }
 
 ExcessSummary summaryOf(std::span<const DeviationSample> samples) noexcept {

@@ -34,7 +34,8 @@ std::size_t exactCount(const VerifyRequest& request) {
 /// Judges the worst samples on the B-rep and moves them to the front of `samples`.
 /// @return their depths, mm
 Result<std::vector<double>> exactDepths(std::vector<GougeSample>& samples, const std::vector<ToolMove>& moves,
-                                        std::span<const Tool> tools, const VerifyRequest& request, Progress& progress) {
+                                        std::span<const Tool> tools, const VerifyRequest& request, KeptDistances& kept,
+                                        Progress& progress) {
     const std::size_t count = std::min(exactCount(request), samples.size());
     if (count == 0) return std::vector<double>();
     std::nth_element(
@@ -47,23 +48,29 @@ Result<std::vector<double>> exactDepths(std::vector<GougeSample>& samples, const
         points.push_back(question.point);
         offsets.push_back(question.offset);
     }
-    Result<std::vector<double>> distances =
-        exactSignedDistances(request.protectedBodies(), points, request.import, progress);
-    if (!distances) return distances;
-    for (std::size_t i = 0; i < count; ++i) (*distances)[i] = offsets[i] - (*distances)[i];
-    return distances;
+    if (points != kept.points) {
+        Result<std::vector<double>> distances =
+            exactSignedDistances(request.protectedBodies(), points, request.import, progress);
+        if (!distances) return distances;
+        kept = {std::move(points), std::move(*distances)};
+    }
+    std::vector<double> depths;
+    for (std::size_t i = 0; i < count; ++i) depths.push_back(offsets[i] - kept.distances[i]);
+    return depths;
 }
 
 } // namespace
 
 Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                                    std::span<const ShrunkOutline> outlines, const VerifyRequest& request,
-                                   Findings& findings, Progress& progress) {
+                                   std::span<const std::uint32_t> numbers, KeptGouges& kept, Findings& findings,
+                                   Progress& progress) {
     const MoveSamples places(moves, request.sampling);
     GougeJudgement judgement;
     judgement.samples = places.count();
     // One more than on the B-rep: the deepest of those judged on the mesh only.
-    NearSamples near = nearSamples(moves, places, tools, outlines, request, exactCount(request) + 1, progress);
+    NearSamples near =
+        nearSamples(moves, places, tools, outlines, request, exactCount(request) + 1, numbers, kept.samples, progress);
     judgement.finishSamples = near.finishSamples;
     judgement.onPart = near.onPart;
     std::vector<GougeSample>& samples = near.worst;
@@ -71,7 +78,7 @@ Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span
     for (const GougeSample& sample : samples)
         judgement.maximumMesh = std::max(judgement.maximumMesh, -sample.clearance.clearance);
 
-    const Result<std::vector<double>> exact = exactDepths(samples, moves, tools, request, progress);
+    const Result<std::vector<double>> exact = exactDepths(samples, moves, tools, request, kept.exact, progress);
     if (!exact) return exact.error();
     judgement.exactSamples = exact->size();
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -82,6 +89,13 @@ Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span
         findings.add(FindingKind::gouge, moves[samples[i].move].line, samples[i].clearance.meshPoint, depth);
     }
     return judgement;
+}
+
+Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                                   std::span<const ShrunkOutline> outlines, const VerifyRequest& request,
+                                   Findings& findings, Progress& progress) {
+    KeptGouges nothing;
+    return judgeGouges(moves, tools, outlines, request, KnownMoves().numbersOf(moves), nothing, findings, progress);
 }
 
 } // namespace burin

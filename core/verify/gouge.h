@@ -3,10 +3,13 @@
 #pragma once
 
 #include "core/verify/findings.h"
+#include "core/verify/gouge_samples.h"
 #include "core/verify/outline.h"
 #include "core/verify/tool_moves.h"
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace burin {
 
@@ -31,12 +34,31 @@ struct GougeJudgement {
 /// A cutter this close to the part counts as touching it, mm.
 inline constexpr double onPartDistance = 0.1;
 
+/// Distances from the B-rep, and the points for which they were asked: the same points in the same order have the same.
+struct KeptDistances {
+    std::vector<glm::dvec3> points; ///< mm, setup frame
+    std::vector<double> distances;  ///< mm
+};
+
+/// What a judgement keeps for the next one with the same part and tools.
+struct KeptGouges {
+    KeptSamples samples;
+    KeptDistances exact;
+};
+
 /// Samples every move, rapids too, at `request.sampling`: all on the mesh, then the worst of them on the B-rep. Samples
 /// that the clearance at an earlier one rules out (the clearance changes by no more than the tool moves) are not
 /// examined: they are farther from the part than `onPartDistance`.
 /// @param tools    indexed by ToolMove::tool
 /// @param outlines by tool: the outline of the part, shrunk by the radius of the tool
+/// @param numbers of the moves (KnownMoves) @param kept of judgements with the same part, tools and outlines; the
+/// result does not depend on it
 /// Errors: those of exactSignedDistances, cancelled.
+Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                                   std::span<const ShrunkOutline> outlines, const VerifyRequest& request,
+                                   std::span<const std::uint32_t> numbers, KeptGouges& kept, Findings& findings,
+                                   Progress& progress);
+/// The same, judged for the first time.
 Result<GougeJudgement> judgeGouges(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                                    std::span<const ShrunkOutline> outlines, const VerifyRequest& request,
                                    Findings& findings, Progress& progress);

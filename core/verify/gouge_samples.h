@@ -5,10 +5,13 @@
 #include "core/geometry/mesh_distance.h"
 #include "core/verify/move_samples.h"
 #include "core/verify/outline.h"
+#include "core/verify/sample_batches.h"
 #include "core/verify/verify.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace burin {
@@ -28,13 +31,28 @@ struct NearSamples {
     std::size_t finishSamples = 0, onPart = 0; ///< as in GougeJudgement
 };
 
+/// A batch of samples, judged.
+struct SampleBatch;
+
+/// The batches of samples of one program, for the next one with the same part, tools and tolerance.
+struct KeptSamples {
+    struct Hash {
+        std::size_t operator()(const BatchKey& key) const noexcept;
+    };
+    std::unordered_map<BatchKey, std::shared_ptr<SampleBatch>, Hash> batches;
+
+    std::size_t bytes() const noexcept;
+};
+
 /// Samples the moves against the part's mesh. The middle of each straight interval of samples is examined first. What
 /// the worst of the middles do not rule out is examined by intervals: if a whole interval certainly stays farther from
 /// the part than they do (ClearanceAsker::keeps), none of its samples matters. The result does not depend on the number
-/// of threads.
+/// of threads, nor on what was kept.
 /// @param worst  how many of the deepest samples are requested
+/// @param numbers of the moves (KnownMoves)
+/// @param kept  of samples with the same part, tools and outlines; gets these in the end
 NearSamples nearSamples(const std::vector<ToolMove>& moves, const MoveSamples& places, std::span<const Tool> tools,
                         std::span<const ShrunkOutline> outlines, const VerifyRequest& request, std::size_t worst,
-                        Progress& progress);
+                        std::span<const std::uint32_t> numbers, KeptSamples& kept, Progress& progress);
 
 } // namespace burin

@@ -25,12 +25,18 @@ public:
     }
 
     std::size_t count() const noexcept { return first_.back(); }
+    /// Number of the first sample of a move; of the move after the last one: `count`.
+    std::size_t firstOf(std::size_t move) const noexcept { return first_[move]; }
+    /// Index of the move with a sample, which must exist.
+    std::size_t moveOf(std::size_t sample) const noexcept {
+        return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), sample) - first_.begin()) - 1;
+    }
 
     /// Calls `visit(index of the move, tip)` for samples `first` … `end` - 1.
     template <class Visit>
     void forEach(std::size_t first, std::size_t end, const Visit& visit) const {
         if (first >= end) return;
-        auto at = static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), first) - first_.begin()) - 1;
+        std::size_t at = moveOf(first);
         for (std::size_t i = first; i < end; ++i) {
             while (i >= first_[at + 1]) ++at;
             const ToolMove& move = moves_[at];

@@ -32,36 +32,61 @@ struct Section {
     double bottom = std::numeric_limits<double>::infinity();
 };
 
-Result<void> judgeAgainst(const MeshDistance& mesh, NearTo to, const std::vector<ToolMove>& moves,
-                          std::span<const Tool> tools, const VerifyRequest& request, NearPasses& passes,
-                          const Progress& progress) {
-    for (const ToolSection which : {ToolSection::shank, ToolSection::holder}) {
-        std::vector<Section> sections;
-        for (const Tool& tool : tools) sections.emplace_back(mesh, tool, which);
-        std::vector<std::optional<PartGuard::Dip>> dips(moves.size());
-        parallelIntervals(std::size_t{0}, moves.size(), 64, [&](std::size_t from, std::size_t end) {
+/// Judges the moves of a program against one mesh after the other.
+class NearJudge {
+public:
+    NearJudge(const std::vector<ToolMove>& moves, std::span<const Tool> tools, const VerifyRequest& request,
+              std::span<const std::uint32_t> numbers, KeptDips& kept)
+        : moves_(moves), tools_(tools), request_(request), numbers_(numbers), kept_(kept) {}
+
+    /// @param mesh null: left out
+    Result<void> judge(const MeshDistance* mesh, NearTo to, NearPasses& passes, const Progress& progress) {
+        for (const ToolSection which : {ToolSection::shank, ToolSection::holder}) {
+            KeptDips::List& known = kept_.of(question_++);
+            if (mesh == nullptr) continue;
+            std::vector<Section> sections;
+            for (const Tool& tool : tools_) sections.emplace_back(*mesh, tool, which);
+            const Dips dips = dipsOf(sections, known, progress);
+            if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
+            for (std::size_t i = 0; i < moves_.size(); ++i) {
+                const ToolMove& move = moves_[i];
+                if (move.endKnown) known.keep(numbers_[i], dips[i]);
+                if (!dips[i] || dips[i]->clearance < -request_.gougeTolerance) continue;
+                const glm::dvec3 tip = glm::mix(move.begin().tip, move.to.tip, dips[i]->part);
+                const ToolClearance nearest = sections[move.tool].guard.clearance(tip, 2.0 * request_.nearDistance);
+                passes.add({which, to, move.line, nearest.meshPoint, std::max(0.0, dips[i]->clearance)});
+            }
+        }
+        return {};
+    }
+
+private:
+    using Dips = std::vector<std::optional<PartGuard::Dip>>;
+
+    Dips dipsOf(const std::vector<Section>& sections, const KeptDips::List& known, const Progress& progress) const {
+        Dips dips(moves_.size());
+        parallelIntervals(std::size_t{0}, moves_.size(), 64, [&](std::size_t from, std::size_t end) {
             for (std::size_t i = from; i != end; ++i) {
-                const ToolMove& move = moves[i];
+                const ToolMove& move = moves_[i];
                 const Section& section = sections[move.tool];
-                if (progress.cancelled() || !move.endKnown) continue;
-                if (std::min(move.begin().tip.z, move.to.tip.z) + section.bottom - request.nearDistance >
+                if (progress.cancelled() || !move.endKnown || known.find(numbers_[i], dips[i])) continue;
+                if (std::min(move.begin().tip.z, move.to.tip.z) + section.bottom - request_.nearDistance >
                     section.guard.top())
                     continue;
                 dips[i] =
-                    section.guard.deepestDip(move.begin().tip, move.to.tip, request.nearDistance, request.sampling);
+                    section.guard.deepestDip(move.begin().tip, move.to.tip, request_.nearDistance, request_.sampling);
             }
         });
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
-        for (std::size_t i = 0; i < moves.size(); ++i) {
-            if (!dips[i] || dips[i]->clearance < -request.gougeTolerance) continue;
-            const ToolMove& move = moves[i];
-            const glm::dvec3 tip = glm::mix(move.begin().tip, move.to.tip, dips[i]->part);
-            const ToolClearance nearest = sections[move.tool].guard.clearance(tip, 2.0 * request.nearDistance);
-            passes.add({which, to, move.line, nearest.meshPoint, std::max(0.0, dips[i]->clearance)});
-        }
+        return dips;
     }
-    return {};
-}
+
+    const std::vector<ToolMove>& moves_;
+    std::span<const Tool> tools_;
+    const VerifyRequest& request_;
+    std::span<const std::uint32_t> numbers_;
+    KeptDips& kept_;
+    std::size_t question_ = 0; ///< number of the next list of `kept_`
+};
 
 } // namespace
 
@@ -105,17 +130,16 @@ std::string idOf(const NearPass& pass) {
 }
 
 Result<void> judgeNearPasses(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
-                             const VerifyRequest& request, NearPasses& passes, const Progress& progress) {
+                             const VerifyRequest& request, std::span<const std::uint32_t> numbers, KeptDips& kept,
+                             NearPasses& passes, const Progress& progress) {
     if (!(request.nearDistance > 0.0)) return {};
-    if (Result<void> judged = judgeAgainst(*request.part, NearTo::part, moves, tools, request, passes, progress);
-        !judged)
-        return judged;
+    NearJudge judge(moves, tools, request, numbers, kept);
+    if (Result<void> judged = judge.judge(request.part, NearTo::part, passes, progress); !judged) return judged;
     for (const ObstacleSolid& obstacle : solidsOf(request.obstacles))
-        if (obstacle.on)
-            if (Result<void> judged =
-                    judgeAgainst(*obstacle.surface, NearTo::obstacle, moves, tools, request, passes, progress);
-                !judged)
-                return judged;
+        if (Result<void> judged =
+                judge.judge(obstacle.on ? obstacle.surface.get() : nullptr, NearTo::obstacle, passes, progress);
+            !judged)
+            return judged;
     return {};
 }
 

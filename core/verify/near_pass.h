@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/verify/kept_dips.h"
 #include "core/verify/tool_moves.h"
 #include "core/verify/verify.h"
 
@@ -26,8 +27,11 @@ private:
 /// Finds where shank or holder pass the part, or an obstacle that is switched on, closer than `request.nearDistance`,
 /// and no deeper in it than the tolerance for gouges; deeper ones are findings. Examined every `request.sampling` of
 /// every move, more closely where a corner may be cut. Near passes of the stock are reported by `replay`.
-/// @param tools indexed by ToolMove::tool. Errors: cancelled.
+/// @param tools indexed by ToolMove::tool @param numbers of the moves (KnownMoves) @param kept of judgements with the
+/// same tools, part, obstacles and distance; the result does not depend on it
+/// Errors: cancelled.
 Result<void> judgeNearPasses(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
-                             const VerifyRequest& request, NearPasses& passes, const Progress& progress);
+                             const VerifyRequest& request, std::span<const std::uint32_t> numbers, KeptDips& kept,
+                             NearPasses& passes, const Progress& progress);
 
 } // namespace burin

@@ -10,22 +10,26 @@
 namespace burin {
 
 Result<void> judgeObstacles(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
-                            const VerifyRequest& request, Findings& findings, const Progress& progress) {
+                            const VerifyRequest& request, std::span<const std::uint32_t> numbers, KeptDips& kept,
+                            Findings& findings, const Progress& progress) {
+    std::size_t question = 0;
     for (const ObstacleSolid& obstacle : solidsOf(request.obstacles)) {
+        KeptDips::List& known = kept.of(question++);
         if (!obstacle.on) continue;
         std::vector<PartGuard> guards;
         for (const Tool& tool : tools) guards.emplace_back(*obstacle.surface, tool);
         std::vector<std::optional<PartGuard::Dip>> dips(moves.size());
         parallelFor(std::size_t{0}, moves.size(), [&](std::size_t i) {
             const ToolMove& move = moves[i];
-            if (progress.cancelled() || !move.endKnown) return;
+            if (progress.cancelled() || !move.endKnown || known.find(numbers[i], dips[i])) return;
             dips[i] =
                 guards[move.tool].deepestDip(move.begin().tip, move.to.tip, -request.gougeTolerance, request.sampling);
         });
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
         for (std::size_t i = 0; i < moves.size(); ++i) {
-            if (!dips[i]) continue;
             const ToolMove& move = moves[i];
+            if (move.endKnown) known.keep(numbers[i], dips[i]);
+            if (!dips[i]) continue;
             const glm::dvec3 tip = glm::mix(move.begin().tip, move.to.tip, dips[i]->part);
             const ToolClearance deepest = guards[move.tool].clearance(tip, 1.0);
             findings.add(FindingKind::obstacleCollision, move.line, deepest.meshPoint, -dips[i]->clearance);

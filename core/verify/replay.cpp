@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/verify/replay.h"
 
+#include "core/base/parallel.h"
 #include "core/base/parallel_progress.h"
 #include "core/cutting/line_frame.h"
+#include "core/verify/kept_rows.h"
 #include "core/verify/row_replay.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -91,6 +94,22 @@ private:
     std::vector<std::uint32_t> moves_;
 };
 
+/// What the moves did in each row of bricks.
+struct ReplayedRows {
+    explicit ReplayedRows(const Turns& rows) : turns(rows), results(rows.rowCount()) {}
+
+    /// Calls `visit(entry, index of its move)` for all entries of a list, row after row.
+    template <class Entry, class Visit>
+    void forEach(std::vector<Entry> RowResult::*list, const Visit& visit) const {
+        for (std::size_t row = 0; row < results.size(); ++row)
+            if (results[row])
+                for (const Entry& entry : *results[row].*list) visit(entry, turns.of(row)[entry.move]);
+    }
+
+    const Turns& turns;
+    std::vector<std::shared_ptr<const RowResult>> results; ///< null: nothing comes near
+};
+
 void judgeRemoval(const ToolMove& move, const Tool& tool, const MoveCut& cut, Findings& findings) {
     if (cut.volume <= harmlessRemoval) return;
     if (move.rapid) findings.add(FindingKind::rapidInStock, move.line, cut.centroid, cut.volume);
@@ -99,34 +118,52 @@ void judgeRemoval(const ToolMove& move, const Tool& tool, const MoveCut& cut, Fi
                      cut.volume);
 }
 
-std::vector<MoveCut> sumsOf(const std::vector<RowResult>& rows, std::size_t moves, const Grid& grid) {
+std::vector<MoveCut> sumsOf(const ReplayedRows& rows, std::size_t moves, const Grid& grid) {
     std::vector<UnitSum> sums(moves);
-    for (const RowResult& row : rows)
-        for (const MoveUnits& cut : row.cuts) sums[cut.move].add(cut.sum);
+    rows.forEach(&RowResult::cuts, [&](const MoveUnits& cut, std::uint32_t move) { sums[move].add(cut.sum); });
     std::vector<MoveCut> cuts(moves);
     for (std::size_t i = 0; i < moves; ++i)
         if (sums[i].units > 0) cuts[i] = {sums[i].volume(grid), sums[i].centroid(grid)};
     return cuts;
 }
 
-/// Merges the steps of all rows, in program order; equal steps in the order of rows, so that sums do not depend on the
-/// threads.
-std::vector<StepCut> stepsOf(std::vector<RowResult>& rows) {
-    std::vector<StepCut> all;
-    for (RowResult& row : rows) {
-        all.insert(all.end(), row.steps.begin(), row.steps.end());
-        row.steps = {};
-    }
-    const auto key = [](const StepCut& cut) { return std::tuple(cut.move, cut.step, cut.material); };
-    std::ranges::stable_sort(all, {}, key);
+/// Merges equal steps of one move, in the order of rows, so that sums do not depend on the threads.
+/// @return how many remain, at the front
+std::size_t mergeSteps(std::span<StepCut> ofMove) {
+    const auto key = [](const StepCut& cut) { return std::pair(cut.step, cut.material); };
+    std::ranges::stable_sort(ofMove, {}, key);
     std::size_t count = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (count > 0 && key(all[count - 1]) == key(all[i]))
-            all[count - 1].add(all[i]);
+    for (std::size_t i = 0; i < ofMove.size(); ++i) {
+        if (count > 0 && key(ofMove[count - 1]) == key(ofMove[i]))
+            ofMove[count - 1].add(ofMove[i]);
         else
-            all[count++] = all[i];
+            ofMove[count++] = ofMove[i];
     }
-    all.resize(count);
+    return count;
+}
+
+/// The steps of all rows, in program order.
+std::vector<StepCut> stepsOf(const ReplayedRows& rows, std::size_t moves) {
+    std::vector<std::size_t> first(moves + 1);
+    rows.forEach(&RowResult::steps, [&](const StepCut&, std::uint32_t move) { ++first[move + 1]; });
+    for (std::size_t i = 0; i < moves; ++i) first[i + 1] += first[i];
+    std::vector<StepCut> all(first.back());
+    std::vector<std::size_t> next(first.begin(), first.end() - 1);
+    rows.forEach(&RowResult::steps, [&](const StepCut& cut, std::uint32_t move) {
+        StepCut& placed = all[next[move]++] = cut;
+        placed.move = move;
+    });
+    std::vector<std::size_t> remaining(moves);
+    parallelIntervals(std::size_t{0}, moves, 256, [&](std::size_t from, std::size_t end) {
+        for (std::size_t i = from; i != end; ++i)
+            remaining[i] = mergeSteps(std::span(all).subspan(first[i], first[i + 1] - first[i]));
+    });
+    auto out = all.begin();
+    for (std::size_t i = 0; i < moves; ++i) {
+        const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first[i]);
+        out = std::move(begin, begin + static_cast<std::ptrdiff_t>(remaining[i]), out);
+    }
+    all.erase(out, all.end());
     return all;
 }
 
@@ -136,15 +173,14 @@ struct Contact {
     UnitSum sum;
 };
 
-void judgeContacts(const std::vector<RowResult>& rows, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+void judgeContacts(const ReplayedRows& rows, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                    const Grid& grid, Findings& findings) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, Contact> contacts;
-    for (const RowResult& row : rows)
-        for (const StepContact& step : row.contacts) {
-            Contact& contact = contacts[{step.move, step.step}];
-            contact.byPiece[step.piece] += step.sum.units;
-            contact.sum.add(step.sum);
-        }
+    rows.forEach(&RowResult::contacts, [&](const StepContact& step, std::uint32_t move) {
+        Contact& contact = contacts[{move, step.step}];
+        contact.byPiece[step.piece] += step.sum.units;
+        contact.sum.add(step.sum);
+    });
     for (const auto& [place, contact] : contacts) {
         const ToolMove& move = moves[place.first];
         const auto most = std::max_element(contact.byPiece.begin(), contact.byPiece.end(),
@@ -157,17 +193,110 @@ void judgeContacts(const std::vector<RowResult>& rows, const std::vector<ToolMov
 
 /// Reports for each move the nearest pass over all rows, unless the section touches something: its line then has a
 /// finding.
-void tellPasses(const std::vector<RowResult>& rows, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+void tellPasses(const ReplayedRows& rows, const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                 const Grid& grid, NearPasses& passes) {
     std::set<std::pair<std::uint32_t, ToolSection>> touching;
-    for (const RowResult& row : rows)
-        for (const StepContact& contact : row.contacts)
-            touching.insert({contact.move, sectionOf(tools[moves[contact.move].tool].cutter, contact.piece)});
-    for (const RowResult& row : rows)
-        for (const StockPass& pass : row.passes)
-            if (!touching.contains({pass.move, pass.section}))
-                passes.add(
-                    {pass.section, NearTo::stock, moves[pass.move].line, pass.sum.centroid(grid), pass.distance});
+    rows.forEach(&RowResult::contacts, [&](const StepContact& contact, std::uint32_t move) {
+        touching.insert({move, sectionOf(tools[moves[move].tool].cutter, contact.piece)});
+    });
+    rows.forEach(&RowResult::passes, [&](const StockPass& pass, std::uint32_t move) {
+        if (!touching.contains({move, pass.section}))
+            passes.add({pass.section, NearTo::stock, moves[move].line, pass.sum.centroid(grid), pass.distance});
+    });
+}
+
+/// A replay, before and after its rows are cut.
+class Replay {
+public:
+    Replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools, const RunVolume& fresh, NearWatch near,
+           std::vector<StepCut>* steps, const ExactStock* exact)
+        : moves_(moves)
+        , tools_(tools)
+        , grid_(fresh.grid())
+        , near_(near)
+        , steps_(steps)
+        , exact_(exact)
+        , prepared_(prepare(tools, grid_, near.passes != nullptr ? near.distance : 0.0))
+        , turns_(moves, prepared_, fresh)
+        , rows_(turns_) {}
+    Replay(const Replay&) = delete;
+    Replay& operator=(const Replay&) = delete;
+
+    const Turns& turns() const noexcept { return turns_; }
+    ReplayedRows& rows() noexcept { return rows_; }
+
+    /// Makes the moves of a row. Any thread, one for each row.
+    void run(std::size_t row, RowStock& stock, const Progress& progress) {
+        rows_.results[row] = std::make_shared<const RowResult>(
+            RowReplay(stock, grid_, moves_, prepared_, steps_ != nullptr, exact_ != nullptr)
+                .run(turns_.of(row), progress));
+    }
+
+    std::vector<MoveCut> conclude(Findings& findings, const Progress& progress) {
+        std::vector<MoveCut> cuts = sumsOf(rows_, moves_.size(), grid_);
+        for (std::size_t i = 0; i < moves_.size(); ++i)
+            judgeRemoval(moves_[i], tools_[moves_[i].tool], cuts[i], findings);
+        if (exact_ != nullptr) {
+            std::vector<GrazedLine> grazed;
+            rows_.forEach(&RowResult::grazed, [&](const GrazedLine& line, std::uint32_t move) {
+                grazed.push_back({move, line.line});
+            });
+            judgeGrazes(grazed, moves_, tools_, grid_, *exact_, findings, progress);
+        }
+        judgeContacts(rows_, moves_, tools_, grid_, findings);
+        if (steps_ != nullptr) *steps_ = stepsOf(rows_, moves_.size());
+        if (near_.passes != nullptr) tellPasses(rows_, moves_, tools_, grid_, *near_.passes);
+        return cuts;
+    }
+
+private:
+    static std::vector<ReplayTool> prepare(std::span<const Tool> tools, const Grid& grid, double near) {
+        std::vector<ReplayTool> prepared;
+        for (const Tool& tool : tools) prepared.emplace_back(tool.cutter, grid, near);
+        return prepared;
+    }
+
+    const std::vector<ToolMove>& moves_;
+    std::span<const Tool> tools_;
+    const Grid& grid_;
+    NearWatch near_;
+    std::vector<StepCut>* steps_;
+    const ExactStock* exact_;
+    std::vector<ReplayTool> prepared_;
+    Turns turns_;
+    ReplayedRows rows_;
+};
+
+/// Copies a brick as it is.
+template <class Source>
+void copyBrick(const Source& source, LineIndex corner, BrickLines& lines) {
+    const Grid& grid = source.grid();
+    lines.clear();
+    if (grid.contains(LineIndex{corner.u + brickSide - 1, corner.v + brickSide - 1})) {
+        const std::span<const Segment> all = source.brick(corner);
+        lines.writeAll(all.size(), [&](Segment* segments, std::uint32_t* offsets) {
+            std::ranges::copy(all, segments);
+            *offsets = 0;
+            for (std::size_t i = 0; i < all.size(); ++i)
+                if (all[i].end() == grid.lineEnd()) *++offsets = static_cast<std::uint32_t>(i + 1);
+        });
+        return;
+    }
+    for (std::int32_t v = corner.v; v < corner.v + brickSide; ++v)
+        for (std::int32_t u = corner.u; u < corner.u + brickSide; ++u) {
+            if (grid.contains(LineIndex{u, v})) lines.append(source.line({u, v}));
+            lines.endLine();
+        }
+}
+
+/// Hands over a row of bricks as it is.
+template <class Source>
+void copyRow(const Source& source, std::int32_t row, BrickSink& sink) {
+    BrickLines lines(source.grid().lineEnd());
+    for (LineIndex corner{0, row * brickSide}; corner.u < source.grid().lineCountU(); corner.u += brickSide) {
+        copyBrick(source, corner, lines);
+        sink.put(corner, lines);
+    }
 }
 
 } // namespace
@@ -175,20 +304,14 @@ void tellPasses(const std::vector<RowResult>& rows, const std::vector<ToolMove>&
 Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
                                     RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near,
                                     std::vector<StepCut>* steps, const ExactStock* exact) {
-    const Grid& grid = workpiece.grid();
-    std::vector<ReplayTool> replayTools;
-    for (const Tool& tool : tools)
-        replayTools.emplace_back(tool.cutter, grid, near.passes != nullptr ? near.distance : 0.0);
-    const Turns turns(moves, replayTools, workpiece);
-    std::vector<RowResult> rows(turns.rowCount());
-    ParallelProgress shared(progress, rows.size());
+    Replay replay(moves, tools, workpiece, near, steps, exact);
+    ParallelProgress shared(progress, replay.turns().rowCount());
     const bool written = workpiece.rewriteBricks([&](std::int32_t row, BrickSink& sink) {
         const auto place = static_cast<std::size_t>(row);
-        if (turns.of(place).empty() || progress.cancelled()) return;
+        if (replay.turns().of(place).empty() || progress.cancelled()) return;
         RowStock stock(workpiece, row);
-        rows[place] = RowReplay(stock, grid, moves, replayTools, steps != nullptr, exact != nullptr)
-                          .run(turns.of(place), progress);
-        BrickLines lines(grid.lineEnd());
+        replay.run(place, stock, progress);
+        BrickLines lines(workpiece.grid().lineEnd());
         for (std::int32_t brick = 0; brick < stock.brickCount(); ++brick) {
             if (!stock.isCut(brick)) continue;
             stock.brick(brick, lines);
@@ -198,17 +321,47 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
     });
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
     if (!written) return Error{ErrorCode::volumeOutOfMemory, std::to_string(workpiece.reservedBytes()), {}, {}};
-    std::vector<MoveCut> cuts = sumsOf(rows, moves.size(), grid);
-    for (std::size_t i = 0; i < moves.size(); ++i) judgeRemoval(moves[i], tools[moves[i].tool], cuts[i], findings);
-    if (exact != nullptr) {
-        std::vector<GrazedLine> grazed;
-        for (const RowResult& row : rows) grazed.insert(grazed.end(), row.grazed.begin(), row.grazed.end());
-        judgeGrazes(grazed, moves, tools, grid, *exact, findings, progress);
+    return replay.conclude(findings, progress);
+}
+
+Result<MachinedWorkpiece> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                                 const RunVolume& fresh, KeptRows& kept, std::span<const std::uint32_t> numbers,
+                                 Findings& findings, Progress& progress, NearWatch near, std::vector<StepCut>* steps,
+                                 const ExactStock* exact) {
+    Replay replay(moves, tools, fresh, near, steps, exact);
+    std::vector<KeptRows::Row> rows(replay.turns().rowCount());
+    ParallelProgress shared(progress, rows.size());
+    const auto describe = [&](std::int32_t row, BrickSink& sink) {
+        const auto place = static_cast<std::size_t>(row);
+        if (progress.cancelled()) return;
+        std::vector<std::uint32_t>& coming = rows[place].moves;
+        coming.clear(); // called again if the memory did not suffice
+        for (const std::uint32_t move : replay.turns().of(place)) coming.push_back(numbers[move]);
+        if (coming.empty()) return copyRow(fresh, row, sink);
+        if (auto known = kept.find(place, coming)) {
+            replay.rows().results[place] = std::move(known);
+            return copyRow(kept.machined(), row, sink);
+        }
+        RowStock stock(fresh, row);
+        replay.run(place, stock, progress);
+        BrickLines lines(fresh.grid().lineEnd());
+        for (std::int32_t brick = 0; brick < stock.brickCount(); ++brick) {
+            const LineIndex corner{brick * brickSide, stock.firstV()};
+            stock.isCut(brick) ? stock.brick(brick, lines) : copyBrick(fresh, corner, lines);
+            sink.put(corner, lines);
+        }
+        shared.add();
+    };
+    for (std::size_t reserve = fresh.reservedBytes();; reserve *= 2) {
+        Result<RunVolume> machined = RunVolume::make(fresh.grid(), fresh.properties(), reserve);
+        if (!machined) return std::move(machined).error();
+        const bool written = machined->rewriteBricks(describe);
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
+        if (!written) continue;
+        for (std::size_t i = 0; i < rows.size(); ++i) rows[i].result = replay.rows().results[i];
+        kept.keep(std::move(rows), machined->snapshot());
+        return MachinedWorkpiece{replay.conclude(findings, progress), std::move(*machined)};
     }
-    judgeContacts(rows, moves, tools, grid, findings);
-    if (steps != nullptr) *steps = stepsOf(rows);
-    if (near.passes != nullptr) tellPasses(rows, moves, tools, grid, *near.passes);
-    return cuts;
 }
 
 } // namespace burin

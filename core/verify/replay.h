@@ -38,4 +38,23 @@ Result<std::vector<MoveCut>> replay(const std::vector<ToolMove>& moves, std::spa
                                     RunVolume& workpiece, Findings& findings, Progress& progress, NearWatch near = {},
                                     std::vector<StepCut>* steps = nullptr, const ExactStock* exact = nullptr);
 
+class KeptRows;
+
+/// What a replay removed and left.
+struct MachinedWorkpiece {
+    std::vector<MoveCut> cuts; ///< by move
+    RunVolume workpiece;
+};
+
+/// The same from a fresh workpiece that stays as it is. Rows of bricks that the same moves come near as in the last
+/// replay are not cut again: the result is that of a replay of all rows, bit for bit.
+/// @param numbers of the moves (KnownMoves)
+/// @param kept  of replays from the same fresh workpiece with the same tools and distance, steps and grazes requested
+///        as now; gets what this one did in the end
+/// Errors: outOfMemory, volumeOutOfMemory, cancelled.
+Result<MachinedWorkpiece> replay(const std::vector<ToolMove>& moves, std::span<const Tool> tools,
+                                 const RunVolume& fresh, KeptRows& kept, std::span<const std::uint32_t> numbers,
+                                 Findings& findings, Progress& progress, NearWatch near = {},
+                                 std::vector<StepCut>* steps = nullptr, const ExactStock* exact = nullptr);
+
 } // namespace burin

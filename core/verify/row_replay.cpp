@@ -70,13 +70,12 @@ RowResult RowReplay::run(std::span<const std::uint32_t> turns, const Progress& p
             if (progress.cancelled()) break;
             reach_ = stock_.reach();
         }
-        make(turns[i]);
+        make(moves_[turns[i]], static_cast<std::uint32_t>(i));
     }
     return std::move(result_);
 }
 
-void RowReplay::make(std::uint32_t number) {
-    const ToolMove& move = moves_[number];
+void RowReplay::make(const ToolMove& move, std::uint32_t number) {
     const ReplayTool& tool = tools_[move.tool];
     const glm::dvec3 from = inLineFrame(grid_, move.begin().tip), to = inLineFrame(grid_, move.to.tip);
     UnitSum removed;

@@ -41,6 +41,9 @@ struct ReplayTool {
     bool hasSolidShank() const noexcept { return solid && solid->hasShank(); }
 };
 
+// Results in one row of bricks name a move by its place among the moves that come near the row (`turns`): where these
+// are the same in two programs, so are the results.
+
 /// What a move removed in one row of bricks.
 struct MoveUnits {
     std::uint32_t move = 0;
@@ -92,6 +95,7 @@ public:
         , grazes_(grazes) {}
 
     /// @param turns indices of moves, ascending
+    /// @return `move` in the results: index in `turns`
     RowResult run(std::span<const std::uint32_t> turns, const Progress& progress);
 
 private:
@@ -99,7 +103,7 @@ private:
         SweptPiece swept;
         bool throughTop; ///< its spans reach above the grid on the whole move
     };
-    void make(std::uint32_t number);
+    void make(const ToolMove& move, std::uint32_t number);
     void cutUpright(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
     void cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);
     void cutSolid(const SolidColumns& solid, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed);

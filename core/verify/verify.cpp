@@ -6,6 +6,7 @@
 #include "core/geometry/revolved_piece.h"
 #include "core/tool/hollow_tip.h"
 #include "core/verify/causes.h"
+#include "core/verify/check_memory.h"
 #include "core/verify/corner_cutting.h"
 #include "core/verify/deviation_map.h"
 #include "core/verify/excess.h"
@@ -173,39 +174,99 @@ Result<void> addTouchedVoxels(const VerifyRequest& request, const std::vector<To
     return {};
 }
 
-} // namespace
+/// What a check and its steps share.
+struct CheckGround {
+    const VerifyRequest& request;
+    EmbeddedSetup& embedded; ///< fresh
+    const std::vector<ToolMove>& moves;
+    const std::vector<Tool>& tools;
+    const std::vector<std::uint32_t>& numbers; ///< of the moves (KnownMoves)
+    CheckMemory& memory;
+};
 
-Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined) {
-    const Result<ProgramTools> tools = toolsOf(request);
-    if (!tools) return tools.error();
-    progress.stage(0.0, 0.05);
-    Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
-    if (!embedded) return std::move(embedded).error();
-    RunVolume& workpiece = embedded->workpiece;
-    const Result<EarlierMoves> earlier = millBefore(request, workpiece, progress);
-    if (!earlier) return earlier.error();
-
-    std::vector<ToolMove> moves =
-        toolMoves(*request.program, request.setup.workOffset, request.machine, tools->ofMotion);
-    std::erase_if(moves, [&](const ToolMove& move) { return move.motion >= tools->known; });
-    const std::vector<ShrunkOutline> outlines = outlinesFor(tools->tools, workpiece);
-    Findings findings;
-    VerifyReport report;
+/// What no move does to the stock: bodies, limits, corners and paths.
+Result<PathComparison> judgeMoves(const CheckGround& ground, Findings& findings, NearPasses& passes,
+                                  Progress& progress) {
+    const auto& [request, embedded, moves, tools, numbers, memory] = ground;
     judgeSettings(request, findings);
     if (Result<void> judged =
             judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, request.travel, findings);
         !judged)
         return std::move(judged).error();
-    if (Result<void> judged = judgeObstacles(moves, tools->tools, request, findings, progress); !judged)
+    if (Result<void> judged = judgeObstacles(moves, tools, request, numbers, memory.obstacles, findings, progress);
+        !judged)
         return std::move(judged).error();
-    if (Result<void> judged = judgeCorners(moves, tools->tools, request, findings, progress); !judged)
+    if (Result<void> judged = judgeCorners(moves, tools, request, findings, progress); !judged)
         return std::move(judged).error();
-    const Result<PathComparison> comparison = comparePaths(moves, tools->tools, request, findings, progress);
-    if (!comparison) return comparison.error();
-    judgeProtection(*embedded, findings);
+    Result<PathComparison> comparison = comparePaths(moves, tools, request, findings, progress);
+    if (!comparison) return comparison;
+    judgeProtection(embedded, findings);
+    if (Result<void> judged = judgeNearPasses(moves, tools, request, numbers, memory.passes, passes, progress); !judged)
+        return std::move(judged).error();
+    return comparison;
+}
+
+/// Cuts the moves: out of a volume of its own if the fresh workpiece is kept, otherwise out of that.
+struct CutStock {
+    std::optional<RunVolume> own;
+    std::vector<MoveCut> cuts;
+    std::vector<StepCut> steps;
+
+    Result<void> make(const CheckGround& ground, const ExactStock& exact, bool keepsFresh, Findings& findings,
+                      NearPasses& passes, Progress& progress) {
+        const NearWatch near{ground.request.nearDistance, &passes};
+        RunVolume& fresh = ground.embedded.workpiece;
+        if (!keepsFresh) {
+            Result<std::vector<MoveCut>> made =
+                replay(ground.moves, ground.tools, fresh, findings, progress, near, &steps, &exact);
+            if (!made) return std::move(made).error();
+            cuts = std::move(*made);
+            return {};
+        }
+        Result<MachinedWorkpiece> made = replay(ground.moves, ground.tools, fresh, ground.memory.rows, ground.numbers,
+                                                findings, progress, near, &steps, &exact);
+        if (!made) return std::move(made).error();
+        cuts = std::move(made->cuts);
+        own.emplace(std::move(made->workpiece));
+        return {};
+    }
+};
+
+/// Embeds the workpiece, unless a fresh one is kept. A large one is taken out of the memory: it will be cut.
+Result<std::optional<EmbeddedSetup>> prepare(const VerifyRequest& request, const std::vector<Tool>& tools, bool mayKeep,
+                                             CheckMemory& memory, Progress& progress) {
+    if (!memory.embedded) {
+        Result<EmbeddedSetup> embedded = embed(*request.model, request.setup, request.materials, progress);
+        if (!embedded) return std::move(embedded).error();
+        memory.embedded.emplace(std::move(*embedded));
+    }
+    if (memory.outlines.empty()) memory.outlines = outlinesFor(tools, memory.embedded->workpiece);
+    const bool keeps = mayKeep && memory.embedded->workpiece.reservedBytes() <= KeptCheck::mostBytes / 2;
+    return keeps ? std::optional<EmbeddedSetup>() : std::exchange(memory.embedded, std::nullopt);
+}
+
+Result<VerifyReport> check(const VerifyRequest& request, const ProgramTools& tools, CheckMemory& memory, bool mayKeep,
+                           Progress& progress, VolumeSnapshot* machined) {
+    progress.stage(0.0, 0.05);
+    Result<std::optional<EmbeddedSetup>> own = prepare(request, tools.tools, mayKeep, memory, progress);
+    if (!own) return std::move(own).error();
+    const bool keepsFresh = !own->has_value();
+    EmbeddedSetup& embedded = keepsFresh ? *memory.embedded : **own;
+    RunVolume& fresh = embedded.workpiece;
+    const Result<EarlierMoves> earlier = millBefore(request, fresh, progress);
+    if (!earlier) return earlier.error();
+
+    std::vector<ToolMove> moves =
+        toolMoves(*request.program, request.setup.workOffset, request.machine, tools.ofMotion);
+    std::erase_if(moves, [&](const ToolMove& move) { return move.motion >= tools.known; });
+    const std::vector<std::uint32_t> numbers = memory.moves.numbersOf(moves);
+    memory.movesOfProgram = moves.size();
+    const CheckGround ground{request, embedded, moves, tools.tools, numbers, memory};
+    Findings findings;
     NearPasses passes;
-    if (Result<void> judged = judgeNearPasses(moves, tools->tools, request, passes, progress); !judged)
-        return std::move(judged).error();
+    VerifyReport report;
+    const Result<PathComparison> comparison = judgeMoves(ground, findings, passes, progress);
+    if (!comparison) return comparison.error();
     const MachiningTime time = machiningTime(*request.program, request.machine);
     report.machiningSeconds = time.seconds;
     report.secondsWithoutAcceleration = time.withoutAcceleration;
@@ -213,18 +274,19 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     report.pathModes = statedPathModes(*request.program);
 
     progress.stage(0.05, 0.4);
-    std::vector<StepCut> steps;
     const ExactStock exact{request.setup.stock, earlier->moves, earlier->tools};
     // The exact width of a stock is only known for a box.
     const std::optional<SideLines> sides = request.setup.form == StockForm::box
-                                               ? std::optional<SideLines>(std::in_place, workpiece, request.setup.stock)
+                                               ? std::optional<SideLines>(std::in_place, fresh, request.setup.stock)
                                                : std::nullopt;
-    const Result<std::vector<MoveCut>> cuts =
-        replay(moves, tools->tools, workpiece, findings, progress, {request.nearDistance, &passes}, &steps, &exact);
-    if (!cuts) return cuts.error();
-    for (const MoveCut& cut : *cuts) report.removed += cut.volume;
+    CutStock stock;
+    if (Result<void> cut = stock.make(ground, exact, keepsFresh, findings, passes, progress); !cut)
+        return std::move(cut).error();
+    RunVolume& workpiece = stock.own ? *stock.own : fresh;
+    for (const MoveCut& cut : stock.cuts) report.removed += cut.volume;
     if (sides) report.removed += sides->removedBeside(workpiece);
-    const ReplayedProgram replayed{request.program, &moves, &*cuts, &steps, tools->tools, &time, request.setup.voxel};
+    const ReplayedProgram replayed{request.program, &moves, &stock.cuts,        &stock.steps,
+                                   tools.tools,     &time,  request.setup.voxel};
     judgeLoads(replayed, request, workpiece.properties(), findings, report);
     judgePlunges(replayed, findings);
     report.times = time.motions;
@@ -232,12 +294,14 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     report.untimedMoves = time.untimedMoves;
 
     progress.stage(0.4, 0.9);
-    const Result<GougeJudgement> gouges = judgeGouges(moves, tools->tools, outlines, request, findings, progress);
+    const Result<GougeJudgement> gouges =
+        judgeGouges(moves, tools.tools, memory.outlines, request, numbers, memory.gouges, findings, progress);
     if (!gouges) return gouges.error();
     take(*gouges, report);
 
     progress.stage(0.9, 1.0);
-    Result<std::vector<DeviationSample>> deviations = measureExcess(workpiece, request, tools->tools, progress);
+    Result<std::vector<DeviationSample>> deviations =
+        measureExcess(workpiece, request, tools.tools, memory.reach, progress);
     if (!deviations) return std::move(deviations).error();
     report.deviations = std::move(*deviations);
     markGouges(gouges->places, request.setup.voxel, report.deviations);
@@ -246,9 +310,25 @@ Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, Vo
     report.findings = byCause(findings.inProgramOrder(), *request.program, *comparison);
     report.nearPasses = passes.byPlace();
     if (machined != nullptr) *machined = workpiece.snapshot();
-    if (Result<void> found = addTouchedVoxels(request, moves, tools->tools, findings, report, progress); !found)
+    if (Result<void> found = addTouchedVoxels(request, moves, tools.tools, findings, report, progress); !found)
         return std::move(found).error();
     progress.report(1.0);
+    return report;
+}
+
+} // namespace
+
+Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined,
+                            KeptCheck* kept) {
+    const Result<ProgramTools> tools = toolsOf(request);
+    if (!tools) return tools.error();
+    if (kept == nullptr || request.before != nullptr) {
+        CheckMemory nothing;
+        return check(request, *tools, nothing, false, progress, machined);
+    }
+    CheckMemory& memory = kept->begin(basisText(request, tools->tools));
+    Result<VerifyReport> report = check(request, *tools, memory, true, progress, machined);
+    kept->end();
     return report;
 }
 

@@ -179,13 +179,19 @@ struct VerifyReport {
     bool passed() const noexcept { return findings.empty(); }
 };
 
+class KeptCheck;
+
 /// Re-simulates a program on a fresh workpiece, or on what an earlier program left, and judges it: flutes, shank and
 /// holder against stock and part, rapids, limits, and gouges on the fine mesh and, at the worst samples, on exact
 /// geometry. core/verify/README.md states the rules. Nothing is judged after the first move of a tool that the request
 /// does not have.
 /// @param machined  if not null, receives the workpiece as the program leaves it
+/// @param kept  if not null, spares what was examined in an earlier check, and gets what this one finds; the report
+/// does
+///        not depend on it. Not used after another program (`before`).
 /// Errors: those of embed and exactSignedDistances, nameUnknown (a tool of `before`), notSupported (several tools, but
 /// one for all in the request), cancelled.
-Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined = nullptr);
+Result<VerifyReport> verify(const VerifyRequest& request, Progress& progress, VolumeSnapshot* machined = nullptr,
+                            KeptCheck* kept = nullptr);
 
 } // namespace burin

@@ -285,8 +285,8 @@ void JobEvaluation::evaluate(Entry& entry, const Basis& basis) {
         TaskKind::path, tr("Editing the path"),
         [recorded = entry.recorded, workpiece = workpiece_.milling(), path = entry.path, before = milledBefore(entry),
          kept = keptOf(entry, basis.before), first](Progress& progress) {
-            return evaluateStored(recorded->strokes, *workpiece, recorded->tool, path, before, progress,
-                                  {kept.get(), first});
+            return evaluateStored({}, *workpiece, recorded->tool, path, before, progress,
+                                  {kept.get(), first, &recorded->strokes});
         },
         [this, asked = *running_, tool = entry.recorded->tool](Result<EvaluatedPath> outcome) {
             takeEvaluated(asked, tool, std::move(outcome));

@@ -5,6 +5,7 @@
 #include "core/base/file.h"
 #include "core/document/companions.h"
 #include "core/nc/dialect_library.h"
+#include "core/verify/kept_check.h"
 #include "core/verify/report_json.h"
 #include "ui/workbench/value_command.h"
 
@@ -78,6 +79,7 @@ void ProgramController::load(const std::vector<StoredProgram>& programs, const s
     draftDue_.stop();
     desk_.tasks.abandon(TaskKind::program);
     interrupted_ = nullptr;
+    kept_.reset();
     program_.reset();
     reopened_.reset();
     judgeSoon_.stop();
@@ -151,8 +153,18 @@ ProgramController::Basis ProgramController::basis() const {
     return {path_.version(), target_.dialect(), target_.target().units, gougeTolerance_, excessTolerance_, leftOut_};
 }
 
+/// What checks found out on the present workpiece, for the next one.
+std::shared_ptr<KeptCheck> ProgramController::kept() {
+    if (!kept_ || keptOn_.lock() != workpiece_.milling()) {
+        kept_ = std::make_shared<KeptCheck>();
+        keptOn_ = workpiece_.milling();
+    }
+    return kept_;
+}
+
 /// The workpiece is about to change: work on the present one is abandoned, and requested again after the change.
 void ProgramController::stop() {
+    kept_.reset();
     if (!busy()) return;
     reading_ = false;
     ++generation_;
@@ -209,23 +221,49 @@ void ProgramController::post(const QString& name) {
     asked_ = [this, name] { post(name); };
     emit textRequested();
     const ProgramRequest wanted = request(name);
-    read(postedPaths(), [this, wanted, asked = Asked{stored(wanted), basis(), 0, textVersion_, false}](
-                            Matters matters, std::uint64_t judged) mutable {
-        asked.judged = judged;
-        postPaths(std::move(matters), wanted, asked);
+    const Asked asked{stored(wanted), basis(), 0, textVersion_, false};
+    readWhatIsNeeded(postedPaths(), asked.basis.paths, [this, wanted, asked](Matters matters, std::uint64_t judged) {
+        Asked now = asked;
+        now.judged = judged;
+        postPaths(std::move(matters), wanted, now);
     });
 }
 
-void ProgramController::read(const std::vector<StoredPath>& paths, std::function<void(Matters, std::uint64_t)> then) {
+/// Takes over the evaluations that the view shows, if nothing has changed since. @return whether no path has to be
+/// evaluated
+bool ProgramController::takeEvaluated(Matters& matters, quint64 version) const {
+    if (version != path_.version()) return false;
+    for (PathMatter& matter : matters) matter.evaluated = path_.current(matter.path.id);
+    return areEvaluated(matters);
+}
+
+/// A long take is read in some tenths of a second, as long as a check after one edit takes.
+void ProgramController::readWhatIsNeeded(const std::vector<StoredPath>& paths, quint64 version,
+                                         const std::function<void(Matters, std::uint64_t)>& then) {
+    const bool known =
+        std::ranges::all_of(paths, [this](const StoredPath& path) { return path_.current(path.id) != nullptr; });
+    read(paths, !known, [this, paths, version, known, then](Matters matters, std::uint64_t judged) {
+        if (takeEvaluated(matters, version) || !known)
+            then(std::move(matters), judged);
+        else
+            read(paths, true, [this, version, then](Matters all, std::uint64_t judgedNow) {
+                takeEvaluated(all, version);
+                then(std::move(all), judgedNow);
+            });
+    });
+}
+
+void ProgramController::read(const std::vector<StoredPath>& paths, bool strokes,
+                             std::function<void(Matters, std::uint64_t)> then) {
     reading_ = true;
     desk_.project.ask(
-        [paths, machine = target_.machine().id](Project& project) -> Result<ReadJob> {
+        [paths, strokes, machine = target_.machine().id](Project& project) -> Result<ReadJob> {
             const Result<std::vector<SourceInfo>> sources = sourcesOf(project);
             if (!sources) return sources.error();
             ReadJob job;
             for (StoredPath path : paths) {
                 addNewerTakes(path, *sources);
-                Result<PathMatter> matter = matterOf(project, path);
+                Result<PathMatter> matter = strokes ? matterOf(project, path) : outlinedMatterOf(project, path);
                 if (!matter) return std::move(matter).error();
                 job.matters.push_back(std::move(*matter));
             }
@@ -248,15 +286,15 @@ void ProgramController::read(const std::vector<StoredPath>& paths, std::function
 }
 
 void ProgramController::postPaths(Matters matters, const ProgramRequest& wanted, const Asked& asked) {
-    if (asked.basis.paths == path_.version()) // the evaluations that the view shows
-        for (PathMatter& matter : matters) matter.evaluated = path_.current(matter.path.id);
+    ProgramRequest request = wanted;
+    request.kept = kept();
     desk_.tasks.start(
         TaskKind::program, tr("Posting and checking"),
         [workpiece = workpiece_.milling(), matters = std::move(matters),
-         wanted](Progress& progress) -> Result<CheckedProgram> {
+         request](Progress& progress) -> Result<CheckedProgram> {
             Result<EvaluatedPaths> paths = evaluateInOrder(*workpiece, matters, progress);
             if (!paths) return std::move(paths).error();
-            return makeProgram(*workpiece, paths->program, wanted, progress);
+            return makeProgram(*workpiece, paths->program, request, progress);
         },
         [this, asked](Result<CheckedProgram> outcome) { take(asked, std::move(outcome)); });
 }
@@ -293,17 +331,16 @@ void ProgramController::checkText(const QString& name) {
     if (!workpiece_.milling() || workpiece_.changing() || !edited_ || busy()) return;
     asked_ = [this, name] { checkText(name); };
     const ProgramRequest wanted = request(name);
-    read(path_.jobPaths(), [this, wanted, basis = basis()](Matters matters, std::uint64_t judged) {
-        check(std::move(matters), wanted, Asked{stored(wanted), basis, judged, textVersion_, true});
-    });
+    readWhatIsNeeded(path_.jobPaths(), basis().paths,
+                     [this, wanted, basis = basis()](Matters matters, std::uint64_t judged) {
+                         check(std::move(matters), wanted, Asked{stored(wanted), basis, judged, textVersion_, true});
+                     });
 }
 
 /// The text may call every tool of the job, and must follow the job's paths.
 void ProgramController::check(Matters matters, ProgramRequest wanted, const Asked& asked) {
-    for (PathMatter& matter : matters) {
-        wanted.tools.push_back(matter.tool);
-        if (asked.basis.paths == path_.version()) matter.evaluated = path_.current(matter.path.id);
-    }
+    wanted.kept = kept();
+    for (const PathMatter& matter : matters) wanted.tools.push_back(matter.tool);
     desk_.tasks.start(
         TaskKind::program, tr("Checking"),
         [milling = workpiece_.milling(), text = storedText_.toStdString(), wanted,

@@ -134,9 +134,14 @@ private:
     std::vector<StoredPath> postedPaths() const;
     using Matters = std::vector<PathMatter>;
     ProgramRequest request(const QString& name) const;
+    std::shared_ptr<KeptCheck> kept();
     StoredProgram stored(const ProgramRequest& request) const;
-    /// @param then gets the matters and `judgedBasis`
-    void read(const std::vector<StoredPath>& paths, std::function<void(Matters, std::uint64_t)> then);
+    /// @param strokes whether what was recorded is read as well @param then gets the matters and `judgedBasis`
+    void read(const std::vector<StoredPath>& paths, bool strokes, std::function<void(Matters, std::uint64_t)> then);
+    /// The same with strokes only where a path has to be evaluated: the others come as the view shows them.
+    void readWhatIsNeeded(const std::vector<StoredPath>& paths, quint64 version,
+                          const std::function<void(Matters, std::uint64_t)>& then);
+    bool takeEvaluated(Matters& matters, quint64 version) const;
     void postPaths(Matters matters, const ProgramRequest& wanted, const Asked& asked);
     void check(Matters matters, ProgramRequest wanted, const Asked& asked);
     void show(const Shown& shown);
@@ -162,6 +167,8 @@ private:
     std::uint64_t judged_ = 0;           ///< `judgedBasis` of the program in force
     std::shared_ptr<Reopened> reopened_; ///< null: made in this session
     QTimer judgeSoon_;
+    std::shared_ptr<KeptCheck> kept_; ///< of the checks on `keptOn_`; null: none
+    std::weak_ptr<MillingContext> keptOn_;
     std::function<void()> asked_;       ///< repeats the user's last request
     std::function<void()> interrupted_; ///< the same, set if a change of the workpiece interrupted it; null: none did
     quint64 generation_ = 0;            ///< of reading the project for a program

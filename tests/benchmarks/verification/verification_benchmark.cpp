@@ -4,6 +4,7 @@
 #include "core/setup/setup.h"
 #include "core/verify/excess.h"
 #include "core/verify/gouge.h"
+#include "core/verify/known_moves.h"
 #include "core/verify/obstacles.h"
 #include "core/verify/replay.h"
 #include "tests/benchmarks/measure/program.h"
@@ -45,7 +46,10 @@ void splitFigures(Session& session, const std::string& name, ReliefScene& scene)
             outlines.emplace_back(embedded->workpiece, request.tool.cutter.radius());
         }));
     Findings findings;
-    add("collisions", leastSeconds(3, [&] { (void)judgeObstacles(moves, tools, request, findings, progress); }));
+    add("collisions", leastSeconds(3, [&] {
+            KeptDips nothing;
+            (void)judgeObstacles(moves, tools, request, KnownMoves().numbersOf(moves), nothing, findings, progress);
+        }));
     add("gouge", leastSeconds(3, [&] { (void)judgeGouges(moves, tools, outlines, request, findings, progress); }));
     add("replay", leastSeconds(
                       3, [&] { embedded = require(embed(scene.model, request.setup, {}, progress), "stock"); },

@@ -213,6 +213,11 @@ void TestToolsInOrder::aKeptPathCountsOnlyBehindTheSamePaths() {
     QCOMPARE(alone->program.paths[0].spindleSpeed, 4321.0);
     QVERIFY(behind->program.paths[1].spindleSpeed != 4321.0);
     QVERIFY(feedsWithin(behind->program.paths[1], 3.0, 5.0).first > 1000.0);
+    // Only what is taken over needs no strokes.
+    QVERIFY(areEvaluated({follower}) && !areEvaluated({first, follower}) && !areEvaluated({first}));
+    for (SourceStrokes& source : follower.sources) source.strokes.clear();
+    const auto spared = evaluateInOrder(milling, {follower}, progress);
+    QVERIFY(spared && spared->program.paths[0].points.size() == alone->program.paths[0].points.size());
 }
 
 void TestToolsInOrder::whatIsCutOfALentStockIsForgotten() {

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // A path whose edits are changed one after the other is the same whether states of earlier evaluations are used or not.
+#include "core/geometry/segment.h"
+#include "core/path/hand_trail.h"
 #include "core/path/kept_edits.h"
 #include "path_fixture.h"
 #include "tests/test_program.h"
@@ -62,6 +64,7 @@ private slots:
     void anotherContextBeginsAnew();
     void anotherObstacleOfTheSameExtentBeginsAnew();
     void theFirstResultFollowsTheChangedEdit();
+    void reportsAndTrailsCountAsMemory();
 };
 
 void TestKeptEdits::theResultIsThatOfAllEdits() {
@@ -104,6 +107,11 @@ void TestKeptEdits::onlyWhatChangedIsAppliedAnew() {
     edits.erase(edits.begin()); // everything follows it
     kept.begin(edits, context);
     QCOMPARE(kept.count(), std::size_t{0});
+    const std::vector<SourceStrokes> own = sources(); // that stay with the caller
+    const auto quick = evaluate("path", std::vector<SourceStrokes>{}, edits, context, progress, {&kept, {}, &own});
+    const auto whole = evaluate("path", sources(), edits, context, progress);
+    QVERIFY(quick && whole);
+    QVERIFY(alike(*quick, *whole));
 }
 
 void TestKeptEdits::anotherContextBeginsAnew() {
@@ -147,11 +155,12 @@ void TestKeptEdits::theFirstResultFollowsTheChangedEdit() {
     KeptEdits kept;
     Progress progress;
     int told = 0;
-    std::size_t reports = 0, points = 0;
+    std::size_t reports = 0;
+    std::vector<PathPoint> points;
     const EvaluationHelp help{&kept, [&](const EvaluatedPath& path) {
                                   ++told;
                                   reports = path.reports.size();
-                                  points = path.path.points.size();
+                                  points = path.path.points;
                               }};
     QVERIFY(evaluate("path", sources(), edits, context, progress, help));
     QCOMPARE(told, 1);
@@ -161,7 +170,39 @@ void TestKeptEdits::theFirstResultFollowsTheChangedEdit() {
     QVERIFY(path);
     QCOMPARE(told, 2);
     QCOMPARE(reports, std::size_t{3});
-    QCOMPARE(points, path->reports[2].pointsAfter);
+    // It has fewer points, and passes by all that it leaves out.
+    const std::vector<Edit> first(edits.begin(), edits.begin() + 3);
+    const auto whole = evaluate("path", sources(), first, context, progress);
+    QVERIFY(whole && points.size() > 1);
+    QVERIFY(points.size() < whole->path.points.size() / 2);
+    std::size_t at = 1;
+    for (const PathPoint& point : whole->path.points) {
+        while (at + 1 < points.size() && points[at].sample < point.sample) ++at;
+        double nearest = 1e300; // a sample is not always unique: edits insert points
+        for (std::size_t i = at > 3 ? at - 3 : 1; i < std::min(at + 4, points.size()); ++i)
+            nearest = std::min(nearest, distanceToSegment(point.pose.tip, points[i - 1].pose.tip, points[i].pose.tip));
+        QVERIFY(nearest <= 0.01 + 1e-9);
+    }
+}
+
+void TestKeptEdits::reportsAndTrailsCountAsMemory() {
+    EditedState state;
+    const std::vector<SourceStrokes> made = sources();
+    state.path.hand = std::make_shared<const HandTrail>(made);
+    for (const SourceStrokes& each : made)
+        state.path.strokes.insert(state.path.strokes.end(), each.strokes.begin(), each.strokes.end());
+    KeptEdits kept;
+    QCOMPARE(kept.bytes(), std::size_t{0});
+    kept.keep(1, state);
+    const std::size_t alone = kept.bytes();
+    QVERIFY(alone >= state.path.hand->bytes() + state.path.count() * sizeof(StrokePoint));
+    EditReport report;
+    report.inserted.assign(1000, glm::dvec3(0.0));
+    report.omissions.push_back({OmissionReason::part, 1, 0, 9, std::vector<glm::dvec3>(500), 1.0});
+    state.reports.push_back(report);
+    kept.keep(2, state); // shares its trail with the first
+    QVERIFY(kept.bytes() >= 2 * alone - state.path.hand->bytes() + 1500 * sizeof(glm::dvec3));
+    QVERIFY(kept.bytes() < 2 * alone + 1700 * sizeof(glm::dvec3));
 }
 
 BURIN_TEST(TestKeptEdits, NoApplication)

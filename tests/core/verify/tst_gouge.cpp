@@ -224,7 +224,9 @@ void GougeTest::theDeepestAreFound() {
     const MoveSamples places(job.moves, job.request.sampling);
     for (const std::size_t count : {1UL, 20UL, 300UL, 100000UL}) {
         Progress progress;
-        NearSamples near = nearSamples(job.moves, places, job.tools, outlines, job.request, count, progress);
+        KeptSamples nothing;
+        NearSamples near = nearSamples(job.moves, places, job.tools, outlines, job.request, count,
+                                       KnownMoves().numbersOf(job.moves), nothing, progress);
         const std::size_t there = std::min(count, wanted.depths.size());
         QVERIFY(near.worst.size() >= there);
         std::sort(near.worst.begin(), near.worst.end(), [](const GougeSample& a, const GougeSample& b) {
