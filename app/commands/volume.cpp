@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/chosen_setup.h"
 #include "app/command.h"
-#include "app/take_moment_argument.h"
+#include "app/project_workpiece.h"
 #include "app/volume_files.h"
 #include "app/wording.h"
 #include "core/base/numbers.h"
 #include "core/base/steps.h"
 #include "core/document/companions.h"
 #include "core/exchange/volume_output.h"
-#include "core/job/milling_context.h"
-#include "core/job/recorded_cuts.h"
 #include "core/volume/operations/boolean.h"
 #include "core/volume/operations/boundary.h"
 #include "core/volume/operations/dense.h"
@@ -144,26 +142,7 @@ Result<RunVolume> boundary(const VolumeArguments& arguments, CommandContext& con
 Result<RunVolume> ofProject(const VolumeArguments& arguments, CommandContext& context) {
     const Result<Project> project = projectForReading(arguments.first, context);
     if (!project) return project.error();
-    const Result<std::vector<TakeInfo>> takes = project->takes();
-    if (!takes) return takes.error();
-    const Result<Tool> tool = toolFor(*project, takes->empty() ? "ball-6" : takes->front().toolId);
-    if (!tool) return tool.error();
-    context.stage(BURIN_TEXT("Command", "Embedding"));
-    Result<MillingContext> milling = makeMillingContext(*project, *tool, {}, context.progress());
-    if (!milling) return std::move(milling).error();
-    if (arguments.stock) return std::move(milling->embedded.workpiece);
-    context.stage(BURIN_TEXT("Command", "Replaying the takes"));
-    if (!arguments.at.empty()) {
-        const Result<TakeMoment> moment = momentOf(*project, arguments.at);
-        if (!moment) return moment.error();
-        const Result<RecordedWork> work = recordedWork(*project, *moment);
-        if (!work) return work.error();
-        if (Result<void> replayed = replayTakes(*work, *milling, context.progress()); !replayed)
-            return std::move(replayed).error();
-    } else if (Result<void> replayed = replayTakes(*project, *milling, context.progress()); !replayed) {
-        return std::move(replayed).error();
-    }
-    return std::move(milling->embedded.workpiece);
+    return workpieceOf(*project, {arguments.stock, arguments.at}, context);
 }
 
 int runMake(const VolumeArguments& arguments, Make make, CommandContext& context) {

@@ -19,8 +19,7 @@ namespace {
 
 using Kind = MeasuredFace::Kind;
 
-constexpr double parallelWithin = 1e-5; // rad: error of the faces of an STL file due to single precision
-constexpr double behindFace = 1e-6;     // mm, the part of a ray that is ignored when looking for the opposite side
+constexpr double behindFace = 1e-6; // mm, the part of a ray that is ignored when looking for the opposite side
 
 bool isRound(const MeasuredFace& face) noexcept {
     return face.kind == Kind::cylinder || face.kind == Kind::cone || face.kind == Kind::torus;
@@ -109,7 +108,7 @@ const char* idOf(MeasuredFace::Kind kind) {
     return "other";
 }
 
-MeasuredPair pairOf(const MeasuredFace& from, const MeasuredFace& to) {
+MeasuredPair pairOf(const MeasuredFace& from, const MeasuredFace& to, double parallel) {
     MeasuredPair pair;
     pair.places = glm::distance(from.place, to.place);
     pair.corners = glm::distance(from.corner, to.corner);
@@ -118,12 +117,11 @@ MeasuredPair pairOf(const MeasuredFace& from, const MeasuredFace& to) {
     const bool planes = from.kind == Kind::plane && to.kind == Kind::plane, rounds = isRound(from) && isRound(to);
     if (planes || rounds) {
         pair.angle = planes ? acuteAngle(from.normal, to.normal) : acuteAngle(from.axis, to.axis);
-        if (*pair.angle <= parallelWithin)
-            pair.apart = planes ? fromPlane(to.place, from) : fromAxis(to.axisPlace, from);
+        if (*pair.angle <= parallel) pair.apart = planes ? fromPlane(to.place, from) : fromAxis(to.axisPlace, from);
     } else if ((from.kind == Kind::plane && isRound(to)) || (isRound(from) && to.kind == Kind::plane)) {
         const MeasuredFace &plane = from.kind == Kind::plane ? from : to, &round = from.kind == Kind::plane ? to : from;
         pair.angle = std::max(0.0, std::acos(0.0) - acuteAngle(plane.normal, round.axis));
-        if (*pair.angle <= parallelWithin) pair.apart = fromPlane(round.axisPlace, plane);
+        if (*pair.angle <= parallel) pair.apart = fromPlane(round.axisPlace, plane);
     }
     return pair;
 }

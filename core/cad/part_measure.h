@@ -55,7 +55,11 @@ struct PartMeasure {
 Result<PartMeasure> measurePart(const Model& model, const glm::dvec3& from, const std::optional<glm::dvec3>& to,
                                 const ImportOptions& options, Progress& progress);
 
+/// rad: directions count as parallel within this angle, the error of the faces of an STL file due to single precision.
+inline constexpr double parallelWithin = 1e-5;
+
 /// Returns what follows from the two measurements alone: everything except `faces` and the two nearest points.
-MeasuredPair pairOf(const MeasuredFace& from, const MeasuredFace& to);
+/// @param parallel rad: directions count as parallel within this angle
+MeasuredPair pairOf(const MeasuredFace& from, const MeasuredFace& to, double parallel = parallelWithin);
 
 } // namespace burin

@@ -120,6 +120,60 @@ private slots:
         QVERIFY(top["from"]["area_mm2"].isNull());
     }
 
+    /// A slot, a hole and a step that a program mills into the stock above the plate, by the dimensions of the program;
+    /// walls within half a voxel to either side, levels within 1/200.
+    void theWorkpieceIsMeasuredAsItIsMilled() {
+        QVERIFY(
+            runBurin({"embed", in("plate.brep"), "-o", in("raw.burin"), "--voxel", "0.5", "--margin", "10"}).status ==
+            0); // program zero: the middle of the top, (40, 25, 22)
+        QFile file(in("milled.ngc"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("G21 G90 G17 G94 G54\nT7 M6\nG43 H7\nS6000 M3\nG0 Z20\n"
+                   "G0 X-60 Y15.13\nG0 Z-6.2\nG1 X0 F300\nG0 Z20\n"         // a slot along X, 10 wide
+                   "G0 X27 Y-15\nG1 Z-8 F300\nG3 X27 Y-15 I-7 J0\nG0 Z20\n" // a ring, 24 across outside
+                   "G0 X47 Y-50\nG0 Z-5\nG1 Y50 F300\nG0 Z20\nM5\nM2\n");   // a step 8 wide
+        file.close();
+        const ProgramRun cut = runBurin({"verify", in("milled.ngc"), "--project", in("raw.burin"), "--tool", "flat-10",
+                                         "--exact", "0", "--workpiece", in("then.srle"), "--json"});
+        QVERIFY2(QFile::exists(in("then.srle")), cut.messages.constData());
+        const QJsonObject wall = milled({20.0, 25.0 + 15.13 + 5.0, 19.0})["from"].toObject();
+        within(wall["width"], 10.0);
+        QVERIFY(wall["width"]["uncertainty_mm"].toDouble() <= 1.0);
+        const QJsonObject floor = milled({10.0, 40.0, 15.0})["from"].toObject();
+        QCOMPARE(floor["face"].toString(), QStringLiteral("plane"));
+        within(floor["depth"], 6.2);
+        QVERIFY(floor["depth"]["uncertainty_mm"].toDouble() < 0.01);
+        near(floor["from_part_mm"], 22.0 - 6.2 - 12.0, 0.01);
+        near(floor["thickness_mm"], 32.0 - 6.2, 0.01);
+        const QJsonObject hole = milled({40.0 + 20.0, 25.0 - 15.0 + 12.0, 18.0})["from"].toObject();
+        QCOMPARE(hole["face"].toString(), QStringLiteral("cylinder"));
+        near(hole["radius_mm"], 12.0, hole["radius_uncertainty_mm"].toDouble());
+        QVERIFY(hole["radius_uncertainty_mm"].toDouble() < 0.3);
+        const QJsonObject step = milled({88.0, 25.0, 17.0}, glm::dvec3(75.0, 0.0, 22.0));
+        near(step["between"]["apart_mm"], 5.0, 0.01);
+        const QJsonObject side = milled({82.0, 25.0, 19.5}, glm::dvec3(90.0, 25.0, 10.0));
+        near(side["between"]["apart_mm"], 8.0, side["between"]["uncertainty_mm"].toDouble());
+        // From the front through the slot's wall: 20 mm lie in front of the slot, seen obliquely by the cosine.
+        const ProgramRun oblique = runBurin({"measure", in("raw.burin"), "--workpiece-file", in("then.srle"), "--at",
+                                             "10,-10,5", "--direction", "0,1,1", "--json"});
+        within(oblique.json()["from"].toObject()["thickness_along_direction"], 17.0 * std::sqrt(2.0)); // up to the top
+    }
+
+    /// Without recordings the workpiece is the stock; a direction alone is refused.
+    void theWorkpieceOfAProjectIsMeasured() {
+        const ProgramRun run = runBurin({"measure", in("plate.burin"), "--workpiece", "--at", "20,20,13", "--json"});
+        QVERIFY2(run.status == 0, run.messages.constData());
+        near(run.json()["from"].toObject()["thickness_mm"], 14.0, 0.02);
+        near(run.json()["from"].toObject()["from_part_mm"], 1.0, 0.02);
+        near(run.json()["from"].toObject()["depth"].toObject()["value_mm"], 0.0, 0.02);
+        const ProgramRun text = runBurin({"measure", in("plate.burin"), "--workpiece", "--at", "20,20,13"});
+        QVERIFY2(text.output.contains("Stock left on the part: 1.000"), text.output.constData());
+        const ProgramRun refused =
+            runBurin({"measure", in("plate.burin"), "--at", "20,20,13", "--direction", "0,0,-1"});
+        QCOMPARE(refused.status, 2);
+        QVERIFY2(refused.messages.contains("--workpiece"), refused.messages.constData());
+    }
+
     void whatIsWrongIsSaid() {
         for (const QStringList& wrong :
              {QStringList{"--at", "1,2"}, {"--at", "a,b,c"}, {"--at", "1,2,3", "--to", "nan,0,0"}}) {
@@ -133,9 +187,21 @@ private slots:
 
 private:
     QString in(const char* name) const { return folder_.filePath(name); }
-    static void near(const QJsonValue& value, double wanted) {
-        QVERIFY2(std::abs(value.toDouble(1e9) - wanted) < 1e-5,
+    static void near(const QJsonValue& value, double wanted, double tolerance = 1e-5) {
+        QVERIFY2(std::abs(value.toDouble(1e9) - wanted) < tolerance,
                  qPrintable(QString("%1 instead of %2").arg(value.toDouble(1e9), 0, 'g', 10).arg(wanted, 0, 'g', 10)));
+    }
+    /// A length agrees with the truth within its own uncertainty.
+    static void within(const QJsonValue& length, double truth) {
+        near(length["value_mm"], truth, length["uncertainty_mm"].toDouble() + 1e-9);
+    }
+    QJsonObject milled(const glm::dvec3& place, const std::optional<glm::dvec3>& to = {}) {
+        QStringList arguments{"measure", in("raw.burin"), "--workpiece-file",    in("then.srle"),
+                              "--json",  "--at",          at("raw.burin", place)};
+        if (to) arguments << "--to" << at("raw.burin", *to);
+        const ProgramRun run = runBurin(arguments);
+        if (run.status != 0) qWarning("%s", run.messages.constData());
+        return run.json();
     }
     bool embed(const char* model, const char* project) {
         return runBurin({"embed", in(model), "-o", in(project), "--voxel", "1", "--margin", "1", "--json"}).status == 0;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 // Measuring the part, the history and the layout of the window, by mouse and keys.
+#include "core/base/units.h"
 #include "tests/test_program.h"
 #include "tests/ui/window_steps.h"
 
@@ -65,6 +66,49 @@ private slots:
         driver.key(Qt::Key_Escape);
         QTRY_VERIFY(workbenchOf(driver).measure.measure() == nullptr);
         QTRY_VERIFY(!menuAction(driver, "measureAction")->isChecked());
+    }
+
+    /// A slot of a 10 mm end mill: its width, and its depth by the volume that was removed; the stock left below it.
+    /// What is cut at a measured point afterwards takes the measure away.
+    void theMilledSlotIsMeasured() {
+        WindowDriver driver;
+        QVERIFY(makeReady(driver, 0.5));
+        Workbench& workbench = workbenchOf(driver);
+        workbench.tool.choose("flat-10");
+        QVERIFY(driver.settle() && driver.waitFor([&] { return workbench.workpiece.ready(); }));
+        QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}) && driver.settle());
+        const MillingContext& milling = *workbench.workpiece.milling();
+        const double depth = removedSoFar(milling) / (20.0 * 10.0 + pi * 25.0);
+        const glm::dvec3 top(glm::dvec2(milling.setup.stock.centre()), milling.setup.stock.high.z);
+        driver.key(Qt::Key_I, Qt::ControlModifier | Qt::AltModifier);
+        QTRY_VERIFY(driver.message().contains("Click a point on the workpiece"));
+        clickAt(driver, top - glm::dvec3(0.0, 0.0, depth));
+        const auto measured = [&] { return workbench.measure.workpieceMeasure(); };
+        QVERIFY(driver.waitFor([&] { return measured() != nullptr; }));
+        const MeasuredWorkpiece floor = measured()->from;
+        driver.shoot("measured-slot");
+        QVERIFY2(floor.face.kind == MeasuredFace::Kind::plane, qPrintable(driver.message()));
+        QVERIFY2(std::abs(floor.depth - depth) < 0.03 * depth + 0.02, qPrintable(QString::number(floor.depth)));
+        const double partTop = workbench.setup.part()->box().high.z;
+        QVERIFY(floor.fromPart && std::abs(*floor.fromPart - (top.z - floor.depth - partTop)) < 0.01);
+        QVERIFY(floor.along && floor.face.thickness && floor.along->value > *floor.face.thickness); // seen obliquely
+        QTRY_VERIFY2(driver.message().contains("Stock left on the part"), qPrintable(driver.message()));
+        driver.shoot("measure-3-workpiece");
+        clickAt(driver, top + glm::dvec3(0.0, 5.0, -0.5 * floor.depth)); // the wall that is seen
+        QVERIFY(driver.waitFor([&] { return measured() && measured()->to; }));
+        const std::optional<MeasuredLength> width = measured()->to->opening;
+        QVERIFY(width && std::abs(width->value - 10.0) <= width->within && width->within <= 1.0);
+        driver.shoot("measure-4-slot");
+        driver.key(Qt::Key_J, Qt::ControlModifier); // measuring the part instead
+        QTRY_VERIFY(!menuAction(driver, "measureWorkpieceAction")->isChecked());
+        QVERIFY(menuAction(driver, "measureAction")->isChecked() && !measured());
+        driver.key(Qt::Key_I, Qt::ControlModifier | Qt::AltModifier);
+        clickAt(driver, top - glm::dvec3(0.0, 0.0, depth));
+        QVERIFY(driver.waitFor([&] { return measured() != nullptr; }));
+        driver.key(Qt::Key_Z, Qt::ControlModifier); // the take is taken back: nothing is cut there any more
+        QTRY_VERIFY(!measured());
+        driver.key(Qt::Key_Escape);
+        QTRY_VERIFY(!menuAction(driver, "measureWorkpieceAction")->isChecked());
     }
 
     /// Milling takes over the pointer: measuring ends, and the drag mills.

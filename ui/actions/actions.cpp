@@ -90,6 +90,10 @@ constexpr std::array rows{
     Row{ActionId::measure, "measureAction", QT_TRANSLATE_NOOP("Actions", "&Measure"),
         QT_TRANSLATE_NOOP("Actions", "Click points on the part: diameter, wall thickness, area, distances and angle."),
         "Ctrl+J", true},
+    Row{ActionId::measureWorkpiece, "measureWorkpieceAction", QT_TRANSLATE_NOOP("Actions", "Measure the wor&kpiece"),
+        QT_TRANSLATE_NOOP("Actions", "Click points on the workpiece as it is milled: thickness, depth, width, "
+                                     "diameter, stock left on the part, distances and angle."),
+        "Ctrl+Alt+I", true},
     Row{ActionId::showPart, "showPartAction", QT_TRANSLATE_NOOP("Actions", "&Part"),
         QT_TRANSLATE_NOOP("Actions", "Draw the part together with the workpiece."), "Ctrl+1", true},
     Row{ActionId::showWorkpiece, "showWorkpieceAction", QT_TRANSLATE_NOOP("Actions", "&Workpiece"),

@@ -43,6 +43,7 @@ enum class ActionId : std::size_t {
     sectionPlane,
     flipSection,
     measure,
+    measureWorkpiece,
     showPart,
     showWorkpiece,
     showTool,

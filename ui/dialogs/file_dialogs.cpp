@@ -4,6 +4,7 @@
 
 #include "core/cad/import_formats.h"
 
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -42,7 +43,12 @@ QString ask(QFileDialog& dialog, const QString& folder) {
 QString askToOpen(QWidget* parent, const QString& title, const QString& folder, const QString& filter) {
     QFileDialog dialog(parent, title);
     dialog.setFileMode(QFileDialog::ExistingFile);
+    dialog.setOption(QFileDialog::DontUseNativeDialog); // before its widgets are asked for
+    // A list of suffixes is longer than the field that shows it.
+    dialog.setOption(QFileDialog::HideNameFilterDetails);
     dialog.setNameFilter(filter);
+    if (auto* kinds = dialog.findChild<QComboBox*>(QStringLiteral("fileTypeCombo")))
+        kinds->setToolTip(dialog.nameFilters().constFirst());
     return ask(dialog, folder);
 }
 

@@ -146,6 +146,7 @@ constexpr std::array details{
     BURIN_TEXT("Detail", "finite lengths"),
     BURIN_TEXT("Detail", "a finite box"),
     BURIN_TEXT("Detail", "a model with at least one body"),
+    BURIN_TEXT("Detail", "a workpiece with material"),
     BURIN_TEXT("Detail", "at least one body whose role is part, or free carving"),
     BURIN_TEXT("Detail", "a box whose second corner lies above the first along each axis"),
     BURIN_TEXT("Detail", "a direction"),

@@ -116,6 +116,8 @@ public:
     Box contentBox() const;
     /// The nearest point of workpiece or part, or of the preview, on a sight line; std::nullopt if it misses them.
     std::optional<glm::dvec3> pick(const Sight& sight) const;
+    /// The workpiece that is drawn; empty: none, or it is hidden.
+    VolumeSnapshot seenWorkpiece() const { return workpieceSeen() ? shown_ : VolumeSnapshot(); }
     /// Prepares everything for a paint.
     /// @param size of the widget, device-independent pixels; @param ratio screen pixels per device-independent pixel
     /// @param moving whether view, tool or workpiece are in motion: coarse detail is then sufficient

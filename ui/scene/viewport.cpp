@@ -398,6 +398,10 @@ std::optional<glm::dvec3> Viewport::pick(const QPointF& position) const {
     return impl_->scene.pick(sightThrough(impl_->motion.view(), impl_->motion.size(), position));
 }
 
+VolumeSnapshot Viewport::workpiece() const {
+    return impl_->scene.previewing() ? VolumeSnapshot() : impl_->scene.seenWorkpiece();
+}
+
 QPointF Viewport::project(const glm::dvec3& place) const {
     return appearanceOf(impl_->motion.view(), QSizeF(size()), place);
 }

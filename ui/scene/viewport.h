@@ -106,6 +106,8 @@ public:
     /// @param oldestCut for the statistics. An empty snapshot: no workpiece.
     void setWorkpiece(const VolumeSnapshot& workpiece,
                       std::optional<std::chrono::steady_clock::time_point> oldestCut = std::nullopt);
+    /// The workpiece that is drawn; empty: none, or it is hidden.
+    VolumeSnapshot workpiece() const;
     void setWorkpieceVisible(bool visible);
     /// 0 … 1. Less than 1: the part is visible in the workpiece.
     void setWorkpieceOpacity(double opacity);

@@ -4,6 +4,7 @@
 
 #include "ui/actions/actions.h"
 #include "ui/input/face_picker.h"
+#include "ui/input/workpiece_picker.h"
 #include "ui/scene/viewport.h"
 #include "ui/window/presenter.h"
 
@@ -17,7 +18,8 @@ public:
     QString escapeMeaning() override { return tr("Esc: end measuring"); }
 };
 
-/// Measures the part at points clicked in the view, and shows the result there and above the view.
+/// Measures the part, or the workpiece that is drawn, at points clicked in the view, and shows the result there and
+/// above the view.
 class MeasurePresenter final : public Presenter {
     Q_OBJECT
 public:
@@ -31,17 +33,27 @@ signals:
     void told(const QString& sentences); ///< the result, or what to do next
 
 private:
+    enum class Target { none, part, workpiece };
+
     void present() override;
-    void ask(bool wanted);
+    void ask(Target wanted);
+    bool possible(Target target) const;
+    InteractiveTool* pickerOf(Target target);
+    void enableActions();
+    void tellResults();
     MeasureMark markOf(const PartMeasure& measure) const;
+    MeasureMark markOf(const WorkpieceMeasure& measure) const;
 
     Viewport& viewport_;
     MeasurePicker picker_;
+    WorkpiecePicker workpiecePicker_;
     QAction* action_ = nullptr;
+    QAction* workpieceAction_ = nullptr;
     InteractiveTool* before_ = nullptr; ///< the view's previous tool
     std::shared_ptr<const PartMeasure> told_;
+    std::shared_ptr<const WorkpieceMeasure> toldWorkpiece_;
     std::optional<MeasureMark> other_;
-    bool asking_ = false;
+    Target asking_ = Target::none;
 };
 
 } // namespace burin

@@ -40,11 +40,12 @@ Menus::Menus(QMenuBar& bar, const Actions& actions) : QObject(&bar), bar_(bar) {
     addMenu(bar, tr("&Edit"), "editMenu", actions,
             {undo, redo, showHistory, line, tools, materials, devices, shortcuts, preferences});
     addMenu(bar, tr("&View"), "viewMenu", actions,
-            {fit,         line,      viewIsometric, viewTop,  viewBottom,   viewFront,    viewBack,
-             viewLeft,    viewRight, parallelView,  line,     seeThrough,   sectionPlane, flipSection,
-             measure,     line,      showWorkpiece, showPart, showTool,     showPath,     showOtherPaths,
-             pathColours, excess,    showGuides,    line,     showTimeline, showTree,     resetLayout,
-             line,        nextStep,  previousStep});
+            {fit,          line,        viewIsometric, viewTop,          viewBottom,  viewFront,
+             viewBack,     viewLeft,    viewRight,     parallelView,     line,        seeThrough,
+             sectionPlane, flipSection, measure,       measureWorkpiece, line,        showWorkpiece,
+             showPart,     showTool,    showPath,      showOtherPaths,   pathColours, excess,
+             showGuides,   line,        showTimeline,  showTree,         resetLayout, line,
+             nextStep,     previousStep});
     addMenu(bar, tr("&Setup"), "setupMenu", actions,
             {addSetup, nextSetup, previousSetup, line, faceDown, turnAboutX, turnAboutY, turnAboutZ, placementHandles,
              holdAtStock, line, pickZero, touchZero});

@@ -101,6 +101,36 @@ private:
     void findNext(double origin, double way) { next = (column + (step > 0 ? 1 : 0) - origin) / way; }
 };
 
+/// Visits the scanlines that a ray passes, in order, each with the part of the ray in its column, until `visit` returns
+/// false. @param reach mm
+template <typename Visit>
+void visitLines(const Grid& grid, const LocalRay& ray, double reach, const Visit& visit) {
+    Interval inGrid{0.0, reach};
+    inGrid.clip(ray.origin.x, ray.way.x, 0.0, grid.lineCountU());
+    inGrid.clip(ray.origin.y, ray.way.y, 0.0, grid.lineCountV());
+    inGrid.clip(ray.origin.z, ray.way.z, 0.0, grid.voxelsPerLine());
+    if (inGrid.from > inGrid.to) return;
+    Walk alongU(ray.origin.x, ray.way.x, inGrid.from, grid.lineCountU());
+    Walk alongV(ray.origin.y, ray.way.y, inGrid.from, grid.lineCountV());
+    for (double from = inGrid.from; grid.contains(LineIndex{alongU.column, alongV.column});) {
+        const double to = std::min({alongU.next, alongV.next, inGrid.to});
+        if (!visit(LineIndex{alongU.column, alongV.column}, Interval{from, to}) || to >= inGrid.to) return;
+        if (alongU.next <= alongV.next)
+            alongU.advance(ray.origin.x, ray.way.x);
+        else
+            alongV.advance(ray.origin.y, ray.way.y);
+        from = std::max(from, to);
+    }
+}
+
+/// Adds an interval that begins where the last one ends, or later.
+void append(std::vector<RayInterval>& intervals, const RayInterval& next, double closed) {
+    if (!intervals.empty() && next.from <= intervals.back().to + closed)
+        intervals.back().to = std::max(intervals.back().to, next.to);
+    else
+        intervals.push_back(next);
+}
+
 } // namespace
 
 std::optional<RayHit> castRay(const VolumeSnapshot& workpiece, const glm::dvec3& origin, const glm::dvec3& direction,
@@ -108,28 +138,40 @@ std::optional<RayHit> castRay(const VolumeSnapshot& workpiece, const glm::dvec3&
     const Grid& grid = workpiece.grid();
     const LocalRay ray = localRay(grid, origin, direction);
     if (!isRay(ray)) return std::nullopt;
-    Interval inGrid;
-    inGrid.clip(ray.origin.x, ray.way.x, 0.0, grid.lineCountU());
-    inGrid.clip(ray.origin.y, ray.way.y, 0.0, grid.lineCountV());
-    inGrid.clip(ray.origin.z, ray.way.z, 0.0, grid.voxelsPerLine());
-    if (inGrid.from > inGrid.to) return std::nullopt;
-
     const LineTest test(workpiece, ray, target);
-    Walk alongU(ray.origin.x, ray.way.x, inGrid.from, grid.lineCountU());
-    Walk alongV(ray.origin.y, ray.way.y, inGrid.from, grid.lineCountV());
-    for (double from = inGrid.from; grid.contains(LineIndex{alongU.column, alongV.column});) {
-        const double to = std::min({alongU.next, alongV.next, inGrid.to});
-        const LineTest::Meeting meeting = test.first({alongU.column, alongV.column}, {from, to});
-        if (meeting.property != airProperty)
-            return RayHit{origin + glm::normalize(direction) * meeting.distance, meeting.distance, meeting.property};
-        if (to >= inGrid.to) break;
-        if (alongU.next <= alongV.next)
-            alongU.advance(ray.origin.x, ray.way.x);
-        else
-            alongV.advance(ray.origin.y, ray.way.y);
-        from = std::max(from, to);
-    }
-    return std::nullopt;
+    std::optional<RayHit> hit;
+    visitLines(grid, ray, never, [&](LineIndex line, const Interval& within) {
+        const LineTest::Meeting meeting = test.first(line, within);
+        if (meeting.property == airProperty) return true;
+        hit = RayHit{origin + glm::normalize(direction) * meeting.distance, meeting.distance, meeting.property};
+        return false;
+    });
+    return hit;
+}
+
+std::vector<RayInterval> materialAlong(const VolumeSnapshot& workpiece, const glm::dvec3& origin,
+                                       const glm::dvec3& direction, double reach) {
+    const Grid& grid = workpiece.grid();
+    const LocalRay ray = localRay(grid, origin, direction);
+    std::vector<RayInterval> all, ofLine;
+    if (!isRay(ray)) return all;
+    const double closed = grid.edge() / (4.0 * unitsPerVoxel); // rounding errors where the ray changes the column
+    visitLines(grid, ray, reach, [&](LineIndex line, const Interval& within) {
+        ofLine.clear();
+        double begin = 0.0;
+        for (const Segment segment : workpiece.line(line)) {
+            const double end = static_cast<double>(segment.end()) / unitsPerVoxel;
+            Interval inside = within;
+            inside.clip(ray.origin.z, ray.way.z, begin, end);
+            begin = end;
+            if (segment.property() != airProperty && inside.from <= inside.to)
+                ofLine.push_back({inside.from, inside.to});
+        }
+        if (ray.way.z < 0.0) std::ranges::reverse(ofLine);
+        for (const RayInterval& interval : ofLine) append(all, interval, closed);
+        return true;
+    });
+    return all;
 }
 
 double highestWithin(const VolumeSnapshot& workpiece, const glm::dvec2& place, double radius) {

@@ -4,7 +4,9 @@
 
 #include "core/volume/runs/run_volume.h"
 
+#include <limits>
 #include <optional>
+#include <vector>
 
 namespace burin {
 
@@ -25,6 +27,21 @@ struct RayHit {
 /// Cost     grows with the scanlines that the ray passes, and with their runs.
 std::optional<RayHit> castRay(const VolumeSnapshot& workpiece, const glm::dvec3& origin, const glm::dvec3& direction,
                               RayTarget target = RayTarget::anything);
+
+/// A part of a ray, mm from its origin.
+struct RayInterval {
+    double from = 0.0, to = 0.0;
+};
+
+/// The parts of a ray that lie in material, in order and apart from each other: exact on run ends, resolved to the
+/// scanline's own column across them. Materials are not told apart. Arguments as for castRay.
+/// @param reach  mm: nothing beyond this distance is looked at
+/// @return empty if the ray meets nothing or is invalid
+/// Thread   any.
+/// Cost     grows with the scanlines that the ray passes, and with their runs.
+std::vector<RayInterval> materialAlong(const VolumeSnapshot& workpiece, const glm::dvec3& origin,
+                                       const glm::dvec3& direction,
+                                       double reach = std::numeric_limits<double>::infinity());
 
 /// The highest end of any run within a distance of a point, measured across the runs.
 /// @param place  mm, setup frame, along the grid's axes of u and v (runs along z: x, y)  @param radius  mm

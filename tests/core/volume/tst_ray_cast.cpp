@@ -75,6 +75,7 @@ class RayCastTest : public QObject {
     Q_OBJECT
 private slots:
     void meetsWhatMarchingMeets();
+    void passesTheMaterialThatMarchingPasses();
     void meetsRunEndsExactly();
     void startsInsideAtOnce();
     void missesAnEmptyGrid();
@@ -112,6 +113,29 @@ void RayCastTest::meetsWhatMarchingMeets() {
         for (double before = 0.0; before < found->distance - 1e-9; before += step) {
             const PropertyIndex property = pile.at(origin + way * before);
             RC_ASSERT(property == airProperty || (target == RayTarget::protectedOnly && property != part));
+        }
+    }));
+}
+
+void RayCastTest::passesTheMaterialThatMarchingPasses() {
+    QVERIFY(rc::check("small steps along a ray are in material within its intervals, and nowhere else", [] {
+        Pile pile = anyPile();
+        const glm::dvec3 origin = pile.grid.box().centre() + anyPlace(-1500, 1500) / 100.0;
+        const glm::dvec3 aim = pile.grid.box().low + anyPlace(0, 1000) / 100.0 + glm::dvec3(0.00371, 0.00513, 0.00297);
+        RC_PRE(glm::length(aim - origin) > 0.1);
+        const glm::dvec3 way = glm::normalize(aim - origin);
+        constexpr double reach = 25.0;
+        const std::vector<RayInterval> intervals = materialAlong(pile.volume.snapshot(), origin, way * 0.3, reach);
+        for (std::size_t i = 0; i < intervals.size(); ++i) {
+            RC_ASSERT(intervals[i].from <= intervals[i].to && intervals[i].to <= reach);
+            RC_ASSERT(i == 0 || intervals[i - 1].to < intervals[i].from);
+        }
+        for (double at = 0.5 * step; at < reach; at += 5.0 * step) {
+            const auto near = std::ranges::find_if(
+                intervals, [&](const RayInterval& each) { return at > each.from - 1e-3 && at < each.to + 1e-3; });
+            const bool atEnd =
+                near != intervals.end() && (std::abs(at - near->from) < 1e-3 || std::abs(at - near->to) < 1e-3);
+            if (!atEnd) RC_ASSERT((pile.at(origin + way * at) != airProperty) == (near != intervals.end()));
         }
     }));
 }
@@ -171,6 +195,7 @@ void RayCastTest::whatIsNoRayMeetsNothing() {
         (void)volume.fillBlock({0, 0}, {10, 10}, 0, 5 * unitsPerVoxel, wax);
         QVERIFY(!castRay(volume.snapshot(), origin, direction));
         QVERIFY(!castRay(volume.snapshot(), origin, direction, RayTarget::protectedOnly));
+        QVERIFY(materialAlong(volume.snapshot(), origin, direction).empty());
     }
 }
 
