@@ -888,10 +888,6 @@
         <translation>Bo&amp;hrungen für einen Durchgang wählen</translation>
     </message>
     <message>
-        <source>Click holes of the part for drilling or thread milling with the loaded tool.</source>
-        <translation>Bohrungen des Teils anklicken, die mit dem geladenen Werkzeug gebohrt werden oder ein Gewinde erhalten.</translation>
-    </message>
-    <message>
         <source>Insert a &amp;point</source>
         <translation>Punkt &amp;einfügen</translation>
     </message>
@@ -914,10 +910,6 @@
     <message>
         <source>&amp;Stop the tool at the stock</source>
         <translation>Werkzeug am Rohteil auf&amp;halten</translation>
-    </message>
-    <message>
-        <source>Until a recording starts, a stock that is a box or a cylinder stops the tool, as it was before milling, so that its sides can be touched off.</source>
-        <translation>Bis eine Aufnahme beginnt, hält ein Rohteil, das ein Quader oder Zylinder ist, das Werkzeug auf, wie es vor dem Fräsen war, damit seine Seiten angetastet werden können.</translation>
     </message>
     <message>
         <source>The face of the part or stock that the tool touches becomes zero along its axis, as with an edge finder.</source>
@@ -946,6 +938,30 @@
     <message>
         <source>Move points of the path with the chosen stylus, and feel part and fixtures.</source>
         <translation>Punkte der Bahn mit dem gewählten Stift verschieben und dabei Teil und Vorrichtungen fühlen.</translation>
+    </message>
+    <message>
+        <source>Measure the wor&amp;kpiece</source>
+        <translation>Wer&amp;kstück messen</translation>
+    </message>
+    <message>
+        <source>Click points on the workpiece as it is milled: thickness, depth, width, diameter, stock left on the part, distances and angle.</source>
+        <translation>Punkte auf dem Werkstück anklicken, wie es gefräst ist: Dicke, Tiefe, Weite, Durchmesser, Restmaterial auf dem Teil, Abstände und Winkel.</translation>
+    </message>
+    <message>
+        <source>Until a recording starts, the stock stops the tool, as it was before milling, so that its sides can be touched off.</source>
+        <translation>Bis eine Aufnahme beginnt, hält das Rohteil, wie es vor dem Fräsen war, das Werkzeug auf, sodass seine Seiten angetastet werden können.</translation>
+    </message>
+    <message>
+        <source>Record a session trace…</source>
+        <translation>Spur der Sitzung aufzeichnen…</translation>
+    </message>
+    <message>
+        <source>Write every reading of the stylus, from entering mill mode until leaving it, to a file that &quot;burin mill&quot; replays to the bit.</source>
+        <translation>Jeden Messwert des Stifts vom Beginn bis zum Ende des Fräsens in eine Datei schreiben, die „burin mill“ bitgenau wiedergibt.</translation>
+    </message>
+    <message>
+        <source>Click holes of the part for drilling or thread milling with the loaded tool, or studs for external threads.</source>
+        <translation>Bohrungen des Teils anklicken, die mit dem geladenen Werkzeug gebohrt werden oder ein Gewinde erhalten, oder Zapfen für Außengewinde.</translation>
     </message>
 </context>
 <context>
@@ -2512,6 +2528,34 @@
     <message>
         <source>pass %1 is out of date: hand strokes that it depends on have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
         <translation>Durchgang %1 ist veraltet: Züge der Hand, von denen er abhängt, haben sich geändert. Mit „recompute --outdated“ neu berechnen.</translation>
+    </message>
+    <message>
+        <source>a device with motors, and a test of 200 readings or more</source>
+        <translation>ein Gerät mit Motoren und ein Test mit mindestens 200 Messwerten</translation>
+    </message>
+    <message>
+        <source>used with --workpiece or --workpiece-file</source>
+        <translation>zusammen mit --workpiece oder --workpiece-file</translation>
+    </message>
+    <message>
+        <source>by=X,Y,Z in mm</source>
+        <translation>by=X,Y,Z in mm</translation>
+    </message>
+    <message>
+        <source>X,Y in mm, or the number of a stud of the part, 1 to %1</source>
+        <translation>X,Y in mm oder die Nummer eines Zapfens des Teils, 1 bis %1</translation>
+    </message>
+    <message>
+        <source>studs    %1</source>
+        <translation>Zapfen    %1</translation>
+    </message>
+    <message>
+        <source>touched  %1 %2 mm, within %3 mm</source>
+        <translation>angetastet  %1 %2 mm, auf %3 mm genau</translation>
+    </message>
+    <message>
+        <source>touched  %1 %2 mm</source>
+        <translation>angetastet  %1 %2 mm</translation>
     </message>
 </context>
 <context>
@@ -4229,10 +4273,6 @@
         <translation>0 bei einem Gewinde</translation>
     </message>
     <message>
-        <source>above 0, or the holes of the thread</source>
-        <translation>über 0, oder die Bohrungen des Gewindes</translation>
-    </message>
-    <message>
         <source>below half of the diameter</source>
         <translation>unter dem halben Durchmesser</translation>
     </message>
@@ -4329,10 +4369,6 @@
         <translation>eine andere während einer Aufnahme</translation>
     </message>
     <message>
-        <source>a stock that is a box or a cylinder</source>
-        <translation>ein Rohteil, das ein Quader oder Zylinder ist</translation>
-    </message>
-    <message>
         <source>a tip from which the tool is clear of the stock</source>
         <translation>eine Spitze, bei der das Werkzeug frei vom Rohteil ist</translation>
     </message>
@@ -4379,6 +4415,66 @@
     <message>
         <source>one that the session has</source>
         <translation>eine, die die Sitzung hat</translation>
+    </message>
+    <message>
+        <source>a workpiece with material</source>
+        <translation>ein Werkstück mit Material</translation>
+    </message>
+    <message>
+        <source>the disk could not keep up</source>
+        <translation>der Datenträger kam nicht nach</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>der Datenträger ist voll</translation>
+    </message>
+    <message>
+        <source>one that was recorded with the fixtures, keep-out volumes and machine of this project</source>
+        <translation>eine, die mit den Vorrichtungen, Sperrräumen und der Maschine dieses Projekts aufgezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>a stock with a surface</source>
+        <translation>ein Rohteil mit einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>a rotation by a multiple of 90 degrees: the edges of a box stay parallel to the axes</source>
+        <translation>eine Drehung um ein Vielfaches von 90 Grad: Die Kanten eines Quaders bleiben parallel zu den Achsen</translation>
+    </message>
+    <message>
+        <source>a rotation about Z: the fixture stands upright</source>
+        <translation>eine Drehung um Z: Die Vorrichtung steht aufrecht</translation>
+    </message>
+    <message>
+        <source>the studs are milled to %1 mm, too narrow for the thread&apos;s major diameter, %2 mm</source>
+        <translation>die Zapfen sind auf %1 mm gefräst, zu schmal für den Nenndurchmesser des Gewindes, %2 mm</translation>
+    </message>
+    <message>
+        <source>the stock around the studs is in the way: mill it to the thread&apos;s major diameter first, %1 mm, down to Z %2 mm in the coordinates of the setup</source>
+        <translation>das Material um die Zapfen ist im Weg: Fräsen Sie es zuerst auf den Nenndurchmesser des Gewindes, %1 mm, bis Z %2 mm in den Koordinaten der Aufspannung</translation>
+    </message>
+    <message>
+        <source>the part is in the way of the tool around its studs, or it is too short</source>
+        <translation>das Teil ist dem Werkzeug um seine Zapfen im Weg, oder das Werkzeug ist zu kurz</translation>
+    </message>
+    <message>
+        <source>the part has no upright stud of the thread&apos;s minor diameter there</source>
+        <translation>das Teil hat dort keinen senkrechten Zapfen mit dem Kerndurchmesser des Gewindes</translation>
+    </message>
+    <message>
+        <source>a round upright stud of the part</source>
+        <translation>ein runder senkrechter Zapfen des Teils</translation>
+    </message>
+    <message>
+        <source>a stud modelled with the minor diameter that this mill cuts, %1 mm, not with %2 mm</source>
+        <translation>ein Zapfen, der mit dem Kerndurchmesser modelliert ist, den dieser Fräser schneidet, %1 mm, nicht mit %2 mm</translation>
+    </message>
+    <message>
+        <source>above %1 and at most %2 mm for the stud at %3, %4</source>
+        <translation>über %1 und höchstens %2 mm für den Zapfen bei %3, %4</translation>
+    </message>
+    <message>
+        <source>above 0, or the holes or studs of the thread</source>
+        <translation>über 0, oder die Bohrungen oder Zapfen des Gewindes</translation>
     </message>
 </context>
 <context>
@@ -4729,6 +4825,66 @@
     <message>
         <source>Maximum strength commanded: %1 %</source>
         <translation>Größte ausgegebene Stärke: %1 %</translation>
+    </message>
+    <message>
+        <source>99 of 100 intervals are shorter than %1 ms</source>
+        <translation>99 von 100 Abständen sind kürzer als %1 ms</translation>
+    </message>
+    <message>
+        <source>Latency from reading to force: at most %1 ms</source>
+        <translation>Verzögerung vom Messwert zur Kraft: höchstens %1 ms</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by %2 ms between readings</source>
+        <translation>Vorgeschlagene Steifigkeit: %1 N/mm, begrenzt durch %2 ms zwischen den Messwerten</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by readings up to %2 ms late</source>
+        <translation>Vorgeschlagene Steifigkeit: %1 N/mm, begrenzt durch Messwerte, die bis zu %2 ms zu spät kommen</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by %2 ms latency</source>
+        <translation>Vorgeschlagene Steifigkeit: %1 N/mm, begrenzt durch %2 ms Verzögerung</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by steps of %2 mm at %3 N of friction</source>
+        <translation>Vorgeschlagene Steifigkeit: %1 N/mm, begrenzt durch Schritte von %2 mm bei %3 N Reibung</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by your own maximum</source>
+        <translation>Vorgeschlagene Steifigkeit: %1 N/mm, begrenzt durch Ihren eigenen Höchstwert</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by the device itself</source>
+        <translation>Vorgeschlagene Steifigkeit: %1 N/mm, begrenzt durch das Gerät selbst</translation>
+    </message>
+    <message>
+        <source>Suggested damping: %1 N·s/m</source>
+        <translation>Vorgeschlagene Dämpfung: %1 N·s/m</translation>
+    </message>
+    <message>
+        <source>Safety margin: %1 % below what is stable for a handle that nobody holds</source>
+        <translation>Sicherheitsabstand: %1 % unter dem, was bei einem Griff stabil ist, den niemand hält</translation>
+    </message>
+    <message>
+        <source>Latency: %1 ms, as the device states; not measured</source>
+        <translation>Verzögerung: %1 ms, wie das Gerät angibt; nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Latency: unknown, as the device neither states nor reports it</source>
+        <translation>Verzögerung: unbekannt, da das Gerät sie weder angibt noch meldet</translation>
+    </message>
+    <message>
+        <source>In use: stiffness up to %1 N/mm, damping up to %2 N·s/m</source>
+        <translation>In Gebrauch: Steifigkeit bis %1 N/mm, Dämpfung bis %2 N·s/m</translation>
+    </message>
+    <message>
+        <source>In use: stiffness up to %1 N/mm, damping of the device</source>
+        <translation>In Gebrauch: Steifigkeit bis %1 N/mm, Dämpfung des Geräts</translation>
+    </message>
+    <message>
+        <source>In use: stiffness and damping of the device</source>
+        <translation>In Gebrauch: Steifigkeit und Dämpfung des Geräts</translation>
     </message>
 </context>
 <context>
@@ -5936,6 +6092,14 @@
         <source>Tools for other programs (*.fctl *.fctb *.tbl *.tools *.ctbl *.json)</source>
         <translation>Werkzeuge für andere Programme (*.fctl *.fctb *.tbl *.tools *.ctbl *.json)</translation>
     </message>
+    <message>
+        <source>Record a session trace</source>
+        <translation>Spur der Sitzung aufzeichnen</translation>
+    </message>
+    <message>
+        <source>Traces (*.csv)</source>
+        <translation>Spuren (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>FileUnits</name>
@@ -6690,6 +6854,21 @@
     <message>
         <source>Base plate</source>
         <translation>Grundplatte</translation>
+    </message>
+</context>
+<context>
+    <name>FixtureLabels</name>
+    <message>
+        <source>“%1” is %2 deep in the stock; change its position or size.</source>
+        <translation>„%1“ steckt %2 tief im Rohteil; ändern Sie Lage oder Maße.</translation>
+    </message>
+    <message>
+        <source>There is no stock where “%1” clamps; change its position or size.</source>
+        <translation>Wo „%1“ spannt, ist kein Rohteil; ändern Sie Lage oder Maße.</translation>
+    </message>
+    <message>
+        <source>“%1” doesn&apos;t touch the stock: a gap of %2 remains.</source>
+        <translation>„%1“ berührt das Rohteil nicht: Es bleibt ein Spalt von %2.</translation>
     </message>
 </context>
 <context>
@@ -7877,10 +8056,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Die erste Bahn nach dieser Größe färben, mit Skala, statt nach ihren Bewegungen</translation>
     </message>
     <message>
-        <source>Measure the part: a face, its wall thickness, or how two faces lie to each other</source>
-        <translation>Das Teil messen: eine Fläche, ihre Wandstärke oder wie zwei Flächen zueinander liegen</translation>
-    </message>
-    <message>
         <source>X,Y,Z on the part, mm, in the coordinates of the setup; the nearest face is measured</source>
         <translation>X,Y,Z auf dem Teil, mm, in den Koordinaten der Aufspannung; gemessen wird die nächste Fläche</translation>
     </message>
@@ -8113,10 +8288,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Vorrichtung der Bibliothek: ihre Art, dann wo sie angeklickt würde, und Maße: &quot;step-clamp at=X,Y turn=GRAD MASS=MM&quot;; place=X,Y,Z versetzt ihren Ursprung. Arten und Maße: burin fixtures; darf wiederholt werden</translation>
     </message>
     <message>
-        <source>Change a fixture of the library: &quot;NAME: SIZE=MM&quot;, with the same words; may be repeated</source>
-        <translation>Eine Vorrichtung der Bibliothek ändern: &quot;NAME: MASS=MM&quot;, mit denselben Wörtern; darf wiederholt werden</translation>
-    </message>
-    <message>
         <source>drill, thread: a hole at X,Y, mm, or by its number in &quot;info --json&quot;; can be given several times (default: every upright hole of the part that fits the drill, or has the diameter of the thread)</source>
         <translation>drill, thread: eine Bohrung bei X,Y, mm, oder nach ihrer Nummer in „info --json“; mehrmals möglich (Vorgabe: jede senkrechte Bohrung des Teils, die zum Bohrer passt oder den Durchmesser des Gewindes hat)</translation>
     </message>
@@ -8127,10 +8298,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>thread: instead of --pitch: threads per inch</source>
         <translation>thread: statt --pitch: Gänge je Zoll</translation>
-    </message>
-    <message>
-        <source>thread: major diameter, mm (default: that of each --hole)</source>
-        <translation>thread: Nenndurchmesser, mm (Vorgabe: der jeder --hole)</translation>
     </message>
     <message>
         <source>thread: once more at full depth</source>
@@ -8147,10 +8314,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil (concave edges), rest (what is left), engrave, drill, thread</source>
         <translation>Durchgang berechnen: levels (Schruppen), pocket (Tasche), profile (Kontur), face (Planfräsen), parallel, radial, spiral, flow (Bahnen, die --lead oder --lines folgen), waterline (Höhenlinien), scallop (gleichmäßiger Abstand), pencil (konkave Kanten), rest (Restmaterial), engrave (Gravieren), drill (Bohren), thread (Gewindefräsen)</translation>
-    </message>
-    <message>
-        <source>engrave, drill: depth below the top of the stock, mm; thread: below the top of its hole (default of drill and thread: to the bottom of the part&apos;s hole)</source>
-        <translation>engrave, drill: Tiefe unter der Oberkante des Rohteils, mm; thread: unter der Oberkante der Bohrung (Vorgabe bei drill und thread: bis zum Grund der Bohrung des Teils)</translation>
     </message>
     <message>
         <source>Role of a body, or of all bodies of an assembly (by its path): BODY=part, stock, insert, protected-insert, fixture or ignored; may be repeated</source>
@@ -8175,10 +8338,6 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Copy them instead; tools that Burin is shipped with can be copied, too</source>
         <translation>Sie stattdessen kopieren; auch mitgelieferte Werkzeuge lassen sich kopieren</translation>
-    </message>
-    <message>
-        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes must be modelled with this diameter</source>
-        <translation>thread: metrische Größe, M3 bis M24 oder Durchmesser und Steigung, M8x1; die Bohrungen des Teils müssen mit diesem Durchmesser modelliert sein</translation>
     </message>
     <message>
         <source>thread: number of passes along the thread, each deeper than the one before</source>
@@ -8220,6 +8379,66 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Tool for --touch</source>
         <translation>Werkzeug für --touch</translation>
     </message>
+    <message>
+        <source>Use the suggested gains for this device from now on, in the window and with &quot;mill&quot;</source>
+        <translation>Die vorgeschlagenen Werte ab jetzt für dieses Gerät verwenden, im Fenster und mit „mill“</translation>
+    </message>
+    <message>
+        <source>Never suggest a stiffness above this, N/mm; 0: no maximum of your own. Kept with --keep-gains</source>
+        <translation>Nie eine größere Steifigkeit als diese vorschlagen, N/mm; 0: kein eigener Höchstwert. Wird mit --keep-gains behalten</translation>
+    </message>
+    <message>
+        <source>Friction of the handle with the motors off, N, as a spring balance shows it; it limits the suggested stiffness. 0: not measured. Kept with --keep-gains</source>
+        <translation>Reibung des Griffs bei abgeschalteten Motoren, N, wie eine Federwaage sie zeigt; sie begrenzt die vorgeschlagene Steifigkeit. 0: nicht gemessen. Wird mit --keep-gains behalten</translation>
+    </message>
+    <message>
+        <source>Use the gains of this device again that were in use before the last change</source>
+        <translation>Wieder die Werte dieses Geräts von vor der letzten Änderung verwenden</translation>
+    </message>
+    <message>
+        <source>Measure the part or the workpiece: a face, its wall thickness, or how two faces lie to each other</source>
+        <translation>Das Teil oder das Werkstück messen: eine Fläche, ihre Wandstärke oder wie zwei Flächen zueinander liegen</translation>
+    </message>
+    <message>
+        <source>Measure the workpiece as the takes left it: also its depth below the top of the stock, the width to the opposite side and the stock left on the part, each with its uncertainty</source>
+        <translation>Das Werkstück messen, wie die Aufnahmen es hinterlassen haben: auch die Tiefe unter der Oberkante des Rohteils, die Weite bis zur Gegenseite und das Restmaterial auf dem Teil, jeweils mit Unsicherheit</translation>
+    </message>
+    <message>
+        <source>Measure the workpiece of a volume file (.srle), as verify writes it</source>
+        <translation>Das Werkstück einer Volumendatei (.srle) messen, wie verify sie schreibt</translation>
+    </message>
+    <message>
+        <source>X,Y,Z into the workpiece: its thickness along this direction, too</source>
+        <translation>X,Y,Z in das Werkstück hinein: auch seine Dicke in dieser Richtung</translation>
+    </message>
+    <message>
+        <source>Tool (default: that of the trace, otherwise ball-6)</source>
+        <translation>Werkzeug (Vorgabe: das der Spur, sonst ball-6)</translation>
+    </message>
+    <message>
+        <source>Change a fixture of the library: &quot;NAME: SIZE=MM&quot;, with the same words; any other is moved: by=X,Y,Z, place=X,Y,Z (its lower corner), turn=DEGREES about Z through its middle; may be repeated</source>
+        <translation>Eine Vorrichtung der Bibliothek ändern: &quot;NAME: MASS=MM&quot;, mit denselben Wörtern; jede andere wird verschoben: by=X,Y,Z, place=X,Y,Z (ihre untere Ecke), turn=GRAD um Z durch ihre Mitte; darf wiederholt werden</translation>
+    </message>
+    <message>
+        <source>thread: an external thread on the stud at X,Y, mm, or by its number in &quot;info --json&quot;; can be given several times</source>
+        <translation>thread: ein Außengewinde auf dem Zapfen bei X,Y, mm, oder nach seiner Nummer in „info --json“; mehrmals möglich</translation>
+    </message>
+    <message>
+        <source>thread: on studs of the part instead of in its holes (default: every upright stud that has the minor diameter of the thread)</source>
+        <translation>thread: auf Zapfen des Teils statt in seinen Bohrungen (Vorgabe: jeder senkrechte Zapfen mit dem Kerndurchmesser des Gewindes)</translation>
+    </message>
+    <message>
+        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes must be modelled with this diameter, its studs with the minor diameter that the mill cuts</source>
+        <translation>thread: metrische Größe, M3 bis M24 oder Durchmesser und Steigung, M8x1; die Bohrungen des Teils müssen mit diesem Durchmesser modelliert sein, seine Zapfen mit dem Kerndurchmesser, den der Fräser schneidet</translation>
+    </message>
+    <message>
+        <source>thread: major diameter, mm (default: as each --hole or --stud has it)</source>
+        <translation>thread: Nenndurchmesser, mm (Vorgabe: wie jede --hole oder jeder --stud ihn hat)</translation>
+    </message>
+    <message>
+        <source>engrave, drill: depth below the top of the stock, mm; thread: below the top of its hole or stud (default of drill and thread: to the bottom of the part&apos;s hole, or as far as the tool has room around the stud)</source>
+        <translation>engrave, drill: Tiefe unter der Oberkante des Rohteils, mm; thread: unter der Oberkante der Bohrung oder des Zapfens (Vorgabe bei drill und thread: bis zum Grund der Bohrung des Teils, oder so weit das Werkzeug um den Zapfen Platz hat)</translation>
+    </message>
 </context>
 <context>
     <name>HoleLabels</name>
@@ -8228,12 +8447,16 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>⌀ %1, %2 tief</translation>
     </message>
     <message>
-        <source>no hole of the part</source>
-        <translation>keine Bohrung des Teils</translation>
-    </message>
-    <message>
         <source>%1 at X %2, Y %3</source>
         <translation>%1 bei X %2, Y %3</translation>
+    </message>
+    <message>
+        <source>stud ⌀ %1, %2 high</source>
+        <translation>Zapfen ⌀ %1, %2 hoch</translation>
+    </message>
+    <message>
+        <source>no hole or stud of the part</source>
+        <translation>keine Bohrung und kein Zapfen des Teils</translation>
     </message>
 </context>
 <context>
@@ -8538,6 +8761,30 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>Free-form face</source>
         <translation>Freiformfläche</translation>
     </message>
+    <message>
+        <source>Cut into the part: %1.</source>
+        <translation>In das Teil geschnitten: %1.</translation>
+    </message>
+    <message>
+        <source>Stock left on the part: %1.</source>
+        <translation>Restmaterial auf dem Teil: %1.</translation>
+    </message>
+    <message>
+        <source>Position %1, within %2.</source>
+        <translation>Position %1, auf %2 genau.</translation>
+    </message>
+    <message>
+        <source>Depth below the top of the stock: %1.</source>
+        <translation>Tiefe unter der Oberkante des Rohteils: %1.</translation>
+    </message>
+    <message>
+        <source>Thickness along the line of sight: %1.</source>
+        <translation>Dicke in Blickrichtung: %1.</translation>
+    </message>
+    <message>
+        <source>Width to the opposite side: %1.</source>
+        <translation>Weite bis zur Gegenseite: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Messages</name>
@@ -8813,6 +9060,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>&quot;%1&quot; moves the tool, but neither vibrates nor pushes, as you have no permission to write to it (%2); install Burin&apos;s udev rule and plug it in again.</source>
         <translation>„%1“ bewegt das Werkzeug, vibriert und drückt aber nicht, weil Sie nicht darauf schreiben dürfen (%2); richten Sie Burins udev-Regel ein und schließen Sie es neu an.</translation>
     </message>
+    <message>
+        <source>The trace &quot;%1&quot; could not be written (%2) and was discarded; milling goes on without it.</source>
+        <translation>Die Spur „%1“ konnte nicht geschrieben werden (%2) und wurde verworfen; das Fräsen geht ohne sie weiter.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -9004,6 +9255,14 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
         <translation>%1 Bohrungen werden nicht auf volle Tiefe gebohrt: Das Teil ist im Weg, oder der Bohrer ist zu kurz.</translation>
+    </message>
+    <message>
+        <source>One stud was not threaded: it is not milled to the major diameter, or part or stock around it are in the way of the tool. Mill it first.</source>
+        <translation>Ein Zapfen erhielt kein Gewinde: Er ist nicht auf den Nenndurchmesser gefräst, oder Teil oder Material um ihn sind dem Werkzeug im Weg. Fräsen Sie ihn zuerst.</translation>
+    </message>
+    <message>
+        <source>%1 studs were not threaded: they are not milled to the major diameter, or part or stock around them are in the way of the tool. Mill them first.</source>
+        <translation>%1 Zapfen erhielten kein Gewinde: Sie sind nicht auf den Nenndurchmesser gefräst, oder Teil oder Material um sie sind dem Werkzeug im Weg. Fräsen Sie sie zuerst.</translation>
     </message>
 </context>
 <context>
@@ -9374,8 +9633,8 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <translation>Gewindefräsen</translation>
     </message>
     <message>
-        <source>Mills internal threads in drilled holes that are modelled with the thread&apos;s major diameter</source>
-        <translation>Fräst Innengewinde in vorgebohrte Bohrungen, die mit dem Nenndurchmesser des Gewindes modelliert sind</translation>
+        <source>Mills threads in drilled holes that are modelled with the thread&apos;s major diameter, or on studs that are modelled with its minor diameter</source>
+        <translation>Fräst Gewinde in vorgebohrte Bohrungen, die mit dem Nenndurchmesser des Gewindes modelliert sind, oder auf Zapfen, die mit seinem Kerndurchmesser modelliert sind</translation>
     </message>
 </context>
 <context>
@@ -10769,10 +11028,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Flächen</translation>
     </message>
     <message>
-        <source>fixture of the library</source>
-        <translation>Vorrichtung der Bibliothek</translation>
-    </message>
-    <message>
         <source>kind of fixture</source>
         <translation>Art von Vorrichtung</translation>
     </message>
@@ -10835,6 +11090,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>test strength</source>
         <translation>Teststärke</translation>
+    </message>
+    <message>
+        <source>change of a fixture</source>
+        <translation>Änderung einer Vorrichtung</translation>
     </message>
 </context>
 <context>
@@ -11884,8 +12143,55 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Abstand zum Rohteil</translation>
     </message>
     <message>
-        <source>Distance that shank and holder keep from the stock, with every stylus, while “Keep from the stock” is on in the menu Mill. A change restarts milling.</source>
-        <translation>Abstand, den Schaft und Halter zum Rohteil halten, mit jedem Stift, solange im Menü Fräsen „Abstand zum Rohteil halten“ eingeschaltet ist. Eine Änderung startet das Fräsen neu.</translation>
+        <source>Distance that shank and holder keep from the stock, counted from the centres of its voxels, with every stylus, while “Keep from the stock” is on in the menu Mill. A change restarts milling.</source>
+        <translation>Abstand, den Schaft und Halter zum Rohteil halten, gezählt von den Mitten seiner Voxel, mit jedem Stift, solange im Menü Fräsen „Abstand zum Rohteil halten“ eingeschaltet ist. Eine Änderung startet das Fräsen neu.</translation>
+    </message>
+</context>
+<context>
+    <name>burin::DeviceGains</name>
+    <message>
+        <source>Maximum stiffness</source>
+        <translation>Größte Steifigkeit</translation>
+    </message>
+    <message>
+        <source>The part never feels stiffer than this, whatever the device allows. 0: as stiff as it allows</source>
+        <translation>Das Werkstück fühlt sich nie steifer an, was das Gerät auch erlaubt. 0: so steif, wie es erlaubt</translation>
+    </message>
+    <message>
+        <source>Friction of the handle</source>
+        <translation>Reibung des Griffs</translation>
+    </message>
+    <message>
+        <source>Force with which a spring balance just moves the handle while the motors are off. It absorbs the steps of the encoders, and limits the suggested stiffness. 0: not measured</source>
+        <translation>Kraft, mit der eine Federwaage den Griff bei abgeschalteten Motoren gerade bewegt. Sie nimmt die Schritte der Geber auf und begrenzt die vorgeschlagene Steifigkeit. 0: nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Use the suggested gains</source>
+        <translation>Vorgeschlagene Werte verwenden</translation>
+    </message>
+    <message>
+        <source>Previous gains</source>
+        <translation>Vorherige Werte</translation>
+    </message>
+    <message>
+        <source>Test a device with motors first: its rate and latency are measured for this.</source>
+        <translation>Zuerst ein Gerät mit Motoren testen: Dafür werden seine Rate und Verzögerung gemessen.</translation>
+    </message>
+    <message>
+        <source>The suggested gains are in use.</source>
+        <translation>Die vorgeschlagenen Werte sind in Gebrauch.</translation>
+    </message>
+    <message>
+        <source>Use the stiffness and damping that the test suggests for this device, the next time you mill. “Previous gains” takes it back.</source>
+        <translation>Beim nächsten Fräsen die Steifigkeit und Dämpfung verwenden, die der Test für dieses Gerät vorschlägt. „Vorherige Werte“ nimmt es zurück.</translation>
+    </message>
+    <message>
+        <source>The gains of this device were not changed.</source>
+        <translation>Die Werte dieses Geräts wurden nicht geändert.</translation>
+    </message>
+    <message>
+        <source>Use the stiffness and damping from before the last change again</source>
+        <translation>Wieder die Steifigkeit und Dämpfung von vor der letzten Änderung verwenden</translation>
     </message>
 </context>
 <context>
@@ -12860,6 +13166,25 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>There is no round upright hole here. Click the wall of a hole, or inside it.</source>
         <translation>Hier ist keine runde senkrechte Bohrung. Klicken Sie auf die Wand einer Bohrung oder in sie hinein.</translation>
+    </message>
+    <message>
+        <source>There is no round upright hole or stud here. Click the wall of a hole, inside it, or a stud.</source>
+        <translation>Hier ist weder eine runde senkrechte Bohrung noch ein Zapfen. Klicken Sie auf die Wand einer Bohrung, in sie hinein oder auf einen Zapfen.</translation>
+    </message>
+    <message>
+        <source>Click the holes or the studs of the pass; a second click removes one. Enter or Esc goes back to the pass.</source>
+        <translation>Klicken Sie auf die Bohrungen oder die Zapfen des Durchgangs; ein zweiter Klick entfernt eine Wahl. Eingabe oder Esc führt zum Durchgang zurück.</translation>
+    </message>
+    <message>
+        <source>1 stud is picked.</source>
+        <translation>1 Zapfen ist gewählt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studs are picked.</source>
+        <translation>
+            <numerusform>%n Zapfen ist gewählt.</numerusform>
+            <numerusform>%n Zapfen sind gewählt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13884,6 +14209,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>The tool “%1” is in the library. It is hollow, %2 mm in diameter and %3 mm deep, and leaves a core there; its outside is at most %4 mm wider than what its flutes sweep.</source>
         <translation>Das Werkzeug „%1“ steht in der Bibliothek. Es ist hohl, %2 mm im Durchmesser und %3 mm tief, und lässt dort einen Kern stehen; außen ist es höchstens %4 mm weiter als das, was seine Schneiden überstreichen.</translation>
     </message>
+    <message>
+        <source>The trace of the session was written to “%1”.</source>
+        <translation>Die Spur der Sitzung wurde in „%1“ geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -14167,6 +14496,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Click a point on the part to measure its face, then another one for the distance. Esc ends measuring.</source>
         <translation>Klicken Sie einen Punkt auf dem Teil an, um seine Fläche zu messen, dann einen zweiten für den Abstand. Esc beendet das Messen.</translation>
+    </message>
+    <message>
+        <source>Click a point on the workpiece to measure its face and the stock that is left there, then another one for the distance. Esc ends measuring.</source>
+        <translation>Klicken Sie einen Punkt auf dem Werkstück an, um seine Fläche und das Restmaterial dort zu messen, dann einen zweiten für den Abstand. Esc beendet das Messen.</translation>
     </message>
 </context>
 <context>
@@ -14849,10 +15182,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Höhe</translation>
     </message>
     <message>
-        <source>As in its file, %1 triangles</source>
-        <translation>Wie in der Datei, %1 Dreiecke</translation>
-    </message>
-    <message>
         <source>Stop the recording first.</source>
         <translation>Beenden Sie zuerst die Aufzeichnung.</translation>
     </message>
@@ -14869,12 +15198,27 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Ihre Maße und ihre Lage ändern</translation>
     </message>
     <message>
-        <source>From the library: %1. It is %2 deep in the stock; change its position or size.</source>
-        <translation>Aus der Bibliothek: %1. Sie steckt %2 tief im Rohteil; ändern Sie Lage oder Maße.</translation>
-    </message>
-    <message>
         <source>From the library: %1</source>
         <translation>Aus der Bibliothek: %1</translation>
+    </message>
+    <message>
+        <source>From a file, %1 triangles</source>
+        <translation>Aus einer Datei, %1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Move it in the view, with the mouse or the keys</source>
+        <translation>In der Ansicht verschieben, mit der Maus oder den Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ObstacleMovePresenter</name>
+    <message>
+        <source>Drag the handles, click the stock or the table, or use the arrow keys, Page up and down; R rotates it. Enter keeps the new position, Esc the old one.</source>
+        <translation>Ziehen Sie die Griffe, klicken Sie auf Rohteil oder Tisch, oder nehmen Sie Pfeiltasten, Bild auf und ab; R dreht. Eingabe behält die neue Lage, Esc die alte.</translation>
+    </message>
+    <message>
+        <source>Drag the arrows, click the stock or the table, or use the arrow keys, Page up and down. R rotates it by 90°: the edges of a box stay parallel to the axes. Enter keeps the new position, Esc the old one.</source>
+        <translation>Ziehen Sie die Pfeile, klicken Sie auf Rohteil oder Tisch, oder nehmen Sie Pfeiltasten, Bild auf und ab. R dreht um 90°: Die Kanten eines Quaders bleiben parallel zu den Achsen. Eingabe behält die neue Lage, Esc die alte.</translation>
     </message>
 </context>
 <context>
@@ -15140,20 +15484,8 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Senkrechte Bohrungen des Teils: %1</translation>
     </message>
     <message>
-        <source>Picked holes</source>
-        <translation>Gewählte Bohrungen</translation>
-    </message>
-    <message>
-        <source>The holes of this pass, in the coordinates of the setup; Del removes one</source>
-        <translation>Die Bohrungen dieses Durchgangs, in den Koordinaten der Aufspannung; Entf entfernt eine</translation>
-    </message>
-    <message>
         <source>Pick holes…</source>
         <translation>Bohrungen wählen…</translation>
-    </message>
-    <message>
-        <source>Click holes of the part in the view; a second click removes a hole</source>
-        <translation>Bohrungen des Teils in der Ansicht anklicken; ein zweiter Klick entfernt eine</translation>
     </message>
     <message>
         <source>All that fit</source>
@@ -15162,14 +15494,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Choose a thread, or enter its pitch.</source>
         <translation>Wählen Sie ein Gewinde, oder geben Sie seine Steigung ein.</translation>
-    </message>
-    <message>
-        <source>Enter the diameter of the thread, or pick its holes.</source>
-        <translation>Geben Sie den Durchmesser des Gewindes ein, oder wählen Sie seine Bohrungen.</translation>
-    </message>
-    <message>
-        <source>Clear the selection: the pass uses every hole of the part that fits</source>
-        <translation>Die Auswahl aufheben: Der Durchgang nimmt jede passende Bohrung des Teils</translation>
     </message>
     <message>
         <source>Show me</source>
@@ -15182,6 +15506,34 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Stop showing</source>
         <translation>Vorführung beenden</translation>
+    </message>
+    <message>
+        <source>Picked holes or studs</source>
+        <translation>Gewählte Bohrungen oder Zapfen</translation>
+    </message>
+    <message>
+        <source>The holes or studs of this pass, in the coordinates of the setup; Del removes one</source>
+        <translation>Die Bohrungen oder Zapfen dieses Durchgangs, in den Koordinaten der Aufspannung; Entf entfernt eine Wahl</translation>
+    </message>
+    <message>
+        <source>Click holes of the part in the view, or studs for an external thread; a second click removes one</source>
+        <translation>Bohrungen des Teils in der Ansicht anklicken, oder Zapfen für ein Außengewinde; ein zweiter Klick entfernt eine Wahl</translation>
+    </message>
+    <message>
+        <source>Clear the selection: the pass uses every hole or stud of the part that fits</source>
+        <translation>Die Auswahl aufheben: Der Durchgang nimmt jede passende Bohrung oder jeden passenden Zapfen des Teils</translation>
+    </message>
+    <message>
+        <source>The part has no round upright studs.</source>
+        <translation>Das Teil hat keine runden senkrechten Zapfen.</translation>
+    </message>
+    <message>
+        <source>Upright studs of the part: %1</source>
+        <translation>Senkrechte Zapfen des Teils: %1</translation>
+    </message>
+    <message>
+        <source>Enter the diameter of the thread, or pick its holes or studs.</source>
+        <translation>Geben Sie den Durchmesser des Gewindes ein, oder wählen Sie seine Bohrungen oder Zapfen.</translation>
     </message>
 </context>
 <context>
@@ -15363,10 +15715,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Nenndurchmesser</translation>
     </message>
     <message>
-        <source>Length of the thread below the top of its hole. 0: as far as each hole is open and drilled</source>
-        <translation>Länge des Gewindes unter der Oberkante seiner Bohrung. 0: so weit jede Bohrung offen und vorgebohrt ist</translation>
-    </message>
-    <message>
         <source>other thread</source>
         <translation>anderes Gewinde</translation>
     </message>
@@ -15401,14 +15749,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>Conventional milling</source>
         <translation>Gegenlauf</translation>
-    </message>
-    <message>
-        <source>Conventional instead of climb milling: right-hand threads are cut from the top down</source>
-        <translation>Gegenlauf statt Gleichlauf: Rechtsgewinde werden von oben nach unten geschnitten</translation>
-    </message>
-    <message>
-        <source>Of the thread. The part&apos;s holes must be modelled with this diameter. 0: the diameter of each picked hole</source>
-        <translation>Des Gewindes. Die Bohrungen des Teils müssen mit diesem Durchmesser modelliert sein. 0: der Durchmesser jeder gewählten Bohrung</translation>
     </message>
     <message>
         <source>Number of passes along the thread, each deeper than the one before</source>
@@ -15453,6 +15793,26 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>extend</source>
         <translation>fortsetzen</translation>
+    </message>
+    <message>
+        <source>Of the thread. The part&apos;s holes must be modelled with this diameter, its studs with the minor diameter that the mill cuts. 0: as each picked hole or stud has it</source>
+        <translation>Des Gewindes. Die Bohrungen des Teils müssen mit diesem Durchmesser modelliert sein, seine Zapfen mit dem Kerndurchmesser, den der Fräser schneidet. 0: wie jede gewählte Bohrung oder jeder gewählte Zapfen ihn hat</translation>
+    </message>
+    <message>
+        <source>Length of the thread below the top of its hole or stud. 0: as far as each hole is open and drilled, or as the tool has room around the stud</source>
+        <translation>Länge des Gewindes unter der Oberkante seiner Bohrung oder seines Zapfens. 0: so weit jede Bohrung offen und vorgebohrt ist, oder so weit das Werkzeug um den Zapfen Platz hat</translation>
+    </message>
+    <message>
+        <source>External thread</source>
+        <translation>Außengewinde</translation>
+    </message>
+    <message>
+        <source>On round studs of the part instead of in its holes; picking holes or studs in the view sets it</source>
+        <translation>Auf runden Zapfen des Teils statt in seinen Bohrungen; das Wählen von Bohrungen oder Zapfen in der Ansicht stellt es ein</translation>
+    </message>
+    <message>
+        <source>Conventional instead of climb milling: internal right-hand threads are cut from the top down, external ones from the bottom up</source>
+        <translation>Gegenlauf statt Gleichlauf: Rechtsgewinde werden innen von oben nach unten geschnitten, außen von unten nach oben</translation>
     </message>
 </context>
 <context>
@@ -17603,6 +17963,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Preparing the stock for fixtures</source>
         <translation>Rohteil wird für Vorrichtungen vorbereitet</translation>
     </message>
+    <message>
+        <source>Fitting the fixture to the stock</source>
+        <translation>Die Vorrichtung wird an das Rohteil angepasst</translation>
+    </message>
 </context>
 <context>
     <name>burin::StylusController</name>
@@ -17710,6 +18074,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>fixture renamed</source>
         <translation>Vorrichtung umbenannt</translation>
+    </message>
+    <message>
+        <source>fixture moved</source>
+        <translation>Vorrichtung verschoben</translation>
     </message>
 </context>
 <context>
@@ -19006,6 +19374,14 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Rename the fixture</source>
         <translation>Vorrichtung umbenennen</translation>
     </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Verschieben</translation>
+    </message>
+    <message>
+        <source>Move it in the view, with the mouse or the keys.</source>
+        <translation>Verschiebt sie in der Ansicht, mit der Maus oder den Tasten.</translation>
+    </message>
 </context>
 <context>
     <name>burin::ValueForm</name>
@@ -19278,12 +19654,23 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Milling the takes again</source>
         <translation>Aufnahmen werden neu gefräst</translation>
     </message>
+    <message>
+        <source>Computing the surface of the stock</source>
+        <translation>Die Oberfläche des Rohteils wird berechnet</translation>
+    </message>
 </context>
 <context>
     <name>burin::WorkpieceKeeper</name>
     <message>
         <source>Storing the workpiece</source>
         <translation>Werkstück wird abgelegt</translation>
+    </message>
+</context>
+<context>
+    <name>burin::WorkpiecePicker</name>
+    <message>
+        <source>Esc: end measuring</source>
+        <translation>Esc: Messen beenden</translation>
     </message>
 </context>
 <context>
@@ -19406,8 +19793,12 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <translation>Das Werkzeug berührt nichts. Halten Sie es an eine Fläche des Teils oder, nach „Werkzeug am Rohteil aufhalten“, des Rohteils.</translation>
     </message>
     <message>
-        <source>The tool also touches something other than the stock. Hold it against the stock alone.</source>
-        <translation>Das Werkzeug berührt auch etwas anderes als das Rohteil. Halten Sie es nur gegen das Rohteil.</translation>
+        <source>The tool doesn&apos;t touch a side of the stock squarely. Hold it against a side that is parallel to two axes, and against nothing else.</source>
+        <translation>Das Werkzeug berührt keine Seite des Rohteils senkrecht. Halten Sie es gegen eine Seite, die zu zwei Achsen parallel ist, und gegen nichts anderes.</translation>
+    </message>
+    <message>
+        <source>Zero along %1 is set to the touched side, which is known to within %2.</source>
+        <translation>Der Nullpunkt entlang %1 liegt auf der angetasteten Seite, die auf %2 genau bekannt ist.</translation>
     </message>
 </context>
 </TS>

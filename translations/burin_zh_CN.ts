@@ -888,10 +888,6 @@
         <translation>为走刀选择孔(&amp;H)</translation>
     </message>
     <message>
-        <source>Click holes of the part for drilling or thread milling with the loaded tool.</source>
-        <translation>单击零件上的孔，用当前刀具钻孔或铣螺纹。</translation>
-    </message>
-    <message>
         <source>Insert a &amp;point</source>
         <translation>插入点(&amp;P)</translation>
     </message>
@@ -914,10 +910,6 @@
     <message>
         <source>&amp;Stop the tool at the stock</source>
         <translation>刀具停在毛坯处(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Until a recording starts, a stock that is a box or a cylinder stops the tool, as it was before milling, so that its sides can be touched off.</source>
-        <translation>在录制开始之前，长方体或圆柱体毛坯（按铣削前的形状）会挡住刀具，以便对其侧面进行对刀。</translation>
     </message>
     <message>
         <source>The face of the part or stock that the tool touches becomes zero along its axis, as with an edge finder.</source>
@@ -946,6 +938,30 @@
     <message>
         <source>Move points of the path with the chosen stylus, and feel part and fixtures.</source>
         <translation>用所选的触笔移动刀路上的点，并感受零件和夹具。</translation>
+    </message>
+    <message>
+        <source>Measure the wor&amp;kpiece</source>
+        <translation>测量工件(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Click points on the workpiece as it is milled: thickness, depth, width, diameter, stock left on the part, distances and angle.</source>
+        <translation>单击已铣削工件上的点：厚度、深度、宽度、直径、零件上的残料、距离和角度。</translation>
+    </message>
+    <message>
+        <source>Until a recording starts, the stock stops the tool, as it was before milling, so that its sides can be touched off.</source>
+        <translation>在录制开始之前，铣削前的毛坯会挡住刀具，以便用刀具碰触其侧面。</translation>
+    </message>
+    <message>
+        <source>Record a session trace…</source>
+        <translation>记录会话轨迹…</translation>
+    </message>
+    <message>
+        <source>Write every reading of the stylus, from entering mill mode until leaving it, to a file that &quot;burin mill&quot; replays to the bit.</source>
+        <translation>将从进入到退出铣削模式的每个触笔读数写入文件，“burin mill”可逐位精确重放。</translation>
+    </message>
+    <message>
+        <source>Click holes of the part for drilling or thread milling with the loaded tool, or studs for external threads.</source>
+        <translation>单击零件上的孔，用当前刀具钻孔或铣螺纹，或单击凸台以铣外螺纹。</translation>
     </message>
 </context>
 <context>
@@ -2511,6 +2527,34 @@
     <message>
         <source>pass %1 is out of date: hand strokes that it depends on have changed. Compute it again with &quot;recompute --outdated&quot;.</source>
         <translation>走刀 %1 已过时：它所依赖的手动笔画已更改。请用“recompute --outdated”重新计算。</translation>
+    </message>
+    <message>
+        <source>a device with motors, and a test of 200 readings or more</source>
+        <translation>带电机的设备，且测试至少有 200 个读数</translation>
+    </message>
+    <message>
+        <source>used with --workpiece or --workpiece-file</source>
+        <translation>与 --workpiece 或 --workpiece-file 一起使用</translation>
+    </message>
+    <message>
+        <source>by=X,Y,Z in mm</source>
+        <translation>by=X,Y,Z，单位 mm</translation>
+    </message>
+    <message>
+        <source>X,Y in mm, or the number of a stud of the part, 1 to %1</source>
+        <translation>X,Y（mm），或零件凸台的编号，1 至 %1</translation>
+    </message>
+    <message>
+        <source>studs    %1</source>
+        <translation>凸台     %1</translation>
+    </message>
+    <message>
+        <source>touched  %1 %2 mm, within %3 mm</source>
+        <translation>已碰触  %1 %2 mm，精确到 %3 mm</translation>
+    </message>
+    <message>
+        <source>touched  %1 %2 mm</source>
+        <translation>已碰触  %1 %2 mm</translation>
     </message>
 </context>
 <context>
@@ -4228,10 +4272,6 @@
         <translation>螺纹为 0</translation>
     </message>
     <message>
-        <source>above 0, or the holes of the thread</source>
-        <translation>大于 0，或指定螺纹的孔</translation>
-    </message>
-    <message>
         <source>below half of the diameter</source>
         <translation>小于直径的一半</translation>
     </message>
@@ -4328,10 +4368,6 @@
         <translation>录制期间须为其他层</translation>
     </message>
     <message>
-        <source>a stock that is a box or a cylinder</source>
-        <translation>长方体或圆柱体毛坯</translation>
-    </message>
-    <message>
         <source>a tip from which the tool is clear of the stock</source>
         <translation>刀尖所在位置的刀具不接触毛坯</translation>
     </message>
@@ -4378,6 +4414,66 @@
     <message>
         <source>one that the session has</source>
         <translation>会话所具有的图层</translation>
+    </message>
+    <message>
+        <source>a workpiece with material</source>
+        <translation>含有材料的工件</translation>
+    </message>
+    <message>
+        <source>the disk could not keep up</source>
+        <translation>磁盘速度跟不上</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>磁盘已满</translation>
+    </message>
+    <message>
+        <source>one that was recorded with the fixtures, keep-out volumes and machine of this project</source>
+        <translation>使用本项目的夹具、禁入区和机床录制的轨迹</translation>
+    </message>
+    <message>
+        <source>a stock with a surface</source>
+        <translation>有表面的毛坯</translation>
+    </message>
+    <message>
+        <source>a rotation by a multiple of 90 degrees: the edges of a box stay parallel to the axes</source>
+        <translation>旋转 90 度的整数倍：长方体的棱边始终平行于坐标轴</translation>
+    </message>
+    <message>
+        <source>a rotation about Z: the fixture stands upright</source>
+        <translation>绕 Z 轴旋转：夹具保持直立</translation>
+    </message>
+    <message>
+        <source>the studs are milled to %1 mm, too narrow for the thread&apos;s major diameter, %2 mm</source>
+        <translation>凸台已铣至 %1 mm，小于螺纹大径 %2 mm</translation>
+    </message>
+    <message>
+        <source>the stock around the studs is in the way: mill it to the thread&apos;s major diameter first, %1 mm, down to Z %2 mm in the coordinates of the setup</source>
+        <translation>凸台周围的材料挡住了刀具：请先将其铣至螺纹大径 %1 mm，深至装夹坐标系的 Z %2 mm</translation>
+    </message>
+    <message>
+        <source>the part is in the way of the tool around its studs, or it is too short</source>
+        <translation>零件在凸台周围挡住了刀具，或刀具太短</translation>
+    </message>
+    <message>
+        <source>the part has no upright stud of the thread&apos;s minor diameter there</source>
+        <translation>零件在该处没有直径等于螺纹小径的竖直凸台</translation>
+    </message>
+    <message>
+        <source>a round upright stud of the part</source>
+        <translation>零件的竖直圆凸台</translation>
+    </message>
+    <message>
+        <source>a stud modelled with the minor diameter that this mill cuts, %1 mm, not with %2 mm</source>
+        <translation>按此铣刀所铣小径 %1 mm（而非 %2 mm）建模的凸台</translation>
+    </message>
+    <message>
+        <source>above %1 and at most %2 mm for the stud at %3, %4</source>
+        <translation>对于 %3, %4 处的凸台：大于 %1 且至多 %2 mm</translation>
+    </message>
+    <message>
+        <source>above 0, or the holes or studs of the thread</source>
+        <translation>大于 0，或指定螺纹的孔或凸台</translation>
     </message>
 </context>
 <context>
@@ -4728,6 +4824,66 @@
     <message>
         <source>Maximum strength commanded: %1 %</source>
         <translation>最大指令强度：%1 %</translation>
+    </message>
+    <message>
+        <source>99 of 100 intervals are shorter than %1 ms</source>
+        <translation>100 个间隔中有 99 个短于 %1 ms</translation>
+    </message>
+    <message>
+        <source>Latency from reading to force: at most %1 ms</source>
+        <translation>从读数到力的延迟：最多 %1 ms</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by %2 ms between readings</source>
+        <translation>建议刚度：%1 N/mm，受读数间隔 %2 ms 限制</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by readings up to %2 ms late</source>
+        <translation>建议刚度：%1 N/mm，受最多迟到 %2 ms 的读数限制</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by %2 ms latency</source>
+        <translation>建议刚度：%1 N/mm，受 %2 ms 延迟限制</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by steps of %2 mm at %3 N of friction</source>
+        <translation>建议刚度：%1 N/mm，受 %2 mm 的步距和 %3 N 的摩擦限制</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by your own maximum</source>
+        <translation>建议刚度：%1 N/mm，受您设定的最大值限制</translation>
+    </message>
+    <message>
+        <source>Suggested stiffness: %1 N/mm, limited by the device itself</source>
+        <translation>建议刚度：%1 N/mm，受设备本身限制</translation>
+    </message>
+    <message>
+        <source>Suggested damping: %1 N·s/m</source>
+        <translation>建议阻尼：%1 N·s/m</translation>
+    </message>
+    <message>
+        <source>Safety margin: %1 % below what is stable for a handle that nobody holds</source>
+        <translation>安全裕量：比无人握持手柄时的稳定极限低 %1 %</translation>
+    </message>
+    <message>
+        <source>Latency: %1 ms, as the device states; not measured</source>
+        <translation>延迟：%1 ms，由设备声明，未测量</translation>
+    </message>
+    <message>
+        <source>Latency: unknown, as the device neither states nor reports it</source>
+        <translation>延迟：未知，设备既未声明也未报告</translation>
+    </message>
+    <message>
+        <source>In use: stiffness up to %1 N/mm, damping up to %2 N·s/m</source>
+        <translation>使用中：刚度不超过 %1 N/mm，阻尼不超过 %2 N·s/m</translation>
+    </message>
+    <message>
+        <source>In use: stiffness up to %1 N/mm, damping of the device</source>
+        <translation>使用中：刚度不超过 %1 N/mm，阻尼取自设备</translation>
+    </message>
+    <message>
+        <source>In use: stiffness and damping of the device</source>
+        <translation>使用中：刚度和阻尼取自设备</translation>
     </message>
 </context>
 <context>
@@ -5934,6 +6090,14 @@
         <source>Tools for other programs (*.fctl *.fctb *.tbl *.tools *.ctbl *.json)</source>
         <translation>供其他程序使用的刀具 (*.fctl *.fctb *.tbl *.tools *.ctbl *.json)</translation>
     </message>
+    <message>
+        <source>Record a session trace</source>
+        <translation>记录会话轨迹</translation>
+    </message>
+    <message>
+        <source>Traces (*.csv)</source>
+        <translation>轨迹 (*.csv)</translation>
+    </message>
 </context>
 <context>
     <name>FileUnits</name>
@@ -6688,6 +6852,21 @@
     <message>
         <source>Base plate</source>
         <translation>底板</translation>
+    </message>
+</context>
+<context>
+    <name>FixtureLabels</name>
+    <message>
+        <source>“%1” is %2 deep in the stock; change its position or size.</source>
+        <translation>“%1”进入毛坯 %2；请更改其位置或尺寸。</translation>
+    </message>
+    <message>
+        <source>There is no stock where “%1” clamps; change its position or size.</source>
+        <translation>“%1”的夹紧处没有毛坯；请更改其位置或尺寸。</translation>
+    </message>
+    <message>
+        <source>“%1” doesn&apos;t touch the stock: a gap of %2 remains.</source>
+        <translation>“%1”没有接触毛坯：还有 %2 的间隙。</translation>
     </message>
 </context>
 <context>
@@ -7875,10 +8054,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>按此物理量为第一条刀路着色并显示色标，而不是按移动类型</translation>
     </message>
     <message>
-        <source>Measure the part: a face, its wall thickness, or how two faces lie to each other</source>
-        <translation>测量零件：一个面、其壁厚，或两个面的相互位置</translation>
-    </message>
-    <message>
         <source>X,Y,Z on the part, mm, in the coordinates of the setup; the nearest face is measured</source>
         <translation>零件上的 X,Y,Z，mm，装夹坐标系；测量最近的面</translation>
     </message>
@@ -8111,10 +8286,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>夹具库中的夹具：先写类型，再写单击的位置和尺寸：&quot;step-clamp at=X,Y turn=度数 尺寸=毫米&quot;；place=X,Y,Z 移动其原点。类型和尺寸见 burin fixtures；可重复使用</translation>
     </message>
     <message>
-        <source>Change a fixture of the library: &quot;NAME: SIZE=MM&quot;, with the same words; may be repeated</source>
-        <translation>更改夹具库中的夹具：&quot;名称: 尺寸=毫米&quot;，词语同上；可重复使用</translation>
-    </message>
-    <message>
         <source>drill, thread: a hole at X,Y, mm, or by its number in &quot;info --json&quot;; can be given several times (default: every upright hole of the part that fits the drill, or has the diameter of the thread)</source>
         <translation>drill、thread：位于 X,Y（mm）的孔，或其在“info --json”中的编号；可给出多次（默认：零件上所有适合该钻头、或直径等于螺纹大径的竖直孔）</translation>
     </message>
@@ -8125,10 +8296,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>thread: instead of --pitch: threads per inch</source>
         <translation>thread：每英寸牙数，代替 --pitch</translation>
-    </message>
-    <message>
-        <source>thread: major diameter, mm (default: that of each --hole)</source>
-        <translation>thread：大径，mm（默认：每个 --hole 的直径）</translation>
     </message>
     <message>
         <source>thread: once more at full depth</source>
@@ -8145,10 +8312,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Compute a pass: levels (roughing), pocket, profile, face, parallel, radial, spiral, flow (rows that follow --lead or --lines), waterline, scallop, pencil (concave edges), rest (what is left), engrave, drill, thread</source>
         <translation>计算一次走刀：levels（分层粗加工）、pocket（型腔）、profile（轮廓）、face（面铣）、parallel（平行）、radial（放射）、spiral（螺旋）、flow（流线，各行跟随 --lead 或 --lines）、waterline（等高）、scallop（等残高）、pencil（清根，凹边）、rest（残料加工）、engrave（雕刻）、drill（钻孔）、thread（铣螺纹）</translation>
-    </message>
-    <message>
-        <source>engrave, drill: depth below the top of the stock, mm; thread: below the top of its hole (default of drill and thread: to the bottom of the part&apos;s hole)</source>
-        <translation>engrave、drill：自毛坯顶面向下的深度，mm；thread：自孔口向下的深度（drill 和 thread 默认：到零件孔的底部）</translation>
     </message>
     <message>
         <source>Role of a body, or of all bodies of an assembly (by its path): BODY=part, stock, insert, protected-insert, fixture or ignored; may be repeated</source>
@@ -8173,10 +8336,6 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Copy them instead; tools that Burin is shipped with can be copied, too</source>
         <translation>改为复制；Burin 自带的刀具也可以复制</translation>
-    </message>
-    <message>
-        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes must be modelled with this diameter</source>
-        <translation>thread：公制规格，M3 至 M24，或直径与螺距 M8x1；零件的孔须按此直径建模</translation>
     </message>
     <message>
         <source>thread: number of passes along the thread, each deeper than the one before</source>
@@ -8218,6 +8377,66 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>Tool for --touch</source>
         <translation>用于 --touch 的刀具</translation>
     </message>
+    <message>
+        <source>Use the suggested gains for this device from now on, in the window and with &quot;mill&quot;</source>
+        <translation>从现在起在窗口和“mill”中对该设备使用建议的增益</translation>
+    </message>
+    <message>
+        <source>Never suggest a stiffness above this, N/mm; 0: no maximum of your own. Kept with --keep-gains</source>
+        <translation>建议刚度不超过此值，N/mm；0：不设自己的最大值。与 --keep-gains 一起保存</translation>
+    </message>
+    <message>
+        <source>Friction of the handle with the motors off, N, as a spring balance shows it; it limits the suggested stiffness. 0: not measured. Kept with --keep-gains</source>
+        <translation>电机关闭时手柄的摩擦力，N，由弹簧秤测得；它限制建议刚度。0：未测量。与 --keep-gains 一起保存</translation>
+    </message>
+    <message>
+        <source>Use the gains of this device again that were in use before the last change</source>
+        <translation>重新使用该设备上次更改之前的增益</translation>
+    </message>
+    <message>
+        <source>Measure the part or the workpiece: a face, its wall thickness, or how two faces lie to each other</source>
+        <translation>测量零件或工件：一个面、其壁厚，或两个面的相互位置</translation>
+    </message>
+    <message>
+        <source>Measure the workpiece as the takes left it: also its depth below the top of the stock, the width to the opposite side and the stock left on the part, each with its uncertainty</source>
+        <translation>测量录制后的工件：还包括毛坯顶面以下的深度、到对面的宽度和零件上的残料，各值均带不确定度</translation>
+    </message>
+    <message>
+        <source>Measure the workpiece of a volume file (.srle), as verify writes it</source>
+        <translation>测量体素文件（.srle）中的工件，例如 verify 写出的文件</translation>
+    </message>
+    <message>
+        <source>X,Y,Z into the workpiece: its thickness along this direction, too</source>
+        <translation>指向工件内部的 X,Y,Z：同时测量沿此方向的厚度</translation>
+    </message>
+    <message>
+        <source>Tool (default: that of the trace, otherwise ball-6)</source>
+        <translation>刀具（默认：轨迹的刀具，否则为 ball-6）</translation>
+    </message>
+    <message>
+        <source>Change a fixture of the library: &quot;NAME: SIZE=MM&quot;, with the same words; any other is moved: by=X,Y,Z, place=X,Y,Z (its lower corner), turn=DEGREES about Z through its middle; may be repeated</source>
+        <translation>更改夹具库中的夹具：&quot;名称: 尺寸=毫米&quot;，词语同上；其他夹具则移动：by=X,Y,Z，place=X,Y,Z（其最低角点），turn=角度（绕过其中心的 Z 轴）；可重复使用</translation>
+    </message>
+    <message>
+        <source>thread: an external thread on the stud at X,Y, mm, or by its number in &quot;info --json&quot;; can be given several times</source>
+        <translation>thread：在位于 X,Y（mm）的凸台上铣外螺纹，或给出其在“info --json”中的编号；可给出多次</translation>
+    </message>
+    <message>
+        <source>thread: on studs of the part instead of in its holes (default: every upright stud that has the minor diameter of the thread)</source>
+        <translation>thread：在零件的凸台上，而非孔内（默认：每个直径等于螺纹小径的竖直凸台）</translation>
+    </message>
+    <message>
+        <source>thread: a metric size, M3 to M24 or diameter and pitch, M8x1; the part&apos;s holes must be modelled with this diameter, its studs with the minor diameter that the mill cuts</source>
+        <translation>thread：公制规格，M3 至 M24，或直径与螺距 M8x1；零件的孔须按此直径建模，凸台须按铣刀所铣的小径建模</translation>
+    </message>
+    <message>
+        <source>thread: major diameter, mm (default: as each --hole or --stud has it)</source>
+        <translation>thread：大径，mm（默认：由每个 --hole 或 --stud 得出）</translation>
+    </message>
+    <message>
+        <source>engrave, drill: depth below the top of the stock, mm; thread: below the top of its hole or stud (default of drill and thread: to the bottom of the part&apos;s hole, or as far as the tool has room around the stud)</source>
+        <translation>engrave、drill：自毛坯顶面向下的深度，mm；thread：自孔口或凸台顶面向下的深度（drill 和 thread 默认：到零件孔的底部，或到刀具在凸台周围有空间之处）</translation>
+    </message>
 </context>
 <context>
     <name>HoleLabels</name>
@@ -8226,12 +8445,16 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>⌀ %1，深 %2</translation>
     </message>
     <message>
-        <source>no hole of the part</source>
-        <translation>不是零件的孔</translation>
-    </message>
-    <message>
         <source>%1 at X %2, Y %3</source>
         <translation>%1，位于 X %2，Y %3</translation>
+    </message>
+    <message>
+        <source>stud ⌀ %1, %2 high</source>
+        <translation>凸台 ⌀ %1，高 %2</translation>
+    </message>
+    <message>
+        <source>no hole or stud of the part</source>
+        <translation>不是零件的孔或凸台</translation>
     </message>
 </context>
 <context>
@@ -8536,6 +8759,30 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>Free-form face</source>
         <translation>自由曲面</translation>
     </message>
+    <message>
+        <source>Cut into the part: %1.</source>
+        <translation>切入零件：%1。</translation>
+    </message>
+    <message>
+        <source>Stock left on the part: %1.</source>
+        <translation>零件上的残料：%1。</translation>
+    </message>
+    <message>
+        <source>Position %1, within %2.</source>
+        <translation>位置 %1，误差不超过 %2。</translation>
+    </message>
+    <message>
+        <source>Depth below the top of the stock: %1.</source>
+        <translation>毛坯顶面以下的深度：%1。</translation>
+    </message>
+    <message>
+        <source>Thickness along the line of sight: %1.</source>
+        <translation>沿视线的厚度：%1。</translation>
+    </message>
+    <message>
+        <source>Width to the opposite side: %1.</source>
+        <translation>到对面的宽度：%1。</translation>
+    </message>
 </context>
 <context>
     <name>Messages</name>
@@ -8811,6 +9058,10 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>&quot;%1&quot; moves the tool, but neither vibrates nor pushes, as you have no permission to write to it (%2); install Burin&apos;s udev rule and plug it in again.</source>
         <translation>“%1”能移动刀具，但不振动也不推手，因为没有写入它的权限（%2）；安装 Burin 的 udev 规则后重新插入设备。</translation>
     </message>
+    <message>
+        <source>The trace &quot;%1&quot; could not be written (%2) and was discarded; milling goes on without it.</source>
+        <translation>无法写入轨迹“%1”（%2），已将其丢弃；铣削继续，不再记录轨迹。</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -9002,6 +9253,14 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>%1 holes are not drilled to full depth: the part is in the way, or the drill is too short.</source>
         <translation>有 %1 个孔未钻到全深：零件挡住了，或钻头太短。</translation>
+    </message>
+    <message>
+        <source>One stud was not threaded: it is not milled to the major diameter, or part or stock around it are in the way of the tool. Mill it first.</source>
+        <translation>有一个凸台未铣螺纹：未铣至大径，或其周围的零件或材料挡住了刀具。请先铣削。</translation>
+    </message>
+    <message>
+        <source>%1 studs were not threaded: they are not milled to the major diameter, or part or stock around them are in the way of the tool. Mill them first.</source>
+        <translation>有 %1 个凸台未铣螺纹：未铣至大径，或其周围的零件或材料挡住了刀具。请先铣削。</translation>
     </message>
 </context>
 <context>
@@ -9369,8 +9628,8 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <translation>铣螺纹</translation>
     </message>
     <message>
-        <source>Mills internal threads in drilled holes that are modelled with the thread&apos;s major diameter</source>
-        <translation>在已钻好、且按螺纹大径建模的孔内铣内螺纹</translation>
+        <source>Mills threads in drilled holes that are modelled with the thread&apos;s major diameter, or on studs that are modelled with its minor diameter</source>
+        <translation>在已钻好、且按螺纹大径建模的孔内，或在按螺纹小径建模的凸台上铣螺纹</translation>
     </message>
 </context>
 <context>
@@ -10761,10 +11020,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>面</translation>
     </message>
     <message>
-        <source>fixture of the library</source>
-        <translation>夹具库中的夹具</translation>
-    </message>
-    <message>
         <source>kind of fixture</source>
         <translation>夹具类型</translation>
     </message>
@@ -10827,6 +11082,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>test strength</source>
         <translation>测试强度</translation>
+    </message>
+    <message>
+        <source>change of a fixture</source>
+        <translation>夹具的更改</translation>
     </message>
 </context>
 <context>
@@ -11876,8 +12135,55 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>与毛坯的距离</translation>
     </message>
     <message>
-        <source>Distance that shank and holder keep from the stock, with every stylus, while “Keep from the stock” is on in the menu Mill. A change restarts milling.</source>
-        <translation>铣削菜单中的“与毛坯保持距离”打开时，刀杆和刀柄与毛坯保持的距离，对所有触笔有效。更改后铣削会重新开始。</translation>
+        <source>Distance that shank and holder keep from the stock, counted from the centres of its voxels, with every stylus, while “Keep from the stock” is on in the menu Mill. A change restarts milling.</source>
+        <translation>铣削菜单中的“与毛坯保持距离”打开时，刀杆和刀柄与毛坯保持的距离，从毛坯体素的中心算起，对所有触笔有效。更改后铣削会重新开始。</translation>
+    </message>
+</context>
+<context>
+    <name>burin::DeviceGains</name>
+    <message>
+        <source>Maximum stiffness</source>
+        <translation>最大刚度</translation>
+    </message>
+    <message>
+        <source>The part never feels stiffer than this, whatever the device allows. 0: as stiff as it allows</source>
+        <translation>无论设备允许多大，工件的手感都不会比这更硬。0：设备允许多硬就多硬</translation>
+    </message>
+    <message>
+        <source>Friction of the handle</source>
+        <translation>手柄摩擦力</translation>
+    </message>
+    <message>
+        <source>Force with which a spring balance just moves the handle while the motors are off. It absorbs the steps of the encoders, and limits the suggested stiffness. 0: not measured</source>
+        <translation>电机关闭时，弹簧秤刚好拉动手柄所需的力。它吸收编码器的步进，并限制建议刚度。0：未测量</translation>
+    </message>
+    <message>
+        <source>Use the suggested gains</source>
+        <translation>使用建议的增益</translation>
+    </message>
+    <message>
+        <source>Previous gains</source>
+        <translation>恢复之前的增益</translation>
+    </message>
+    <message>
+        <source>Test a device with motors first: its rate and latency are measured for this.</source>
+        <translation>请先测试一台带电机的设备：为此需要测量其速率和延迟。</translation>
+    </message>
+    <message>
+        <source>The suggested gains are in use.</source>
+        <translation>建议的增益已在使用。</translation>
+    </message>
+    <message>
+        <source>Use the stiffness and damping that the test suggests for this device, the next time you mill. “Previous gains” takes it back.</source>
+        <translation>下次铣削时使用测试为该设备建议的刚度和阻尼。“恢复之前的增益”可撤回。</translation>
+    </message>
+    <message>
+        <source>The gains of this device were not changed.</source>
+        <translation>该设备的增益没有更改过。</translation>
+    </message>
+    <message>
+        <source>Use the stiffness and damping from before the last change again</source>
+        <translation>重新使用上次更改之前的刚度和阻尼</translation>
     </message>
 </context>
 <context>
@@ -12851,6 +13157,24 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>There is no round upright hole here. Click the wall of a hole, or inside it.</source>
         <translation>此处没有竖直圆孔。请单击孔壁或孔内。</translation>
+    </message>
+    <message>
+        <source>There is no round upright hole or stud here. Click the wall of a hole, inside it, or a stud.</source>
+        <translation>此处没有竖直圆孔或圆凸台。请单击孔壁、孔内或凸台。</translation>
+    </message>
+    <message>
+        <source>Click the holes or the studs of the pass; a second click removes one. Enter or Esc goes back to the pass.</source>
+        <translation>请单击走刀的孔或凸台；再次单击则移除。按 Enter 或 Esc 返回走刀。</translation>
+    </message>
+    <message>
+        <source>1 stud is picked.</source>
+        <translation>已选 1 个凸台。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studs are picked.</source>
+        <translation>
+            <numerusform>已选 %n 个凸台。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13868,6 +14192,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>The tool “%1” is in the library. It is hollow, %2 mm in diameter and %3 mm deep, and leaves a core there; its outside is at most %4 mm wider than what its flutes sweep.</source>
         <translation>刀具“%1”已加入刀具库。它是空心的，直径 %2 mm，深 %3 mm，会在其中留下芯柱；其外侧最多比刀刃扫过的形状宽 %4 mm。</translation>
     </message>
+    <message>
+        <source>The trace of the session was written to “%1”.</source>
+        <translation>会话轨迹已写入“%1”。</translation>
+    </message>
 </context>
 <context>
     <name>burin::MaterialController</name>
@@ -14150,6 +14478,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Click a point on the part to measure its face, then another one for the distance. Esc ends measuring.</source>
         <translation>单击零件上的一点可测量其所在的面，再单击另一点可测量距离。Esc 结束测量。</translation>
+    </message>
+    <message>
+        <source>Click a point on the workpiece to measure its face and the stock that is left there, then another one for the distance. Esc ends measuring.</source>
+        <translation>单击工件上的一点可测量其所在的面和该处的残料，再单击另一点可测量距离。Esc 结束测量。</translation>
     </message>
 </context>
 <context>
@@ -14831,10 +15163,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>高度</translation>
     </message>
     <message>
-        <source>As in its file, %1 triangles</source>
-        <translation>与文件中相同，%1个三角形</translation>
-    </message>
-    <message>
         <source>Stop the recording first.</source>
         <translation>先停止录制。</translation>
     </message>
@@ -14851,12 +15179,27 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>更改其尺寸和位置</translation>
     </message>
     <message>
-        <source>From the library: %1. It is %2 deep in the stock; change its position or size.</source>
-        <translation>来自夹具库：%1。它进入毛坯 %2；请更改其位置或尺寸。</translation>
-    </message>
-    <message>
         <source>From the library: %1</source>
         <translation>来自夹具库：%1</translation>
+    </message>
+    <message>
+        <source>From a file, %1 triangles</source>
+        <translation>来自文件，%1 个三角形</translation>
+    </message>
+    <message>
+        <source>Move it in the view, with the mouse or the keys</source>
+        <translation>在视图中用鼠标或按键移动</translation>
+    </message>
+</context>
+<context>
+    <name>burin::ObstacleMovePresenter</name>
+    <message>
+        <source>Drag the handles, click the stock or the table, or use the arrow keys, Page up and down; R rotates it. Enter keeps the new position, Esc the old one.</source>
+        <translation>拖动手柄，单击毛坯或工作台，或使用方向键、Page Up 和 Page Down；R 键旋转。Enter 保留新位置，Esc 恢复原位置。</translation>
+    </message>
+    <message>
+        <source>Drag the arrows, click the stock or the table, or use the arrow keys, Page up and down. R rotates it by 90°: the edges of a box stay parallel to the axes. Enter keeps the new position, Esc the old one.</source>
+        <translation>拖动箭头，单击毛坯或工作台，或使用方向键、Page Up 和 Page Down。R 键旋转 90°：长方体的棱边始终平行于坐标轴。Enter 保留新位置，Esc 恢复原位置。</translation>
     </message>
 </context>
 <context>
@@ -15120,20 +15463,8 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>零件的竖直孔：%1</translation>
     </message>
     <message>
-        <source>Picked holes</source>
-        <translation>所选的孔</translation>
-    </message>
-    <message>
-        <source>The holes of this pass, in the coordinates of the setup; Del removes one</source>
-        <translation>此走刀的孔，采用装夹坐标；按 Del 移除</translation>
-    </message>
-    <message>
         <source>Pick holes…</source>
         <translation>选择孔…</translation>
-    </message>
-    <message>
-        <source>Click holes of the part in the view; a second click removes a hole</source>
-        <translation>在视图中单击零件上的孔；再次单击则移除该孔</translation>
     </message>
     <message>
         <source>All that fit</source>
@@ -15142,14 +15473,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Choose a thread, or enter its pitch.</source>
         <translation>请选择螺纹，或输入螺距。</translation>
-    </message>
-    <message>
-        <source>Enter the diameter of the thread, or pick its holes.</source>
-        <translation>请输入螺纹直径，或选择孔。</translation>
-    </message>
-    <message>
-        <source>Clear the selection: the pass uses every hole of the part that fits</source>
-        <translation>清除选择：走刀使用零件上所有适合的孔</translation>
     </message>
     <message>
         <source>Show me</source>
@@ -15162,6 +15485,34 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Stop showing</source>
         <translation>停止演示</translation>
+    </message>
+    <message>
+        <source>Picked holes or studs</source>
+        <translation>所选的孔或凸台</translation>
+    </message>
+    <message>
+        <source>The holes or studs of this pass, in the coordinates of the setup; Del removes one</source>
+        <translation>此走刀的孔或凸台，采用装夹坐标；按 Del 移除</translation>
+    </message>
+    <message>
+        <source>Click holes of the part in the view, or studs for an external thread; a second click removes one</source>
+        <translation>在视图中单击零件的孔，或单击凸台以铣外螺纹；再次单击则移除</translation>
+    </message>
+    <message>
+        <source>Clear the selection: the pass uses every hole or stud of the part that fits</source>
+        <translation>清除选择：走刀使用零件上所有适合的孔或凸台</translation>
+    </message>
+    <message>
+        <source>The part has no round upright studs.</source>
+        <translation>零件没有竖直的圆凸台。</translation>
+    </message>
+    <message>
+        <source>Upright studs of the part: %1</source>
+        <translation>零件的竖直凸台：%1</translation>
+    </message>
+    <message>
+        <source>Enter the diameter of the thread, or pick its holes or studs.</source>
+        <translation>请输入螺纹直径，或选择孔或凸台。</translation>
     </message>
 </context>
 <context>
@@ -15343,10 +15694,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>大径</translation>
     </message>
     <message>
-        <source>Length of the thread below the top of its hole. 0: as far as each hole is open and drilled</source>
-        <translation>螺纹自孔口向下的长度。0：到每个孔贯通且已钻到的深度</translation>
-    </message>
-    <message>
         <source>other thread</source>
         <translation>其他螺纹</translation>
     </message>
@@ -15381,14 +15728,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>Conventional milling</source>
         <translation>逆铣</translation>
-    </message>
-    <message>
-        <source>Conventional instead of climb milling: right-hand threads are cut from the top down</source>
-        <translation>逆铣而非顺铣：右旋螺纹自上而下铣削</translation>
-    </message>
-    <message>
-        <source>Of the thread. The part&apos;s holes must be modelled with this diameter. 0: the diameter of each picked hole</source>
-        <translation>螺纹的大径。零件的孔须按此直径建模。0：取每个所选孔的直径</translation>
     </message>
     <message>
         <source>Number of passes along the thread, each deeper than the one before</source>
@@ -15433,6 +15772,26 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>extend</source>
         <translation>延续</translation>
+    </message>
+    <message>
+        <source>Of the thread. The part&apos;s holes must be modelled with this diameter, its studs with the minor diameter that the mill cuts. 0: as each picked hole or stud has it</source>
+        <translation>螺纹的大径。零件的孔须按此直径建模，凸台须按铣刀所铣的小径建模。0：由每个所选的孔或凸台得出</translation>
+    </message>
+    <message>
+        <source>Length of the thread below the top of its hole or stud. 0: as far as each hole is open and drilled, or as the tool has room around the stud</source>
+        <translation>螺纹自孔口或凸台顶面向下的长度。0：到每个孔贯通且已钻到的深度，或到刀具在凸台周围有空间之处</translation>
+    </message>
+    <message>
+        <source>External thread</source>
+        <translation>外螺纹</translation>
+    </message>
+    <message>
+        <source>On round studs of the part instead of in its holes; picking holes or studs in the view sets it</source>
+        <translation>在零件的圆凸台上，而非孔内；在视图中选择孔或凸台时自动设置</translation>
+    </message>
+    <message>
+        <source>Conventional instead of climb milling: internal right-hand threads are cut from the top down, external ones from the bottom up</source>
+        <translation>逆铣而非顺铣：内右旋螺纹自上而下铣削，外右旋螺纹自下而上铣削</translation>
     </message>
 </context>
 <context>
@@ -17578,6 +17937,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Preparing the stock for fixtures</source>
         <translation>正在为夹具准备毛坯</translation>
     </message>
+    <message>
+        <source>Fitting the fixture to the stock</source>
+        <translation>正在使夹具贴合毛坯</translation>
+    </message>
 </context>
 <context>
     <name>burin::StylusController</name>
@@ -17685,6 +18048,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>fixture renamed</source>
         <translation>重命名夹具</translation>
+    </message>
+    <message>
+        <source>fixture moved</source>
+        <translation>移动夹具</translation>
     </message>
 </context>
 <context>
@@ -18976,6 +19343,14 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Rename the fixture</source>
         <translation>重命名夹具</translation>
     </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>移动(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Move it in the view, with the mouse or the keys.</source>
+        <translation>在视图中用鼠标或按键移动它。</translation>
+    </message>
 </context>
 <context>
     <name>burin::ValueForm</name>
@@ -19248,12 +19623,23 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Milling the takes again</source>
         <translation>正在重新铣削录制</translation>
     </message>
+    <message>
+        <source>Computing the surface of the stock</source>
+        <translation>正在计算毛坯表面</translation>
+    </message>
 </context>
 <context>
     <name>burin::WorkpieceKeeper</name>
     <message>
         <source>Storing the workpiece</source>
         <translation>正在存储工件</translation>
+    </message>
+</context>
+<context>
+    <name>burin::WorkpiecePicker</name>
+    <message>
+        <source>Esc: end measuring</source>
+        <translation>Esc：结束测量</translation>
     </message>
 </context>
 <context>
@@ -19376,8 +19762,12 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <translation>刀具没有接触任何东西。将刀具靠在零件的一个面上，或在选择“刀具停在毛坯处”后靠在毛坯的一个面上。</translation>
     </message>
     <message>
-        <source>The tool also touches something other than the stock. Hold it against the stock alone.</source>
-        <translation>刀具还碰到了毛坯以外的东西。请只让刀具抵住毛坯。</translation>
+        <source>The tool doesn&apos;t touch a side of the stock squarely. Hold it against a side that is parallel to two axes, and against nothing else.</source>
+        <translation>刀具没有垂直碰触毛坯的侧面。请让刀具只抵住一个平行于两个坐标轴的侧面。</translation>
+    </message>
+    <message>
+        <source>Zero along %1 is set to the touched side, which is known to within %2.</source>
+        <translation>%1 方向的零点已设在碰触的侧面，其位置精确到 %2。</translation>
     </message>
 </context>
 </TS>
