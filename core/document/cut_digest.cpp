@@ -35,10 +35,9 @@ Result<CutDigest> CutDigest::of(Database& database, SetupId setup) {
     if (!stock) return stock.error();
     made.stock_ = *stock;
     Result<Statement> rows =
-        Statement::prepare(database, "SELECT id, tool_id, (SELECT json FROM tool WHERE tool.id = tool_id), "
-                                     "(SELECT COALESCE(SUM(count), 0) FROM sample_chunk WHERE take = take.id) "
-                                     "FROM take WHERE removed = 0 AND setup = " +
-                                         id + " ORDER BY id");
+        Statement::prepare(database, "SELECT id, tool_id, (SELECT json FROM tool WHERE tool.id = tool_id), " +
+                                         std::string(sampleCountOfTake) +
+                                         " FROM take WHERE removed = 0 AND setup = " + id + " ORDER BY id");
     if (!rows) return std::move(rows).error();
     Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
         Digest tool;

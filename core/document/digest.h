@@ -5,7 +5,9 @@
 #include "core/document/database.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,11 +25,20 @@ public:
     }
     void add(std::string_view bytes) noexcept {
         add(bytes.size());
-        for (std::size_t start = 0; start < bytes.size(); start += 8) add(wordAt(bytes, start));
+        const std::size_t whole = bytes.size() / 8 * 8;
+        for (std::size_t start = 0; start < whole; start += 8) add(wholeWordAt(bytes, start));
+        if (whole < bytes.size()) add(wordAt(bytes, whole));
     }
     std::int64_t value() const noexcept { return static_cast<std::int64_t>(value_); }
 
 private:
+    /// `wordAt` of eight bytes, quickly: a project has hundreds of megabytes of them.
+    static std::uint64_t wholeWordAt(std::string_view bytes, std::size_t start) noexcept {
+        if constexpr (std::endian::native != std::endian::little) return wordAt(bytes, start);
+        std::uint64_t word = 0;
+        std::memcpy(&word, bytes.data() + start, sizeof word);
+        return word;
+    }
     static std::uint64_t wordAt(std::string_view bytes, std::size_t start) noexcept {
         const std::size_t end = std::min(bytes.size(), start + 8);
         std::uint64_t word = 0;

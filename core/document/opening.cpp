@@ -3,6 +3,7 @@
 #include "core/document/opening.h"
 
 #include "core/base/file.h"
+#include "core/base/guarded.h"
 #include "core/document/companions.h"
 #include "core/document/saving.h"
 #include "core/document/schema.h"
@@ -11,6 +12,7 @@
 #include <cerrno>
 #include <chrono>
 #include <fcntl.h>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
@@ -38,8 +40,13 @@ struct SavedFile {
     DocumentState state;
 };
 
-Result<void> checkContent(Database& database, const DocumentState& state) {
-    if (Result<void> sound = database.quickCheck(); !sound) return sound;
+/// Must be the first check of a file that may come from an untrusted source.
+Result<void> checkForm(Database& database) {
+    if (Result<void> ours = checkIdentity(database); !ours) return ours;
+    return checkSchema(database);
+}
+
+Result<void> checkDigest(Database& database, const DocumentState& state) {
     if (!state.digest) return {};
     const Result<std::int64_t> found = contentDigest(database);
     if (!found) return found.error();
@@ -47,10 +54,31 @@ Result<void> checkContent(Database& database, const DocumentState& state) {
     return {};
 }
 
-/// Must be the first check of a file that may come from an untrusted source.
-Result<void> checkForm(Database& database) {
-    if (Result<void> ours = checkIdentity(database); !ours) return ours;
-    return checkSchema(database);
+/// A second connection to the same save of a file; empty: there is none, or the file was replaced meanwhile.
+std::optional<Database> openAgain(const fs::path& file, const DocumentState& state) {
+    Result<Database> database = Database::open(file, file.string(), Database::Access::read);
+    if (!database || !checkForm(*database)) return std::nullopt;
+    const Result<DocumentState> now = documentState(*database);
+    if (!now || now->saveId != state.saveId || now->changes != state.changes) return std::nullopt;
+    return std::move(*database);
+}
+
+/// Both checks read the whole file: those of a long recording go on together.
+Result<void> checkContent(const fs::path& file, Database& database, const DocumentState& state) {
+    constexpr std::uintmax_t large = 16 << 20; // bytes
+    std::error_code unknown;
+    std::optional<Database> second;
+    if (state.digest && fs::file_size(file, unknown) >= large && !unknown) second = openAgain(file, state);
+    if (!second) {
+        if (Result<void> sound = database.quickCheck(); !sound) return sound;
+        return checkDigest(database, state);
+    }
+    Result<void> same;
+    {
+        const std::jthread other([&] { same = guarded("project", [&] { return checkDigest(*second, state); }); });
+        if (Result<void> sound = database.quickCheck(); !sound) return sound;
+    }
+    return same;
 }
 
 /// Bytes 18 and 19 of a database: the format versions required for writing and reading it, 1 (journal) or 2 (WAL).
@@ -80,7 +108,7 @@ Result<SavedFile> openSaved(const fs::path& file) {
     if (Result<void> known = checkHeader(file); !known) return std::move(known).error();
     Result<DocumentState> state = documentState(*database);
     if (!state) return std::move(state).error();
-    if (Result<void> sound = checkContent(*database, *state); !sound) return std::move(sound).error();
+    if (Result<void> sound = checkContent(file, *database, *state); !sound) return std::move(sound).error();
     return SavedFile{std::move(*database), std::move(*state)};
 }
 

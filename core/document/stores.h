@@ -74,6 +74,10 @@ Result<std::vector<SampleRange>> loadSwitchedOff(Database& database, std::int64_
 Result<void> storeSwitchedOff(Database& database, std::int64_t take, std::span<const SampleRange> off);
 Result<void> hideTake(Database& database, std::int64_t id);
 Result<void> showTake(Database& database, std::int64_t id);
+/// SQL for the number of samples of `take`: where its last chunk ends, as chunks follow each other without a gap.
+/// Counting all of them would read every page of a recording.
+inline constexpr std::string_view sampleCountOfTake =
+    "COALESCE((SELECT first + count FROM sample_chunk WHERE take = take.id ORDER BY first DESC LIMIT 1), 0)";
 Result<void> eraseHiddenTakes(Database& database, std::optional<SetupId> setup = std::nullopt); ///< empty: of all
                                                                                                 ///< setups
 Result<void> storeMarkers(Database& database, SetupId setup, std::span<const TimeMarker> markers);

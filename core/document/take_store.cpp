@@ -15,14 +15,16 @@ namespace burin {
 
 namespace {
 
-constexpr const char* selectTakes =
-    "SELECT id, name, tool_id, allowance, tick_period, started_unix_time, stylus, complete, "
-    "setup, (SELECT COALESCE(SUM(count), 0) FROM sample_chunk WHERE take = take.id) FROM take";
 constexpr std::int64_t mostSamples = std::int64_t{1} << 62; ///< so that the end of an interval does not overflow
 
 // The valid values of a recording. Earlier versions stored any number, so others are clamped to the nearest valid one.
 constexpr double shortestTick = 1e-5, longestTick = 1.0; // s
 constexpr double latestTime = 1e11;                      // s
+
+std::string selectTakes(const char* which) {
+    return "SELECT id, name, tool_id, allowance, tick_period, started_unix_time, stylus, complete, setup, " +
+           std::string(sampleCountOfTake) + " FROM take WHERE removed = 0 " + which;
+}
 
 double within(double value, double low, double high, double otherwise) {
     return std::isnan(value) ? otherwise : std::clamp(value, low, high);
@@ -175,7 +177,7 @@ Result<std::int64_t> storeTake(Database& database, const TakeInfo& info) {
 }
 
 Result<std::vector<TakeInfo>> loadTakes(Database& database) {
-    Result<Statement> rows = Statement::prepare(database, std::string(selectTakes) + " WHERE removed = 0 ORDER BY id");
+    Result<Statement> rows = Statement::prepare(database, selectTakes("ORDER BY id"));
     if (!rows) return std::move(rows).error();
     std::vector<TakeInfo> takes;
     Result<void> read = forEachRow(*rows, [&]() -> Result<void> {
@@ -197,8 +199,7 @@ Result<std::vector<TakeInfo>> loadTakes(Database& database) {
 Result<TakeOutline> loadTakeOutline(Database& database, std::int64_t id) {
     TakeOutline outline;
     {
-        Result<Statement> row =
-            Statement::prepare(database, std::string(selectTakes) + " WHERE removed = 0 AND id = ?");
+        Result<Statement> row = Statement::prepare(database, selectTakes("AND id = ?"));
         if (!row) return std::move(row).error();
         if (Result<void> bound = row->bind(id); !bound) return std::move(bound).error();
         const Result<bool> found = row->step();

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/benchmarks/window_answers.h"
 
-#include "core/document/project.h"
 #include "core/path/edit_values.h"
 #include "tests/benchmarks/event_loop.h"
+#include "tests/benchmarks/long_take.h"
 #include "tests/ui/window_steps.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
 namespace burin::testing {
@@ -21,52 +20,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr std::size_t longTake = 400'000; // samples
+constexpr LongTake longTake{400'000, 20'000, 0.0};
 constexpr auto patience = 300s;
 
 double millisecondsSince(Clock::time_point begin) {
     return 1e3 * secondsSince(begin);
-}
-
-/// Rows along X, 2 mm apart, back and forth over the stock at 40 mm/s with a tremor, 0.4 mm deeper each time.
-glm::dvec3 rowTip(const Box& stock, std::size_t tick) {
-    constexpr double step = 0.04, stepOver = 2.0, deeper = 0.4; // mm
-    const double length = stock.size().x, way = step * static_cast<double>(tick), row = std::floor(way / length);
-    const double along = way - row * length, rows = std::floor(stock.size().y / stepOver);
-    const double layer = std::floor(row / rows), number = row - layer * rows;
-    const auto t = static_cast<double>(tick);
-    const glm::dvec3 tremor = 0.02 * glm::dvec3(std::sin(0.06 * t), std::sin(0.05 * t + 1.0), std::sin(0.055 * t));
-    const double x = std::fmod(row, 2.0) > 0.5 ? length - along : along;
-    return stock.low + glm::dvec3(x, stepOver * number, stock.size().z - deeper * (layer + 1.0)) + tremor;
-}
-
-/// Adds the long take.
-bool recordLong(const QString& file, const std::string& tool) {
-    Result<Project> project = Project::open(file.toStdString());
-    if (!project) return false;
-    const Result<Setup> setup = project->setup();
-    if (!setup) return false;
-    TakeInfo info;
-    info.name = "long";
-    info.toolId = tool;
-    info.tickPeriod = 0.001;
-    Result<Project::TakeWriter> writer = project->beginTake(info);
-    if (!writer) return false;
-    constexpr std::size_t chunk = 20'000;
-    std::vector<Sample> samples;
-    for (std::size_t tick = 0; tick < longTake; ++tick) {
-        Sample sample;
-        sample.tick = tick;
-        sample.time = 0.001 * static_cast<double>(tick);
-        sample.proxy.tip = sample.stylusTip = rowTip(setup->stock, tick);
-        sample.removed[0] = {100, 1};
-        sample.buttons = 1;
-        samples.push_back(sample);
-        if (samples.size() < chunk) continue;
-        if (!writer->append(samples)) return false;
-        samples.clear();
-    }
-    return writer->finish() && project->save();
 }
 
 /// Waits for the answer to a change of the path. Times in ms after the last call of `begin`.
@@ -188,7 +146,7 @@ bool measureAnswers(WindowDriver& driver, Report& report) {
     const QString file = driver.folder().filePath("answers.burin");
     const std::string tool = driver.window().workbench().tool.current().id;
     if (!saveAs(driver, file) || !driver.restart(true)) return false; // closed, so that another may write it
-    if (!recordLong(file, tool)) return false;
+    if (!recordLong(file, tool, longTake)) return false;
     const Clock::time_point begin = Clock::now();
     if (!driver.restart(true)) return false;
     report.add("welcome_page", millisecondsSince(begin), "ms", 500.0); // without the start of the process

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // How the window keeps up while the sample part is milled with the mouse and the view orbits. Writes a JSON list of
 // figures to standard output and readable text to standard error. With --excess the workpiece is coloured by its excess
-// stock meanwhile. With --answers it measures instead how long the window's answers take. A benchmark is not a test:
-// the exit status is 0.
+// stock meanwhile. With --answers it measures instead how long the window's answers take, with --hour how long a
+// project of one hour's recording takes to open. A benchmark is not a test: the exit status is 0.
 #include "tests/benchmarks/event_loop.h"
 #include "tests/benchmarks/stall_watch.h"
 #include "tests/benchmarks/window_answers.h"
+#include "tests/benchmarks/window_opening.h"
 #include "tests/benchmarks/window_phases.h"
 #include "tests/benchmarks/window_report.h"
 #include "tests/ui/window_driver.h"
@@ -233,6 +234,11 @@ int run(StallWatch& watch) {
         answer(driver, report);
         return 0;
     }
+    if (QCoreApplication::arguments().contains(QStringLiteral("--hour"))) {
+        if (!measureOpening(driver, report)) std::cerr << "The project of one hour could not be opened.\n";
+        report.print();
+        return 0;
+    }
 
     driver.step(JobStep::mill);
     driver.clickOn("millButton");
@@ -285,5 +291,8 @@ int run(StallWatch& watch) {
 int main(int argc, char** argv) {
     QSurfaceFormat::setDefaultFormat(sceneSurfaceFormat());
     StallWatch watch(argc, argv);
+    const QStringList arguments = QCoreApplication::arguments();
+    if (arguments.size() == 4 && arguments[1] == QStringLiteral("--open"))
+        return openAndMeasure(arguments[2], arguments[3].toLongLong());
     return run(watch);
 }

@@ -4,10 +4,17 @@
 
 #include "tests/benchmarks/event_loop.h"
 #include "tests/ui/window_steps.h"
+#include "ui/panels/project_tree.h"
+#include "ui/panels/timeline_view.h"
 #include "ui/theme/theme.h"
 
+#include <QDialog>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QtTest>
 
+#include <chrono>
+#include <cmath>
 #include <functional>
 
 namespace burin::testing {
@@ -49,6 +56,114 @@ void choose(WindowDriver& driver, const char* choice, Qt::Key key) {
     });
     driver.key(Qt::Key_Comma, Qt::ControlModifier);
     runFor(500ms);
+}
+
+/// Drags along the timeline to its start and back, in steps as a mouse reports them, then waits for the picture.
+bool scrub(WindowDriver& driver) {
+    TimeController& time = driver.window().workbench().time;
+    if (!runUntil([&] { return time.possible() && time.recorded() != nullptr && !time.reading(); }, 30s)) return false;
+    auto* view = driver.visible<TimelineView>("timelineView");
+    if (view == nullptr) return false;
+    const double all = time.recorded()->seconds();
+    const auto place = [&](double share) {
+        return QPoint(static_cast<int>(std::lround(view->placeOf(share * all))), view->height() - 16);
+    };
+    QTest::mousePress(view, Qt::LeftButton, Qt::NoModifier, place(0.95));
+    constexpr int steps = 60;
+    for (int i = -steps; i <= steps; ++i) {
+        QTest::mouseMove(view, place(0.05 + 0.9 * std::abs(i) / steps));
+        runFor(16ms);
+    }
+    QTest::mouseRelease(view, Qt::LeftButton, Qt::NoModifier, place(0.5));
+    return runUntil([&] { return time.shown() && !time.arriving(); }, 30s) && inFullDetail(driver.window().viewport());
+}
+
+/// Plays the second half, four times as fast as it was milled, for as long as given, and returns to the present.
+bool play(WindowDriver& driver, std::chrono::milliseconds length) {
+    TimeController& time = driver.window().workbench().time;
+    time.goTo(0.5 * time.recorded()->seconds());
+    time.setSpeed(4.0);
+    if (!driver.clickOn("playButton")) return false;
+    const double from = time.seconds();
+    runFor(length);
+    const bool went = time.seconds() > from;
+    time.pause();
+    driver.window().viewport().setFocus();
+    driver.key(Qt::Key_Escape);
+    return went && runUntil([&] { return !time.away(); }, 10s) && inFullDetail(driver.window().viewport());
+}
+
+/// Opens the tree, hides the part and shows it again.
+bool useTree(WindowDriver& driver) {
+    driver.key(Qt::Key_F10, Qt::ControlModifier);
+    if (!runUntil([&] { return driver.visible<ProjectTree>("projectTree") != nullptr; }, 5s)) return false;
+    auto* tree = driver.visible<ProjectTree>("projectTree");
+    const QList<QTreeWidgetItem*> part = tree->findItems(QStringLiteral("Part"), Qt::MatchExactly);
+    if (part.isEmpty()) return false;
+    for (int i = 0; i < 2; ++i) {
+        tree->setFocus();
+        const QList<QTreeWidgetItem*> now = tree->findItems(QStringLiteral("Part"), Qt::MatchExactly);
+        tree->setCurrentItem(now.front()->child(0));
+        QTest::keyClick(tree, Qt::Key_Space);
+        runFor(500ms);
+    }
+    driver.key(Qt::Key_F10, Qt::ControlModifier);
+    return runUntil([&] { return driver.visible<ProjectTree>("projectTree") == nullptr; }, 5s);
+}
+
+/// The section plane, the excess colours and a glass workpiece, each on and off.
+bool changeView(WindowDriver& driver) {
+    for (const char* name : {"sectionPlaneAction", "excessAction", "seeThroughAction"})
+        for (int i = 0; i < 2; ++i) {
+            QAction* action = menuAction(driver, QLatin1String(name));
+            if (action == nullptr) return false;
+            action->trigger();
+            runFor(300ms);
+            if (!inFullDetail(driver.window().viewport())) return false;
+        }
+    return true;
+}
+
+/// Changes an edit of the path, as entering another feed does, and undoes it.
+bool editPath(WindowDriver& driver) {
+    PathController& path = driver.window().workbench().path;
+    const auto ready = [&] { return path.evaluated() && !path.outdated() && !path.busy(); };
+    path.addEdit({SetFeed{}});
+    if (!runUntil(ready, 60s)) return false;
+    driver.key(Qt::Key_Z, Qt::ControlModifier);
+    return runUntil(ready, 60s) && inFullDetail(driver.window().viewport());
+}
+
+bool comparePaths(WindowDriver& driver) {
+    PathComparer& comparer = driver.window().workbench().pathComparer;
+    driver.key(Qt::Key_V, Qt::ControlModifier | Qt::AltModifier);
+    if (!runUntil([&] { return comparer.compared() != nullptr && !comparer.busy(); }, 60s)) return false;
+    runFor(500ms);
+    auto* dialog = driver.visible<QDialog>("comparisonDialog");
+    if (dialog == nullptr) return false;
+    dialog->close();
+    return runUntil([&] { return !comparer.isOpen(); }, 5s);
+}
+
+bool lookAtFaces(WindowDriver& driver) {
+    auto* page = driver.visible<QScrollArea>("programPage");
+    auto* button = driver.visible<QPushButton>("facesButton");
+    if (page == nullptr || button == nullptr) return false;
+    page->ensureWidgetVisible(button);
+    QTest::mouseClick(button, Qt::LeftButton);
+    const auto dialog = [&] { return driver.window().findChild<QDialog*>(QStringLiteral("faceDialog")); };
+    if (!runUntil([&] { return dialog() != nullptr && dialog()->isVisible(); }, 10s)) return false;
+    const bool measured = runUntil([&] { return driver.window().workbench().tasks().idle(); }, 60s);
+    runFor(500ms);
+    dialog()->close();
+    return measured;
+}
+
+bool writeSheet(WindowDriver& driver) {
+    const QString file = driver.folder().filePath("sheet.html");
+    chooseFile(driver, file);
+    driver.key(Qt::Key_H, Qt::ControlModifier | Qt::ShiftModifier);
+    return runUntil([&] { return QFile::exists(file) && !driver.window().workbench().sheet.writing(); }, 60s);
 }
 
 bool otherTheme(WindowDriver& driver) {
@@ -102,16 +217,25 @@ bool workOn(WindowDriver& driver, StallWatch& watch, Report& report) {
                         driver.key(Qt::Key_Escape);
                         return runUntil([&] { return !workbench.session.running() && workbench.tasks().idle(); }, 10s);
                     }) &&
+           measured("gui_stall_max_scrubbing", [&] { return scrub(driver); }) &&
+           measured("gui_stall_max_playing", [&] { return play(driver, 3s); }) &&
+           measured("gui_stall_max_tree", [&] { return useTree(driver); }) &&
+           measured("gui_stall_max_view", [&] { return changeView(driver); }) &&
            measured("gui_stall_max_path",
                     [&] {
                         return driver.step(JobStep::path) && driver.clickOn("newPathButton") &&
                                runUntil([&] { return workbench.path.evaluated() && workbench.tasks().idle(); });
                     }) &&
+           measured("gui_stall_max_editing", [&] { return editPath(driver); }) &&
+           measured("gui_stall_max_comparing", [&] { return comparePaths(driver); }) &&
            measured("gui_stall_max_posting",
                     [&] {
                         return driver.step(JobStep::program) && driver.clickOn("postButton") &&
                                runUntil([&] { return workbench.program.program() && !workbench.program.busy(); });
                     }) &&
+           measured("gui_stall_max_playing_program", [&] { return play(driver, 3s); }) &&
+           measured("gui_stall_max_faces", [&] { return lookAtFaces(driver); }) &&
+           measured("gui_stall_max_sheet", [&] { return writeSheet(driver); }) &&
            measured("gui_stall_max_theme", [&] { return otherTheme(driver); }) &&
            measured("gui_stall_max_language", [&] { return otherChoice(driver, "languageChoice"); }) &&
            measured("gui_stall_max_unit", [&] { return otherChoice(driver, "unitChoice"); }) &&

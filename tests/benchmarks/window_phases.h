@@ -13,7 +13,8 @@ namespace burin::testing {
 
 bool importSample(WindowDriver& driver, StallWatch& watch, Report& report);
 bool embedSample(WindowDriver& driver, StallWatch& watch, Report& report);
-/// Undoes strokes, makes the path, posts it, changes preferences, saves.
+/// Undoes strokes, goes through the recorded time, looks at the tree and at sections, makes the path, changes and
+/// compares it, posts it, looks at faces, writes the setup sheet, changes preferences, saves.
 bool workOn(WindowDriver& driver, StallWatch& watch, Report& report);
 /// Opens the saved project in a new window.
 bool openAgain(WindowDriver& driver, StallWatch& watch, Report& report);

@@ -7,6 +7,12 @@
 
 namespace burin::testing {
 
+namespace {
+
+constexpr double longestStall = 100.0; // ms
+
+} // namespace
+
 void Report::add(const std::string& name, double value, const char* unit, std::optional<double> limit) {
     nlohmann::json figure{{"name", name}, {"value", std::round(value * 1000.0) / 1000.0}, {"unit", unit}};
     if (limit) figure["limit"] = *limit;
@@ -17,14 +23,16 @@ void Report::add(const std::string& name, double value, const char* unit, std::o
 }
 
 void Report::addStalls(const std::string& name, const StallWatch& watch) {
-    add(name, watch.longest().milliseconds, "ms", 100.0);
+    add(name, watch.longest().milliseconds, "ms", longestStall);
+    long_ += watch.longerThan(longestStall);
     add(name + ".rendering", watch.longest().rendering, "ms");
     for (const StallWatch::Stall& stall : watch.worst())
         std::cerr << "    " << stall.milliseconds << " ms (rendering " << stall.rendering << ", processor time "
                   << stall.processor << ") after " << stall.after << " s: " << qPrintable(stall.what) << '\n';
 }
 
-void Report::print() const {
+void Report::print() {
+    add("gui_stalls_beyond_100", static_cast<double>(long_), "", 0.0);
     std::cout << figures_.dump(2) << std::endl;
 }
 

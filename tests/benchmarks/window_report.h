@@ -19,9 +19,10 @@ public:
     /// Adds the longest stall of the phase with its limit, and how much of it rendered the view; the readable text also
     /// states what each of the longest stalls was spent on.
     void addStalls(const std::string& name, const StallWatch& watch);
-    void print() const;
+    void print();
 
 private:
+    std::size_t long_ = 0; ///< stalls beyond the limit, in all phases
     nlohmann::json figures_ = nlohmann::json::array();
 };
 

@@ -98,6 +98,50 @@ private slots:
         QCOMPARE(history_->index(), 1);
     }
 
+    /// A macro is undone and redone as a whole: if a part of it fails, those before it are made undone again.
+    void aMacroFailsAsAWhole() {
+        set(1);
+        history_->beginMacro(QStringLiteral("macro"));
+        step(SetupId{2});
+        set(2);
+        set(3);
+        history_->endMacro();
+        history_->undo(); // its values, then the step
+        QCOMPARE(value_, 1);
+        answer(false);
+        QVERIFY(!history_->busy());
+        QCOMPARE(history_->index(), 2);
+        QCOMPARE(value_, 3);
+
+        history_->undo();
+        answer(true);
+        QVERIFY(history_->index() == 1 && value_ == 1 && numberOf(state_.setup) == 1);
+        history_->redo();
+        answer(true);
+        QVERIFY(history_->index() == 2 && value_ == 3 && numberOf(state_.setup) == 2);
+    }
+
+    void aMacroThatIsRedoneFailsAsAWhole() {
+        set(1);
+        history_->beginMacro(QStringLiteral("macro"));
+        set(2);
+        step(SetupId{2});
+        history_->endMacro();
+        history_->undo();
+        answer(true);
+        QVERIFY(history_->index() == 1 && value_ == 1);
+        for (int i = 0; i < 2; ++i) { // again after a failure
+            history_->redo();
+            QCOMPARE(value_, 2);
+            answer(false);
+            QVERIFY(!history_->busy());
+            QVERIFY(history_->index() == 1 && value_ == 1 && numberOf(state_.setup) == 1);
+        }
+        history_->redo();
+        answer(true);
+        QVERIFY(history_->index() == 2 && value_ == 2 && numberOf(state_.setup) == 2);
+    }
+
     /// A take is hidden before what was done earlier than its first stroke is undone, and shown before that is redone.
     void aRecordingIsHiddenOnlyWhenNeeded() {
         set(1);

@@ -18,6 +18,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QSpinBox>
+#include <QThread>
 #include <QtTest>
 
 namespace burin::tst_window_passes {
@@ -531,6 +532,23 @@ private slots:
         driver.key(Qt::Key_Z, Qt::ControlModifier);
         QTRY_COMPARE(workbench.path.passes().front().id, pass);
         QTRY_COMPARE_WITH_TIMEOUT(workbench.passRefresher.outdated(), std::vector<std::int64_t>{pass}, 90000);
+        // Another pass that begins before it can be computed is not superseded, and doesn't cancel it.
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.passRefresher.possible(), 90000);
+        bool otherEnded = false;
+        workbench.passRefresher.refresh();
+        workbench.tasks().start(
+            TaskKind::pass, QStringLiteral("another pass"),
+            [](Progress&) -> Result<void> {
+                QThread::msleep(300);
+                return {};
+            },
+            [&](const Result<void>& ended) { otherEnded = static_cast<bool>(ended); });
+        QTRY_VERIFY_WITH_TIMEOUT(workbench.path.passes().front().id != pass, 90000);
+        QVERIFY(otherEnded);
+        QTRY_VERIFY_WITH_TIMEOUT(evaluatedIn(driver) != nullptr, 90000);
+        QVERIFY(driver.settle());
+        driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QTRY_COMPARE(workbench.path.passes().front().id, pass);
         driver.key(Qt::Key_Z, Qt::ControlModifier); // the take is back
         QTRY_VERIFY_WITH_TIMEOUT(workbench.passRefresher.outdated().empty(), 90000);
     }

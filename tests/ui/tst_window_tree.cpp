@@ -315,7 +315,7 @@ private slots:
         QTRY_VERIFY(!workbenchOf(driver).session.running());
     }
 
-    /// A body whose box is not ticked is not drawn, without any other effect.
+    /// A body whose box is not ticked is not drawn, without any other effect; nor when the project is opened again.
     void bodiesAreHiddenAndShown() {
         WindowDriver driver;
         drop(driver.window(), writeBlock(driver));
@@ -348,6 +348,19 @@ private slots:
         QTest::keyClick(tree, Qt::Key_Space);
         QTRY_VERIFY(!viewport.pick(centre).has_value());
         QVERIFY(workbenchOf(driver).setup.hasPart());
+
+        QVERIFY(saveAs(driver, driver.folder().filePath("hidden.burin")));
+        QVERIFY(driver.restart() && driver.clickOn("recentFileButton"));
+        QTRY_VERIFY(workbenchOf(driver).setup.hasPart());
+        QVERIFY(driver.settle());
+        tree = openTree(driver);
+        QVERIFY(tree);
+        QTRY_VERIFY(rowOf(*tree, "Part") != nullptr);
+        QCOMPARE(rowOf(*tree, "Part")->child(0)->checkState(0), Qt::Unchecked);
+        QVERIFY(!driver.visible<Viewport>("viewport")->pick(centre).has_value());
+        QVERIFY(chooseFromMenu(driver, *tree, *rowOf(*tree, "Part")->child(0), "bodyMenu", "hideBodyAction"));
+        QTRY_VERIFY(driver.visible<Viewport>("viewport")->pick(centre).has_value());
+        QVERIFY(!workbenchOf(driver).document.unsaved()); // it is a matter of the view
     }
 };
 

@@ -45,18 +45,21 @@ constexpr int side = 900; // pixels
 /// Triangle limits while things move, chosen so that all levels of detail are drawn, down to the coarsest.
 constexpr std::array<std::size_t, 5> movingLimits{1'000'000, 4'000, 1'500, 500, 1};
 
+/// @param earlier shown before it; empty: none
 Surfaces surfaces(const VolumeSnapshot& workpiece, std::size_t movingLimit, SurfaceLayer layer, bool partDrawn = false,
-                  const std::optional<ExcessColours>& left = {}) {
+                  const std::optional<ExcessColours>& left = {}, const VolumeSnapshot& earlier = {}) {
     WorkpieceMesher mesher({movingLimit, 10'000'000}, [] {});
     mesher.setPartDrawn(partDrawn);
     mesher.setExcess(left);
-    mesher.show(workpiece, std::nullopt);
     std::map<std::size_t, vtkSmartPointer<vtkPolyData>> byGroup;
-    for (bool busy = true; busy;) {
-        QTest::qWait(10);
-        busy = mesher.busy();
-        for (SurfaceUpdate& update : mesher.take().updates)
-            if (update.layer == layer) byGroup[update.group] = update.data;
+    for (const VolumeSnapshot* shown : {&earlier, &workpiece}) {
+        if (!shown->empty()) mesher.show(*shown, std::nullopt);
+        for (bool busy = !shown->empty(); busy;) {
+            QTest::qWait(10);
+            busy = mesher.busy();
+            for (SurfaceUpdate& update : mesher.take().updates)
+                if (update.layer == layer) byGroup[update.group] = update.data;
+        }
     }
     Surfaces all;
     for (auto& [group, data] : byGroup) all.push_back(data);
@@ -183,6 +186,7 @@ private slots:
     void theLineLeadsOverTheLimitsOfTiles();
     void coloursTellWhatIsLeft_data();
     void coloursTellWhatIsLeft();
+    void coloursAfterACutAreThoseOfTheWhole();
 };
 
 void WorkpieceMeshesTest::edgesOfTheStockAreSharp_data() {
@@ -468,6 +472,50 @@ void WorkpieceMeshesTest::coloursTellWhatIsLeft() {
             ++white;
         }
     QVERIFY(white > 4);
+}
+
+/// Points that were there before a cut are not measured again: points and colours are those of a surface that is
+/// measured as a whole. So they are after the tolerance has changed.
+void WorkpieceMeshesTest::coloursAfterACutAreThoseOfTheWhole() {
+    RunVolume volume = milled({{0.0, 0.0, 0.0}, {24.0, 20.0, 16.6}}, 0.25);
+    const auto ball = std::make_shared<const MeshDistance>(sphereMesh({10.03, 10.11, 8.0}, 8.0, 400));
+    const ExcessColours left{ball, {}};
+    const VolumeSnapshot before = volume.snapshot();
+    clear(volume, {{2.0, 9.0, 16.25}, {17.0, 11.0, 16.6}});
+    const VolumeSnapshot cut = volume.snapshot();
+    const Surfaces whole = surfaces(cut, 1'000'000, SurfaceLayer::rest, false, left);
+    const Surfaces followed = surfaces(cut, 1'000'000, SurfaceLayer::rest, false, left, before);
+    const auto same = [](vtkPolyData& one, vtkPolyData& other) {
+        const auto colours = [](vtkPolyData& of) {
+            return vtkUnsignedCharArray::SafeDownCast(of.GetPointData()->GetScalars());
+        };
+        if (one.GetNumberOfPoints() != other.GetNumberOfPoints()) return false;
+        for (vtkIdType i = 0; i < one.GetNumberOfPoints(); ++i)
+            for (int k = 0; k < 3; ++k)
+                if (one.GetPoint(i)[k] != other.GetPoint(i)[k] ||
+                    colours(one)->GetTypedComponent(i, k) != colours(other)->GetTypedComponent(i, k))
+                    return false;
+        return true;
+    };
+    QCOMPARE(followed.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) QVERIFY(same(*whole[i], *followed[i]));
+
+    DeviationTolerance wider;
+    wider.excess *= 2.0;
+    WorkpieceMesher mesher({1'000'000, 10'000'000}, [] {});
+    Surfaces changed(whole.size());
+    for (const ExcessColours& each : {left, ExcessColours{ball, wider}}) {
+        mesher.setExcess(each);
+        mesher.show(cut, std::nullopt);
+        for (bool busy = true; busy;) {
+            QTest::qWait(10);
+            busy = mesher.busy();
+            for (SurfaceUpdate& update : mesher.take().updates)
+                if (update.layer == SurfaceLayer::rest) changed.at(update.group) = update.data;
+        }
+    }
+    const Surfaces anew = surfaces(cut, 1'000'000, SurfaceLayer::rest, false, ExcessColours{ball, wider});
+    for (std::size_t i = 0; i < anew.size(); ++i) QVERIFY(same(*anew[i], *changed[i]) && !same(*anew[i], *whole[i]));
 }
 
 BURIN_TEST(WorkpieceMeshesTest, QCoreApplication)

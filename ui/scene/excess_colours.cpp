@@ -5,9 +5,55 @@
 #include "ui/scene/edge_halving.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <utility>
 
 namespace burin {
+
+std::size_t ExcessMemory::Hash::operator()(const Key& key) const noexcept {
+    std::uint64_t hash = 0;
+    for (const std::uint32_t bits : key.bits) hash = (hash ^ bits) * 0x9E3779B97F4A7C15U;
+    return static_cast<std::size_t>(hash ^ hash >> 32);
+}
+
+/// Measures distances from the part, as far as they are not in the memory.
+class ExcessMeasuring {
+public:
+    ExcessMeasuring(const MeshDistance& part, double reach, ExcessMemory& memory)
+        : part_(part), reach_(reach), memory_(memory) {
+        memory_.before_ = std::move(memory_.now_);
+        memory_.now_.clear();
+    }
+    ~ExcessMeasuring() { memory_.before_.clear(); }
+    ExcessMeasuring(const ExcessMeasuring&) = delete;
+    ExcessMeasuring& operator=(const ExcessMeasuring&) = delete;
+
+    double signedDistance(const glm::vec3& point) {
+        ExcessMemory::Measured& known = at(point);
+        if (!std::exchange(known.measured, true)) known.signedDistance = part_.closest(point, reach_).signedDistance;
+        return known.signedDistance;
+    }
+    bool isBeyond(const glm::vec3& point, double within) {
+        ExcessMemory::Measured& known = at(point);
+        if (std::exchange(known.within, within) != within)
+            known.beyond = part_.closest(point, within).distance >= within;
+        return known.beyond;
+    }
+
+private:
+    ExcessMemory::Measured& at(const glm::vec3& point) {
+        const ExcessMemory::Key key{{std::bit_cast<std::uint32_t>(point.x), std::bit_cast<std::uint32_t>(point.y),
+                                     std::bit_cast<std::uint32_t>(point.z)}};
+        if (const auto now = memory_.now_.find(key); now != memory_.now_.end()) return now->second;
+        if (auto before = memory_.before_.extract(key)) return memory_.now_.insert(std::move(before)).position->second;
+        return memory_.now_[key];
+    }
+
+    const MeshDistance& part_;
+    double reach_;
+    ExcessMemory& memory_;
+};
 
 namespace {
 
@@ -15,12 +61,12 @@ namespace {
 class ExcessDivision {
 public:
     ExcessDivision(SurfaceMesh& mesh, const PropertyList& properties, const ExcessColours& left,
-                   const ExcessDetail& detail)
+                   const ExcessDetail& detail, ExcessMemory& memory)
         : mesh_(mesh)
         , properties_(properties)
-        , part_(*left.part)
         , scale_(left.scale())
         , reach_(std::max(scale_.marks().back().deviation, -scale_.marks().front().deviation))
+        , part_(*left.part, reach_, memory)
         , cell_(detail.cell)
         , longest_(detail.longest)
         , shortest_(detail.shortest)
@@ -45,9 +91,9 @@ public:
     }
 
 private:
-    double leftAt(const glm::vec3& point, PropertyIndex property) const {
+    double leftAt(const glm::vec3& point, PropertyIndex property) {
         if (properties_.isProtected(property)) return 0.0;
-        const double left = part_.closest(point, reach_).signedDistance;
+        const double left = part_.signedDistance(point);
         // Stock can't be inside the part: such small values are within the accuracy of the voxels.
         return left < 0.0 && left >= -cell_ ? 0.0 : left;
     }
@@ -55,7 +101,7 @@ private:
     glm::vec3 middle(std::uint32_t a, std::uint32_t b) const { return 0.5F * (mesh_.points[a] + mesh_.points[b]); }
 
     /// Whether the excess along an edge differs from the interpolated value that would be drawn.
-    bool hides(std::uint32_t a, std::uint32_t b) const {
+    bool hides(std::uint32_t a, std::uint32_t b) {
         const double length = glm::distance(mesh_.points[a], mesh_.points[b]);
         if (length <= shortest_ || isBeyond(a, b, length)) return false;
         if (length > longest_) return true;
@@ -64,10 +110,9 @@ private:
     }
 
     /// Whether all of an edge is beyond the scale: the distance to the part changes no faster than a point moves.
-    bool isBeyond(std::uint32_t a, std::uint32_t b, double length) const {
+    bool isBeyond(std::uint32_t a, std::uint32_t b, double length) {
         if (std::min(left_[a], left_[b]) < reach_) return false; // distances beyond that were not measured
-        const double enough = reach_ + 0.5 * length;
-        return part_.closest(middle(a, b), enough).distance >= enough;
+        return part_.isBeyond(middle(a, b), reach_ + 0.5 * length);
     }
 
     std::uint32_t addMiddle(std::uint32_t a, std::uint32_t b) {
@@ -82,18 +127,20 @@ private:
 
     SurfaceMesh& mesh_;
     const PropertyList& properties_;
-    const MeshDistance& part_;
     DeviationScale scale_;
-    double reach_, cell_, longest_, shortest_; ///< mm
-    double unlike_;                            ///< of the scale's length
-    std::vector<double> left_;                 ///< mm, one per point
+    double reach_; ///< mm
+    ExcessMeasuring part_;
+    double cell_, longest_, shortest_; ///< mm
+    double unlike_;                    ///< of the scale's length
+    std::vector<double> left_;         ///< mm, one per point
 };
 
 } // namespace
 
 std::vector<DeviationColour> colourByExcess(SurfaceMesh& mesh, const PropertyList& properties,
-                                            const ExcessColours& left, const ExcessDetail& detail) {
-    ExcessDivision division(mesh, properties, left, detail);
+                                            const ExcessColours& left, const ExcessDetail& detail,
+                                            ExcessMemory& memory) {
+    ExcessDivision division(mesh, properties, left, detail, memory);
     division.divide();
     return division.colours();
 }

@@ -55,6 +55,7 @@ void WorkpieceMesher::Layer::start(const WorkpieceGroups& groups) {
     tiles.assign(groups.tileCount(), {});
     bare.assign(groups.tileCount(), {});
     triangles.assign(groups.count(), 0);
+    excess.assign(groups.count(), {});
     staleTiles.resize(groups.tileCount());
     staleGroups.resize(groups.count());
     markAll();
@@ -179,6 +180,7 @@ bool WorkpieceMesher::interrupted() {
 
 void WorkpieceMesher::takeNewest() {
     VolumeSnapshot before;
+    std::array<std::vector<ExcessMemory>, 2> forgotten; // released outside the lock
     {
         const std::lock_guard lock(mutex_);
         if (std::exchange(recolour_, false))
@@ -186,6 +188,9 @@ void WorkpieceMesher::takeNewest() {
         if (std::exchange(remesh_, false))
             for (Layer& one : layers_) one.markAll();
         colour_ = partColour_;
+        if (left_ != wantedExcess_) // distances from another part, or in another range
+            for (std::size_t i = 0; i < layers_.size(); ++i)
+                forgotten[i] = std::exchange(layers_[i].excess, std::vector<ExcessMemory>(groups_.count()));
         left_ = wantedExcess_;
         withoutPart_ = partDrawn_;
         if (!std::exchange(newestWaits_, false)) return;
@@ -324,7 +329,8 @@ SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, 
     std::vector<std::uint32_t> rim = simplifier_.rim(joined_, rimTolerance * edge);
     if (withoutPart_) leaveOutBarePart(joined_, rim, shown_.properties());
     const std::vector<float> skirt = skirtDepths(shown_, joined_, rim, static_cast<float>(deepest));
-    const std::vector<RgbColour> colours = coloursOf(joined_, ExcessDetail::of(cell, which == SurfaceLayer::moving));
+    const std::vector<RgbColour> colours =
+        coloursOf(joined_, ExcessDetail::of(cell, which == SurfaceLayer::moving), layer(which).excess[group]);
     SurfaceUpdate update{group, which, {}, joined_.triangles.size() / 3 + rim.size(), std::move(bare)};
     update.data = surfacePolyData(joined_, colours, rim, skirt);
     layer(which).triangles[group] = update.triangles;
@@ -333,8 +339,9 @@ SurfaceUpdate WorkpieceMesher::makeGroup(SurfaceLayer which, std::size_t group, 
 }
 
 /// @param mesh points may be added to it
-std::vector<RgbColour> WorkpieceMesher::coloursOf(SurfaceMesh& mesh, const ExcessDetail& detail) const {
-    return left_ ? colourByExcess(mesh, shown_.properties(), *left_, detail)
+std::vector<RgbColour> WorkpieceMesher::coloursOf(SurfaceMesh& mesh, const ExcessDetail& detail,
+                                                  ExcessMemory& memory) const {
+    return left_ ? colourByExcess(mesh, shown_.properties(), *left_, detail, memory)
                  : colourByMaterial(mesh, shown_.properties(), colour_);
 }
 

@@ -86,6 +86,7 @@ private:
         BareRims rims;
         std::vector<std::uint8_t> staleTiles, staleGroups;
         std::vector<std::size_t> triangles; ///< by group
+        std::vector<ExcessMemory> excess;   ///< by group
         void start(const WorkpieceGroups& groups);
         void markAll();
         bool hasStale() const;
@@ -106,7 +107,7 @@ private:
     void refreshRest();
     bool refreshTiles(SurfaceLayer which, std::size_t group);
     void makeTile(SurfaceLayer which, SurfaceTile tile);
-    std::vector<RgbColour> coloursOf(SurfaceMesh& mesh, const ExcessDetail& detail) const;
+    std::vector<RgbColour> coloursOf(SurfaceMesh& mesh, const ExcessDetail& detail, ExcessMemory& memory) const;
     SurfaceUpdate makeGroup(SurfaceLayer which, std::size_t group, bool mixed);
     bool fullFitsInTime();
     bool roomForFull();

@@ -83,6 +83,21 @@ PlanRegion areaFrom(const QJsonArray& rings) {
     return area;
 }
 
+QJsonArray toArray(const std::set<std::size_t>& bodies) {
+    QJsonArray numbers;
+    for (const std::size_t body : bodies) numbers.append(static_cast<double>(body));
+    return numbers;
+}
+
+std::set<std::size_t> bodiesFrom(const QJsonArray& numbers) {
+    constexpr double most = 1e9;
+    std::set<std::size_t> bodies;
+    for (const QJsonValue& each : numbers)
+        if (const double number = each.toDouble(-1.0); number >= 0.0 && number <= most)
+            bodies.insert(static_cast<std::size_t>(number));
+    return bodies;
+}
+
 } // namespace
 
 std::string toJson(const LeftAt& left) {
@@ -101,7 +116,8 @@ std::string toJson(const LeftAt& left) {
                           {"mill", mill},
                           {"camera", toObject(left.camera)},
                           {"area_mm", toArray(left.area)},
-                          {"shown", shown}};
+                          {"shown", shown},
+                          {"hidden_bodies", toArray(left.hidden)}};
     return QJsonDocument(all).toJson(QJsonDocument::Compact).toStdString();
 }
 
@@ -120,6 +136,7 @@ std::optional<LeftAt> leftAtFromJson(const std::string& text) {
     left.area = areaFrom(all[QLatin1String("area_mm")].toArray());
     const QJsonObject shown = all[QLatin1String("shown")].toObject();
     for (auto each = shown.begin(); each != shown.end(); ++each) left.shown[each.key()] = each.value().toBool(true);
+    left.hidden = bodiesFrom(all[QLatin1String("hidden_bodies")].toArray());
     return left;
 }
 

@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <optional>
+#include <set>
 #include <string>
 
 namespace burin {
@@ -23,8 +24,9 @@ struct LeftAt {
     std::int64_t setup = 1; ///< number of the setup in use
     MillToolSettings mill;
     CameraView camera;
-    PlanRegion area;           ///< of the next pass, mm, frame of that setup
-    QMap<QString, bool> shown; ///< visibility in the view, by the name of the action that switches it
+    PlanRegion area;              ///< of the next pass, mm, frame of that setup
+    QMap<QString, bool> shown;    ///< visibility in the view, by the name of the action that switches it
+    std::set<std::size_t> hidden; ///< bodies of the model that are not drawn
 };
 
 /// JSON text stored in a project (Project::setLeftAt).

@@ -270,6 +270,7 @@ LeftAt MainWindow::leftAt() const {
     left.camera = viewport_->cameraView();
     left.area = workbench_.area.area();
     for (const ActionId id : shownByAction) left.shown[actions_[id]->objectName()] = actions_[id]->isChecked();
+    left.hidden = presenters_->tree.hiddenBodies();
     return left;
 }
 

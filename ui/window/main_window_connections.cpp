@@ -254,6 +254,7 @@ void MainWindow::connectWorkbench() {
     connect(&workbench_.document, &DocumentController::opened, this, [this](const ProjectContents& contents) {
         tellAboutOpened();
         const auto left = leftAtFromJson(contents.leftAt);
+        presenters_->tree.hideBodies(left ? left->hidden : std::set<std::size_t>());
         if (left) goTo(*left);
         // Without a window's state the project was embedded by the command line.
         if (left ? left->embedded : contents.setup.has_value()) workbench_.ensureWorkpiece();

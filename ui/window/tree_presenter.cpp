@@ -276,6 +276,13 @@ void TreePresenter::showPassMenu(qint64 id, const QPoint& globalPosition) {
     menu->popup(globalPosition);
 }
 
+void TreePresenter::hideBodies(std::set<std::size_t> bodies) {
+    model_ = workbench_.setup.part();
+    const std::size_t count = model_ ? model_->bodies.size() : 0;
+    bodies.erase(bodies.lower_bound(count), bodies.end()); // a damaged project can name any
+    hide(bodies);
+}
+
 void TreePresenter::hide(const std::set<std::size_t>& bodies) {
     hidden_ = bodies;
     scene_.setHiddenBodies(hidden_);

@@ -17,6 +17,9 @@ class TreePresenter final : public Presenter {
     Q_OBJECT
 public:
     TreePresenter(Workbench& workbench, ProjectTree& tree, ScenePresenter& scene, QObject* parent);
+    const std::set<std::size_t>& hiddenBodies() const noexcept { return hidden_; } ///< of the part
+    /// Hides these bodies of the part that is there now, and shows all others.
+    void hideBodies(std::set<std::size_t> bodies);
 
 signals:
     void stepRequested(JobStep step); ///< the step for the item that was opened

@@ -109,6 +109,7 @@ void History::add(Entry* entry) {
 void History::put(Entry* entry) {
     auto* newest = dynamic_cast<Entry*>(const_cast<QUndoCommand*>(command(index() - 1))); // it was made here
     if (newest != nullptr) newest->noteWorkpiece(entry->from(false));
+    parts_.clear(); // entries that were undone are deleted
     QUndoStack::push(entry);
 }
 
@@ -147,6 +148,7 @@ void History::clear() {
     queue_.clear();
     current_.reset();
     resting_ = false;
+    parts_.clear();
     for (Entry* entry : std::exchange(waiting_, {})) delete entry;
     hidden_.clear();
     QUndoStack::clear();
@@ -154,7 +156,7 @@ void History::clear() {
 
 void History::request(Entry& entry, bool undo) {
     if (aligning_) return;
-    queue_.push_back({&entry, undo});
+    queue_.push_back({&entry, undo, false});
     workOff();
 }
 
@@ -184,13 +186,13 @@ void History::begin() {
 
 /// A recording whose strokes are all undone must not keep what was done before it from being undone.
 void History::hideRecording() {
-    const auto* above = dynamic_cast<const Entry*>(command(placeOf(*current_->entry) + 1));
+    const auto* above = dynamic_cast<const Entry*>(command(placeOf(current_->entry) + 1));
     if (above != nullptr && above->take != 0 && hidden_.insert(above->take).second) window_.hideTake(above->take, true);
 }
 
 /// Makes the setup of the entry the one in use.
 void History::reach() {
-    const auto& [entry, undo] = *current_;
+    const auto& [entry, undo, restoring] = *current_;
     if (entry->isStep() || present().setup == entry->from(undo).setup) return make();
     window_.go(entry->from(undo), std::nullopt, [this, generation = generation_](bool reached) {
         if (generation != generation_) return;
@@ -199,7 +201,7 @@ void History::reach() {
 }
 
 void History::make() {
-    const auto [entry, undo] = *current_;
+    const auto [entry, undo, restoring] = *current_;
     if (!undo && hidden_.erase(entry->take) > 0) window_.hideTake(entry->take, false);
     if (!entry->isStep()) {
         entry->make(undo);
@@ -213,16 +215,27 @@ void History::make() {
 }
 
 void History::finish() {
-    current_.reset();
+    const Request finished = *std::exchange(current_, std::nullopt);
+    const bool goesOn = !parts_.empty() && parts_.back().undo == finished.undo &&
+                        placeOf(parts_.back().entry) == placeOf(finished.entry);
+    if (!goesOn) parts_.clear();
+    if (!finished.restoring) parts_.push_back(finished);
     workOff();
 }
 
+/// The parts of a macro that were made before the one that failed are made undone again: the macro stands as a whole
+/// where the list says that it does.
 void History::fail() {
     const Request failed = *std::exchange(current_, std::nullopt);
     ++generation_;
     resting_ = false;
     queue_.clear();
-    const int place = placeOf(*failed.entry);
+    const int place = placeOf(failed.entry);
+    const std::vector<Request> parts = std::exchange(parts_, {});
+    if (failed.restoring) return workOff(); // the list says already what was to be restored
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part)
+        if (placeOf(part->entry) == place && part->undo == failed.undo)
+            queue_.push_back({part->entry, !part->undo, true});
     aligning_ = true;
     setIndex(failed.undo ? place + 1 : place);
     aligning_ = false;
@@ -230,14 +243,14 @@ void History::fail() {
 }
 
 /// Of an entry, or of the macro that it is a part of.
-int History::placeOf(const Entry& entry) const {
-    const auto isPartOf = [&entry](const QUndoCommand& macro) {
+int History::placeOf(const Entry* entry) const {
+    const auto isPartOf = [entry](const QUndoCommand& macro) {
         for (int i = 0; i < macro.childCount(); ++i)
-            if (macro.child(i) == &entry) return true;
+            if (macro.child(i) == entry) return true;
         return false;
     };
     for (int place = 0; place < count(); ++place)
-        if (command(place) == &entry || isPartOf(*command(place))) return place;
+        if (command(place) == entry || isPartOf(*command(place))) return place;
     return -1;
 }
 

@@ -30,7 +30,8 @@ struct WorkState {
 
 /// The undo stack of a project, from its opening to its closing. An entry that must be undone in another setup, or
 /// reads the project again, takes a moment; what is requested meanwhile follows in order. The index is that of the last
-/// request; it returns to the state reached if an entry can't be undone or redone. User interface's thread.
+/// request; it returns to the state reached if an entry can't be undone or redone. What was done of a macro then is
+/// reverted. User interface's thread.
 class History final : public QUndoStack {
     Q_OBJECT
 public:
@@ -78,6 +79,7 @@ private:
     struct Request {
         Entry* entry = nullptr;
         bool undo = true;
+        bool restoring = false; ///< of a part of a macro, as a later part failed
     };
     void add(Entry* entry);
     void addMade(Entry* entry);
@@ -90,13 +92,14 @@ private:
     void finish();
     void fail();
     void hideRecording();
-    int placeOf(const Entry& entry) const;
+    int placeOf(const Entry* entry) const;
     bool holdsRecording(std::int64_t take) const;
 
     ProjectThread& project_;
     Window window_;
     std::deque<Request> queue_;
     std::optional<Request> current_;
+    std::vector<Request> parts_;    ///< done last: of one entry, or of a macro so far; some may be deleted
     std::vector<Entry*> waiting_;   ///< entries made while `busy`
     std::set<std::int64_t> hidden_; ///< takes
     bool resting_ = false;          ///< the session is being ended

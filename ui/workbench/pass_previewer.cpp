@@ -15,7 +15,10 @@ constexpr double usualAllowance = 1.0; // mm: a basis that is fine up to this al
 
 PassPreviewer::PassPreviewer(const Desk& desk, const WorkpieceController& workpiece, const PathController& path,
                              const ToolController& tools, QObject* parent)
-    : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools) {}
+    : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools) {
+    connect(&workpiece_, &WorkpieceController::readersStop, this, &PassPreviewer::readersStop);
+    connect(&workpiece_, &WorkpieceController::readersGoOn, this, &PassPreviewer::goOn);
+}
 
 void PassPreviewer::show(const RequestedPass& wanted) {
     wanted_ = wanted;
@@ -42,7 +45,9 @@ void PassPreviewer::end() {
 
 /// Starts the next missing step.
 void PassPreviewer::goOn() {
-    if (!wanted_ || asked_ || !workpiece_.milling() || workpiece_.milling()->tool.id != tools_.current().id) return;
+    if (!wanted_ || asked_ || !workpiece_.milling() || workpiece_.changing() ||
+        workpiece_.milling()->tool.id != tools_.current().id)
+        return;
     const auto unknown =
         std::ranges::find_if(wanted_->leads, [this](std::int64_t take) { return !lines_.contains(take); });
     if (unknown != wanted_->leads.end())
@@ -59,6 +64,15 @@ void PassPreviewer::fail(const Error& error) {
     preview_.reset();
     if (error.code != ErrorCode::cancelled) problem_ = error;
     emit changed();
+}
+
+/// What is under way is begun again when the workpiece has changed.
+void PassPreviewer::readersStop() {
+    ++questions_;
+    asked_ = false;
+    basis_.reset();
+    desk_.tasks.abandon(TaskKind::previewBasis);
+    desk_.tasks.abandon(TaskKind::preview);
 }
 
 void PassPreviewer::askLines(std::int64_t take) {

@@ -12,7 +12,7 @@
 namespace burin {
 
 /// Shows an outline of a pass of the tool in force while the user edits its request. Stock and tool field, which all
-/// previews of one request share, are made once.
+/// previews of one request share, are made once, and again after the workpiece has changed.
 class PassPreviewer final : public Controller {
     Q_OBJECT
 public:
@@ -38,6 +38,7 @@ private:
     void makeBasis();
     void plan();
     void fail(const Error& error);
+    void readersStop();
 
     const WorkpieceController& workpiece_;
     const PathController& path_;

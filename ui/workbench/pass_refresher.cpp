@@ -48,6 +48,12 @@ bool heedsStrokes(const GeneratedInfo& pass) {
     return request && (!request->leads.empty() || request->hand != HandStrokes::ignore);
 }
 
+/// The title of its kind.
+std::string titleOf(const GeneratedInfo& pass) {
+    const Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
+    return request ? rowOf(request->kind).title.text : pass.name;
+}
+
 } // namespace
 
 PassRefresher::PassRefresher(const Desk& desk, const WorkpieceController& workpiece, PathController& path,
@@ -57,6 +63,7 @@ PassRefresher::PassRefresher(const Desk& desk, const WorkpieceController& workpi
     connect(&path_, &PathController::versionChanged, this, &PassRefresher::look);
     connect(&workpiece_, &Controller::changed, this, &PassRefresher::look);
     connect(&workpiece_, &WorkpieceController::readersStop, this, &PassRefresher::readersStop);
+    connect(&desk_.tasks, &TaskRunner::changed, this, &PassRefresher::proceed);
 }
 
 bool PassRefresher::ready() const {
@@ -65,7 +72,7 @@ bool PassRefresher::ready() const {
 }
 
 bool PassRefresher::possible() const {
-    return !refreshing_ && !outdated_.empty() && ready() && path_.stored() != nullptr &&
+    return !busy() && !outdated_.empty() && ready() && path_.stored() != nullptr &&
            !desk_.tasks.running(TaskKind::pass);
 }
 
@@ -79,7 +86,7 @@ void PassRefresher::look() {
     looked_ = key;
     ++questions_;
     know({});
-    if (!any) return;
+    if (!any) return drop();
     desk_.project.ask(
         [path = *path](const Project& project) {
             Progress unseen;
@@ -89,6 +96,7 @@ void PassRefresher::look() {
             if (question != questions_) return;
             if (led) return find(std::move(*led));
             emit failed(led.error());
+            drop();
         });
 }
 
@@ -101,8 +109,10 @@ void PassRefresher::find(LedPasses led) {
         },
         [this, question = questions_](const Result<std::vector<std::int64_t>>& outdated) {
             if (question != questions_) return;
-            if (outdated) return know(*outdated);
-            if (outdated.error().code != ErrorCode::cancelled) emit failed(outdated.error());
+            if (outdated) know(*outdated);
+            if (outdated && !outdated->empty()) return proceed();
+            if (!outdated && outdated.error().code != ErrorCode::cancelled) emit failed(outdated.error());
+            drop();
         });
 }
 
@@ -114,11 +124,14 @@ void PassRefresher::know(std::vector<std::int64_t> outdated) {
 
 void PassRefresher::refresh() {
     if (!possible()) return;
-    refreshing_ = true;
-    emit changed();
     std::vector<GeneratedInfo> passes = path_.passes();
     std::erase_if(
         passes, [this](const GeneratedInfo& pass) { return std::ranges::find(outdated_, pass.id) == outdated_.end(); });
+    if (passes.empty()) return;
+    refreshing_ = true;
+    tool_ = tools_.current().id;
+    title_ = titleOf(passes.front());
+    emit changed();
     desk_.project.ask(
         [passes = std::move(passes), path = *path_.stored()](const Project& project) -> Result<std::vector<Matter>> {
             Progress unseen;
@@ -133,14 +146,39 @@ void PassRefresher::refresh() {
             }
             return matters;
         },
-        [this, load = loads_, tool = tools_.current().id](Result<std::vector<Matter>> matters) {
+        [this, load = loads_](Result<std::vector<Matter>> matters) {
             if (load != loads_) return; // stopped, or another project
+            if (!matters) {
+                emit failed(matters.error());
+                return end();
+            }
             // Meanwhile another tool may have been loaded, or another pass begun, which must not be superseded.
-            const bool same = tools_.current().id == tool && !desk_.tasks.running(TaskKind::pass);
-            if (matters && ready() && same) return compute(std::move(*matters));
-            if (!matters) emit failed(matters.error());
-            end();
+            const bool same = tools_.current().id == tool_ && !desk_.tasks.running(TaskKind::pass);
+            ready() && same ? compute(std::move(*matters)) : putOff();
         });
+}
+
+void PassRefresher::putOff() {
+    waiting_ = true;
+    end();
+    proceed();
+}
+
+/// Starts what was put off, as soon as that is possible.
+void PassRefresher::proceed() {
+    if (!waiting_ || refreshing_) return;
+    if (tools_.current().id != tool_) {
+        drop();
+        emit failed({ErrorCode::pathEmpty, title_, {}, "another tool was loaded before it was computed"});
+        return;
+    }
+    if (outdated_.empty() || !ready() || desk_.tasks.running(TaskKind::pass)) return;
+    waiting_ = false;
+    refresh();
+}
+
+void PassRefresher::drop() {
+    if (std::exchange(waiting_, false)) emit changed();
 }
 
 void PassRefresher::compute(std::vector<Matter> matters) {
@@ -165,13 +203,14 @@ void PassRefresher::end() {
 }
 
 /// The code that changes the workpiece abandons the task that computes, which then reports nothing. The passes stay
-/// marked, and can be computed when the workpiece is ready again.
+/// marked, and are computed when the workpiece is ready again.
 void PassRefresher::readersStop() {
     ++questions_;
     looked_.reset();
     desk_.tasks.abandon(TaskKind::outdated);
     if (!refreshing_) return;
     ++loads_;
+    waiting_ = true;
     end();
 }
 
@@ -180,6 +219,7 @@ void PassRefresher::forget() {
     ++loads_;
     looked_.reset();
     outdated_.clear();
+    waiting_ = false;
     desk_.tasks.abandon(TaskKind::outdated);
     end();
 }

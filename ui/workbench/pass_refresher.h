@@ -6,6 +6,7 @@
 #include "ui/workbench/path_controller.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -21,11 +22,12 @@ public:
 
     /// Ids of passes of the path in force, in its order; empty while they are being found.
     const std::vector<std::int64_t>& outdated() const noexcept { return outdated_; }
-    bool busy() const noexcept { return refreshing_; }
+    bool busy() const noexcept { return refreshing_ || waiting_; }
     bool possible() const; ///< some are out of date, and can be computed now
     /// Computes the passes that are out of date, each behind those before it; all others stay as they are. When
     /// complete, one entry of the undo stack; errors are reported by `failed`, and nothing has changed then. Can be
-    /// cancelled as a task. Does nothing unless `possible`.
+    /// cancelled as a task. Does nothing unless `possible`. If another pass has begun or the workpiece changes
+    /// meanwhile, it is started again afterwards; if another tool was loaded, that is reported.
     void refresh();
     void forget(); ///< another project
 
@@ -37,6 +39,9 @@ private:
     void readersStop();
     void find(LedPasses led);
     void know(std::vector<std::int64_t> outdated);
+    void putOff();
+    void proceed();
+    void drop();
     void compute(std::vector<Matter> matters);
     void end();
 
@@ -46,6 +51,8 @@ private:
     std::optional<Key> looked_; ///< what `outdated_` belongs to, or will
     std::vector<std::int64_t> outdated_;
     bool refreshing_ = false;
+    bool waiting_ = false;     ///< for another pass or for the workpiece, to refresh then
+    std::string tool_, title_; ///< id of the tool whose passes are computed again, and the title of the first one
     quint64 questions_ = 0, loads_ = 0;
 };
 

@@ -24,8 +24,19 @@ void StockSolidController::follow() {
 }
 
 const StockSolid& StockSolidController::stock() {
-    if (part_ && !asked_) prepare();
+    if (part_ && !asked_ && pauses_ == 0) prepare();
     return stock_;
+}
+
+void StockSolidController::pause() {
+    ++pauses_;
+    if (!preparing()) return;
+    desk_.tasks.abandon(TaskKind::stockSolid);
+    asked_ = false;
+}
+
+void StockSolidController::goOn() {
+    if (--pauses_ == 0 && part_ && !asked_) emit changed();
 }
 
 void StockSolidController::prepare() {

@@ -49,6 +49,10 @@ public:
             });
         return false;
     }
+    /// While something waits for the tasks to end, nothing is prepared; what is under way is begun again when asked
+    /// for afterwards.
+    void pause();
+    void goOn();
 
 private:
     void follow();
@@ -61,6 +65,7 @@ private:
     StockSolid stock_;
     bool asked_ = false; ///< whether `stock_` is in its real form, or being prepared
     std::map<std::shared_ptr<const Obstacle>, FixtureFit> fits_;
+    int pauses_ = 0;
 };
 
 } // namespace burin

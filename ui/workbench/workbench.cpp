@@ -113,6 +113,8 @@ void Workbench::wire() {
     });
     connect(&setup, &SetupController::changed, this, &Workbench::updateRequested);
     connect(&surroundings, &Controller::changed, this, [this] { workpiece.setRequested(surroundings.wanted()); });
+    connect(&workpiece, &WorkpieceController::readersStop, &stockSolid, &StockSolidController::pause);
+    connect(&workpiece, &WorkpieceController::readersGoOn, &stockSolid, &StockSolidController::goOn);
     connect(&workpiece, &WorkpieceController::surroundingsChanged, &path, &PathController::workpieceRemade);
     connect(&workpiece, &WorkpieceController::machineChanged, &path, &PathController::workpieceRemade);
     connect(&stylusEditor, &StylusEditor::entered, &surroundings, [this] { surroundings.setEditing(true); });
