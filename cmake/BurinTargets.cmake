@@ -132,13 +132,13 @@ function(burin_plugin kind name)
     set_property(GLOBAL APPEND PROPERTY BURIN_PLUGINS ${target})
 endfunction()
 
-# burin_test_entry(TEST SECONDS ENVIRONMENT COMMAND ...): adds a test to ctest.
-function(burin_test_entry test seconds environment)
+# burin_test_entry(TEST SECONDS SLOTS ENVIRONMENT COMMAND ...): adds a test to ctest; slots: see burin_test_load.
+function(burin_test_entry test seconds slots environment)
     if(BURIN_SANITIZE) # up to twenty times slower
         math(EXPR seconds "${seconds} * 10")
     endif()
     add_test(NAME ${test} COMMAND ${ARGN})
-    set_tests_properties(${test} PROPERTIES TIMEOUT ${seconds} PROCESSORS 2
+    set_tests_properties(${test} PROPERTIES TIMEOUT ${seconds} PROCESSORS ${slots}
         ENVIRONMENT "QTEST_FUNCTION_TIMEOUT=${seconds}000;${environment}")
 endfunction()
 
@@ -152,9 +152,11 @@ find_program(XVFB_RUN xvfb-run)
 function(burin_test place name)
     cmake_parse_arguments(PARSE_ARGV 2 arg "GUI;ONLY_LONG" "TIMEOUT;LONG" "USES;AFTER")
     set(platform offscreen)
+    set(slots 3)
     set(launcher)
     if(arg_GUI)
         set(platform xcb)
+        set(slots 2)
         set(launcher ${XVFB_RUN} -a -s "-screen 0 1600x1000x24 +extension GLX")
     endif()
     burin_test_program(${place} program)
@@ -171,14 +173,14 @@ function(burin_test place name)
     endif()
     set(environment "QT_QPA_PLATFORM=${platform};LC_ALL=C.UTF-8;${BURIN_SANITIZER_ENVIRONMENT}")
     if(NOT arg_ONLY_LONG)
-        burin_test_entry(${place}.${name} ${arg_TIMEOUT} "${environment}" ${launcher} $<TARGET_FILE:${program}> ${name})
+        burin_test_entry(${place}.${name} ${arg_TIMEOUT} ${slots} "${environment}" ${launcher} $<TARGET_FILE:${program}> ${name})
     endif()
     file(STRINGS tst_${name}.cpp more_cases REGEX "BURIN_ONLY_IN_LONG_RUNS|inLongRun|longRun|holdsInShare")
     if(more_cases AND NOT arg_LONG)
         set(arg_LONG 900)
     endif()
     if(arg_LONG)
-        burin_test_entry(${place}.${name}.long ${arg_LONG} "BURIN_LONG_RUN=1;${environment}"
+        burin_test_entry(${place}.${name}.long ${arg_LONG} ${slots} "BURIN_LONG_RUN=1;${environment}"
             ${launcher} $<TARGET_FILE:${program}> ${name} -maxwarnings 0)
         set_tests_properties(${place}.${name}.long PROPERTIES LABELS long)
     endif()
@@ -205,9 +207,10 @@ function(burin_test_program place variable)
 endfunction()
 
 # burin_test_load(WAITING|DISTURBED TEST ...)
-# tests/run distributes four slots, for two cores. A test keeps a core busy and has two slots. WAITING tests, which
-# mostly wait, have one; DISTURBED tests, which measure time or run the haptic loop in real time for long, have three,
-# so that they only run together with a waiting one. Both kinds start first, as they are run together.
+# tests/run distributes six slots, for two cores. A test keeps a core busy and has three slots; one with a window, which
+# waits for a third of its time, has two. WAITING tests, which mostly wait, have one; DISTURBED tests, which measure time
+# or run the haptic loop in real time for long, have five, so that they only run together with a waiting one. Both kinds
+# start first, as they are run together.
 function(burin_test_load load)
     foreach(test IN LISTS ARGN)
         if(TEST ${test}.long)
@@ -217,7 +220,7 @@ function(burin_test_load load)
     if(load STREQUAL WAITING)
         set_tests_properties(${ARGN} PROPERTIES PROCESSORS 1 COST 1000)
     elseif(load STREQUAL DISTURBED)
-        set_tests_properties(${ARGN} PROPERTIES PROCESSORS 3 COST 2000)
+        set_tests_properties(${ARGN} PROPERTIES PROCESSORS 5 COST 2000)
     else()
         message(FATAL_ERROR "burin_test_load: ${load} is no load")
     endif()
