@@ -7,15 +7,14 @@
 namespace burin {
 
 MoveValue::MoveValue(const ToolMove& move) noexcept {
-    const glm::dvec3 &from = move.begin().tip, &to = move.to.tip;
-    for (int axis = 0; axis < 3; ++axis) {
-        words_[static_cast<std::size_t>(axis)] = std::bit_cast<std::uint64_t>(from[axis]);
-        words_[static_cast<std::size_t>(axis) + 3] = std::bit_cast<std::uint64_t>(to[axis]);
-    }
-    words_[6] = std::uint64_t{move.tool} << 1U | (move.rapid ? 1U : 0U);
+    const ToolPose &from = move.begin(), &to = move.to;
+    std::size_t word = 0;
+    for (const glm::dvec3& value : {from.tip, from.axis, to.tip, to.axis})
+        for (int axis = 0; axis < 3; ++axis) words_[word++] = std::bit_cast<std::uint64_t>(value[axis]);
+    words_[word] = std::uint64_t{move.tool} << 1U | (move.rapid ? 1U : 0U);
     // The finishing steps of SplitMix64 (Steele, Lea & Flood 2014), word by word.
-    for (const std::uint64_t word : words_) {
-        hash_ = (hash_ ^ word) + 0x9e3779b97f4a7c15U;
+    for (const std::uint64_t each : words_) {
+        hash_ = (hash_ ^ each) + 0x9e3779b97f4a7c15U;
         hash_ = (hash_ ^ (hash_ >> 30U)) * 0xbf58476d1ce4e5b9U;
         hash_ = (hash_ ^ (hash_ >> 27U)) * 0x94d049bb133111ebU;
         hash_ ^= hash_ >> 31U;

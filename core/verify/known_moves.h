@@ -12,8 +12,8 @@
 
 namespace burin {
 
-/// What the path of a tool on a move depends on, bit for bit: where it begins and ends, the tool, and whether it is a
-/// rapid. Feed, spindle and line are not included.
+/// What the path of a tool on a move depends on, bit for bit: the poses where it begins and ends, the tool, and
+/// whether it is a rapid. Feed, spindle and line are not included.
 class MoveValue {
 public:
     explicit MoveValue(const ToolMove& move) noexcept;
@@ -22,7 +22,7 @@ public:
     friend bool operator==(const MoveValue& one, const MoveValue& other) noexcept { return one.words_ == other.words_; }
 
 private:
-    std::array<std::uint64_t, 7> words_{};
+    std::array<std::uint64_t, 13> words_{};
     std::uint64_t hash_ = 0;
 };
 
