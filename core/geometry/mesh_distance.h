@@ -68,8 +68,8 @@ public:
     ///        finite.
     ClosestPoint closest(const glm::dvec3& point, double within = 1e300) const;
 
-    /// Numbers, internal to this object and for use with `closestOf`, of all triangles that are no farther than
-    /// `within` mm from a point. Replaces the content of `numbers`.
+    /// Numbers in `triangles`, for use with `closestOf`, of all triangles that are no farther than `within` mm from a
+    /// point. Replaces the content of `numbers`.
     void trianglesNear(const glm::dvec3& point, double within, std::vector<std::uint32_t>& numbers) const;
     /// As `closest`, restricted to the given triangles, at least one. No allocation. Cost: some 15 ns per triangle.
     ClosestPoint closestOf(std::span<const std::uint32_t> numbers, const glm::dvec3& point) const noexcept;

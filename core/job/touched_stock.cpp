@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace burin {
 
@@ -30,6 +31,7 @@ constexpr int flankLevels = 32;          // heights at which a side is looked fo
 constexpr double squareWithin = 1e-9;    // of 1 - cos: a plane side; any other is curved, or leans
 constexpr double squareTouch = 0.99;     // cos between the side's axis and the direction in which the stock holds
 constexpr double contactWithin = 0.01;   // mm of clearance, at most
+constexpr double atPoint = 1e-6;         // mm from a point of the surface to the triangles that contain it
 
 std::string textOf(const glm::dvec3& place) {
     return formatShortest(place.x) + "," + formatShortest(place.y) + "," + formatShortest(place.z);
@@ -43,6 +45,15 @@ glm::dvec3 outwardOf(const TouchedFace& face) noexcept {
     glm::dvec3 outward(0.0);
     outward[face.axis] = face.high ? 1.0 : -1.0;
     return outward;
+}
+
+/// Whether a point of a surface is on a plane square to an axis. On an edge any of the faces that meet there may be it.
+bool isOnPlaneSide(const MeshDistance& surface, const glm::dvec3& point, int axis) {
+    std::vector<std::uint32_t> numbers;
+    surface.trianglesNear(point, atPoint, numbers);
+    return std::ranges::any_of(numbers, [&](std::uint32_t number) {
+        return std::abs(unitNormal(surface.triangles()[number])[axis]) > 1.0 - squareWithin;
+    });
 }
 
 } // namespace
@@ -116,9 +127,7 @@ std::optional<TouchedSide> TouchableStock::sideTouched(const TouchedFace& face, 
                                                                 : std::optional(contact.meshPoint[face.axis]);
     if (!side || !(std::abs(*side - face.place[face.axis]) <= near)) return std::nullopt;
     if (form_ == StockForm::file) return TouchedSide{*side, 0.5 * voxel_};
-    const ClosestPoint touched = surface_->closest(contact.meshPoint);
-    const double across = unitNormal(surface_->triangles()[touched.triangle])[face.axis];
-    return TouchedSide{*side, std::abs(across) > 1.0 - squareWithin ? 0.0 : chord_};
+    return TouchedSide{*side, isOnPlaneSide(*surface_, contact.meshPoint, face.axis) ? 0.0 : chord_};
 }
 
 Result<TouchedFace> touchStock(const TouchableStock& stock, const Tool& tool, const glm::dvec3& tip,

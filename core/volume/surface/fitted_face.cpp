@@ -29,7 +29,7 @@ constexpr double explainedShare = 0.5;
 constexpr std::size_t fewest = 12;
 /// Voxels: the surface rounds its edges, and its corners, by about 2.5 voxels.
 constexpr double leastRadius = 2.7, leastOther = 4.0; // of a hole; of a boss or a sphere
-constexpr double smallFace = 8.0; ///< voxels: the smoothing of the surface reaches its middle
+constexpr double smallFace = 8.0;                     ///< voxels: the smoothing of the surface reaches its middle
 /// A simpler surface is taken if it explains this share of what the others do.
 constexpr double simplerShare = 0.75;
 
