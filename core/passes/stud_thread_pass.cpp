@@ -138,10 +138,11 @@ private:
         if (isStated) wanted = needed = request_.bottom ? *request_.bottom + lead : tipFor(top - request_.depth);
         const double floor = wanted - lead - aboveShoulder;
         const double angle = roomiestAngle(stud, floor);
-        const double part = restingTip(stud, angle, floor, tool_) + aboveShoulder + lead;
-        const double reached = restingTip(stud, angle, floor, flutes_) + aboveShoulder + lead;
+        const double crests = stud.top - neckLength(ground_.tool.cutter, depth_); // nothing but the tooth cuts them
+        const double part = std::max(restingTip(stud, angle, floor, tool_) + aboveShoulder, crests) + lead;
+        const auto reached = [&] { return restingTip(stud, angle, floor, flutes_) + aboveShoulder + lead; };
         const double limit = isStated ? needed : stud.bottom + request_.pitch + aboveShoulder + lead;
-        if (part > limit + contact || (part > reached + contact && part > needed)) return unreached();
+        if (part > limit + contact || (part > needed && part > reached() + contact)) return unreached();
         wanted = std::max(wanted, part);
         needed = std::max(needed, part);
         const double middle = 0.5 * (needed + tooth_.height + top);

@@ -24,8 +24,9 @@ namespace burin {
 ///
 /// *Depth.* From at least half a pitch above the top of the stud (or `top`), so that the thread is complete there, down
 /// to where the tool is 0.1 mm above what the part has around the stud (the thread runs out at the shoulder), or as
-/// `depth` and `bottom` say. Studs beside which the part stops the tool or its holder more than a pitch above their
-/// foot, or before the stated depth, and studs that are not milled to the major diameter, are left out and counted.
+/// `depth` and `bottom` say. Studs beside which the part stops the tool or its holder, or the crests of the thread its
+/// holder, more than a pitch above their foot or before the stated depth, and studs that are not milled to the major
+/// diameter, are left out and counted.
 ///
 /// *Feed.* Feeds of tables are those of the cutting edge. The centre of the tool moves on a larger circle, by (D + d) /
 /// D (D: diameter cut, d: of the tool; Sandvik Coromant, "Thread milling", external): `PlannedPass::feedShares`.

@@ -131,7 +131,8 @@ private:
             wanted = std::max(wanted, stated);
             needed = std::max(needed, stated);
         }
-        const double part = restingTip(hole, wanted, tool_);
+        const double crests = hole.top - neckLength(ground_.tool.cutter, depth_); // nothing but the tooth cuts them
+        const double part = std::max(restingTip(hole, wanted, tool_), crests);
         if (part > needed + touching) { // a blind hole, or a tool that is too short
             const bool tooShort = part > restingTip(hole, wanted, flutes_) + touching;
             if (request_.depth > 0.0 || request_.bottom || tooShort) return unreached(needed);

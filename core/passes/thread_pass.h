@@ -26,8 +26,8 @@ namespace burin {
 /// *Depth.* From half a pitch above the top of the hole (or `top`), so that the thread is complete there, to half a
 /// pitch beyond its bottom if that is open and drilled, at least to the bottom; in a blind hole to
 /// where the point of a drill of 118° that stands on its bottom ends; or as `depth` and `bottom` say, but no farther.
-/// Holes that are not drilled as deep or as wide, or in which the part stops the tool or its holder before, are left
-/// out and counted.
+/// Holes that are not drilled as deep or as wide, or in which the part stops the tool or its holder before, or the
+/// crests of the thread its holder, are left out and counted.
 ///
 /// *Feed.* Feeds of tables are those of the cutting edge. The centre of the tool moves on a smaller circle, by (D - d)
 /// / D (D: diameter cut, d: of the tool; Sandvik Coromant, "Thread milling", internal): `PlannedPass::feedShares`.

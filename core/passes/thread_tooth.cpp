@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -99,6 +100,16 @@ Result<ThreadTooth> externalThreadTooth(const Cutter& cutter, double pitch) {
         !hasFlanks(flutes, tooth, depth))
         return toothFor(pitch);
     return withNeck(cutter, tooth, depth);
+}
+
+double neckLength(const Cutter& cutter, double depth) {
+    constexpr double crestFit = 1e-6; // mm: a neck of exactly this size passes
+    const std::vector<RevolvedPiece> tool = pieces(cutter);
+    double length = std::numeric_limits<double>::infinity();
+    for (std::size_t i = flutePieces(cutter).size(); i < tool.size(); ++i)
+        if (const std::optional<HeightRange> wide = heightsAt(tool[i], cutter.radius() - depth + crestFit))
+            length = std::min(length, wide->low);
+    return length;
 }
 
 } // namespace burin

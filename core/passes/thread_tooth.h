@@ -29,4 +29,8 @@ Result<ThreadTooth> threadTooth(const Cutter& cutter, double pitch);
 /// Errors: notSupported (what the tool would have to be).
 Result<ThreadTooth> externalThreadTooth(const Cutter& cutter, double pitch);
 
+/// The height above the tip up to which shank and holder pass the crests of a thread while the tooth is at its root,
+/// mm; infinite if all of the holder does. @param depth mm, of the thread
+double neckLength(const Cutter& cutter, double depth);
+
 } // namespace burin

@@ -314,9 +314,16 @@ private slots:
             QVERIFY(!pass.unmilledStud);
             if (fits) QVERIFY(pass.strokes.front().front().x + 3.0 < wall);
         }
-        Tool stubby = mill; // its holder would enter the stud
+        // Its holder, of 6 mm there, would cut off the crests above 8 mm; it may stay above them.
+        Tool stubby = mill;
         stubby.cutter.stickOut = 8.0;
         QCOMPARE(planned(studPlate(stubby)).unreachedHoles, std::size_t(1));
+        request.depth = 7.2;
+        QVERIFY(lowest(planned(studPlate(stubby))) + 8.0 > height);
+        request.depth = 7.6;
+        QCOMPARE(planned(studPlate(stubby)).unreachedHoles, std::size_t(1));
+        stubby.cutter.holder.front() = {4.3, 4.3, 12.0}; // as thin as its neck
+        QCOMPARE(planned(studPlate(stubby)).unreachedHoles, std::size_t(0));
     }
 
     void whatDoesNotFitIsRefused() {

@@ -303,6 +303,21 @@ private slots:
         QVERIFY(half && half->strokes.empty() && half->unreachedHoles == 1);
     }
 
+    /// A holder of 6 mm passes the wall of the hole, but would cut off the crests of the thread: it stays above them.
+    void theHolderSparesTheCrests() {
+        Tool mill = millOf("m8");
+        mill.cutter.stickOut = 8.0;
+        PassRequest request = threadRequest();
+        for (const auto& [depth, threads] : {std::pair{5.0, 1U}, std::pair{7.5, 0U}, std::pair{0.0, 0U}}) {
+            request.depth = depth;
+            const Result<PlannedPass> pass = plate(mill).plan(request);
+            QVERIFY(pass);
+            QCOMPARE(pass->strokes.size(), std::size_t(threads));
+            QCOMPARE(pass->unreachedHoles, std::size_t(1 - threads));
+            if (threads > 0) QVERIFY(std::ranges::min(pass->strokes.front(), {}, &glm::dvec3::z).z + 8.0 > thickness);
+        }
+    }
+
     /// The tool of 6 mm comes down on the axis of the hole, and is no drill.
     void aNarrowDrillingIsNoHole() {
         for (const auto& [diameter, threads] : {std::pair{6.4, 1U}, std::pair{5.5, 0U}, std::pair{4.0, 0U}}) {
