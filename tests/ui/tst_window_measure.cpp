@@ -7,6 +7,8 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QFrame>
+#include <QLabel>
 #include <QUndoView>
 #include <QtTest>
 
@@ -76,6 +78,7 @@ private slots:
         Workbench& workbench = workbenchOf(driver);
         workbench.tool.choose("flat-10");
         QVERIFY(driver.settle() && driver.waitFor([&] { return workbench.workpiece.ready(); }));
+        QVERIFY(driver.step(JobStep::mill) && driver.enter("depthOfCutField", "4"));
         QVERIFY(recordLine(driver, {-10.0, 0.0}, {10.0, 0.0}) && driver.settle());
         const MillingContext& milling = *workbench.workpiece.milling();
         const double depth = removedSoFar(milling) / (20.0 * 10.0 + pi * 25.0);
@@ -86,18 +89,20 @@ private slots:
         const auto measured = [&] { return workbench.measure.workpieceMeasure(); };
         QVERIFY(driver.waitFor([&] { return measured() != nullptr; }));
         const MeasuredWorkpiece floor = measured()->from;
-        driver.shoot("measured-slot");
         QVERIFY2(floor.face.kind == MeasuredFace::Kind::plane, qPrintable(driver.message()));
         QVERIFY2(std::abs(floor.depth - depth) < 0.03 * depth + 0.02, qPrintable(QString::number(floor.depth)));
         const double partTop = workbench.setup.part()->box().high.z;
         QVERIFY(floor.fromPart && std::abs(*floor.fromPart - (top.z - floor.depth - partTop)) < 0.01);
         QVERIFY(floor.along && floor.face.thickness && floor.along->value > *floor.face.thickness); // seen obliquely
         QTRY_VERIFY2(driver.message().contains("Stock left on the part"), qPrintable(driver.message()));
+        const auto* text = driver.visible<QFrame>("messageNotice")->findChild<QLabel*>();
+        QTRY_VERIFY2(text->height() >= text->heightForWidth(text->width()), "a line of the message is hidden");
         driver.shoot("measure-3-workpiece");
         clickAt(driver, top + glm::dvec3(0.0, 5.0, -0.5 * floor.depth)); // the wall that is seen
         QVERIFY(driver.waitFor([&] { return measured() && measured()->to; }));
         const std::optional<MeasuredLength> width = measured()->to->opening;
-        QVERIFY(width && std::abs(width->value - 10.0) <= width->within && width->within <= 1.0);
+        QVERIFY2(width && std::abs(width->value - 10.0) <= width->within && width->within <= 1.0,
+                 qPrintable(driver.message()));
         driver.shoot("measure-4-slot");
         driver.key(Qt::Key_J, Qt::ControlModifier); // measuring the part instead
         QTRY_VERIFY(!menuAction(driver, "measureWorkpieceAction")->isChecked());

@@ -8,23 +8,25 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace burin {
 
-MessageStrip::MessageStrip(QWidget* parent) : QWidget(parent), notice_(new Notice(this)) {
+MessageStrip::MessageStrip(QWidget* parent)
+    : QWidget(parent), notice_(new Notice(this)), close_(new QToolButton(this)) {
     setObjectName(QStringLiteral("messageStrip"));
     notice_->setObjectName(QStringLiteral("messageNotice"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(8);
-    auto* close = new QToolButton(this);
-    close->setObjectName(QStringLiteral("dismissMessageButton"));
-    close->setProperty("look", "flat");
-    close->setIcon(themedIcon(QStringLiteral("cancel"), &Palette::quietText));
-    close->setToolTip(tr("Close this message."));
-    close->setAccessibleName(close->toolTip());
-    connect(close, &QToolButton::clicked, this, &MessageStrip::dismiss);
+    close_->setObjectName(QStringLiteral("dismissMessageButton"));
+    close_->setProperty("look", "flat");
+    close_->setIcon(themedIcon(QStringLiteral("cancel"), &Palette::quietText));
+    close_->setToolTip(tr("Close this message."));
+    close_->setAccessibleName(close_->toolTip());
+    connect(close_, &QToolButton::clicked, this, &MessageStrip::dismiss);
     layout->addWidget(notice_, 1);
-    layout->addWidget(close);
+    layout->addWidget(close_);
     hide();
 }
 
@@ -50,9 +52,12 @@ void MessageStrip::layOver(QWidget* area, int freeAtRight) {
 
 void MessageStrip::fit() {
     if (area_ == nullptr) return;
-    layout()->invalidate(); // the new height of the text arrives with a later event
+    // Not by the layout, which hears of the new height of the text with a later event.
     const int width = area_->width() - freeAtRight_;
-    setGeometry(0, 0, width, layout()->hasHeightForWidth() ? layout()->heightForWidth(width) : sizeHint().height());
+    const QMargins around = layout()->contentsMargins();
+    const QSize button = close_->sizeHint();
+    const int text = notice_->fitTo(width - around.left() - around.right() - layout()->spacing() - button.width());
+    setGeometry(0, 0, width, around.top() + std::max(text, button.height()) + around.bottom());
 }
 
 bool MessageStrip::eventFilter(QObject* watched, QEvent* event) {

@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+class QToolButton;
+
 namespace burin {
 
 /// One sentence above the top of the work area, which can be dismissed. It never interrupts work: it moves nothing, and
@@ -31,6 +33,7 @@ private:
     QWidget* area_ = nullptr;
     int freeAtRight_ = 0; ///< pixels
     Notice* notice_ = nullptr;
+    QToolButton* close_ = nullptr;
 };
 
 } // namespace burin

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace burin {
@@ -32,6 +33,10 @@ constexpr double leastRadius = 2.7, leastOther = 4.0; // of a hole; of a boss or
 constexpr double smallFace = 8.0;                     ///< voxels: the smoothing of the surface reaches its middle
 /// A simpler surface is taken if it explains this share of what the others do.
 constexpr double simplerShare = 0.75;
+/// Or if it deviates so much less than they do from what is next to the point: an arc from the floor of a
+/// shallow slot to the faces beside it explains more than the floor does, but nothing well.
+constexpr double betterTimes = 0.5;
+constexpr double nextReach = 6.0; ///< voxels
 
 struct Fit {
     FittedSurface surface;
@@ -46,6 +51,7 @@ public:
         smooth_ = within(smoothReach, [](const SurfacePoint& one, const SurfacePoint& other) {
             return glm::dot(one.normal, other.normal) >= std::cos(smoothAngle);
         });
+        next_ = facingPoints(nextReach);
     }
 
     /// The surface of that kind that explains most.
@@ -58,6 +64,16 @@ public:
         return best;
     }
 
+    /// voxels, root mean square, from what is next to the point.
+    double deviation(const FittedSurface& surface) const {
+        double sum = 0.0;
+        for (const SurfacePoint& point : next_) {
+            const double away = surface.distance(point.place) / voxel_;
+            sum += away * away;
+        }
+        return std::sqrt(sum / static_cast<double>(next_.size()));
+    }
+
     /// The mean normal next to the point.
     glm::dvec3 meanNormal() const {
         glm::dvec3 sum = from_.normal;
@@ -68,9 +84,7 @@ public:
 private:
     /// Fits a surface within one of the radii, then extends it as far as it agrees with the points.
     std::optional<Fit> grown(Kind kind, std::size_t start) const {
-        std::vector<SurfacePoint> points = within(radii[start], [&](const SurfacePoint&, const SurfacePoint& point) {
-            return glm::dot(point.normal, from_.normal) >= std::cos(firstAngle);
-        });
+        std::vector<SurfacePoint> points = facingPoints(radii[start]);
         std::optional<FittedSurface> surface;
         for (std::size_t i = start; i <= radii.size(); ++i) { // the last radius twice
             surface = fitSurface(kind, points);
@@ -104,6 +118,12 @@ private:
         const double away = surface.distance(point.place) / (agreedWithin * voxel_);
         const double turned = 1.0 - glm::dot(surface.normal(point.place), point.normal);
         return std::max(0.0, 1.0 - away * away) * std::max(0.0, 1.0 - turned / (1.0 - std::cos(agreedAngle)));
+    }
+    /// Points within a radius, voxels, with nearly the normal of the start, the start among them.
+    std::vector<SurfacePoint> facingPoints(double radius) const {
+        return within(radius, [&](const SurfacePoint&, const SurfacePoint& point) {
+            return glm::dot(point.normal, from_.normal) >= std::cos(firstAngle);
+        });
     }
     template <typename Accept>
     std::vector<SurfacePoint> within(double radius, const Accept& accept) const {
@@ -140,6 +160,7 @@ private:
     SurfacePoint from_;
     double voxel_;
     std::vector<SurfacePoint> smooth_; ///< what is connected to the point without an edge
+    std::vector<SurfacePoint> next_;   ///< what is next to the point and faces the same way
 };
 
 /// The radius of an arc that is seen over less than half a turn is the more uncertain the flatter it is: its rise is
@@ -159,15 +180,24 @@ bool hasRadius(const Fit& fit, double voxel) {
 
 std::optional<Fit> bestFit(const FaceSearch& search, double voxel) {
     std::array<std::optional<Fit>, 3> fits;
+    constexpr double none = std::numeric_limits<double>::infinity();
+    std::array<double, 4> deviations{none, none, none, none}; // one more than surfaces: none is rounder than a sphere
     double most = 0.0;
     for (const Kind kind : {Kind::plane, Kind::cylinder, Kind::sphere}) {
-        std::optional<Fit>& fit = fits[static_cast<std::size_t>(kind)];
+        const auto which = static_cast<std::size_t>(kind);
+        std::optional<Fit>& fit = fits[which];
         fit = search.best(kind);
         if (fit && !hasRadius(*fit, voxel)) fit.reset();
         if (fit) most = std::max(most, fit->weight);
+        if (fit) deviations[which] = search.deviation(fit->surface);
     }
-    for (std::optional<Fit>& fit : fits)
-        if (fit && fit->weight >= simplerShare * most) return fit;
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+        if (!fits[i]) continue;
+        const double rounder =
+            *std::min_element(deviations.begin() + static_cast<std::ptrdiff_t>(i) + 1, deviations.end());
+        const bool isBetter = rounder < none && deviations[i] <= betterTimes * rounder;
+        if (isBetter || fits[i]->weight >= simplerShare * most) return std::move(fits[i]);
+    }
     return std::nullopt;
 }
 

@@ -8,6 +8,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 namespace burin::tst_fitted_face {
@@ -68,6 +69,7 @@ class FittedFaceTest : public QObject {
     Q_OBJECT
 private slots:
     void levelFacesAreExact();
+    void shallowSlotsHaveLevelFloors();
     void wallsAreKnownToHalfAVoxel();
     void roundFacesHaveTheirRadius();
     void anEdgeAndAWaveHaveNoSurface();
@@ -95,6 +97,23 @@ void FittedFaceTest::levelFacesAreExact() {
         QVERIFY2(std::abs(face.place.z - height) <= edge / 200.0, qPrintable(QString::number(face.place.z)));
         QVERIFY(std::abs(std::abs(face.normal.z) - 1.0) < 1e-6);
         QCOMPARE(face.within, edge / 200.0);
+    }
+}
+
+/// Slots that are hardly deeper than the surface rounds their edges: an arc through floor and top would explain more
+/// points than the floor alone, but none of them well.
+void FittedFaceTest::shallowSlotsHaveLevelFloors() {
+    for (const double depth : {0.6, 1.1, 1.6}) {
+        RunVolume volume = emptyVolume(*Grid::make(glm::dvec3(0.0), edge, {100, 80, 60}));
+        const Grid& grid = volume.grid();
+        (void)volume.fillBlock({0, 0}, {grid.lineCountU(), grid.lineCountV()}, 0, grid.toRunPosition(top), wax);
+        fillLines(volume, airProperty, [&](const glm::dvec2& at) {
+            const glm::dvec2 nearest(std::clamp(at.x, 15.0, 35.0), 20.1);
+            return glm::distance(at, nearest) < 5.0 ? std::pair(top - depth, 30.0) : std::pair(0.0, 0.0);
+        });
+        const std::optional<FittedFace> face = fittedFaceAt(volume.snapshot(), {25.07, 20.03, top - depth});
+        QVERIFY(face && face->surface && face->surface->kind == Kind::plane);
+        QVERIFY(std::abs(face->place.z - (top - depth)) <= edge / 200.0);
     }
 }
 
