@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
+#include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/geometry/segment.h"
+#include "core/passes/near_segments.h"
 #include "core/passes/surface_pass.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace burin {
 namespace {
@@ -72,11 +76,14 @@ std::vector<PlanRow> spiralRow(const PassRequest& request, const PlanBounds& bou
     return {row};
 }
 
-/// The line in plan, extended at its ends.
+/// The line in plan, extended at its ends, without points that hardly bend it.
 PlanRow carriedOn(const PassLine& line, double by) {
-    PlanRow row;
+    TipLine flat;
     for (const glm::dvec3& place : line)
-        if (row.empty() || glm::distance(row.back(), glm::dvec2(place)) > 1e-6) row.emplace_back(place);
+        if (flat.empty() || glm::distance(glm::dvec2(flat.back()), glm::dvec2(place)) > 1e-6)
+            flat.emplace_back(glm::dvec2(place), 0.0);
+    PlanRow row;
+    for (const glm::dvec3& place : straightened(flat)) row.emplace_back(place);
     if (row.size() < 2) return row;
     row.insert(row.begin(), row.front() + by * glm::normalize(row.front() - row[1]));
     row.push_back(row.back() + by * glm::normalize(row.back() - row[row.size() - 2]));
@@ -96,40 +103,180 @@ bool isLeftOf(const PlanRow& line, const glm::dvec2& place) {
     return side > 0.0;
 }
 
-/// Lines parallel to a given one, at even distances to either side, from left to right.
-std::vector<PlanRow> rowsBeside(const PassLine& lead, const PlanBounds& bounds, double stepOver) {
-    const double reach = 2.0 * glm::length(bounds.high - bounds.low) + farthestFrom(glm::dvec2(lead.front()), bounds) +
-                         farthestFrom(glm::dvec2(lead.back()), bounds);
-    const PlanRow line = carriedOn(lead, reach);
-    if (line.size() < 4) return {};
-    std::vector<PlanRow> left, right;
-    const int most = static_cast<int>(std::ceil(reach / stepOver));
-    for (int i = 1; i <= most; ++i) {
-        bool near = false;
-        for (PlanRing ring : around(line, i * stepOver).rings) {
-            // A ring surrounds both sides; it is split where one side becomes the other, at the far ends.
-            const std::size_t count = ring.size();
-            std::size_t start = 0;
-            while (start < count && isLeftOf(line, ring[start]) == isLeftOf(line, ring[(start + count - 1) % count]))
-                ++start;
-            std::ranges::rotate(ring, ring.begin() + static_cast<std::ptrdiff_t>(start % count));
-            for (std::size_t k = 0; k < count; ++k) {
-                std::vector<PlanRow>& side = isLeftOf(line, ring[k]) ? left : right;
-                const bool goesOn = k > 0 && isLeftOf(line, ring[k]) == isLeftOf(line, ring[k - 1]);
-                if (!goesOn) side.emplace_back();
-                side.back().push_back(ring[k]);
-                near = near || (ring[k].x > bounds.low.x && ring[k].y > bounds.low.y && ring[k].x < bounds.high.x &&
-                                ring[k].y < bounds.high.y);
+/// The parts of a ring within bounds; a ring that never leaves them is closed.
+std::vector<PlanRow> partsWithin(const PlanRing& ring, const PlanBounds& bounds) {
+    const std::size_t count = ring.size();
+    const auto within = [&](std::size_t side) {
+        return shareWithin(bounds, ring[side % count], ring[(side + 1) % count]);
+    };
+    std::size_t start = 0; // a side outside, at which the ring may be split
+    while (start < count && !within(start).empty()) ++start;
+    std::vector<PlanRow> parts;
+    bool open = false;
+    for (std::size_t side = start; side < start + count; ++side) {
+        const SegmentShare share = within(side);
+        const glm::dvec2 &from = ring[side % count], &to = ring[(side + 1) % count];
+        if (share.empty() || share.from > 0.0) open = false;
+        if (share.empty()) continue;
+        if (!open) parts.push_back({glm::mix(from, to, share.from)});
+        parts.back().push_back(glm::mix(from, to, share.to));
+        open = share.to == 1.0;
+    }
+    return parts;
+}
+
+/// The parts of a row, half a step-over before the next one, that lie farther than that from it: where a line comes
+/// near itself, or bends, rows from two sides meet there.
+std::vector<PlanRow> gapsIn(const PlanRow& row, const NearSegments& next, double stepOver) {
+    constexpr double gap = 0.58, spacing = 0.4; // of the step-over
+    PlanRow places{row.front()};
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        const double length = glm::distance(row[i - 1], row[i]);
+        const int steps = std::max(1, static_cast<int>(std::ceil(length / (spacing * stepOver))));
+        for (int k = 1; k <= steps; ++k) places.push_back(glm::mix(row[i - 1], row[i], static_cast<double>(k) / steps));
+    }
+    std::vector<char> lacks(places.size(), 0);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (next.anyWithin(places[i], gap * stepOver)) continue;
+        for (std::size_t k = i > 0 ? i - 1 : 0; k <= std::min(i + 1, places.size() - 1); ++k) lacks[k] = 1;
+    }
+    std::vector<PlanRow> gaps;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (lacks[i] && (i == 0 || !lacks[i - 1])) gaps.emplace_back();
+        if (lacks[i]) gaps.back().push_back(places[i]);
+    }
+    std::erase_if(gaps, [](const PlanRow& part) { return part.size() < 2; });
+    return gaps;
+}
+
+/// Moves points between two rows to the middle between them, and leaves out what was there before: both sides of a gap
+/// lead to the same line.
+class GapMiddles {
+public:
+    /// @param behind the rows on either side, half a step-over from the points that are moved
+    GapMiddles(const NearSegments& behind, double stepOver) : behind_(behind), step_(stepOver), made_(stepOver) {}
+
+    void add(const PlanRow& gap) {
+        constexpr std::size_t delay = 3; // points: a line is not compared with what it has just left
+        PlanRow middle;
+        for (const glm::dvec2& place : gap) middle.push_back(middleOf(place));
+        bool open = false;
+        for (std::size_t i = 0; i < middle.size(); ++i) {
+            if (i > delay) made_.add(middle[i - delay - 1], middle[i - delay]);
+            const bool known = made_.anyWithin(middle[i], sameShare * step_);
+            if (!known && !open) rows_.emplace_back();
+            if (!known) rows_.back().push_back(middle[i]);
+            open = !known;
+        }
+        for (std::size_t i = middle.size() - std::min(delay + 1, middle.size()); i + 1 < middle.size(); ++i)
+            made_.add(middle[i], middle[i + 1]);
+    }
+    std::vector<PlanRow> taken() {
+        std::erase_if(rows_, [](const PlanRow& row) { return row.size() < 2; });
+        return std::move(rows_);
+    }
+
+private:
+    static constexpr double sameShare = 0.3, precision = 0.01; // of the step-over
+
+    /// As far from the nearest row as that row stays the nearest, at most where the next row would be.
+    glm::dvec2 middleOf(const glm::dvec2& place) const {
+        const std::optional<glm::dvec2> foot = behind_.nearestWithin(place, 0.6 * step_);
+        if (!foot || *foot == place) return place;
+        const double from = glm::distance(place, *foot);
+        const glm::dvec2 away = (place - *foot) / from;
+        double reached = 0.0, beyond = 0.5 * step_;
+        while (beyond - reached > precision * step_) {
+            const double half = 0.5 * (reached + beyond);
+            const bool staysNearest = !behind_.anyWithin(place + half * away, from + half - precision * step_);
+            (staysNearest ? reached : beyond) = half;
+        }
+        return place + reached * away;
+    }
+
+    const NearSegments& behind_;
+    double step_; // mm
+    NearSegments made_;
+    std::vector<PlanRow> rows_;
+};
+
+/// Lines parallel to a given one, at even distances to either side, from left to right. Beyond the bounds they are left
+/// out: there alone one side becomes the other, at the far ends of the line.
+class RowsBeside {
+public:
+    RowsBeside(const PassLine& lead, const PlanBounds& bounds, double stepOver)
+        : bounds_(bounds)
+        , step_(stepOver)
+        , reach_(2.0 * glm::length(bounds.high - bounds.low) + farthestFrom(glm::dvec2(lead.front()), bounds) +
+                 farthestFrom(glm::dvec2(lead.back()), bounds))
+        , line_(carriedOn(lead, reach_)) {}
+
+    std::vector<PlanRow> rows() {
+        if (line_.size() < 4) return {};
+        constexpr int together = 32; // distances
+        const int most = static_cast<int>(std::ceil(reach_ / step_));
+        bool reached = false;
+        for (int first = 1; first <= most; first += together) {
+            std::vector<std::vector<PlanRow>> rows(together), gaps(together);
+            parallelFor(0, together, [&](int i) {
+                const auto k = static_cast<std::size_t>(i);
+                rows[k] = rowsAt((first + i) * step_);
+                gaps[k] = gapsBefore((first + i) * step_, rows[k]);
+            });
+            for (std::size_t k = 0; k < rows.size(); ++k) {
+                for (const PlanRow& row : gaps[k]) add(row);
+                for (const PlanRow& row : rows[k]) add(row);
+                if (reached && rows[k].empty()) return ordered(); // distances within the bounds have no gaps
+                reached = reached || !rows[k].empty();
             }
         }
-        if (!near && i * stepOver > glm::length(bounds.high - bounds.low)) break;
+        return ordered();
     }
-    std::ranges::reverse(left);
-    left.push_back(line);
-    left.insert(left.end(), right.begin(), right.end());
-    std::erase_if(left, [](const PlanRow& row) { return row.size() < 2; });
-    return left;
-}
+
+private:
+    /// Within the bounds and two step-overs around them.
+    std::vector<PlanRow> rowsAt(double distance) const {
+        const PlanBounds wide{bounds_.low - 2.0 * step_, bounds_.high + 2.0 * step_};
+        std::vector<PlanRow> rows;
+        for (const PlanRing& ring : around(line_, distance).rings)
+            for (PlanRow& part : partsWithin(ring, wide)) rows.push_back(std::move(part));
+        return rows;
+    }
+    NearSegments segmentsOf(const std::vector<PlanRow>& rows) const {
+        NearSegments segments(step_);
+        for (const PlanRow& row : rows)
+            for (std::size_t i = 1; i < row.size(); ++i) segments.add(row[i - 1], row[i]);
+        return segments;
+    }
+    /// Parts of a row, in the middle between the rows before these, where they meet more than a step-over apart.
+    std::vector<PlanRow> gapsBefore(double distance, const std::vector<PlanRow>& rows) const {
+        const NearSegments next = segmentsOf(rows);
+        std::vector<PlanRow> gaps;
+        for (const PlanRow& row : rowsAt(distance - 0.5 * step_))
+            for (PlanRow& gap : gapsIn(row, next, step_)) gaps.push_back(std::move(gap));
+        if (gaps.empty()) return gaps;
+        const bool besideLine = distance < 1.5 * step_;
+        const NearSegments behind = segmentsOf(besideLine ? std::vector<PlanRow>{line_} : rowsAt(distance - step_));
+        GapMiddles middles(behind, step_);
+        for (const PlanRow& gap : gaps) middles.add(gap);
+        return middles.taken();
+    }
+    void add(const PlanRow& row) {
+        const bool left = isLeftOf(line_, 0.5 * (row[row.size() / 2 - 1] + row[row.size() / 2]));
+        (left ? left_ : right_).push_back(row);
+    }
+    std::vector<PlanRow> ordered() {
+        std::ranges::reverse(left_);
+        left_.push_back(line_);
+        left_.insert(left_.end(), right_.begin(), right_.end());
+        return std::move(left_);
+    }
+
+    PlanBounds bounds_;
+    double step_, reach_; // mm
+    PlanRow line_;
+    std::vector<PlanRow> left_, right_;
+};
 
 /// Points at even fractions of a line's length.
 PlanRow resampled(const PassLine& line, std::size_t count) {
@@ -182,7 +329,7 @@ std::vector<PlanRow> rowsOf(const PassRequest& request, const PlanBounds& bounds
     case PassKind::spiral:
         return spiralRow(request, bounds, stepOver);
     case PassKind::flow:
-        return request.lines.size() == 1 ? rowsBeside(request.lines.front(), bounds, stepOver)
+        return request.lines.size() == 1 ? RowsBeside(request.lines.front(), bounds, stepOver).rows()
                                          : blendedRows(request.lines, stepOver);
     default:
         return parallelRows(request, bounds, stepOver);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/parallel.h"
 #include "core/base/parallel_progress.h"
-#include "core/geometry/segment.h"
 #include "core/passes/hand_finish.h"
+#include "core/passes/near_segments.h"
 #include "core/passes/raster_borders.h"
 #include "core/passes/surface_distance.h"
 #include "core/passes/surface_pass.h"
@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 namespace burin {
 namespace {
@@ -21,7 +22,10 @@ constexpr double mostSquares = 1500.0;  // along a side of the raster
 constexpr double gap = 0.58;            // of the step-over: distance from the middle between two rows to the next one
 // of the distance of the tips: where the tool rolls around an edge it cuts next to nothing
 constexpr double leastShare = 0.3;
-constexpr double closeBy = 6.0; // squares around a stroke whose distance from it is measured directly
+constexpr double closeBy = 6.0;          // squares around a stroke whose distance from it is measured directly
+constexpr double smoothSpan = 0.25;      // of the tool's radius: from one exact sample of a smooth surface to the next
+constexpr double leastAgreement = 0.995; // cosine of the largest turn of a smooth surface between two samples
+constexpr double smoothWithin = 0.002;   // mm
 
 /// Rows at even distances on a surface of tips: from the border of the area inwards, or from strokes of the hand
 /// outwards.
@@ -51,7 +55,9 @@ public:
         std::vector<std::vector<PlanRow>> rowsAt(count);
         parallelFor(std::size_t{0}, count, [&](std::size_t i) {
             if (progress_.cancelled()) return;
-            for (const PlanRing& ring : ringsAt(levelOf(i) + 0.5 * step_)) addGaps(ring, rings[i + 1], rowsAt[i]);
+            NearSegments next(step_);
+            for (const PlanRing& ring : rings[i + 1]) next.addRing(ring);
+            for (const PlanRing& ring : ringsAt(levelOf(i) + 0.5 * step_)) addGaps(ring, next, rowsAt[i]);
             for (const PlanRing& ring : rings[i]) rowsAt[i].push_back(closed(ring));
             if (hand_ != nullptr) rowsAt[i] = withoutMargin(rowsAt[i]);
         });
@@ -67,9 +73,9 @@ private:
     }
     /// The distances of the points close to strokes; infinite for all others.
     std::vector<double> besideStrokes() const {
-        std::vector<double> distances(tips_.size(), std::numeric_limits<double>::infinity());
-        parallelFor(std::size_t{0}, tips_.size(), [&](std::size_t i) {
-            if (const auto near = hand_->nearest(tips_[i], closeBy * edge_)) distances[i] = near->distance;
+        std::vector<double> distances(samples_.size(), std::numeric_limits<double>::infinity());
+        parallelFor(std::size_t{0}, samples_.size(), [&](std::size_t i) {
+            if (const auto near = hand_->nearest(samples_[i].tip, closeBy * edge_)) distances[i] = near->distance;
         });
         return distances;
     }
@@ -90,36 +96,97 @@ private:
         std::erase_if(kept, [](const PlanRow& row) { return row.size() < 2; });
         return kept;
     }
+    /// Samples the surface: exactly on a coarse raster, then between its points, where it is smooth, by them. The rows
+    /// themselves are exact everywhere.
     void look() {
         const std::size_t count = static_cast<std::size_t>(surface_.columns) * static_cast<std::size_t>(surface_.rows);
         surface_.on.assign(count, 0);
-        tips_.resize(count);
-        touched_.resize(count);
-        ParallelProgress done(progress_, static_cast<std::size_t>(surface_.rows));
-        parallelFor(0, surface_.rows, [&](int row) {
+        samples_.assign(count, {});
+        int coarse = 1;
+        while (2 * coarse * edge_ <= smoothSpan * trace_.cutterRadius()) coarse *= 2;
+        double done = 0.0;
+        for (int step = coarse; step >= 1 && !progress_.cancelled(); step /= 2) {
+            const ProgressPart part(progress_, done, done + (step > 1 ? 0.4 * (1.0 - done) : 1.0 - done));
+            done += 0.4 * (1.0 - done);
+            lookEvery(step, step == coarse);
+        }
+    }
+    /// @param first no coarser raster has been sampled
+    void lookEvery(int step, bool first) {
+        const int lines = (surface_.rows - 1) / step + 1;
+        ParallelProgress done(progress_, static_cast<std::size_t>(lines));
+        parallelFor(0, lines, [&](int line) {
             if (progress_.cancelled()) return;
             TipDrop probe = trace_.probe();
-            for (int column = 0; column < surface_.columns; ++column) {
-                const std::size_t i = surface_.indexOf(column, row);
-                const SurfacePlace place = trace_.at(bounds_.low + edge_ * glm::dvec2(column, row), probe);
-                tips_[i] = touched_[i] = place.tip;
-                // Rows from strokes are cut to the area later, so that they meet its border in any direction.
-                if (hand_ != nullptr) surface_.on[i] = 1;
-                if (!place.onPart || (hand_ == nullptr && !trace_.isRequested(place, probe))) continue;
-                const ToolClearance touch = probe.touch(place.tip);
-                touched_[i] = touch.meshPoint;
-                if (hand_ == nullptr) surface_.on[i] = touch.away.z >= leastUpwards ? 1 : 0;
+            const int row = line * step, twice = 2 * step;
+            for (int column = 0; column < surface_.columns; column += step) {
+                const glm::ivec2 odd(column % twice, row % twice);
+                if (!first && odd == glm::ivec2(0)) continue;
+                std::optional<Sampled> found;
+                if (!first && odd != glm::ivec2(step)) found = between({column, row}, odd);
+                if (!first && odd == glm::ivec2(step)) {
+                    found = between({column, row}, {step, step});
+                    if (found && !between({column, row}, {step, -step})) found.reset();
+                }
+                take(surface_.indexOf(column, row), found ? *found : lookAt(column, row, probe));
             }
             done.add();
         });
     }
 
+    /// A sample of the surface of tips.
+    struct Sampled {
+        glm::dvec3 tip{0.0}, touched{0.0}; ///< mm; beside the part both are the tip
+        glm::vec3 away{0.0f, 0.0f, 1.0f};  ///< unit vector out of the part
+        bool onPart = false;
+    };
+    Sampled lookAt(int column, int row, TipDrop& probe) const {
+        const SurfacePlace place = trace_.at(bounds_.low + edge_ * glm::dvec2(column, row), probe);
+        if (!place.onPart) return {place.tip, place.tip};
+        const ToolClearance touch = probe.touch(place.tip);
+        return {place.tip, touch.meshPoint, touch.away, true};
+    }
+    /// The sample in the middle between two, if the surface is smooth there: a cubic with their heights and slopes, on
+    /// which the difference of heights has to agree with the slopes.
+    std::optional<Sampled> between(const glm::ivec2& at, const glm::ivec2& way) const {
+        const glm::ivec2 from = at - way, to = at + way;
+        if (glm::any(glm::lessThan(glm::min(from, to), glm::ivec2(0))) ||
+            glm::any(glm::greaterThanEqual(glm::max(from, to), glm::ivec2(surface_.columns, surface_.rows))))
+            return {};
+        const Sampled &one = samples_[surface_.indexOf(from.x, from.y)],
+                      &other = samples_[surface_.indexOf(to.x, to.y)];
+        if (one.onPart != other.onPart) return {};
+        Sampled middle{0.5 * (one.tip + other.tip), 0.5 * (one.touched + other.touched), one.away, one.onPart};
+        if (!one.onPart) return middle; // nothing is narrower than the tool
+        const glm::dvec3 away(one.away), next(other.away);
+        if (glm::dot(away, next) < leastAgreement || std::min(away.z, next.z) < 0.5 * leastUpwards) return {};
+        const glm::dvec2 span(other.tip - one.tip);
+        const double first = -glm::dot(glm::dvec2(away), span) / away.z;
+        const double last = -glm::dot(glm::dvec2(next), span) / next.z;
+        if (std::abs(other.tip.z - one.tip.z - 0.5 * (first + last)) > smoothWithin) return {};
+        middle.tip.z += (first - last) / 8.0;
+        middle.away = glm::normalize(away + next);
+        return middle;
+    }
+    void take(std::size_t i, const Sampled& sample) {
+        samples_[i] = sample;
+        // Rows from strokes are cut to the area later, so that they meet its border in any direction.
+        if (hand_ != nullptr) {
+            surface_.on[i] = 1;
+        } else if (sample.onPart && sample.away.z >= leastUpwards) {
+            ToolClearance touch;
+            touch.meshPoint = sample.touched;
+            touch.away = sample.away;
+            surface_.on[i] = trace_.isRequested({sample.tip, true}, touch) ? 1 : 0;
+        }
+    }
+
     /// A ball leaves a ridge of s·t / 8R between two rows whose tips are s apart and whose contact points are t apart,
     /// on plane, convex and concave faces alike: the geometric mean of both has to be even.
     double lengthBetween(std::size_t one, std::size_t other) const {
-        const double tips = glm::distance(tips_[one], tips_[other]);
+        const double tips = glm::distance(samples_[one].tip, samples_[other].tip);
         if (!ball_) return tips;
-        const double touched = glm::distance(touched_[one], touched_[other]);
+        const double touched = glm::distance(samples_[one].touched, samples_[other].touched);
         return std::max(leastShare * tips, std::sqrt(tips * touched));
     }
 
@@ -138,7 +205,7 @@ private:
 
     /// Fills gaps where rows bend sharply or rows from two sides meet, and the next row is therefore farther away than
     /// a step: with part of a row half a step on. @param ring half a step on
-    void addGaps(const PlanRing& ring, const std::vector<PlanRing>& next, std::vector<PlanRow>& rows) const {
+    void addGaps(const PlanRing& ring, const NearSegments& next, std::vector<PlanRow>& rows) const {
         std::vector<char> lacks(ring.size(), 0);
         for (std::size_t i = 0; i < ring.size(); ++i) {
             if (!leavesGap(ring[i], next)) continue;
@@ -154,14 +221,8 @@ private:
             open = lacks[at] ? 1 : 0;
         }
     }
-    bool leavesGap(const glm::dvec2& place, const std::vector<PlanRing>& next) const {
-        const double steepness = steepnessAt(place);
-        const double reach = gap * step_ / std::max(steepness, 1e-6); // mm in plan
-        return std::ranges::none_of(next, [&](const PlanRing& ring) {
-            for (std::size_t i = 0; i < ring.size(); ++i)
-                if (distanceToSegment(place, ring[i], ring[(i + 1) % ring.size()]) < reach) return true;
-            return false;
-        });
+    bool leavesGap(const glm::dvec2& place, const NearSegments& next) const {
+        return !next.anyWithin(place, gap * step_ / std::max(steepnessAt(place), 1e-6)); // mm in plan
     }
     /// The largest increase of the distance per mm in plan; on a ridge that of the steeper side.
     double steepnessAt(const glm::dvec2& place) const {
@@ -213,8 +274,8 @@ private:
     PlanBounds bounds_;
     double edge_ = 0.0; // mm
     SurfaceRaster surface_;
-    std::vector<glm::dvec3> tips_, touched_; // mm, by point
-    std::vector<double> distance_;           // mm, by point
+    std::vector<Sampled> samples_; // by point
+    std::vector<double> distance_; // mm, by point
 };
 
 } // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/passes/surface_distance.h"
 
+#include "core/base/parallel.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +23,9 @@ constexpr std::array<std::pair<int, int>, 8> turns{
 class FastMarch {
 public:
     FastMarch(const SurfaceRaster& surface, const std::function<double(std::size_t, std::size_t)>& length)
-        : surface_(surface), length_(length), distance_(surface.on.size(), farAway), fixed_(surface.on.size(), 0) {}
+        : surface_(surface), distance_(surface.on.size(), farAway), fixed_(surface.on.size(), 0) {
+        measure(length);
+    }
 
     std::vector<double> fromBorder(double beginning) {
         for (int row = 0; row < surface_.rows; ++row)
@@ -47,9 +51,11 @@ private:
             fixed_[place] = 1;
             const auto columns = static_cast<std::size_t>(surface_.columns);
             const int column = static_cast<int>(place % columns), row = static_cast<int>(place / columns);
-            for (const auto& [right, up] : turns)
+            for (std::size_t turn = 0; turn < turns.size(); ++turn) {
+                const auto& [right, up] = turns[turn];
                 if (const auto next = at(column + right, row + up); next && !fixed_[*next])
-                    reach(*next, nearest(column + right, row + up));
+                    reach(*next, nearestBy(column + right, row + up, opposite(turn)));
+            }
         }
         for (double& distance : distance_)
             if (distance == farAway) distance = 0.0; // outside the surface
@@ -70,21 +76,49 @@ private:
         open_.emplace(distance, place);
     }
 
-    /// The shortest distance through the triangles around a point whose other corners are fixed, or along one of their
-    /// sides.
-    double nearest(int column, int row) const {
-        const std::size_t place = surface_.indexOf(column, row);
-        double least = farAway;
-        for (std::size_t i = 0; i < turns.size(); ++i) {
-            const auto one = fixedAt(column + turns[i].first, row + turns[i].second);
-            if (!one) continue;
-            const double first = length_(*one, place);
-            least = std::min(least, distance_[*one] + first);
-            const auto& turn = turns[(i + 1) % turns.size()];
-            if (const auto other = fixedAt(column + turn.first, row + turn.second))
-                least = std::min(least, across(*one, *other, place, first));
+    static std::size_t opposite(std::size_t turn) { return (turn + 4) % turns.size(); }
+
+    /// Measures each side once: from a point in the first four directions.
+    void measure(const std::function<double(std::size_t, std::size_t)>& length) {
+        sides_.resize(4 * surface_.on.size());
+        parallelFor(0, surface_.rows, [&](int row) {
+            for (int column = 0; column < surface_.columns; ++column)
+                for (std::size_t turn = 0; turn < 4; ++turn) {
+                    const auto here = at(column, row), there = at(column + turns[turn].first, row + turns[turn].second);
+                    if (here && there) sides_[4 * *here + turn] = length(*here, *there);
+                }
+        });
+    }
+    /// The length of a side from a point in a direction; both ends belong to the surface.
+    double side(int column, int row, std::size_t turn) const {
+        if (turn < 4) return sides_[4 * surface_.indexOf(column, row) + turn];
+        return sides_[4 * surface_.indexOf(column + turns[turn].first, row + turns[turn].second) + opposite(turn)];
+    }
+
+    /// The shortest distance of a point along the side to a neighbour that has just been fixed, or through the two
+    /// triangles at this side: those without it were asked when their own corners were fixed. @param turn from the
+    /// point to the neighbour
+    double nearestBy(int column, int row, std::size_t turn) const {
+        const double first = side(column, row, turn);
+        const auto neighbour = [&](std::size_t to) {
+            return std::pair(column + turns[to].first, row + turns[to].second);
+        };
+        const auto [oneColumn, oneRow] = neighbour(turn);
+        const std::size_t one = surface_.indexOf(oneColumn, oneRow);
+        double least = distance_[one] + first;
+        for (const std::size_t beside : {(turn + 1) % turns.size(), (turn + turns.size() - 1) % turns.size()}) {
+            const auto [otherColumn, otherRow] = neighbour(beside);
+            const auto other = fixedAt(otherColumn, otherRow);
+            if (!other) continue;
+            const double second = side(column, row, beside);
+            const double between = side(oneColumn, oneRow, turnTo(otherColumn - oneColumn, otherRow - oneRow));
+            least = std::min(least, across(one, *other, between, first, second));
         }
         return least;
+    }
+    static std::size_t turnTo(int right, int up) {
+        const auto found = std::ranges::find(turns, std::pair(right, up));
+        return static_cast<std::size_t>(found - turns.begin());
     }
     std::optional<std::size_t> fixedAt(int column, int row) const {
         const auto place = at(column, row);
@@ -92,20 +126,19 @@ private:
     }
     /// The distance by a straight front that passes both corners of a triangle, if it comes through the side between
     /// them.
-    double across(std::size_t one, std::size_t other, std::size_t place, double first) const {
-        const double side = length_(one, other), second = length_(other, place);
-        const double slope = (distance_[other] - distance_[one]) / side;
-        const double x = (first * first + side * side - second * second) / (2.0 * side);
+    double across(std::size_t one, std::size_t other, double between, double first, double second) const {
+        const double slope = (distance_[other] - distance_[one]) / between;
+        const double x = (first * first + between * between - second * second) / (2.0 * between);
         const double y = std::sqrt(std::max(0.0, first * first - x * x));
         if (!(std::abs(slope) < 1.0) || y == 0.0) return farAway;
         const double rise = std::sqrt(1.0 - slope * slope);
         const double through = x - slope / rise * y;
-        if (through < 0.0 || through > side) return farAway;
+        if (through < 0.0 || through > between) return farAway;
         return distance_[one] + slope * x + rise * y;
     }
 
     const SurfaceRaster& surface_;
-    const std::function<double(std::size_t, std::size_t)>& length_;
+    std::vector<double> sides_; ///< by point and direction
     std::vector<double> distance_;
     std::vector<char> fixed_;
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open_;

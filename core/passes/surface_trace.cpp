@@ -20,6 +20,22 @@ constexpr double traceTolerance = 1e-6; // mm
 
 } // namespace
 
+SegmentShare shareWithin(const PlanBounds& bounds, const glm::dvec2& from, const glm::dvec2& to) noexcept {
+    SegmentShare share;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double way = to[axis] - from[axis];
+        const double low = bounds.low[axis] - traceTolerance - from[axis];
+        const double high = bounds.high[axis] + traceTolerance - from[axis];
+        if (way == 0.0) {
+            if (low > 0.0 || high < 0.0) return {1.0, 0.0};
+            continue;
+        }
+        share.from = std::max(share.from, (way > 0.0 ? low : high) / way);
+        share.to = std::min(share.to, (way > 0.0 ? high : low) / way);
+    }
+    return share;
+}
+
 bool isRest(const WorkpieceHeights& heights, const PassGround& ground, const glm::dvec3& tip) noexcept {
     const StandingStock& standing = ground.standing;
     if (!(heights.freeTip(tip.x, tip.y) > tip.z + WorkpieceHeights::leastRest)) return false;
@@ -50,11 +66,12 @@ SurfaceTrace::SurfaceTrace(const PassRequest& request, const PassGround& ground)
     , ground_(ground)
     , pieces_(pieces(ground.tool.cutter))
     , heights_(ground.stock, ground.tool.cutter, ground.coarseness)
-    , bottom_(request.bottom.value_or(ground.part.bounds().empty() ? ground.stock.low.z : ground.part.bounds().low.z)) {
+    , bottom_(request.bottom.value_or(ground.part.bounds().empty() ? ground.stock.low.z : ground.part.bounds().low.z))
+    , bounds_(boundsOfRequest()) {
     heights_.lowerTo(ground.standing);
 }
 
-PlanBounds SurfaceTrace::bounds() const {
+PlanBounds SurfaceTrace::boundsOfRequest() const {
     const double reach = ground_.tool.cutter.radius() + request_.allowance;
     if (!request_.area.empty()) {
         PlanBounds bounds = boundsOf(request_.area);
@@ -79,6 +96,11 @@ public:
         open_ = possible;
         if (possible) intervals_.back().push_back(place.tip);
         last_ = place;
+    }
+    /// What follows has no connection to what came before.
+    void interrupt() noexcept {
+        last_.reset();
+        open_ = false;
     }
     const std::optional<SurfacePlace>& last() const noexcept { return last_; }
     std::vector<TipLine> taken() {
@@ -107,7 +129,10 @@ std::vector<TipLine> SurfaceTrace::along(const PlanRow& row, double& leftOut) co
     Intervals intervals(*this, probe, leftOut);
     const auto add = [&](const SurfacePlace& place) { intervals.add(place); };
     for (std::size_t i = 1; i < row.size(); ++i) {
-        const glm::dvec2 &from = row[i - 1], &to = row[i];
+        const SegmentShare inside = shareWithin(bounds_, row[i - 1], row[i]);
+        if (inside.from != 0.0) intervals.interrupt();
+        if (inside.empty()) continue;
+        const glm::dvec2 from = glm::mix(row[i - 1], row[i], inside.from), to = glm::mix(row[i - 1], row[i], inside.to);
         const int steps =
             std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / (coarsestTrace * ground_.coarseness))));
         for (int k = 0; k < steps; ++k) {
@@ -117,6 +142,7 @@ std::vector<TipLine> SurfaceTrace::along(const PlanRow& row, double& leftOut) co
             between(first, last, probe, add);
             add(last);
         }
+        if (inside.to < 1.0) intervals.interrupt();
     }
     return intervals.taken();
 }
@@ -146,19 +172,28 @@ SurfacePlace SurfaceTrace::at(const glm::dvec2& place, TipDrop& probe) const {
     return {{place, height.value_or(bottom_)}, height.has_value()};
 }
 
-bool SurfaceTrace::isRequested(const SurfacePlace& place, TipDrop& probe) const {
-    if (!isInArea(place, probe)) return false;
+/// @param touch returns what the tool touches there
+template <class Touch>
+bool SurfaceTrace::isRequestedWith(const SurfacePlace& place, const Touch& touch) const {
+    std::optional<ToolClearance> asked;
+    const auto touched = [&]() -> const ToolClearance& { return asked ? *asked : asked.emplace(touch()); };
+    if (!request_.area.empty()) {
+        const bool byContact = request_.areaOnPart && place.onPart;
+        if (!holds(request_.area, byContact ? touchedPlace(touched(), place.tip) : glm::dvec2(place.tip))) return false;
+    }
     if (!place.onPart)
         return request_.flattest == 0.0 &&
                heights_.freeTip(place.tip.x, place.tip.y) > place.tip.z + WorkpieceHeights::leastRest;
     if (request_.restOnly && !isRest(heights_, ground_, place.tip)) return false;
-    return !request_.limitsSlope() || request_.allowsSlope(probe.touch(place.tip).away);
+    return !request_.limitsSlope() || request_.allowsSlope(touched().away);
 }
 
-bool SurfaceTrace::isInArea(const SurfacePlace& place, TipDrop& probe) const {
-    if (request_.area.empty()) return true;
-    if (!request_.areaOnPart || !place.onPart) return holds(request_.area, glm::dvec2(place.tip));
-    return holds(request_.area, touchedPlace(probe.touch(place.tip), place.tip));
+bool SurfaceTrace::isRequested(const SurfacePlace& place, TipDrop& probe) const {
+    return isRequestedWith(place, [&] { return probe.touch(place.tip); });
+}
+
+bool SurfaceTrace::isRequested(const SurfacePlace& place, const ToolClearance& touch) const {
+    return isRequestedWith(place, [&] { return touch; });
 }
 
 bool SurfaceTrace::isPossible(const SurfacePlace& place) const {

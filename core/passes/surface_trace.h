@@ -15,6 +15,13 @@ namespace burin {
 /// A row in plan, mm.
 using PlanRow = std::vector<glm::dvec2>;
 
+/// The share of a straight segment that lies within bounds.
+struct SegmentShare {
+    double from = 0.0, to = 1.0;
+    bool empty() const noexcept { return !(from < to); }
+};
+SegmentShare shareWithin(const PlanBounds& bounds, const glm::dvec2& from, const glm::dvec2& to) noexcept;
+
 /// A point of the surface of tips.
 struct SurfacePlace {
     glm::dvec3 tip{0.0}; ///< mm
@@ -35,22 +42,27 @@ public:
     SurfacePlace at(const glm::dvec2& place, TipDrop& probe) const;
     /// Whether the request asks for this point: its area, its slopes, the remaining stock.
     bool isRequested(const SurfacePlace& place, TipDrop& probe) const;
+    /// The same where it is known what the tool touches.
+    bool isRequested(const SurfacePlace& place, const ToolClearance& touch) const;
     /// Whether only the flutes meet stock there, and no more of it than they can bear.
     bool isPossible(const SurfacePlace& place) const;
 
-    /// The parts of a row that are requested and possible. @param leftOut increased by the length, mm, that is
-    /// requested but not possible
+    /// The parts of a row within the bounds that are requested and possible. @param leftOut increased by the length,
+    /// mm, that is requested but not possible
     std::vector<TipLine> along(const PlanRow& row, double& leftOut) const;
 
     /// The same for a line of tips that lie on the part.
     std::vector<TipLine> intervalsOf(const TipLine& line, double& leftOut) const;
 
     /// The area of the request, or the part, extended by the distance at which the tool still touches it.
-    PlanBounds bounds() const;
+    const PlanBounds& bounds() const noexcept { return bounds_; }
+    double cutterRadius() const noexcept { return ground_.tool.cutter.radius(); } ///< mm
 
 private:
     class Intervals;
-    bool isInArea(const SurfacePlace& place, TipDrop& probe) const;
+    PlanBounds boundsOfRequest() const;
+    template <class Touch>
+    bool isRequestedWith(const SurfacePlace& place, const Touch& touch) const;
     void between(const SurfacePlace& first, const SurfacePlace& last, TipDrop& probe,
                  const std::function<void(const SurfacePlace&)>& add) const;
 
@@ -59,6 +71,7 @@ private:
     std::vector<RevolvedPiece> pieces_;
     WorkpieceHeights heights_;
     double bottom_;
+    PlanBounds bounds_;
 };
 
 /// Whether the flutes at a tip would remove stock more than 0.1 mm high, according to the scanlines of the workpiece;

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/units.h"
+#include "core/geometry/segment.h"
 #include "core/passes/drill_pass.h"
+#include "core/passes/near_segments.h"
 #include "core/passes/plan_pass.h"
 #include "core/passes/tip_drop.h"
 #include "tests/core/passes/pass_stage.h"
@@ -409,6 +411,89 @@ private slots:
                 for (const glm::dvec2& place : places) nearest = std::min(nearest, glm::distance(place, {x, y}));
                 QVERIFY2(nearest < 0.26, qPrintable(QString("%1 mm at %2 %3").arg(nearest).arg(x).arg(y)));
             }
+    }
+
+    /// Rows beside a stroke to and fro: each lies on a multiple of the step-over from it, or in the middle between two
+    /// of its legs where the rows of both are more than a step-over apart; and none lacks.
+    void flowFollowsAZigzag() {
+        constexpr double step = 0.7;
+        const Ground ground(blockUnder([](double, double) { return 5.0; }, 15.0, 4), endMill(4.0, 2.0),
+                            {{-15.0, -15.0, 0.0}, {15.0, 15.0, 6.0}}, 0.0);
+        PassRequest request;
+        request.kind = PassKind::flow;
+        request.stepOver = step;
+        request.area = rectangle({-10.0, -10.0}, {10.0, 10.0});
+        PassLine zigzag;
+        for (int turn = 0; turn <= 4; ++turn)
+            for (double x = -12.0; x <= 12.0; x += 0.5)
+                zigzag.emplace_back(turn % 2 == 0 ? x : -x, -8.0 + 4.0 * turn + 0.2 * std::sin(x), 9.0);
+        request.lines = {zigzag};
+        const Result<PlannedPass> pass = ground.plan(request);
+        QVERIFY(pass);
+        const std::size_t leg = zigzag.size() / 5; // points
+        /// mm from the nearest two legs
+        const auto fromLegs = [&](const glm::dvec2& place) {
+            std::vector<double> all;
+            for (std::size_t i = 0; i < zigzag.size(); ++i) {
+                const double far =
+                    i % leg == 0 ? 1e9 : distanceToSegment(place, glm::dvec2(zigzag[i - 1]), glm::dvec2(zigzag[i]));
+                if (i % leg == 0) all.push_back(far);
+                all.back() = std::min(all.back(), far);
+            }
+            std::ranges::sort(all);
+            return std::pair(all[0], all[1]);
+        };
+        double onRows = 0.0, between = 0.0, whole = 0.0; // mm
+        std::vector<glm::dvec2> places;
+        for (const TipLine& line : pass->strokes)
+            for (std::size_t i = 1; i < line.size(); ++i) {
+                const double length = glm::distance(line[i - 1], line[i]);
+                const auto [near, other] = fromLegs(0.5 * glm::dvec2(line[i - 1] + line[i]));
+                const double beyond = near - step * std::floor(near / step);
+                whole += length;
+                if (std::min(beyond, step - beyond) < 0.01)
+                    onRows += length;
+                else if (other - near < 0.05 && beyond > 0.5 * step)
+                    between += length;
+            }
+        follow(*pass, [&](const glm::dvec3& tip) { places.emplace_back(tip); });
+        const QString lengths = QString("%1 and %2 of %3 mm").arg(onRows).arg(between).arg(whole);
+        QVERIFY2(onRows + between > 0.97 * whole, qPrintable(lengths)); // the rest joins rows
+        QVERIFY2(between < 0.15 * whole, qPrintable(lengths));
+        for (double x = -9.5; x <= 9.5; x += 0.5)
+            for (double y = -9.5; y <= 9.5; y += 0.5) {
+                double nearest = 1e9;
+                for (const glm::dvec2& place : places) nearest = std::min(nearest, glm::distance(place, {x, y}));
+                QVERIFY2(nearest < 0.5 * step + 0.05, qPrintable(QString("%1 mm at %2 %3").arg(nearest).arg(x).arg(y)));
+            }
+    }
+
+    void nearSegmentsAreFound() {
+        std::mt19937 random(5);
+        std::uniform_real_distribution<double> place(-20.0, 20.0), distance(0.0, 6.0);
+        const auto anywhere = [&] { return glm::dvec2(place(random), place(random)); };
+        NearSegments near(1.0);
+        std::vector<std::pair<glm::dvec2, glm::dvec2>> all;
+        for (int i = 0; i < 30; ++i) {
+            const glm::dvec2 from = anywhere(), to = i % 3 == 0 ? anywhere() : from + 0.05 * anywhere();
+            all.emplace_back(from, to);
+            near.add(from, to);
+        }
+        int found = 0;
+        for (int i = 0; i < 2000; ++i) {
+            const glm::dvec2 at = anywhere();
+            const double within = distance(random);
+            const bool any = std::ranges::any_of(
+                all, [&](const auto& each) { return distanceToSegment(at, each.first, each.second) < within; });
+            QCOMPARE(near.anyWithin(at, within), any);
+            const std::optional<glm::dvec2> nearest = near.nearestWithin(at, within);
+            QCOMPARE(nearest.has_value(), any);
+            double least = 1e9;
+            for (const auto& [from, to] : all) least = std::min(least, distanceToSegment(at, from, to));
+            if (any) QVERIFY(std::abs(glm::distance(*nearest, at) - least) < 1e-12);
+            found += any ? 1 : 0;
+        }
+        QVERIFY(found > 200 && found < 1800);
     }
 
     /// Scallops are as high as requested on plane, cylinder and sphere, measured along the normals for balls at the
