@@ -21,10 +21,11 @@ constexpr double circleShare = 0.92;  // of the bound, that circles take
 constexpr double averaged = 0.5;      // of the radius: length over which a width is measured
 constexpr double enteredShare = 0.25; // of the covered area: more is entered by a helix
 constexpr double steepest = 3.0 * pi / 180.0; // rad, of a helix
+constexpr double sharpBend = pi / 9.0;        // rad, of a run: circles don't cut its corner
 constexpr double rowHeight = 0.5;             // mm
 constexpr double gapAbove = 0.3;              // mm between a helix' start and the stock
 // Of the bound: radii of circles, and how far the next circle is.
-constexpr std::array radiusShares{1.0, 0.7, 0.5, 0.35, 0.25, 0.15};
+constexpr std::array radiusShares{1.0, 0.7, 0.5, 0.35, 0.25, 0.15, 0.1, 0.07};
 constexpr std::array stepShares{1.0, 0.75, 0.55, 0.4, 0.3, 0.2, 0.12};
 
 glm::dvec2 leftOf(const glm::dvec2& forward) noexcept {
@@ -83,26 +84,51 @@ BoundedCut::BoundedCut(const Values& values, const WorkpieceHeights& heights, Ha
 
 bool BoundedCut::cuts(const std::vector<glm::dvec2>& run) {
     StandingPlan::Taken taken;
+    std::deque<Cut> recent = std::exchange(recent_, {}); // it need not begin where the tool is
     const double width = widest(run, run.front(), taken);
+    recent_ = std::move(recent);
     plan_.giveBack(taken);
     return width > leastWidth * values_.width;
 }
 
-/// The greatest width that the tool cuts along a way, mm; what it takes is added to `taken`.
+/// The greatest width that the tool cuts along a way, mm, over any length that ends on it; what it takes is added to
+/// `taken`.
 double BoundedCut::widest(const std::vector<glm::dvec2>& way, const glm::dvec2& from, StandingPlan::Taken& taken) {
     const double length = averaged * values_.radius;
+    std::vector<Cut>& cuts = cuts_; // those before the way count where a length begins there
+    cuts.assign(recent_.begin(), recent_.end());
     double area = 0.0, along = 0.0, most = 0.0;
+    for (const Cut& cut : cuts) {
+        area += cut.area;
+        along += cut.length;
+    }
+    std::size_t first = 0;
     glm::dvec2 at = from;
     for (const glm::dvec2& place : way) {
-        along += glm::distance(at, place);
-        area += plan_.take(place, taken);
+        cuts.push_back({glm::distance(at, place), plan_.take(place, taken)});
+        along += cuts.back().length;
+        area += cuts.back().area;
         at = place;
-        if (along < length) continue;
-        most = std::max(most, area / along);
-        area = along = 0.0;
+        while (along - cuts[first].length >= length) {
+            along -= cuts[first].length;
+            area -= cuts[first].area;
+            ++first;
+        }
+        // A short way counts as a whole length: over it the squares would count too much.
+        most = std::max(most, area / std::max(along, length));
     }
-    // The rest counts as a whole length: over a short one the squares would count too much.
-    return std::max(most, area / length);
+    return most;
+}
+
+void BoundedCut::remember(const Cut& cut) {
+    const double length = averaged * values_.radius;
+    recent_.push_back(cut);
+    double along = 0.0;
+    for (const Cut& each : recent_) along += each.length;
+    while (along - recent_.front().length >= length) {
+        along -= recent_.front().length;
+        recent_.pop_front();
+    }
 }
 
 BoundedCut::Course::Course(const std::vector<glm::dvec2>& places) {
@@ -161,7 +187,8 @@ std::vector<glm::dvec2> BoundedCut::waysRound(const glm::dvec2& from, const Circ
 void BoundedCut::go(const std::vector<glm::dvec2>& way, TipLine& tips) {
     StandingPlan::Taken taken;
     for (const glm::dvec2& place : way) {
-        plan_.take(place, taken);
+        const double area = plan_.take(place, taken);
+        if (!tips.empty()) remember({glm::distance(glm::dvec2(tips.back()), place), area});
         tips.emplace_back(place, values_.level);
     }
 }
@@ -221,9 +248,35 @@ std::optional<double> BoundedCut::circleOn(const Course& course, double done, do
     return gained;
 }
 
+/// Goes along the part of a run that a circle has passed, if that leaves something of it: in a corner.
+bool BoundedCut::followed(const Course& course, double from, double to, TipLine& tips) {
+    const glm::dvec2 here(tips.back()), start = course.at(from).place;
+    const std::vector<glm::dvec2> passed = course.between(from, to);
+    bool bends = false;
+    glm::dvec2 before = course.at(from).forward;
+    glm::dvec2 at = start;
+    StandingPlan::Taken taken;
+    double area = plan_.take(start, taken);
+    for (const glm::dvec2& place : passed) {
+        const glm::dvec2 way = place - at;
+        bends = bends || glm::dot(before, way) < std::cos(sharpBend) * glm::length(before) * glm::length(way);
+        area += plan_.take(place, taken);
+        before = way;
+        at = place;
+    }
+    plan_.giveBack(taken);
+    const bool reached = std::ranges::all_of(std::array{0.25, 0.5, 0.75},
+                                             [&](double part) { return hasRoom_(glm::mix(here, start, part), 0.0); });
+    if (!(bends || area > leastWidth * values_.width * (to - from)) || !reached) return false;
+    go({start}, tips);
+    go(passed, tips);
+    return true;
+}
+
 TipLine BoundedCut::along(const std::vector<glm::dvec2>& run, bool joined) {
     const Course course(run);
     TipLine tips;
+    if (!joined) recent_.clear();
     // Whether the tool is at the back of a circle that touches the run where it has got to.
     bool onCircle = !joined && plan_.shareAt(run.front()) > enteredShare && descend(course.at(0.0), tips);
     if (!onCircle) go({run.front()}, tips);
@@ -236,7 +289,7 @@ TipLine BoundedCut::along(const std::vector<glm::dvec2>& run, bool joined) {
         plan_.giveBack(taken);
         if (width > overBound * values_.most) {
             if (const std::optional<double> gained = circleOn(course, done, width, tips)) {
-                onCircle = true;
+                onCircle = !followed(course, done, *gained, tips);
                 done = *gained;
                 continue;
             }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -95,17 +96,26 @@ private:
         std::vector<glm::dvec2> places_;
         std::vector<double> ends_; ///< mm, length up to each point
     };
+    /// A piece of the way that the tool goes.
+    struct Cut {
+        double length = 0.0; ///< mm
+        double area = 0.0;   ///< mm², that it takes there
+    };
+    void remember(const Cut& cut);
     std::vector<Circle> circlesAt(const Spot& spot) const;
     std::vector<glm::dvec2> waysRound(const glm::dvec2& from, const Circle& circle) const;
     double widest(const std::vector<glm::dvec2>& way, const glm::dvec2& from, StandingPlan::Taken& taken);
     bool descend(const Spot& spot, TipLine& tips);
     std::optional<double> circleOn(const Course& course, double done, double straight, TipLine& tips);
+    bool followed(const Course& course, double from, double to, TipLine& tips);
     void go(const std::vector<glm::dvec2>& way, TipLine& tips);
 
     Values values_;
     const WorkpieceHeights& heights_;
     HasRoom hasRoom_;
     StandingPlan plan_;
+    std::deque<Cut> recent_; ///< of the way that was gone last
+    std::vector<Cut> cuts_;  ///< in use while a way is measured
 };
 
 } // namespace burin
