@@ -96,10 +96,11 @@ Result<void> addPainted(const PassArguments& arguments, const Project& project, 
     if (!arguments.paint.empty() && !(arguments.brush >= 0.1 && arguments.brush <= 1000.0))
         return Error{ErrorCode::argumentInvalid, "--brush", formatShortest(arguments.brush),
                      worded(BURIN_TEXT("Command", "0.1 to 1000 mm"))};
+    KeptLeads kept;
     for (const std::int64_t take : arguments.paint) {
-        const Result<std::vector<PassLine>> lines = linesOfTake(project, take, context.progress());
+        const Result<LeadLines> lines = linesOfTake(project, take, kept, context.progress());
         if (!lines) return lines.error();
-        for (const PassLine& line : *lines)
+        for (const PassLine& line : **lines)
             request.area =
                 joined(request.area, brushed(std::vector<glm::dvec2>(line.begin(), line.end()), 0.5 * arguments.brush));
     }
@@ -110,8 +111,9 @@ Result<void> addPainted(const PassArguments& arguments, const Project& project, 
 Result<void> addLines(const PassArguments& arguments, const Project& project, CommandContext& context,
                       PassRequest& request) {
     std::vector<TakeLines> takes;
+    KeptLeads kept;
     for (const std::int64_t take : arguments.leads) {
-        Result<std::vector<PassLine>> lines = linesOfTake(project, take, context.progress());
+        Result<LeadLines> lines = linesOfTake(project, take, kept, context.progress());
         if (!lines) return std::move(lines).error();
         takes.push_back({take, std::move(*lines)});
     }

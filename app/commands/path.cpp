@@ -230,7 +230,8 @@ int show(const PathArguments& arguments, CommandContext& context) {
     const Result<std::vector<PassFigures>> figures = passFigures(*matter, *milling, *stored, *path, context.progress());
     if (!figures) return context.fail(figures.error());
     addFigures(*figures, answer["passes"]);
-    const Result<std::vector<std::int64_t>> outdated = outdatedPassesOf(*project, *stored, *milling, context);
+    KeptLeads leads;
+    const Result<std::vector<std::int64_t>> outdated = outdatedPassesOf(*project, *stored, *milling, leads, context);
     if (!outdated) return context.fail(outdated.error());
     addOutdated(*outdated, answer["passes"]);
     answer["reports"] = burin::jsonOf(path->reports);

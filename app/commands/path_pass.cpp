@@ -133,10 +133,11 @@ Result<void> checkPassOf(const StoredPath& path, std::optional<std::int64_t> pas
 } // namespace
 
 Result<std::vector<std::int64_t>> outdatedPassesOf(const Project& project, const StoredPath& path,
-                                                   const MillingContext& milling, CommandContext& context) {
-    Result<LedPasses> led = ledPasses(project, path, context.progress());
+                                                   const MillingContext& milling, KeptLeads& kept,
+                                                   CommandContext& context) {
+    Result<LedPasses> led = ledPasses(project, path, kept, context.progress());
     if (!led) return std::move(led).error();
-    return outdatedPasses(std::move(*led), milling, context.progress());
+    return outdatedPasses(std::move(*led), milling, kept, context.progress());
 }
 
 int addPassTo(ProjectChange& project, StoredPath path, const PassArguments& arguments, const std::string& machine,
@@ -183,8 +184,9 @@ int recompute(ProjectChange& project, StoredPath path, const PassChoice& choice,
     const Result<MillingContext> milling =
         makeMillingContext(*project, *tool, machineFor(*project, machine, context), context.progress());
     if (!milling) return context.fail(milling.error());
+    KeptLeads leads;
     if (choice.outdatedOnly) {
-        const Result<std::vector<std::int64_t>> outdated = outdatedPassesOf(*project, path, *milling, context);
+        const Result<std::vector<std::int64_t>> outdated = outdatedPassesOf(*project, path, *milling, leads, context);
         if (!outdated) return context.fail(outdated.error());
         std::erase_if(*passes, [&](const GeneratedInfo& each) {
             return std::ranges::find(*outdated, each.id) == outdated->end();
@@ -198,7 +200,10 @@ int recompute(ProjectChange& project, StoredPath path, const PassChoice& choice,
     for (const GeneratedInfo& each : *passes) {
         if (pass && each.id != *pass) continue;
         Result<PassRequest> request = passRequestFromJson(each.request, each.name);
-        if (request) request = ledAnew(*project, std::move(*request), context.progress());
+        if (!request) return context.fail(request.error());
+        Result<std::vector<LeadTake>> takes = readLeads(*project, takesOf(*request), leads, context.progress());
+        if (!takes) return context.fail(takes.error());
+        request = ledAnew(std::move(*request), std::move(*takes), leads, context.progress());
         if (!request) return context.fail(request.error());
         Result<KeptPass> kept = keepPass(*project, *milling, std::move(path), *request, each.id, context);
         if (!kept) return context.fail(kept.error());

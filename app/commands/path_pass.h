@@ -4,6 +4,7 @@
 
 #include "app/pass_arguments.h"
 #include "core/document/project_change.h"
+#include "core/job/lead_lines.h"
 #include "core/job/milling_context.h"
 
 #include <optional>
@@ -29,7 +30,8 @@ int recompute(ProjectChange& project, StoredPath path, const PassChoice& choice,
 /// Ids of the passes of a path whose strokes have changed since they were computed. @param milling with the path's tool
 /// Errors: those of ledPasses and outdatedPasses.
 Result<std::vector<std::int64_t>> outdatedPassesOf(const Project& project, const StoredPath& path,
-                                                   const MillingContext& milling, CommandContext& context);
+                                                   const MillingContext& milling, KeptLeads& leads,
+                                                   CommandContext& context);
 
 /// Removes a path from a project, or one pass from a path, saves and answers; passes that no path uses any more are
 /// removed as well. @param pass id; empty: the whole path @return exit status

@@ -30,48 +30,54 @@ std::vector<Edit> shapingEdits(const std::vector<Edit>& edits) {
 
 } // namespace
 
-Result<std::vector<PassLine>> linesOfTake(const Project& project, std::int64_t take, Progress& progress) {
-    const Result<Take> recorded = project.take(take);
-    if (!recorded) return recorded.error();
-    const Result<Tool> tool = toolFor(project, recorded->info.toolId);
-    if (!tool) return tool.error();
-    constexpr double tremor = 6.0, follows = 0.2, apart = 0.2; // mm
-    const std::vector<Edit> edits{{DropDwells{}}, {SmoothShape{tremor, follows}}};
-    PathContext context;
-    context.tool = *tool;
-    const Result<EvaluatedPath> path = evaluate(recorded->info.name, {*recorded}, edits, context, progress);
-    if (!path) return path.error();
-    std::vector<PassLine> lines;
-    for (const PathPoint& point : path->path.points) {
-        if (point.kind == MoveKind::rapid || lines.empty()) lines.emplace_back();
-        if (lines.back().empty() || glm::distance(lines.back().back(), point.pose.tip) >= apart)
-            lines.back().push_back(point.pose.tip);
-    }
-    std::erase_if(lines, [](const PassLine& line) { return line.size() < 2; });
-    if (lines.empty()) return Error{ErrorCode::pathEmpty, recorded->info.name, "", "it has no stroke"};
-    return lines;
+Result<LeadLines> linesOfTake(const Project& project, std::int64_t take, KeptLeads& kept, Progress& progress) {
+    Result<LeadTake> lead = readLead(project, take, kept, progress);
+    if (!lead) return std::move(lead).error();
+    return linesOf(std::move(*lead), kept, progress);
 }
 
 void leadBy(const std::vector<TakeLines>& takes, PassRequest& request) {
     std::vector<PassLine> lines;
     for (const TakeLines& each : takes) {
-        request.leads.push_back({each.take, static_cast<int>(each.lines.size())});
-        lines.insert(lines.end(), each.lines.begin(), each.lines.end());
+        request.leads.push_back({each.take, static_cast<int>(each.lines->size())});
+        lines.insert(lines.end(), each.lines->begin(), each.lines->end());
     }
     request.lines.insert(request.lines.begin(), lines.begin(), lines.end());
 }
 
-Result<PassRequest> ledAnew(const Project& project, PassRequest request, Progress& progress) {
-    std::vector<TakeLines> takes;
-    for (const PassLead& lead : request.leads) {
-        Result<std::vector<PassLine>> lines = linesOfTake(project, lead.take, progress);
-        if (!lines) return std::move(lines).error();
-        takes.push_back({lead.take, std::move(*lines)});
+Result<std::vector<LeadTake>> readLeads(const Project& project, const std::vector<std::int64_t>& takes,
+                                        const KeptLeads& kept, const Progress& progress) {
+    std::vector<LeadTake> leads;
+    for (const std::int64_t take : takes) {
+        Result<LeadTake> lead = readLead(project, take, kept, progress);
+        if (!lead) return std::move(lead).error();
+        leads.push_back(std::move(*lead));
     }
-    request.lines.erase(request.lines.begin(), request.lines.begin() + countOf(request.leads));
-    request.leads.clear();
+    return leads;
+}
+
+std::vector<std::int64_t> takesOf(const PassRequest& request) {
+    std::vector<std::int64_t> takes;
+    for (const PassLead& lead : request.leads) takes.push_back(lead.take);
+    return takes;
+}
+
+Result<PassRequest> ledBy(PassRequest request, std::vector<LeadTake> leads, KeptLeads& kept, Progress& progress) {
+    std::vector<TakeLines> takes;
+    for (LeadTake& lead : leads) {
+        const std::int64_t take = lead.take.info.id;
+        Result<LeadLines> lines = linesOf(std::move(lead), kept, progress);
+        if (!lines) return std::move(lines).error();
+        takes.push_back({take, std::move(*lines)});
+    }
     leadBy(takes, request);
     return request;
+}
+
+Result<PassRequest> ledAnew(PassRequest request, std::vector<LeadTake> leads, KeptLeads& kept, Progress& progress) {
+    request.lines.erase(request.lines.begin(), request.lines.begin() + countOf(request.leads));
+    request.leads.clear();
+    return ledBy(std::move(request), std::move(leads), kept, progress);
 }
 
 Result<std::vector<TipLine>> handStrokes(std::vector<SourceStrokes> sources, const StoredPath& path,
@@ -121,7 +127,7 @@ std::string digestOf(const std::vector<TipLine>& strokes) {
     return text;
 }
 
-Result<LedPasses> ledPasses(const Project& project, const StoredPath& path, Progress& progress) {
+Result<LedPasses> ledPasses(const Project& project, const StoredPath& path, const KeptLeads& kept, Progress& progress) {
     const Result<std::vector<GeneratedInfo>> passes = project.generated();
     if (!passes) return passes.error();
     LedPasses led{{}, path};
@@ -131,13 +137,15 @@ Result<LedPasses> ledPasses(const Project& project, const StoredPath& path, Prog
         if (source.isTake()) before.sources.push_back(source);
         const auto info = std::ranges::find(*passes, source.id, &GeneratedInfo::id);
         if (info == passes->end() || info->request.empty()) continue;
-        const Result<PassRequest> request = passRequestFromJson(info->request, info->name);
+        Result<PassRequest> request = passRequestFromJson(info->request, info->name);
         if (!request || (request->leads.empty() && request->hand == HandStrokes::ignore)) continue;
-        LedPasses::Pass pass{info->id, false, request->strokesDigest, {}};
-        const Result<PassRequest> anew = ledAnew(project, *request, progress);
-        if (!anew && anew.error().code == ErrorCode::cancelled) return anew.error();
-        pass.linesChanged = !anew || anew->lines != request->lines; // also if a take is gone or empty
-        if (request->hand != HandStrokes::ignore && !before.sources.empty()) {
+        LedPasses::Pass pass{info->id, std::move(*request), {}, false, {}, {}};
+        pass.digest = pass.request.strokesDigest;
+        Result<std::vector<LeadTake>> leads = readLeads(project, takesOf(pass.request), kept, progress);
+        if (!leads && leads.error().code == ErrorCode::cancelled) return std::move(leads).error();
+        pass.leadGone = !leads;
+        if (leads) pass.leads = std::move(*leads);
+        if (pass.request.hand != HandStrokes::ignore && !before.sources.empty()) {
             Result<std::vector<SourceStrokes>> strokes = strokesOf(project, before);
             if (!strokes) return std::move(strokes).error();
             pass.before = std::move(*strokes);
@@ -147,10 +155,13 @@ Result<LedPasses> ledPasses(const Project& project, const StoredPath& path, Prog
     return led;
 }
 
-Result<std::vector<std::int64_t>> outdatedPasses(LedPasses led, const MillingContext& milling, Progress& progress) {
+Result<std::vector<std::int64_t>> outdatedPasses(LedPasses led, const MillingContext& milling, KeptLeads& kept,
+                                                 Progress& progress) {
     std::vector<std::int64_t> outdated;
     for (LedPasses::Pass& pass : led.passes) {
-        bool changed = pass.linesChanged;
+        const Result<PassRequest> anew = ledAnew(pass.request, std::move(pass.leads), kept, progress);
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, led.path.name, {}, {}};
+        bool changed = pass.leadGone || !anew || anew->lines != pass.request.lines; // also if a take has become empty
         if (!changed && !pass.digest.empty()) {
             const Result<std::vector<TipLine>> strokes =
                 handStrokes(std::move(pass.before), led.path, milling, progress);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/job/lead_lines.h"
 #include "core/job/milling_context.h"
 #include "core/passes/pass_ground.h"
 #include "core/passes/pass_request.h"
@@ -14,20 +15,25 @@
 
 namespace burin {
 
-/// Returns the strokes of a take as guide lines for a pass, smoothed so that no row contains the tremor of the hand.
-/// mm, setup frame.
-/// Errors: those of Project::take and evaluate; pathEmpty.
-Result<std::vector<PassLine>> linesOfTake(const Project& project, std::int64_t take, Progress& progress);
+/// Returns the strokes of a take as guide lines for a pass. Errors: those of readLead and linesOf.
+Result<LeadLines> linesOfTake(const Project& project, std::int64_t take, KeptLeads& kept, Progress& progress);
 
 /// Puts the lines of takes, which were read, before the other lines of a request, and notes where they come from.
 struct TakeLines {
     std::int64_t take = 0;
-    std::vector<PassLine> lines;
+    LeadLines lines;
 };
 void leadBy(const std::vector<TakeLines>& takes, PassRequest& request);
 
-/// Returns the request with the lines of its leads as the takes have them now. Errors: those of linesOfTake.
-Result<PassRequest> ledAnew(const Project& project, PassRequest request, Progress& progress);
+/// Reads takes that lead a pass. Errors: those of readLead.
+Result<std::vector<LeadTake>> readLeads(const Project& project, const std::vector<std::int64_t>& takes,
+                                        const KeptLeads& kept, const Progress& progress);
+/// The takes that lead a request.
+std::vector<std::int64_t> takesOf(const PassRequest& request);
+/// Returns the request with the lines of these takes before its own. Needs no project. Errors: those of linesOf.
+Result<PassRequest> ledBy(PassRequest request, std::vector<LeadTake> leads, KeptLeads& kept, Progress& progress);
+/// The same with the lines of these takes instead of those of the takes that led it.
+Result<PassRequest> ledAnew(PassRequest request, std::vector<LeadTake> leads, KeptLeads& kept, Progress& progress);
 
 /// Returns the strokes of the hand among the sources of a path, as the edits of the path shape them before they are
 /// linked: tips, mm, setup frame. Thread-safe.
@@ -42,18 +48,21 @@ std::string digestOf(const std::vector<TipLine>& strokes);
 struct LedPasses {
     struct Pass {
         std::int64_t id = 0;
-        bool linesChanged = false;         ///< the takes that lead it have other strokes by now, or are gone
+        PassRequest request;               ///< as it was computed
+        std::vector<LeadTake> leads;       ///< that lead it, as they are now
+        bool leadGone = false;             ///< one of them is gone, or can't lead
         std::string digest;                ///< of the strokes that it was computed on; empty: it ignores them
         std::vector<SourceStrokes> before; ///< the takes before it in the path, unless it ignores them
     };
     std::vector<Pass> passes;
     StoredPath path;
 };
-/// Errors: those of Project::generated and strokesOf; cancelled.
-Result<LedPasses> ledPasses(const Project& project, const StoredPath& path, Progress& progress);
+/// Reads what is needed to tell. Errors: those of Project::generated and strokesOf; cancelled.
+Result<LedPasses> ledPasses(const Project& project, const StoredPath& path, const KeptLeads& kept, Progress& progress);
 /// Returns the ids of those passes whose strokes have changed since they were computed, in their order: computing them
-/// again brings them up to date, and no other pass depends on what changed. Thread-safe. Errors: those of handStrokes.
-/// @param milling with the path's tool
-Result<std::vector<std::int64_t>> outdatedPasses(LedPasses led, const MillingContext& milling, Progress& progress);
+/// again brings them up to date, and no other pass depends on what changed. Needs no project. Thread-safe, cancellable.
+/// Errors: those of handStrokes. @param milling with the path's tool
+Result<std::vector<std::int64_t>> outdatedPasses(LedPasses led, const MillingContext& milling, KeptLeads& kept,
+                                                 Progress& progress);
 
 } // namespace burin

@@ -10,14 +10,15 @@ namespace burin {
 /// What is needed to compute a pass without the project.
 struct PassController::Matter {
     PassRequest request;
+    std::vector<LeadTake> leads; ///< whose strokes become lines of the request
     std::vector<PathMatter> before;
     std::optional<std::int64_t> instead;
     quint64 load = 0;
 };
 
 PassController::PassController(const Desk& desk, WorkpieceController& workpiece, PathController& path,
-                               const ToolController& tools, QObject* parent)
-    : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools) {
+                               const ToolController& tools, std::shared_ptr<KeptLeads> leads, QObject* parent)
+    : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools), leads_(std::move(leads)) {
     for (const auto signal : {&WorkpieceController::readersStop, &WorkpieceController::readersGoOn})
         connect(&workpiece_, signal, this, &PassController::goOn);
     connect(&workpiece_, &WorkpieceController::changed, this, &PassController::goOn);
@@ -56,18 +57,14 @@ void PassController::goOn() {
     }
     if (!ready()) return;
     asked_ = true;
+    reading_ = std::make_shared<Progress>();
     const StoredPath path = path_.stored() != nullptr ? *path_.stored() : StoredPath{};
     desk_.project.ask(
-        [wanted = *wanted_, path, tool = tool_, load = loads_](const Project& project) -> Result<Matter> {
-            Matter matter{wanted.request, {}, wanted.instead, load};
-            Progress unseen;
-            std::vector<TakeLines> takes;
-            for (const std::int64_t take : wanted.leads) {
-                Result<std::vector<PassLine>> lines = linesOfTake(project, take, unseen);
-                if (!lines) return std::move(lines).error();
-                takes.push_back({take, std::move(*lines)});
-            }
-            leadBy(takes, matter.request);
+        [wanted = *wanted_, path, tool = tool_, load = loads_, leads = leads_,
+         reading = reading_](const Project& project) -> Result<Matter> {
+            Result<std::vector<LeadTake>> takes = readLeads(project, wanted.leads, *leads, *reading);
+            if (!takes) return std::move(takes).error();
+            Matter matter{wanted.request, std::move(*takes), {}, wanted.instead, load};
             Result<std::vector<PathMatter>> before =
                 pathsBeforePass(project, path, tool, matter.request, matter.instead);
             if (!before) return std::move(before).error();
@@ -93,9 +90,12 @@ void PassController::run(Matter matter) {
     const std::optional<std::int64_t> instead = matter.instead;
     desk_.tasks.start(
         TaskKind::pass, tr("Computing the pass"),
-        [milling = workpiece_.milling(),
+        [milling = workpiece_.milling(), leads = leads_,
          matter = std::move(matter)](Progress& progress) mutable -> Result<std::shared_ptr<const ComputedPass>> {
-            Result<ComputedPass> pass = computePass(*milling, std::move(matter.before), matter.request, progress);
+            const Result<PassRequest> request =
+                ledBy(std::move(matter.request), std::move(matter.leads), *leads, progress);
+            if (!request) return request.error();
+            Result<ComputedPass> pass = computePass(*milling, std::move(matter.before), *request, progress);
             if (!pass) return std::move(pass).error();
             return std::make_shared<const ComputedPass>(std::move(*pass));
         },
@@ -161,6 +161,7 @@ void PassController::end() {
 
 void PassController::forget() {
     asked_ = false;
+    if (reading_) reading_->cancel();
     ++loads_;
     newest_.reset();
     desk_.tasks.abandon(TaskKind::pass);

@@ -24,7 +24,7 @@ class PassController final : public Controller {
     Q_OBJECT
 public:
     PassController(const Desk& desk, WorkpieceController& workpiece, PathController& path, const ToolController& tools,
-                   QObject* parent);
+                   std::shared_ptr<KeptLeads> leads, QObject* parent);
 
     bool busy() const { return wanted_.has_value() || desk_.tasks.running(TaskKind::pass); }
     /// Whether the workpiece is ready for the tool in force, and no pass is being computed.
@@ -57,6 +57,8 @@ private:
     WorkpieceController& workpiece_;
     PathController& path_;
     const ToolController& tools_;
+    std::shared_ptr<KeptLeads> leads_;
+    std::shared_ptr<Progress> reading_;   ///< of takes; null: never begun
     std::optional<RequestedPass> wanted_; ///< until it is computed, cancelled or impossible
     std::string tool_;                    ///< id of the tool that it is for
     std::shared_ptr<const ComputedPass> newest_;

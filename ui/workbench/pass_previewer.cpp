@@ -14,8 +14,8 @@ constexpr double usualAllowance = 1.0; // mm: a basis that is fine up to this al
 } // namespace
 
 PassPreviewer::PassPreviewer(const Desk& desk, const WorkpieceController& workpiece, const PathController& path,
-                             const ToolController& tools, QObject* parent)
-    : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools) {
+                             const ToolController& tools, std::shared_ptr<KeptLeads> kept, QObject* parent)
+    : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools), kept_(std::move(kept)) {
     connect(&workpiece_, &WorkpieceController::readersStop, this, &PassPreviewer::readersStop);
     connect(&workpiece_, &WorkpieceController::readersGoOn, this, &PassPreviewer::goOn);
 }
@@ -37,6 +37,7 @@ void PassPreviewer::clear() {
 void PassPreviewer::end() {
     ++questions_;
     asked_ = false;
+    if (reading_) reading_->cancel();
     basis_.reset();
     lines_.clear();
     desk_.tasks.abandon(TaskKind::previewBasis);
@@ -70,6 +71,7 @@ void PassPreviewer::fail(const Error& error) {
 void PassPreviewer::readersStop() {
     ++questions_;
     asked_ = false;
+    if (reading_) reading_->cancel();
     basis_.reset();
     desk_.tasks.abandon(TaskKind::previewBasis);
     desk_.tasks.abandon(TaskKind::preview);
@@ -77,18 +79,26 @@ void PassPreviewer::readersStop() {
 
 void PassPreviewer::askLines(std::int64_t take) {
     asked_ = true;
-    desk_.project.ask(
-        [take](const Project& project) -> Result<std::vector<PassLine>> {
-            Progress unseen;
-            return linesOfTake(project, take, unseen);
-        },
-        [this, take, question = questions_](Result<std::vector<PassLine>> lines) {
-            if (question != questions_) return;
-            if (!lines) return fail(lines.error());
-            asked_ = false;
-            lines_[take] = std::move(*lines);
-            goOn();
-        });
+    reading_ = std::make_shared<Progress>();
+    const auto smooth = [this, take, question = questions_](Result<LeadTake> lead) {
+        if (question != questions_) return;
+        if (!lead) return fail(lead.error());
+        desk_.tasks.start(
+            TaskKind::previewBasis, tr("Preparing the preview"),
+            [lead = std::move(*lead), kept = kept_](Progress& progress) mutable {
+                return linesOf(std::move(lead), *kept, progress);
+            },
+            [this, take, question](const Result<LeadLines>& lines) {
+                if (question != questions_) return;
+                if (!lines) return fail(lines.error());
+                asked_ = false;
+                lines_[take] = *lines;
+                goOn();
+            });
+    };
+    desk_.project.ask([take, kept = kept_,
+                       reading = reading_](const Project& project) { return readLead(project, take, *kept, *reading); },
+                      smooth);
 }
 
 void PassPreviewer::makeBasis() {

@@ -17,7 +17,7 @@ class PassPreviewer final : public Controller {
     Q_OBJECT
 public:
     PassPreviewer(const Desk& desk, const WorkpieceController& workpiece, const PathController& path,
-                  const ToolController& tools, QObject* parent);
+                  const ToolController& tools, std::shared_ptr<KeptLeads> kept, QObject* parent);
 
     /// Replaces the previous request; `changed` is emitted when there is a preview or a problem.
     void show(const RequestedPass& wanted);
@@ -45,7 +45,9 @@ private:
     const ToolController& tools_;
     std::optional<RequestedPass> wanted_; ///< until its preview is ready
     std::shared_ptr<const PassBasis> basis_;
-    std::map<std::int64_t, std::vector<PassLine>> lines_; ///< of takes
+    std::shared_ptr<KeptLeads> kept_;
+    std::shared_ptr<Progress> reading_;       ///< of a take; null: never begun
+    std::map<std::int64_t, LeadLines> lines_; ///< of takes
     std::vector<PassLine> leads_;
     std::shared_ptr<const PassPreview> preview_;
     std::optional<Error> problem_;

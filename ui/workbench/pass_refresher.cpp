@@ -12,7 +12,8 @@ namespace burin {
 /// What is needed to compute a pass again without the project.
 struct PassRefresher::Matter {
     std::int64_t pass = 0;
-    PassRequest request; ///< with its lines as they are now
+    PassRequest request;
+    std::vector<LeadTake> leads; ///< that lead it, as they are now
     std::vector<PathMatter> before;
 };
 
@@ -22,7 +23,8 @@ using Refreshed = std::vector<ReplacedPass>;
 
 /// Computes passes one after the other; each stands on those computed before it.
 template <class Matter>
-Result<Refreshed> computedAgain(const MillingContext& milling, std::vector<Matter> matters, Progress& progress) {
+Result<Refreshed> computedAgain(const MillingContext& milling, std::vector<Matter> matters, KeptLeads& leads,
+                                Progress& progress) {
     Refreshed done;
     for (Matter& matter : matters) {
         const auto count = static_cast<double>(matters.size()), number = static_cast<double>(done.size());
@@ -36,7 +38,10 @@ Result<Refreshed> computedAgain(const MillingContext& milling, std::vector<Matte
                     strokes->info.source.id = earlier.instead; // its position in the path
                     source = std::move(*strokes);
                 }
-        Result<ComputedPass> pass = computePass(milling, std::move(matter.before), matter.request, progress);
+        const Result<PassRequest> request =
+            ledAnew(std::move(matter.request), std::move(matter.leads), leads, progress);
+        if (!request) return request.error();
+        Result<ComputedPass> pass = computePass(milling, std::move(matter.before), *request, progress);
         if (!pass) return std::move(pass).error();
         done.push_back({std::move(pass->moves), matter.pass});
     }
@@ -57,8 +62,8 @@ std::string titleOf(const GeneratedInfo& pass) {
 } // namespace
 
 PassRefresher::PassRefresher(const Desk& desk, const WorkpieceController& workpiece, PathController& path,
-                             const ToolController& tools, QObject* parent)
-    : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools) {
+                             const ToolController& tools, std::shared_ptr<KeptLeads> leads, QObject* parent)
+    : Controller(desk, parent), workpiece_(workpiece), path_(path), tools_(tools), leads_(std::move(leads)) {
     connect(&path_, &PathController::changed, this, &PassRefresher::look);
     connect(&path_, &PathController::versionChanged, this, &PassRefresher::look);
     connect(&workpiece_, &Controller::changed, this, &PassRefresher::look);
@@ -87,25 +92,29 @@ void PassRefresher::look() {
     ++questions_;
     know({});
     if (!any) return drop();
-    desk_.project.ask(
-        [path = *path](const Project& project) {
-            Progress unseen;
-            return ledPasses(project, path, unseen);
-        },
-        [this, question = questions_](Result<LedPasses> led) {
-            if (question != questions_) return;
-            if (led) return find(std::move(*led));
-            emit failed(led.error());
-            drop();
-        });
+    if (looking_) looking_->cancel();
+    looking_ = std::make_shared<Progress>();
+    desk_.project.ask([path = *path, leads = leads_, reading = looking_](
+                          const Project& project) { return ledPasses(project, path, *leads, *reading); },
+                      [this, question = questions_](Result<LedPasses> led) {
+                          if (question != questions_) return;
+                          if (led) return find(std::move(*led));
+                          emit failed(led.error());
+                          drop();
+                      });
+}
+
+void PassRefresher::stopReading() {
+    for (const std::shared_ptr<Progress>& reading : {looking_, collecting_})
+        if (reading) reading->cancel();
 }
 
 void PassRefresher::find(LedPasses led) {
     if (!ready()) return looked_.reset(); // looked for again once it is
     desk_.tasks.start(
         TaskKind::outdated, tr("Looking for passes that are out of date"),
-        [led = std::move(led), milling = workpiece_.milling()](Progress& progress) mutable {
-            return outdatedPasses(std::move(led), *milling, progress);
+        [led = std::move(led), milling = workpiece_.milling(), leads = leads_](Progress& progress) mutable {
+            return outdatedPasses(std::move(led), *milling, *leads, progress);
         },
         [this, question = questions_](const Result<std::vector<std::int64_t>>& outdated) {
             if (question != questions_) return;
@@ -132,17 +141,19 @@ void PassRefresher::refresh() {
     tool_ = tools_.current().id;
     title_ = titleOf(passes.front());
     emit changed();
+    collecting_ = std::make_shared<Progress>();
     desk_.project.ask(
-        [passes = std::move(passes), path = *path_.stored()](const Project& project) -> Result<std::vector<Matter>> {
-            Progress unseen;
+        [passes = std::move(passes), path = *path_.stored(), leads = leads_,
+         reading = collecting_](const Project& project) -> Result<std::vector<Matter>> {
             std::vector<Matter> matters;
             for (const GeneratedInfo& pass : passes) {
                 Result<PassRequest> request = passRequestFromJson(pass.request, pass.name);
-                if (request) request = ledAnew(project, std::move(*request), unseen);
                 if (!request) return std::move(request).error();
+                Result<std::vector<LeadTake>> takes = readLeads(project, takesOf(*request), *leads, *reading);
+                if (!takes) return std::move(takes).error();
                 Result<std::vector<PathMatter>> before = pathsBeforePass(project, path, pass.toolId, *request, pass.id);
                 if (!before) return std::move(before).error();
-                matters.push_back({pass.id, std::move(*request), std::move(*before)});
+                matters.push_back({pass.id, std::move(*request), std::move(*takes), std::move(*before)});
             }
             return matters;
         },
@@ -184,8 +195,8 @@ void PassRefresher::drop() {
 void PassRefresher::compute(std::vector<Matter> matters) {
     desk_.tasks.start(
         TaskKind::pass, tr("Computing the passes that are out of date"),
-        [milling = workpiece_.milling(), matters = std::move(matters)](Progress& progress) mutable {
-            return computedAgain(*milling, std::move(matters), progress);
+        [milling = workpiece_.milling(), matters = std::move(matters), leads = leads_](Progress& progress) mutable {
+            return computedAgain(*milling, std::move(matters), *leads, progress);
         },
         [this, load = loads_, tool = tools_.current()](const Result<Refreshed>& passes) {
             if (load != loads_) return; // another project, or another workpiece
@@ -207,6 +218,7 @@ void PassRefresher::end() {
 void PassRefresher::readersStop() {
     ++questions_;
     looked_.reset();
+    stopReading();
     desk_.tasks.abandon(TaskKind::outdated);
     if (!refreshing_) return;
     ++loads_;
@@ -220,6 +232,7 @@ void PassRefresher::forget() {
     looked_.reset();
     outdated_.clear();
     waiting_ = false;
+    stopReading();
     desk_.tasks.abandon(TaskKind::outdated);
     end();
 }

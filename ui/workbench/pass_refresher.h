@@ -5,6 +5,7 @@
 #include "core/job/computed_pass.h"
 #include "ui/workbench/path_controller.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,7 +19,7 @@ class PassRefresher final : public Controller {
     Q_OBJECT
 public:
     PassRefresher(const Desk& desk, const WorkpieceController& workpiece, PathController& path,
-                  const ToolController& tools, QObject* parent);
+                  const ToolController& tools, std::shared_ptr<KeptLeads> leads, QObject* parent);
 
     /// Ids of passes of the path in force, in its order; empty while they are being found.
     const std::vector<std::int64_t>& outdated() const noexcept { return outdated_; }
@@ -44,11 +45,14 @@ private:
     void drop();
     void compute(std::vector<Matter> matters);
     void end();
+    void stopReading();
 
     const WorkpieceController& workpiece_;
     PathController& path_;
     const ToolController& tools_;
-    std::optional<Key> looked_; ///< what `outdated_` belongs to, or will
+    std::shared_ptr<KeptLeads> leads_;
+    std::shared_ptr<Progress> looking_, collecting_; ///< takes are read for these; null: never begun
+    std::optional<Key> looked_;                      ///< what `outdated_` belongs to, or will
     std::vector<std::int64_t> outdated_;
     bool refreshing_ = false;
     bool waiting_ = false;     ///< for another pass or for the workpiece, to refresh then

@@ -48,11 +48,11 @@ Workbench::Workbench(QObject* parent)
     , path(desk_, workpiece, tool, this)
     , stylusEditor(desk_, workpiece, mill, session, styluses, hand, path, this)
     , area(desk_, this)
-    , passes(desk_, workpiece, path, tool, this)
-    , passPreview(desk_, workpiece, path, tool, this)
+    , passes(desk_, workpiece, path, tool, leads_, this)
+    , passPreview(desk_, workpiece, path, tool, leads_, this)
     , passShow(desk_, passPreview, this)
     , passMeasurer(desk_, workpiece, path, this)
-    , passRefresher(desk_, workpiece, path, tool, this)
+    , passRefresher(desk_, workpiece, path, tool, leads_, this)
     , pathValuer(desk_, workpiece, path, this)
     , pathComparer(desk_, workpiece, path, this)
     , measure(desk_, setup, workpiece, this)
@@ -167,6 +167,7 @@ void Workbench::load(const ProjectContents& contents) {
     mill.load(contents.takes);
     mill.setStrokes({});
     area.load({});
+    leads_->forget();
     passes.forget();
     passPreview.end();
     passMeasurer.forget();

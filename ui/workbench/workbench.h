@@ -41,6 +41,8 @@
 
 #include <QObject>
 
+#include <memory>
+
 namespace burin {
 
 /// The controllers of one window and the connections between them; nothing else.
@@ -50,6 +52,7 @@ class Workbench final : public QObject {
     TaskRunner tasks_;
     History undo_{project_};
     Desk desk_{project_, tasks_, undo_};
+    std::shared_ptr<KeptLeads> leads_ = std::make_shared<KeptLeads>();
     bool showWhenReady_ = false;
 
 public:

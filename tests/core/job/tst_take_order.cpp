@@ -3,6 +3,7 @@
 // Moved and copied takes: how they are replayed, kept, listed and milled.
 #include "core/document/database.h"
 #include "core/job/job_paths.h"
+#include "core/job/pass_strokes.h"
 #include "core/job/path_takes.h"
 #include "core/job/recorded_time.h"
 #include "core/job/switched_off.h"
@@ -64,6 +65,35 @@ bool keepAt(Project& project, const TakeMoment& at) {
 class TestTakeOrder : public QObject {
     Q_OBJECT
 private slots:
+    /// Guide lines of a take are made once for what of it counts, and anew when that changes.
+    void guideLinesAreKept() {
+        Rows rows({3000});
+        QVERIFY(rows.good);
+        const std::int64_t take = rows.takes.front().info.id;
+        KeptLeads kept;
+        Progress progress;
+        const Result<LeadLines> first = linesOfTake(rows.project, take, kept, progress);
+        QVERIFY(first && !(*first)->empty());
+        Result<LeadTake> again = readLead(rows.project, take, kept, progress);
+        QVERIFY(again && again->lines == *first && again->strokes.strokes.empty()); // the same object, nothing was read
+        const SampleRange half{1500, 1500};
+        QVERIFY(rows.project.setSwitchedOff(take, {&half, 1}));
+        Progress cancelled;
+        cancelled.cancel();
+        const Result<LeadTake> stopped = readLead(rows.project, take, kept, cancelled);
+        QVERIFY(!stopped && stopped.error().code == ErrorCode::cancelled);
+        const Result<LeadLines> shorter = linesOfTake(rows.project, take, kept, progress);
+        QVERIFY(shorter);
+        const auto count = [](const LeadLines& lines) {
+            return std::accumulate(lines->begin(), lines->end(), std::size_t{0},
+                                   [](std::size_t sum, const PassLine& line) { return sum + line.size(); });
+        };
+        QVERIFY(count(*shorter) < count(*first));
+        QVERIFY(rows.project.setSwitchedOff(take, {}));
+        const Result<LeadLines> whole = linesOfTake(rows.project, take, kept, progress);
+        QVERIFY(whole && **whole == **first);
+    }
+
     /// 200 random moves, compared with erase and insert in a list; a take that is removed meanwhile keeps its position.
     void movesAreThoseOfAList() {
         QTemporaryDir folder;
