@@ -91,6 +91,22 @@ bool BoundedCut::cuts(const std::vector<glm::dvec2>& run) {
     return width > leastWidth * values_.width;
 }
 
+std::size_t BoundedCut::entryOf(const std::vector<glm::dvec2>& closed) {
+    if (plan_.shareAt(closed.front()) <= enteredShare) return 0;
+    std::size_t best = 0;
+    double widest = 0.0;
+    for (std::size_t i = 0; i + 1 < closed.size() && widest < values_.width; ++i) {
+        const glm::dvec2 way = closed[i + 1] - closed[i];
+        const double length = glm::length(way);
+        if (!(length > 0.0)) continue;
+        const std::vector<Circle> circles = circlesAt({closed[i], way / length});
+        if (circles.empty() || circles.front().radius <= widest) continue;
+        widest = circles.front().radius;
+        best = i;
+    }
+    return best;
+}
+
 /// The greatest width that the tool cuts along a way, mm, over any length that ends on it; what it takes is added to
 /// `taken`.
 double BoundedCut::widest(const std::vector<glm::dvec2>& way, const glm::dvec2& from, StandingPlan::Taken& taken) {

@@ -71,6 +71,9 @@ public:
 
     /// Whether a run would still take anything worth it.
     bool cuts(const std::vector<glm::dvec2>& run);
+    /// The point at which a closed run is best begun from above: the first one, unless that is in material and another
+    /// one has more room for a helix.
+    std::size_t entryOf(const std::vector<glm::dvec2>& closed);
     /// The tips along a run, which is then cut. @param joined the tool is at its first point, which is left out of the
     /// result; otherwise it comes from above
     TipLine along(const std::vector<glm::dvec2>& run, bool joined);

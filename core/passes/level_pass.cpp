@@ -246,6 +246,10 @@ private:
             if (bounded && run->step > 0 && !bounded->cuts(run->places)) continue; // circles have cut it
             TipLine tips = tabs_.over(*run, level);
             const bool joined = open && mayGo(*tip_, tips.front());
+            if (bounded && !joined && run->closed) {
+                const std::size_t entry = bounded->entryOf(run->places);
+                *run = begunAt(std::move(*run), entry);
+            }
             if (bounded && joined) run->places.insert(run->places.begin(), glm::dvec2(*tip_));
             if (bounded) tips = bounded->along(run->places, joined);
             if (!joined) planned_.strokes.emplace_back();

@@ -248,6 +248,7 @@ private slots:
         QTest::newRow("closed pocket") << 0 << 8.0;
         QTest::newRow("raised block") << 1 << 8.0;
         QTest::newRow("pocket with an island") << 2 << 6.0;
+        QTest::newRow("pocket with room for one loop") << 0 << 16.0;
     }
     void levelsKeepToTheirWidth() {
         QFETCH(int, shape);
