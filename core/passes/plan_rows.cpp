@@ -213,11 +213,14 @@ public:
 
     std::vector<PlanRow> rows() {
         if (line_.size() < 4) return {};
-        constexpr int together = 32; // distances
+        constexpr int mostTogether = 32; // distances
         const int most = static_cast<int>(std::ceil(reach_ / step_));
         bool reached = false;
-        for (int first = 1; first <= most; first += together) {
-            std::vector<std::vector<PlanRow>> rows(together), gaps(together);
+        for (int first = 1, together = 1; first <= most; first += together) {
+            together = std::min(first, mostTogether);
+            prepare(first + together - 1);
+            std::vector<std::vector<PlanRow>> rows(static_cast<std::size_t>(together));
+            std::vector<std::vector<PlanRow>> gaps(rows.size());
             parallelFor(0, together, [&](int i) {
                 const auto k = static_cast<std::size_t>(i);
                 rows[k] = rowsAt((first + i) * step_);
@@ -234,11 +237,26 @@ public:
     }
 
 private:
+    /// Makes the regions that those at distances of up to a number of step-overs are grown from.
+    void prepare(int last) {
+        while (std::ldexp(1.0, static_cast<int>(grown_.size())) < last) {
+            const double distance = step_ * std::ldexp(1.0, static_cast<int>(grown_.size()));
+            grown_.push_back(cleaned(regionAt(distance), cleanedBy));
+        }
+    }
+    /// The region around the line: where its parts are nearer to each other than the distance, it is much sooner grown
+    /// from another region around it than from the line.
+    PlanRegion regionAt(double distance) const {
+        for (std::size_t i = grown_.size(); i > 0; --i)
+            if (const double by = distance - step_ * std::ldexp(1.0, static_cast<int>(i - 1)); by > 0.25 * step_)
+                return grown(grown_[i - 1], by);
+        return around(line_, distance);
+    }
     /// Within the bounds and two step-overs around them.
     std::vector<PlanRow> rowsAt(double distance) const {
         const PlanBounds wide{bounds_.low - 2.0 * step_, bounds_.high + 2.0 * step_};
         std::vector<PlanRow> rows;
-        for (const PlanRing& ring : around(line_, distance).rings)
+        for (const PlanRing& ring : regionAt(distance).rings)
             for (PlanRow& part : partsWithin(ring, wide)) rows.push_back(std::move(part));
         return rows;
     }
@@ -272,9 +290,12 @@ private:
         return std::move(left_);
     }
 
+    static constexpr double cleanedBy = 0.001; // mm
+
     PlanBounds bounds_;
     double step_, reach_; // mm
     PlanRow line_;
+    std::vector<PlanRegion> grown_; ///< around the line, by 1, 2, 4, … step-overs
     std::vector<PlanRow> left_, right_;
 };
 
