@@ -12,6 +12,8 @@
 #include <QTimer>
 #include <QtTest>
 
+#include <algorithm>
+
 namespace burin::testing {
 
 namespace {
@@ -125,7 +127,12 @@ bool WindowDriver::waitFor(const std::function<bool()>& what, int milliseconds) 
 
 bool WindowDriver::settle(int milliseconds) const {
     QTest::qWait(50); // for work that is about to begin
-    return waitFor([this] { return window_->workbench().tasks().idle(); }, milliseconds);
+    return waitFor(
+        [this] {
+            return std::ranges::all_of(window_->workbench().tasks().rows(),
+                                       [](const TaskRow& row) { return row.kind == TaskKind::growth; });
+        },
+        milliseconds);
 }
 
 void WindowDriver::shoot(const QString& name) const {

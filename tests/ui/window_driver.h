@@ -49,7 +49,9 @@ public:
     void whenDialogStands(std::function<void(QWidget& dialog)> act);
     QString message() const; ///< the sentence above the viewport; empty if there is none
     bool waitFor(const std::function<bool()>& what, int milliseconds = 30000) const;
-    bool settle(int milliseconds = 30000) const; ///< until no work runs in the background
+    /// Until no work runs in the background, except that the boundary is still being refined away from the tool, for
+    /// which no user waits.
+    bool settle(int milliseconds = 30000) const;
     /// Keeps the picture of the open dialog, or else of the window.
     void shoot(const QString& name) const;
 
