@@ -30,11 +30,6 @@ std::string textOfLosses(const ProgramPasses& passes) {
         BURIN_TEXT("Command", "%1 dwells were left out."));
     add(passes.startless, BURIN_TEXT("Command", "%1 move was left out: the program does not state where it begins."),
         BURIN_TEXT("Command", "%1 moves were left out: the program does not state where they begin."));
-    add(passes.coolantChanges(),
-        BURIN_TEXT("Command",
-                   "The coolant changes within %1 pass; its first coolant (mist or flood) applies to the whole pass."),
-        BURIN_TEXT("Command", "The coolant changes within %1 passes; the first coolant (mist or flood) of each applies "
-                              "to the whole pass."));
     return text;
 }
 
@@ -62,7 +57,7 @@ Result<std::vector<StoredPath>> keep(Project& project, const ProgramPasses& pass
             tools.push_back(pass.tool.id);
             paths.push_back({0, name, {}, {}});
         }
-        paths[place] = withProgram(std::move(paths[place]), pass.moves.info.name, pass.coolant, *source);
+        paths[place] = withProgram(std::move(paths[place]), pass.moves.info.name, useOf(pass), *source);
     }
     for (StoredPath& path : paths) {
         const Result<std::int64_t> id = project.addPath(path);

@@ -329,6 +329,9 @@ Result<void> addStatedFeeds(Database&) {
 Result<void> addTorque(Database&) {
     return {};
 }
+Result<void> addStatedCoolant(Database&) {
+    return {};
+}
 
 Result<void> checkIdentity(Database& file, int newest) {
     const Result<std::int64_t> application = file.integer("PRAGMA application_id");

@@ -32,6 +32,7 @@ Result<void> addPassRequests(Database& file);
 Result<void> addTime(Database& file);
 Result<void> addStatedFeeds(Database& file);
 Result<void> addTorque(Database& file);
+Result<void> addStatedCoolant(Database& file);
 inline constexpr std::array projectMigrations{
     Migration{1, BURIN_TEXT("Migration", "Strokes of a take can be undone."), addUndoneIntervals},
     Migration{2, BURIN_TEXT("Migration", "Fixtures, the tool axis and guides are kept."), addSurroundings},
@@ -46,6 +47,7 @@ inline constexpr std::array projectMigrations{
               addTime},
     Migration{10, BURIN_TEXT("Migration", "Paths can be made of programs, and keep their feeds."), addStatedFeeds},
     Migration{11, BURIN_TEXT("Migration", "Recordings keep the torque that a device gave."), addTorque},
+    Migration{12, BURIN_TEXT("Migration", "Paths of programs keep the coolant of each move."), addStatedCoolant},
 };
 inline constexpr int projectVersion = static_cast<int>(projectMigrations.size()) + 1;
 

@@ -77,9 +77,9 @@ std::optional<std::vector<Tool>> toolsFor(const Project& project, const std::vec
 
 /// Null if it can no longer be read.
 std::shared_ptr<const CheckedProgram> programOf(const Project& project, const KeptProgram& kept) {
-    const Control& control = controlOfDialect(kept.dialect);
-    Result<ParsedProgram> parsed = parseProgram(kept.text, "program", control);
     const Result<MachineProfile> machine = loadMachine(kept.machine);
+    const Control& control = controlOfDialect(kept.dialect, machine ? machine->axes() : linearAxes);
+    Result<ParsedProgram> parsed = parseProgram(kept.text, "program", control);
     std::optional<VerifyReport> report = reportFromJson(kept.report);
     std::optional<std::vector<Tool>> tools = toolsFor(project, kept.tools);
     if (!parsed || !machine || !report || !tools) return nullptr;

@@ -392,7 +392,7 @@ Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& 
     Result<std::string> text =
         withHeaderComments(program.text, overrideLines(program, reason), program.dialect, machine.maximumLineLength);
     if (!text) return std::move(text).error();
-    Result<ParsedProgram> parsed = parseProgram(*text, "program", controlOfDialect(program.dialect));
+    Result<ParsedProgram> parsed = parseProgram(*text, "program", controlOfDialect(program.dialect, machine.axes()));
     if (!parsed) return std::move(parsed).error();
     const auto lines = [](const std::string& all) { return std::ranges::count(all, '\n'); };
     const auto added = static_cast<std::uint32_t>(lines(*text) - lines(program.text));
@@ -411,7 +411,7 @@ Result<CheckedProgram> overrideCheck(CheckedProgram program, const std::string& 
 
 Result<CheckedProgram> checkProgram(const MillingContext& milling, std::string text, const std::string& origin,
                                     const ProgramRequest& request, Progress& progress) {
-    const Control& control = controlOfDialect(request.dialect);
+    const Control& control = controlOfDialect(request.dialect, milling.machine.axes());
     Result<ParsedProgram> parsed = parseProgram(text, origin, control);
     if (!parsed) return std::move(parsed).error();
     if (Result<void> checkable = checkLength(*parsed, origin); !checkable) return std::move(checkable).error();

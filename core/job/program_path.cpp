@@ -3,6 +3,7 @@
 #include "core/job/program_path.h"
 
 #include "core/job/program_job.h"
+#include "core/machine/kinematics.h"
 #include "core/nc/apt_reader.h"
 #include "core/nc/dialect_library.h"
 #include "core/nc/parser.h"
@@ -18,9 +19,10 @@ namespace burin {
 
 namespace {
 
-Result<ParsedProgram> read(std::string_view text, const std::string& file, const std::string& dialect) {
-    return isCutterLocations(text) ? parseCutterLocations(text, file)
-                                   : parseProgram(text, file, controlOfDialect(dialect));
+Result<ParsedProgram> read(std::string_view text, const std::string& file, const std::string& dialect,
+                           const MachineProfile& machine) {
+    return isCutterLocations(text) ? parseCutterLocations(text, file, kinematicsOf(machine, glm::dvec3(0.0)).get())
+                                   : parseProgram(text, file, controlOfDialect(dialect, machine.axes()));
 }
 
 /// Checks that all positions are in the frame of one work offset, which is the setup's.
@@ -66,7 +68,7 @@ bool callsOneNumber(const ParsedProgram& program) {
 class PassWriter {
 public:
     PassWriter(const std::string& file, const ToolChoice& tools)
-        : name_(std::filesystem::path(file).filename().string()), tools_(tools) {}
+        : file_(file), name_(std::filesystem::path(file).filename().string()), tools_(tools) {}
 
     Result<void> add(const ToolMove& move, const NcMotion& motion) {
         if (move.rapid || !move.startKnown || !move.endKnown) {
@@ -77,6 +79,12 @@ public:
         if (move.from.tip == move.to.tip && move.from.axis == move.to.axis) return {};
         if (Result<void> ready = beginPass(motion); !ready) return ready;
         ProgramPass& pass = made_.passes.back();
+        if (move.tilted()) {
+            if (pass.tool.cutter.type != CutterType::ball || pass.tool.cutter.solid != nullptr)
+                return Error{ErrorCode::programSyntax, file_, "line " + std::to_string(motion.line),
+                             "a tilted tool axis; paths tilt ball end mills only"};
+            pass.tilted = true;
+        }
         const Coolant coolant = coolantOf(motion);
         pass.coolantChanges = pass.coolantChanges || (!pass.moves.strokes.empty() && coolant != coolant_);
         coolant_ = coolant;
@@ -84,7 +92,7 @@ public:
         if (begins_) pass.moves.strokes.push_back({{move.from, moment_++}});
         begins_ = false;
         pass.moves.strokes.back().push_back(
-            {move.to, moment_++, true, false, move.feed, motion.spindleOn() ? motion.spindleSpeed : 0.0});
+            {move.to, moment_++, true, false, move.feed, motion.spindleOn() ? motion.spindleSpeed : 0.0, coolant});
         pass.length += glm::distance(move.from.tip, move.to.tip);
         return {};
     }
@@ -107,7 +115,7 @@ private:
         return {};
     }
 
-    std::string name_;
+    std::string file_, name_;
     const ToolChoice& tools_; ///< must outlive it
     ProgramPasses made_;
     std::int64_t moment_ = 0;
@@ -131,13 +139,14 @@ std::size_t ProgramPasses::coolantChanges() const noexcept {
 Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& file, const std::string& dialect,
                                       const MillingContext& milling, const ToolChoice& tools,
                                       const Progress& progress) {
-    const Result<ParsedProgram> program = read(text, file, dialect);
+    const Result<ParsedProgram> program = read(text, file, dialect, milling.machine);
     if (!program) return program.error();
     if (Result<void> checkable = checkLength(*program, file); !checkable) return std::move(checkable).error();
     if (Result<void> one = checkOffsets(*program, file); !one) return std::move(one).error();
     const ToolChoice only{{tools.onlyTool.value_or(Tool{})}, true};
     PassWriter writer(file, tools.onlyTool && callsOneNumber(*program) ? only : tools);
-    for (const ToolMove& move : toolMoves(*program, milling.setup.workOffset, milling.machine)) {
+    constexpr double undivided = 1e9; // degrees: the path has the program's own moves
+    for (const ToolMove& move : toolMoves(*program, milling.setup.workOffset, milling.machine, {}, undivided)) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "program", {}, {}};
         if (Result<void> added = writer.add(move, program->motions[move.motion]); !added)
             return std::move(added).error();
@@ -153,18 +162,41 @@ Result<ProgramPasses> passesOfProgram(std::string_view text, const std::string& 
     return made;
 }
 
-StoredPath withProgram(StoredPath path, const std::string& name, Coolant coolant, std::int64_t source) {
+PassUse useOf(const ProgramPass& pass) noexcept {
+    using Cooling = SetFeed::Cooling;
+    const Cooling cooling = pass.coolantChanges              ? Cooling::program
+                            : pass.coolant == Coolant::flood ? Cooling::flood
+                            : pass.coolant == Coolant::mist  ? Cooling::mist
+                                                             : Cooling::off;
+    return {cooling, pass.tilted};
+}
+
+namespace {
+
+/// Arcs are not fitted to moves that turn the tool: each would have many axes.
+void takeAxes(StoredPath& path, bool isNew) {
+    if (isNew)
+        std::erase_if(path.edits, [](const Edit& edit) { return std::holds_alternative<FitArcs>(edit.parameters); });
+    for (const Edit& edit : path.edits)
+        if (const auto* axis = std::get_if<ToolAxis>(&edit.parameters); axis && axis->from == ToolAxis::From::program)
+            return;
+    ToolAxis stated;
+    stated.from = ToolAxis::From::program;
+    path.edits.push_back({stated});
+}
+
+} // namespace
+
+StoredPath withProgram(StoredPath path, const std::string& name, const PassUse& use, std::int64_t source) {
     const bool isNew = path.sources.empty();
     if (isNew && path.name.empty()) path.name = name;
     if (isNew) path.edits = programEdits();
     for (Edit& edit : path.edits)
         if (auto* feeds = std::get_if<SetFeed>(&edit.parameters)) {
             feeds->feeds = SetFeed::Feeds::program;
-            if (!isNew) continue;
-            feeds->cooling = coolant == Coolant::flood  ? SetFeed::Cooling::flood
-                             : coolant == Coolant::mist ? SetFeed::Cooling::mist
-                                                        : SetFeed::Cooling::off;
+            if (isNew || use.cooling == SetFeed::Cooling::program) feeds->cooling = use.cooling;
         }
+    if (use.tilted) takeAxes(path, isNew);
     path.sources.push_back({source});
     return path;
 }

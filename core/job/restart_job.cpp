@@ -117,8 +117,11 @@ Result<RestartedProgram> makeRestart(const MillingContext& milling, const std::s
     if (const std::uint32_t lines = lineCount(text); line < 1 || line > lines)
         return Error{ErrorCode::argumentInvalid, "restart line", std::to_string(line), "1 to " + std::to_string(lines)};
     const Result<ParsedProgram> interrupted =
-        parseProgram(text, "interrupted program", controlOfDialect(request.dialect));
+        parseProgram(text, "interrupted program", controlOfDialect(request.dialect, milling.machine.axes()));
     if (!interrupted) return interrupted.error();
+    if (!std::ranges::all_of(interrupted->motions, [](const NcMotion& motion) { return motion.to.onlyLinear(); }))
+        return Error{ErrorCode::notSupported, "a restart of a program that tilts the tool", "programs of X, Y and Z",
+                     ""};
     RestartMaker maker(milling, *interrupted, line, request);
     Result<RestartedProgram> near = [&] {
         const ProgressPart part(progress, 0.0, 0.5);

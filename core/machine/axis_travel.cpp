@@ -14,6 +14,8 @@ AxisTravel::AxisTravel(const MachineProfile& machine, const Box& ends) noexcept 
         axis.low = ends.low[component];
         axis.high = ends.high[component];
     }
+    for (const RotaryAxis& rotary : machine.rotaryAxes) // wherever the setup is placed
+        ends_[rotary.axis] = {rotary.high - rotary.low, rotary.low, rotary.high};
 }
 
 void AxisTravel::goTo(AxisSet axes, const AxisValues& values) noexcept {

@@ -12,7 +12,7 @@ namespace burin {
 
 /// Checks whether the travel of a machine's axes is enough for a program. It receives one position after the other;
 /// from the second on, the range between them can exceed the travel of an axis, wherever in that travel the setup is
-/// placed. Lengths are mm, for rotary axes degrees; axes without a stated travel, such as rotary ones, have no limits.
+/// placed. Lengths are mm, for rotary axes degrees; axes without a stated travel have no limits.
 class AxisTravel {
 public:
     /// @param limits of X, Y and Z, in the same coordinates as the values that follow; empty: their position is not

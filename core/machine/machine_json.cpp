@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace burin {
 
@@ -58,6 +59,18 @@ void addArcs(ordered_json& file, const ArcRules& rules) {
                     {"radius_mismatch_mm", rules.radiusMismatch}};
 }
 
+void addRotaryAxes(ordered_json& file, const MachineProfile& machine) {
+    for (const RotaryAxis& axis : machine.rotaryAxes) {
+        ordered_json entry{{"axis", std::string(1, letterOf(axis.axis))}};
+        if (axis.reversed) entry["reversed"] = true;
+        if (std::isfinite(axis.low)) entry["low_deg"] = axis.low;
+        if (std::isfinite(axis.high)) entry["high_deg"] = axis.high;
+        addIfStated(entry, "rate_deg_per_min", axis.rate);
+        addIfStated(entry, "acceleration_deg_per_s2", axis.acceleration);
+        file["rotary_axes"].push_back(std::move(entry));
+    }
+}
+
 void addCoolants(ordered_json& file, const MachineProfile& machine) {
     if (!machine.coolants) return;
     for (const Coolant each : {Coolant::mist, Coolant::flood}) file["coolant"][idOf(each)] = machine.has(each);
@@ -75,6 +88,7 @@ std::string toJson(const MachineProfile& machine) {
     file["tool_change_height_mm"] = machine.toolChangeHeight;
     addIfStated(file, "tool_change_s", machine.toolChangeSeconds);
     if (machine.home) file["home_mm"] = jsonOf(*machine.home);
+    addRotaryAxes(file, machine);
     addArcs(file, machine.arcs);
     addCoolants(file, machine);
     file["coordinate_decimals"] = machine.coordinateDecimals;

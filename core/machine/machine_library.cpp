@@ -85,6 +85,28 @@ void readCoolants(JsonObject& file, MachineProfile& machine) {
     });
 }
 
+/// The second of two axes has to tilt the tool, and so has a single one: that is A or B, about X or Y.
+void readRotaryAxes(JsonObject& file, MachineProfile& machine) {
+    if (!file.has("rotary_axes")) return;
+    file.objects("rotary_axes", [&](JsonObject& entry) {
+        RotaryAxis axis;
+        axis.axis = static_cast<Axis>(static_cast<int>(Axis::a) + entry.choice("axis", {"A", "B", "C"}));
+        if (entry.has("reversed")) axis.reversed = entry.boolean("reversed");
+        if (entry.has("low_deg")) axis.low = entry.number("low_deg", rotaryAngle);
+        if (entry.has("high_deg")) axis.high = entry.number("high_deg", rotaryAngle);
+        axis.rate = entry.has("rate_deg_per_min") ? entry.number("rate_deg_per_min", rotaryRate) : 0.0;
+        if (entry.has("acceleration_deg_per_s2"))
+            axis.acceleration = entry.number("acceleration_deg_per_s2", rotaryAcceleration);
+        if (!(axis.low < axis.high)) entry.fail("high_deg", "has to be above low_deg");
+        if (axis.low > 0.0 || axis.high < 0.0) entry.fail("low_deg", "has to leave 0 within the limits");
+        machine.rotaryAxes.push_back(axis);
+    });
+    const std::vector<RotaryAxis>& axes = machine.rotaryAxes;
+    const bool sound = !axes.empty() && axes.size() <= 2 && axes.back().axis != Axis::c &&
+                       (axes.size() == 1 || axes.front().axis != axes.back().axis);
+    if (!sound) file.fail("rotary_axes", "has to be A or B, or two different axes of which A or B is the second");
+}
+
 /// A source for a key that the file does not have is a typing error.
 void readSources(JsonObject& file, MachineProfile& machine) {
     machine.source = file.text("source");
@@ -100,6 +122,8 @@ void checkTogether(JsonObject& file, const MachineProfile& machine) {
         if (machine.axisRates[axis] > machine.rapidFeed)
             file.fail("axis_rates_mm_per_min[" + std::to_string(axis) + "]",
                       "has to be at most rapid_feed_mm_per_min, the greatest feed of all");
+    if (machine.tilts() && machine.rapids == RapidMode::independent)
+        file.fail("rapids", "has to be synchronised or tip with rotary_axes");
     if (machine.toolChangeHeight >= machine.travel.z)
         file.fail("tool_change_height_mm", "has to be below the travel of Z");
     for (int axis = 0; machine.home && axis < 3; ++axis) // at whichever end of the travel its zero is
@@ -122,6 +146,7 @@ Result<MachineProfile> machineFromJson(std::string_view text, const std::string&
     readSpindle(*file, machine);
     readArcs(*file, machine.arcs);
     readCoolants(*file, machine);
+    readRotaryAxes(*file, machine);
     machine.toolChangeHeight = file->number("tool_change_height_mm", height);
     machine.toolChangeSeconds = file->numberOr("tool_change_s", 0.0, toolChange);
     if (file->has("home_mm")) machine.home = axesOf(*file, "home_mm", home);

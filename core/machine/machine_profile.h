@@ -6,10 +6,12 @@
 #include "core/base/estimate.h"
 #include "core/base/units.h"
 #include "core/geometry/box.h"
+#include "core/machine/axis.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -40,9 +42,17 @@ struct ArcRules {
     double radiusMismatch = 0.002;  ///< mm, largest difference of the radii at start and end
 };
 
-/// How the axes move the tool (core/machine/kinematics.h).
-enum class MachineKinematics : std::uint8_t {
-    threeAxes ///< X, Y and Z move an upright tool
+/// A rotary axis that tilts the tool relative to the workpiece, whether it carries the one or the other.
+struct RotaryAxis {
+    Axis axis = Axis::a; ///< A about X, B about Y, C about Z
+    /// As ISO 841 has it, the tool turns right-handed about the axis, seen from the workpiece. True: the other way.
+    bool reversed = false;
+    double low = -std::numeric_limits<double>::infinity(); ///< degrees
+    double high = std::numeric_limits<double>::infinity();
+    double rate = 0.0;         ///< degrees/min; 0: not stated
+    double acceleration = 0.0; ///< degrees/s²; 0: without limit
+
+    friend bool operator==(const RotaryAxis&, const RotaryAxis&) = default;
 };
 
 /// Time that a spindle is given to reach its speed, s.
@@ -87,12 +97,25 @@ struct MachineProfile {
     /// mm, machine frame: where the spindle parks for a tool change and at the end, first Z, then X and Y; empty: not
     /// stated, so that the spindle stays where the dialect leaves it.
     std::optional<glm::dvec3> home{};
-    MachineKinematics kinematics = MachineKinematics::threeAxes; ///< the files have no key for it yet
+    /// One or two rotary axes, in order from the workpiece: the first one turns the second. Empty: the tool is upright.
+    /// X, Y and Z are then those of the tip on the workpiece: the control compensates the rotation (RTCP).
+    std::vector<RotaryAxis> rotaryAxes{};
 
     /// Whether the value of a key is an estimate, according to its source.
     bool isEstimate(const std::string& key) const {
         const auto own = sources.find(key);
         return burin::isEstimate(own != sources.end() ? own->second : source);
+    }
+    /// Whether it can tilt the tool.
+    bool tilts() const noexcept { return !rotaryAxes.empty(); }
+    AxisSet axes() const noexcept {
+        AxisSet axes = linearAxes;
+        for (const RotaryAxis& rotary : rotaryAxes) axes.set(rotary.axis);
+        return axes;
+    }
+    const RotaryAxis* rotaryAxis(Axis axis) const noexcept {
+        const auto found = std::ranges::find(rotaryAxes, axis, &RotaryAxis::axis);
+        return found != rotaryAxes.end() ? &*found : nullptr;
     }
     bool has(Coolant coolant) const noexcept {
         return coolant == Coolant::off || !coolants || std::ranges::find(*coolants, coolant) != coolants->end();

@@ -4,6 +4,7 @@
 
 #include "core/base/numbers.h"
 #include "core/base/trimmed.h"
+#include "core/machine/kinematics.h"
 #include "core/nc/line_walker.h"
 #include "core/nc/problem.h"
 
@@ -21,6 +22,7 @@ namespace {
 constexpr std::string_view spaces = " \t\r\f\v";
 constexpr double millimetresPerInch = 25.4;
 constexpr double uprightWithin = 1e-6;      // of a unit vector's components
+constexpr double unitWithin = 1e-3;         // of its length, rounded
 constexpr double onCircleWithin = 0.01;     // mm by which the ends of an arc may lie off its circle
 constexpr double farthest = 1e6;            // mm from zero, of a position
 constexpr double fastest = 1e9;             // mm/min
@@ -120,6 +122,9 @@ bool movesNothing(const Record& record) {
 /// Converts records to motions, one after the other.
 class CutterLocations {
 public:
+    /// @param kinematics for tilted tools, with the program's zero at the origin; null: refuses them
+    explicit CutterLocations(const Kinematics* kinematics) : kinematics_(kinematics) {}
+
     /// Empty if the record was accepted, otherwise the reason why it can't be.
     std::optional<std::string> take(const Record& record) {
         const std::string& word = record.word;
@@ -136,7 +141,7 @@ public:
         if (word == "LOADTL" || word == "LOAD") return load(record);
         if (word == "COOLNT") return coolant(record);
         if (word == "DELAY") return dwell(record);
-        if (word == "TLAXIS") return isUpright(record.numbers()) ? std::nullopt : tilted();
+        if (word == "TLAXIS") return setAxis(record.numbers());
         if ((word == "CYCLE" || word == "CUTCOM") && (record.has("OFF") || record.has("NOMORE"))) return {};
         if (word == "END" || word == "FINI") made_.ended = true;
         if (movesNothing(record)) return {};
@@ -150,10 +155,26 @@ public:
 private:
     using Problem = std::optional<std::string>;
 
-    static Problem tilted() { return "a tool axis other than +Z"; }
-    static bool isUpright(const std::vector<double>& axis) {
-        return axis.size() == 3 && std::abs(axis[0]) <= uprightWithin && std::abs(axis[1]) <= uprightWithin &&
-               std::abs(axis[2] - 1.0) <= uprightWithin;
+    Problem tilted() const {
+        const bool never = kinematics_ == nullptr || kinematics_->axes() == linearAxes;
+        return never ? "a tool axis other than +Z" : "a tool axis that the machine can't reach";
+    }
+    Problem setAxis(const std::vector<double>& numbers) {
+        if (numbers.size() != 3) return incomplete();
+        const glm::dvec3 axis(numbers[0], numbers[1], numbers[2]);
+        const double length = glm::length(axis);
+        if (!(std::abs(length - 1.0) <= unitWithin)) return "a tool axis that is not of unit length";
+        const bool upright = std::abs(axis.x) <= uprightWithin && std::abs(axis.y) <= uprightWithin && axis.z > 0.0;
+        if (!upright && (kinematics_ == nullptr || !kinematics_->axesOf({glm::dvec3(0.0), axis / length})))
+            return tilted();
+        axis_ = upright ? uprightAxis : axis / length;
+        return {};
+    }
+    /// The values of the axes for a tip, with the tool axis in force.
+    AxisValues valuesAt(const glm::dvec3& tip) const {
+        if (axis_ == uprightAxis && values_.onlyLinear()) return AxisValues(tip);
+        Result<AxisValues> values = kinematics_->axesNear({tip, axis_}, values_); // setAxis has tried it
+        return values ? std::move(*values) : AxisValues(tip);
     }
     static Problem incomplete() { return "numbers are missing"; }
 
@@ -167,8 +188,9 @@ private:
         motion.tool = tool_;
         motion.line = record.line;
         motion.column = 1;
-        motion.from = AxisValues(place_.value_or(glm::dvec3(0.0)));
-        // Cutter locations say nothing about rotary axes: these stay as they are set up.
+        motion.from = values_;
+        motion.from.setLinear(place_.value_or(glm::dvec3(0.0)));
+        // Without a tool axis, cutter locations say nothing about rotary axes: these stay as they are set up.
         motion.fromKnown = place_ ? allAxes : AxisSet{};
         motion.toKnown = allAxes;
         return motion;
@@ -176,11 +198,13 @@ private:
     Problem go(const Record& record, bool from) {
         const std::vector<double> numbers = record.numbers();
         if (numbers.size() != record.data.size() || (numbers.size() != 3 && numbers.size() != 6)) return incomplete();
-        if (numbers.size() == 6 && !isUpright({numbers.begin() + 3, numbers.end()})) return tilted();
+        if (numbers.size() == 6)
+            if (const Problem problem = setAxis({numbers.begin() + 3, numbers.end()})) return problem;
         const glm::dvec3 to = unit_ * glm::dvec3(numbers[0], numbers[1], numbers[2]);
         if (from) {
             if (!inReach(to)) return "a position more than 1e6 mm away";
             place_ = to;
+            values_ = valuesAt(to);
             return {};
         }
         return goTo(record, to);
@@ -201,7 +225,7 @@ private:
         const auto arc = std::exchange(arc_, std::nullopt);
         NcMotion motion = begin(record, rapid_ ? NcMotionKind::rapid : arc ? NcMotionKind::arc : NcMotionKind::line);
         rapid_ = false;
-        motion.to = AxisValues(to);
+        motion.to = values_ = valuesAt(to);
         if (motion.kind != NcMotionKind::rapid) {
             motion.feed = feedPerTurn_ ? feed_ * speed_ : feed_;
             if (!(motion.feed > 0.0)) return "a move without a feed";
@@ -305,6 +329,9 @@ private:
     };
     ParsedProgram made_;
     std::optional<glm::dvec3> place_; ///< position of the tip, mm
+    const Kinematics* kinematics_;
+    glm::dvec3 axis_{uprightAxis};    ///< of the tool
+    AxisValues values_;               ///< at the last position
     std::optional<Turn> arc_;         ///< of the next move
     double unit_ = 1.0;               ///< mm
     double feed_ = 0.0, speed_ = 0.0; ///< mm/min, or mm per turn; 1/min
@@ -324,8 +351,9 @@ bool isCutterLocations(std::string_view text) {
     return motions > 0 && 2 * motions + 20 >= read;
 }
 
-Result<ParsedProgram> parseCutterLocations(std::string_view text, const std::string& origin) {
-    CutterLocations locations;
+Result<ParsedProgram> parseCutterLocations(std::string_view text, const std::string& origin,
+                                           const Kinematics* kinematics) {
+    CutterLocations locations(kinematics);
     RecordReader records(text);
     std::size_t count = 0;
     while (const std::optional<Record> record = records.next()) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <map>
+#include <string>
 
 namespace burin {
 namespace {
@@ -162,6 +164,7 @@ Control linuxCnc() {
     control.arcTurns = true;
     control.blendWords = true;
     control.retractsToHeight = true;
+    control.rotaryWords = true;
     control.tapeMarks = TapeMarks::paired;
     control.cycleCancel = CycleCancel::withMotion;
     control.bareLineNeedsFeed = true;
@@ -295,6 +298,38 @@ const Control* findControl(std::string_view id) noexcept {
     for (const Control& control : all())
         if (control.id == id) return &control;
     return nullptr;
+}
+
+const Control& withRotaryAxes(const Control& control, AxisSet axes) noexcept {
+    constexpr std::size_t sets = 8; // of A, B and C
+    struct Variants {
+        std::array<std::string, sets> letters;
+        std::array<Control, sets> controls;
+    };
+    static const std::map<std::string_view, Variants> table = [] {
+        std::map<std::string_view, Variants> made;
+        for (const Control& each : all()) {
+            if (!each.rotaryWords) continue;
+            Variants& variants = made[each.id];
+            for (std::size_t set = 0; set < sets; ++set) {
+                Control& variant = variants.controls[set] = each;
+                variants.letters[set] = each.letters;
+                for (const Axis axis : {Axis::a, Axis::b, Axis::c}) {
+                    if ((set >> (static_cast<std::size_t>(axis) - 3) & 1U) == 0) continue;
+                    variants.letters[set] += letterOf(axis);
+                    variant.axes.set(axis);
+                }
+                variant.letters = variants.letters[set];
+            }
+        }
+        return made;
+    }();
+    const auto found = table.find(control.id);
+    if (found == table.end()) return control;
+    std::size_t set = 0;
+    for (const Axis axis : {Axis::a, Axis::b, Axis::c})
+        if (axes.has(axis)) set |= std::size_t{1} << (static_cast<std::size_t>(axis) - 3);
+    return set == 0 ? control : found->second.controls[set];
 }
 
 const Control& defaultControl() noexcept {

@@ -69,7 +69,10 @@ struct Control {
     bool bareLineNeedsFeed = false; ///< a G1 without motion needs a feed too
     bool blanksInNumbers = false;   ///< "X1 0" is X10
     bool readsOnBehindEnd = false;  ///< M2 and M30 reset modes, and execution continues with what follows
-    bool arcModeIsSetting = false;  ///< until G90.1 or G91.1, the meaning of I J K depends on the machine
+    /// A, B and C tilt the tool while X, Y and Z stay those of its tip, as the machine is configured, without a code
+    /// for it: programs may move the rotary axes that the machine has (withRotaryAxes).
+    bool rotaryWords = false;
+    bool arcModeIsSetting = false; ///< until G90.1 or G91.1, the meaning of I J K depends on the machine
     DwellUnit dwellUnit = DwellUnit::seconds;
     ArcRadiusRule arcRadius;
     int lineLength = 255;                ///< characters
@@ -84,6 +87,9 @@ struct Control {
 std::span<const Control> controls() noexcept;
 /// The control with that id; nullptr if there is none.
 const Control* findControl(std::string_view id) noexcept;
+/// A control as it reads the programs of a machine with these axes: with words for those of A, B and C that are among
+/// them, if it has any (`rotaryWords`). Lives as long as the program.
+const Control& withRotaryAxes(const Control& control, AxisSet axes) noexcept;
 /// LinuxCNC, for text that names no control.
 const Control& defaultControl() noexcept;
 

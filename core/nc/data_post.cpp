@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/nc/arc_steps.h"
 #include "core/nc/block_writer.h"
+#include "core/nc/control.h"
 #include "core/nc/rounded_line.h"
 #include "core/nc/work_offset.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double largestCoordinate = 1e6; // mm; keeps the rounded integers far from overflow
 constexpr std::array<char, 3> offsetLetters{'I', 'J', 'K'};
+constexpr int rotaryDecimals = 4;        // of degrees: 0.1 µm at 60 mm from the axis
 constexpr int firstFurtherOffset = 1000; // NcProgram::workOffset
 
 template <class Text>
@@ -45,6 +47,7 @@ public:
         , arcs_(limitsOf(dialect.arcs, machine.arcs))
         , clearHeight_(std::max(program.safeHeight, machine.toolChangeHeight))
         , home_(machine.home)
+        , rotary_(rotaryAxesOf(dialect, machine))
         , coolantFirst_(switchesCoolantFirst(dialect)) {}
 
     Result<void> write(Progress& progress) {
@@ -76,10 +79,25 @@ private:
                 return Error{ErrorCode::argumentInvalid, "program", program_.name, "has to begin with a rapid move"};
             if (!hasCoolants(section))
                 return Error{ErrorCode::notSupported, "this coolant for " + dialect_.name, "", ""};
-            if (!std::ranges::all_of(section.moves, [](const NcMove& move) { return move.target.onlyLinear(); }))
+            if (!std::ranges::all_of(section.moves, [this](const NcMove& move) { return hasWordsFor(move.target); }))
                 return Error{ErrorCode::notSupported, "axes other than X, Y and Z", "", ""};
         }
         return {};
+    }
+
+    /// The rotary axes of the machine, if the control reads words for them.
+    static AxisSet rotaryAxesOf(const DialectData& dialect, const MachineProfile& machine) {
+        AxisSet rotary;
+        const Control* const control = findControl(dialect.control);
+        if (control == nullptr || !control->rotaryWords) return rotary;
+        for (const Axis axis : machine.axes()) rotary.set(axis, isRotary(axis));
+        return rotary;
+    }
+    bool hasWordsFor(const AxisValues& values) const {
+        return std::ranges::all_of(axisLetters, [&](char letter) {
+            const Axis axis = *axisOfLetter(letter);
+            return linearAxes.has(axis) || rotary_.has(axis) || values[axis] == 0.0;
+        });
     }
 
     bool hasCoolants(const NcSection& section) const {
@@ -96,6 +114,7 @@ private:
         if (Result<void> done = blocks(dialect_.toolChange); !done) return done;
         const std::vector<NcMove> moves = withoutRoundedBackSteps(section_->moves, numbers_);
         place_ = {};
+        turned_ = {};
         feed_ = 0; // each tool states its own feed
         if (Result<void> done = firstMove(moves.front()); !done) return done;
         for (std::size_t i = 1; i < moves.size(); ++i) {
@@ -118,11 +137,11 @@ private:
         const Target across{move.target[Axis::x], move.target[Axis::y], std::nullopt};
         motion_.reset();
         if (dialect_.planeBeforeHeight) {
-            if (Result<void> done = straight(NcMoveKind::rapid, across, 0.0); !done) return done;
+            if (Result<void> done = straight(NcMoveKind::rapid, across, 0.0, &move.target); !done) return done;
         }
         if (Result<void> done = firstHeight(); !done) return done;
         for (const Target& step : {across, height(move.target[Axis::z])})
-            if (Result<void> done = straight(NcMoveKind::rapid, step, 0.0); !done) return done;
+            if (Result<void> done = straight(NcMoveKind::rapid, step, 0.0, &move.target); !done) return done;
         return {};
     }
 
@@ -146,7 +165,7 @@ private:
         if (!move.comment.empty()) waiting_ = move.comment;
         if (move.kind == NcMoveKind::dwell) return dwell(move.seconds);
         if (move.kind == NcMoveKind::arc) return arc(move);
-        return straight(move.kind, targetOf(move.target.linear()), move.feed);
+        return straight(move.kind, targetOf(move.target.linear()), move.feed, &move.target);
     }
 
     /// Changes spindle speed and coolant, in the order of the tool change.
@@ -206,7 +225,8 @@ private:
         return steps;
     }
 
-    Result<void> straight(NcMoveKind kind, const Target& target, double feed) {
+    /// @param rotary values of the rotary axes at the end; null: they stay
+    Result<void> straight(NcMoveKind kind, const Target& target, double feed, const AxisValues* rotary = nullptr) {
         const Result<StepPlace> steps = stepsOf(target);
         if (!steps) return steps.error();
         std::array<bool, 3> named{};
@@ -214,17 +234,42 @@ private:
             named[axis] = target[axis].has_value();
             if (target[axis]) reached_[static_cast<int>(axis)] = *target[axis];
         }
-        return line(kind, *steps, named, feed);
+        return line(kind, *steps, named, feed, rotary);
+    }
+
+    /// The words of the rotary axes that turn.
+    Result<std::string> rotaryWords(const AxisValues& values) {
+        std::string words;
+        for (const Axis axis : rotary_) {
+            if (!(std::abs(values[axis]) <= largestCoordinate))
+                return Error{ErrorCode::programLimit, std::string(1, letterOf(axis)),
+                             "coordinate is not a valid position", ""};
+            const long long steps = std::llround(values[axis] * std::pow(10.0, rotaryDecimals));
+            if (turned_[axis] == steps) continue;
+            turned_[axis] = steps;
+            words += " " + std::string(1, letterOf(axis)) + NumberWords::plain(values[axis], rotaryDecimals);
+        }
+        return words;
     }
 
     /// Writes the words that change something. A block whose rounded position equals the previous one is left out; its
     /// comment is kept for the next block.
-    Result<void> line(NcMoveKind kind, const StepPlace& to, const std::array<bool, 3>& named, double feed) {
+    Result<void> line(NcMoveKind kind, const StepPlace& to, const std::array<bool, 3>& named, double feed,
+                      const AxisValues* rotary = nullptr) {
         std::string words;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (!named[axis] || place_[axis] == to[axis]) continue;
             place_[axis] = to[axis];
             words += (words.empty() ? "" : " ") + std::string(1, axisLetters[axis]) + numbers_.coordinate(to[axis]);
+        }
+        if (rotary != nullptr) {
+            Result<std::string> turns = rotaryWords(*rotary);
+            if (!turns) return std::move(turns).error();
+            if (words.empty()) {
+                turns->erase(0, std::min<std::size_t>(1, turns->size())); // the blank
+                feed *= numbers_.unit();                                  // degrees/min, whatever the unit of lengths
+            }
+            words += *turns;
         }
         if (words.empty()) return {};
         return finish(kind == NcMoveKind::rapid ? dialect_.rapid : dialect_.line, std::move(words),
@@ -401,12 +446,14 @@ private:
     DialectArcs arcs_;
     double clearHeight_;                            // mm
     std::optional<glm::dvec3> home_;                // mm, machine frame
+    AxisSet rotary_;                                // that have words
     bool coolantFirst_;                             // whether coolant changes come before speed changes
     double speed_ = 0.0;                            // 1/min, of the spindle
     Coolant coolant_ = Coolant::off;                // in force
     bool coolantOn_ = false;                        // whether coolant was on before the last change
     std::array<std::optional<long long>, 3> place_; // in steps of the last digit; empty: not known
-    glm::dvec3 reached_{0.0};                       // mm, the same before rounding
+    ByAxis<std::optional<long long>> turned_;       // the same of rotary axes
+    glm::dvec3 reached_{0.0};                       // mm, as place_, before rounding
     std::optional<std::string> motion_;
     int plane_ = 2;
     long long feed_ = 0;  // in steps of the feed's last digit

@@ -101,10 +101,10 @@ DialectList dialects(const fs::path& folder) {
     return found;
 }
 
-const Control& controlOfDialect(const std::string& id) {
+const Control& controlOfDialect(const std::string& id, AxisSet axes) {
     const Result<DialectData> data = readData(id);
     const Control* control = findControl(data ? data->control : id);
-    return control != nullptr ? *control : defaultControl();
+    return withRotaryAxes(control != nullptr ? *control : defaultControl(), axes);
 }
 
 Result<std::shared_ptr<const PostProcessor>> loadDialect(const std::string& id, const fs::path& folder) {

@@ -35,7 +35,8 @@ DialectList dialects(const std::filesystem::path& folder = {});
 
 /// The control that reads the programs of a dialect: for data the one that it names, for a plugin the one with the
 /// plugin's own id; LinuxCNC's if there is none.
-const Control& controlOfDialect(const std::string& id);
+/// @param axes of the machine, see withRotaryAxes
+const Control& controlOfDialect(const std::string& id, AxisSet axes = linearAxes);
 
 /// A post-processor, from data or from a plugin, which stays loaded until Burin ends. If a folder is given, only its
 /// plugins are considered. Errors: dialectNotFound, resourceInvalid (data), pluginIncompatible (interface version),

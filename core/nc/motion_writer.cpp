@@ -17,6 +17,11 @@ void MotionWriter::resolveFeed(NcMotion& motion) const noexcept {
         motion.feed = motion.startKnown() ? lengthOf(motion) * state_.feed : 0.0;
         break;
     }
+    // Degrees are no length: their feed is in degrees/min, whatever the unit.
+    if (motion.kind != NcMotionKind::line || !motion.startKnown() || lengthOf(motion) > 0.0) return;
+    const double rotation = rotationOf(motion);
+    if (!(rotation > 0.0)) return;
+    motion.feed = state_.feedMode == FeedMode::inverseTime ? rotation * state_.feed : motion.feed / state_.length;
 }
 
 NcMotion& MotionWriter::move(NcMotionKind kind, const AxisValues& target, AxisSet known, std::uint32_t column) {

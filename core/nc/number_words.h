@@ -17,6 +17,7 @@ public:
     /// @param mostDecimals of the machine, in millimetres; one more in inches
     NumberWords(const DialectData& dialect, NcUnits units, int mostDecimals);
 
+    double unit() const noexcept { return unit_; } ///< mm
     double step() const noexcept { return step_; } ///< mm
     long long stepsOf(double millimetres) const noexcept;
     double millimetresOf(long long steps) const noexcept { return static_cast<double>(steps) * step_; }

@@ -47,6 +47,14 @@ double lengthOf(const NcMotion& motion) noexcept {
                                             : glm::distance(motion.from.linear(), motion.to.linear());
 }
 
+double rotationOf(const NcMotion& motion) noexcept {
+    double most = 0.0;
+    if (motion.from.onlyLinear() && motion.to.onlyLinear()) return most;
+    for (const Axis axis : {Axis::a, Axis::b, Axis::c})
+        most = std::max(most, std::abs(motion.to[axis] - motion.from[axis]));
+    return most;
+}
+
 AxisValues placeIn(const NcMotion& motion, double share) {
     return motion.kind == NcMotionKind::arc ? placeIn(motion, motion.turn(), share)
                                             : between(motion.from, motion.to, share);

@@ -47,8 +47,10 @@ struct NcMotion {
     AxisSet toKnown = linearAxes;
     std::uint32_t wholeTurns = 0; ///< arc: turns made before the last one; `arc` describes the last one
     AxisValues from, to;
-    glm::dvec3 centre{0.0};      ///< arc, mm; its component along the axis has no meaning
-    double feed = 0.0;           ///< mm/min along the move; 0 for rapids, dwells and where the text does not state it
+    glm::dvec3 centre{0.0}; ///< arc, mm; its component along the axis has no meaning
+    /// mm/min along the move of X, Y and Z, or degrees/min if only rotary axes move; 0 for rapids, dwells and where the
+    /// text does not state it
+    double feed = 0.0;
     double seconds = 0.0;        ///< of a dwell
     double spindleSpeed = 0.0;   ///< 1/min
     double blendTolerance = 0.0; ///< mm, of PathMode::blend; 0: without limit
@@ -125,6 +127,8 @@ struct ParsedProgram {
 /// radius changes evenly from one value to the other, it is the sum of chords of a 512th of a turn: too short by less
 /// than 1e-4 of the length.
 double lengthOf(const NcMotion& motion) noexcept;
+/// The largest rotation of a rotary axis on a move, degrees.
+double rotationOf(const NcMotion& motion) noexcept;
 /// The positions of the axes at a fraction of a move's path, whole turns included.
 AxisValues placeIn(const NcMotion& motion, double share);
 

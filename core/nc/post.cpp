@@ -110,9 +110,11 @@ public:
         NcSection& section = sectionOf(program_, path, request_);
         bool awaitsCut = true;
         CutState state = stateAtEnd(section);
+        Result<std::vector<AxisValues>> values = valuesOf(path);
+        if (!values) return std::move(values).error();
         for (std::size_t i = 0; i < path.points.size(); ++i) {
             const PathPoint& point = path.points[i];
-            Result<NcMove> move = moveTo(path, i);
+            Result<NcMove> move = moveTo(path, i, std::move((*values)[i]));
             if (!move) return std::move(move).error();
             if (point.kind == MoveKind::rapid) awaitsCut = true;
             const CutState wanted = stateFrom(path, i);
@@ -142,15 +144,29 @@ public:
     }
 
 private:
-    Result<NcMove> moveTo(const Path& path, std::size_t i) const {
+    /// The values of the axes at each point, going on from those at the end of the program so far.
+    Result<std::vector<AxisValues>> valuesOf(const Path& path) const {
+        using By = CoursePose::By;
+        std::vector<CoursePose> poses;
+        poses.reserve(path.points.size());
+        for (std::size_t i = 0; i < path.points.size(); ++i) {
+            const PathPoint& point = path.points[i];
+            if (!isFinite(point.pose.tip)) return pointError(path, i, " is not finite");
+            poses.push_back({point.pose, point.kind == MoveKind::rapid ? By::rapid : point.arc ? By::arc : By::line});
+        }
+        const AxisValues none;
+        const AxisValues* before = &none;
+        for (const NcSection& section : program_.sections)
+            if (!section.moves.empty()) before = &section.moves.back().target;
+        return axesAlong(*kinematics_, poses, *before);
+    }
+
+    Result<NcMove> moveTo(const Path& path, std::size_t i, AxisValues target) const {
         const PathPoint& point = path.points[i];
-        if (!isFinite(point.pose.tip)) return pointError(path, i, " is not finite");
         if (Result<void> feed = checkFeed(point, i, machine_); !feed) return feed.error();
-        Result<AxisValues> target = valuesAt(point.pose, i);
-        if (!target) return std::move(target).error();
         NcMove move;
         move.kind = point.kind == MoveKind::rapid ? NcMoveKind::rapid : NcMoveKind::line;
-        move.target = std::move(*target);
+        move.target = std::move(target);
         if (point.arc) {
             if (i == 0 || move.kind == NcMoveKind::rapid || !isFinite(point.arc->centre))
                 return pointError(path, i, " can't be the end of an arc");

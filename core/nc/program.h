@@ -31,7 +31,7 @@ struct NcArc {
 struct NcMove {
     NcMoveKind kind = NcMoveKind::line;
     AxisValues target;       ///< in the frame of the work offset in force; has no meaning for a dwell
-    double feed = 0.0;       ///< mm/min; 0 for rapids and dwells
+    double feed = 0.0;       ///< mm/min, degrees/min if only rotary axes move; 0 for rapids and dwells
     std::int64_t source = 0; ///< with `sample`, the moment in it, as in PathPoint
     std::int64_t sample = -1;
     std::string comment;  ///< written before the move; empty: none

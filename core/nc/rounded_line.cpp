@@ -208,6 +208,13 @@ void append(std::vector<NcMove>& moves, std::span<const NcMove> run, const Numbe
     }
 }
 
+/// Whether a rotary axis turns on a move.
+bool turns(const std::vector<NcMove>& moves, std::size_t i) {
+    if (i == 0 || (moves[i].target.onlyLinear() && moves[i - 1].target.onlyLinear())) return false;
+    return std::ranges::any_of(std::array{Axis::a, Axis::b, Axis::c},
+                               [&](Axis axis) { return moves[i].target[axis] != moves[i - 1].target[axis]; });
+}
+
 } // namespace
 
 std::vector<NcMove> withoutRoundedBackSteps(const std::vector<NcMove>& moves, const NumberWords& numbers) {
@@ -215,7 +222,7 @@ std::vector<NcMove> withoutRoundedBackSteps(const std::vector<NcMove>& moves, co
     kept.reserve(moves.size());
     for (std::size_t i = 0; i < moves.size();) {
         std::size_t end = i;
-        while (end < moves.size() && moves[end].kind == NcMoveKind::line) ++end;
+        while (end < moves.size() && moves[end].kind == NcMoveKind::line && !turns(moves, end)) ++end;
         const bool begins = i > 0 && moves[i - 1].kind != NcMoveKind::dwell;
         if (end > i + 1 && begins)
             append(kept, std::span(moves).subspan(i - 1, end - i + 1), numbers);

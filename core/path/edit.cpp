@@ -150,6 +150,7 @@ std::vector<Edit> programEdits() {
 }
 
 bool suitsFixedTool(const EditParameters& parameters) {
+    if (traitsOf(parameters).step == EditStep::axis) return false; // it cuts as a solid, upright
     if (traitsOf(parameters).group == EditGroup::feeds) return false;
     const auto* link = std::get_if<Link>(&parameters);
     return link == nullptr || (link->travel == Link::Travel::safe && link->entry == Link::Entry::plunge);

@@ -79,8 +79,8 @@ std::vector<Edit> computedEdits();
 /// The edits of a path made from a program: its moves and feeds stay as they are, arcs are detected again, rapids
 /// become links.
 std::vector<Edit> programEdits();
-/// Whether an edit suits a tool that doesn't turn: it sets no feeds, spindle or coolant, as the tables are those of
-/// teeth, and links at the safe height, straight down.
+/// Whether an edit suits a tool that doesn't turn: it does not tilt it, sets no feeds, spindle or coolant, as the
+/// tables are those of teeth, and links at the safe height, straight down.
 bool suitsFixedTool(const EditParameters& parameters);
 /// Returns those of the edits that suit such a tool; links are adjusted.
 std::vector<Edit> forFixedTool(std::vector<Edit> edits);

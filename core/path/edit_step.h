@@ -19,7 +19,8 @@ enum class EditStep : std::uint8_t {
     ends,      ///< lead-ins and lead-outs
     links,     ///< one path instead of strokes
     feed,      ///< feeds and spindle speed from the tables
-    tuning     ///< feeds that depend on the position
+    tuning,    ///< feeds that depend on the position
+    axis       ///< the tool is tilted: edits before it rely on an upright one
 };
 
 /// The topics under which a user looks for edits.

@@ -53,13 +53,17 @@ Result<EditedState> beforeEdits(std::vector<SourceStrokes> sources, const PathCo
     EditedState state;
     state.path.hand = std::make_shared<const HandTrail>(sources);
     state.path.stated = std::make_shared<const StatedFeeds>(sources);
+    auto axes = std::make_shared<StatedAxes>();
     for (SourceStrokes& each : sources) {
         const SourceInfo& info = each.info;
         if (!info.toolId.empty() && info.toolId != context.tool.id)
             return Error{ErrorCode::argumentInvalid, "tool", info.toolId,
                          nameOf(info.source) + "; the path is for " + context.tool.id};
+        if (Result<void> taken = axes->take(each, context.tool); !taken) return std::move(taken).error();
+        state.path.allowances[info.source.id] = info.allowance;
         std::ranges::move(each.strokes, std::back_inserter(state.path.strokes));
     }
+    if (!axes->empty()) state.path.axes = std::move(axes);
     return state;
 }
 

@@ -97,7 +97,8 @@ struct EvaluationHelp {
 /// spindle off, or that were undone are never part of a path. Without Link each stroke is reached by a straight rapid
 /// move, which is suitable for drawings only. Thread-safe; the work is shared among all cores, and the result does not
 /// depend on their number. Cost: 300,000 ticks on 360,000 triangles in about 8 s on two cores. Cancellable.
-/// Errors: pathEmpty, argumentInvalid (a source of another tool, an edit that needs a tool that turns), pathGouges (all
+/// Errors: pathEmpty, argumentInvalid (a source of another tool, an edit that needs a tool that turns), notSupported (a
+/// tilted tool that is no ball), pathGouges (all
 /// of the path had to be left out; place: where, detail: remedyOf the reason), cancelled.
 /// @param sources moved from where possible, so that hours of strokes are not held twice
 Result<EvaluatedPath> evaluate(const std::string& name, std::vector<SourceStrokes> sources,

@@ -126,12 +126,15 @@ private:
     const std::vector<StrokePoint>& points_;
 };
 
-/// Intervals that threads share: groups of points, and no existing arc within one.
-std::vector<std::pair<std::size_t, std::size_t>> groupsOf(const std::vector<StrokePoint>& points) {
+/// Intervals that threads share: groups of points, and within one neither an existing arc nor a change of the coolant
+/// that a program states: no line replaces moves on either side of it.
+std::vector<std::pair<std::size_t, std::size_t>> groupsOf(const PathStroke& stroke, const StatedFeeds* stated) {
+    const std::vector<StrokePoint>& points = stroke.points;
     std::vector<std::pair<std::size_t, std::size_t>> groups;
     std::size_t first = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
-        const bool ends = i + 1 == points.size() || points[i].arc || points[i + 1].arc || i - first == simplifyGroup;
+        const bool ends = i + 1 == points.size() || points[i].arc || points[i + 1].arc || i - first == simplifyGroup ||
+                          (stated != nullptr && stated->coolantChangesAt({stroke.source, points[i].sample}));
         if (!ends) continue;
         groups.emplace_back(first, i);
         first = i;
@@ -206,12 +209,13 @@ bool straightenBackSteps(std::vector<Primitive>& whole, const std::vector<Stroke
     return any;
 }
 
-Deviation fitStroke(PathStroke& stroke, ArcFitRules rules, const PartGuard& guard, const Progress& progress) {
+Deviation fitStroke(PathStroke& stroke, ArcFitRules rules, const PartGuard& guard, const StatedFeeds* stated,
+                    const Progress& progress) {
     Deviation deviation;
     if (stroke.points.size() < 2) return deviation;
     const Deviation dropped = dropBackSteps(stroke, backStepShare * rules.tolerance, guard, progress);
     rules.tolerance -= dropped.distance;
-    const auto groups = groupsOf(stroke.points);
+    const auto groups = groupsOf(stroke, stated);
     const Fitter fitter(rules, guard, stroke);
     std::vector<std::vector<Primitive>> fitted(groups.size());
     parallelFor(std::size_t{0}, groups.size(), [&](std::size_t i) {
@@ -257,7 +261,9 @@ Result<Deviation> apply(const FitArcs& edit, PathUnderEdit& state, const PathCon
     rules.radiusMismatch = std::min(edit.radiusMismatch, control.radiusMismatch);
     rules.figure = std::pow(10.0, -context.machine.coordinateDecimals);
     rules.programZero = context.workOffset;
-    return changeEach(state, progress, [&](PathStroke& stroke) { return fitStroke(stroke, rules, *guard, progress); });
+    return changeEach(state, progress, [&](PathStroke& stroke) {
+        return fitStroke(stroke, rules, *guard, state.stated.get(), progress);
+    });
 }
 
 } // namespace burin

@@ -19,6 +19,7 @@ PathPoint pointBetween(const PathPoint& from, const PathPoint& to, std::int64_t 
     PathPoint point = to;
     point.sample = tick;
     point.pose.tip = glm::mix(from.pose.tip, to.pose.tip, share);
+    if (from.pose.axis != to.pose.axis) point.pose.axis = glm::normalize(glm::mix(from.pose.axis, to.pose.axis, share));
     if (to.arc) {
         const Arc arc{from.pose.tip, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise};
         point.pose.tip = placeOn(arc, turnOf(arc), share);

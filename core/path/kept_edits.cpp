@@ -4,6 +4,7 @@
 
 #include "core/machine/machine_library.h"
 #include "core/path/hand_trail.h"
+#include "core/path/stated_axes.h"
 #include "core/path/stated_feeds.h"
 
 #include <bit>
@@ -65,9 +66,10 @@ std::size_t bytesOf(const EditedState& state) noexcept {
     return bytes;
 }
 
-/// Of the trails of the sources, which all states of a path share.
+/// Of the sources' trails and stated values, which all states of a path share.
 std::size_t sharedBytesOf(const EditedState& state) noexcept {
-    return (state.path.hand ? state.path.hand->bytes() : 0) + (state.path.stated ? state.path.stated->bytes() : 0);
+    return (state.path.hand ? state.path.hand->bytes() : 0) + (state.path.stated ? state.path.stated->bytes() : 0) +
+           (state.path.axes ? state.path.axes->bytes() : 0);
 }
 
 } // namespace

@@ -58,10 +58,12 @@ struct EditRow<SetFeed> {
                                        .group = EditGroup::feeds,
                                        .step = EditStep::feed,
                                        .once = true};
-    static constexpr std::array<EditChoice, 4> coolings{{{"advised", BURIN_TEXT("EditParameterLabels", "as advised")},
-                                                         {"off", BURIN_TEXT("EditParameterLabels", "off")},
-                                                         {"mist", BURIN_TEXT("EditParameterLabels", "mist (M7)")},
-                                                         {"flood", BURIN_TEXT("EditParameterLabels", "flood (M8)")}}};
+    static constexpr std::array<EditChoice, 5> coolings{
+        {{"advised", BURIN_TEXT("EditParameterLabels", "as advised")},
+         {"off", BURIN_TEXT("EditParameterLabels", "off")},
+         {"mist", BURIN_TEXT("EditParameterLabels", "mist (M7)")},
+         {"flood", BURIN_TEXT("EditParameterLabels", "flood (M8)")},
+         {"program", BURIN_TEXT("EditParameterLabels", "as the program states it")}}};
     static constexpr std::array<EditChoice, 2> spindles{
         {{"one", BURIN_TEXT("EditParameterLabels", "one speed")},
          {"by_material", BURIN_TEXT("EditParameterLabels", "by material")}}};
@@ -79,7 +81,8 @@ struct EditRow<SetFeed> {
         choice("coolant", &SetFeed::cooling, coolings,
                {BURIN_TEXT("EditParameterLabels", "Coolant"),
                 BURIN_TEXT("EditParameterLabels",
-                           "As advised for the material if the machine has it, or as chosen here")}),
+                           "As advised for the material if the machine has it, as chosen here, or as the program "
+                           "that the path is made of switches it")}),
         choice("spindle", &SetFeed::spindle, spindles,
                {BURIN_TEXT("EditParameterLabels", "Spindle"),
                 BURIN_TEXT("EditParameterLabels",
@@ -180,6 +183,61 @@ struct EditRow<SpindleAndCoolant> {
         choice("coolant", &SpindleAndCoolant::cooling, coolings,
                {BURIN_TEXT("EditParameterLabels", "Coolant"),
                 BURIN_TEXT("EditParameterLabels", "Of these strokes, if the machine has it")})};
+};
+
+template <>
+struct EditRow<ToolAxis> {
+    static constexpr EditTraits traits{.id = "tool-axis",
+                                       .title = BURIN_TEXT("Edit", "Tool axis"),
+                                       .group = EditGroup::surface,
+                                       .step = EditStep::axis};
+    static constexpr std::array<EditChoice, 4> origins{
+        {{"upright", BURIN_TEXT("EditParameterLabels", "upright")},
+         {"normal", BURIN_TEXT("EditParameterLabels", "the part's normal")},
+         {"fixed", BURIN_TEXT("EditParameterLabels", "a fixed direction")},
+         {"program", BURIN_TEXT("EditParameterLabels", "the program")}}};
+    static constexpr std::array<EditChoice, 2> ends{
+        {{"links", BURIN_TEXT("EditParameterLabels", "turned in the links")},
+         {"blend", BURIN_TEXT("EditParameterLabels", "turned in the stroke")}}};
+    static constexpr std::array<EditChoice, 2> kept{{{"contact", BURIN_TEXT("EditParameterLabels", "the contact")},
+                                                     {"tip", BURIN_TEXT("EditParameterLabels", "the tip")}}};
+    static constexpr double steepest = 1.6; // rad, a little more than 90°
+    static constexpr std::tuple fields{
+        interval("stretch", &ToolAxis::interval, strokesToEdit),
+        choice("from", &ToolAxis::from, origins,
+               {BURIN_TEXT("EditParameterLabels", "Axis from"),
+                BURIN_TEXT("EditParameterLabels",
+                           "Direction from which lead and tilt are counted: upright, or the normal of the part; or a "
+                           "fixed direction; or the axis that the program states of which the path is made")}),
+        number(
+            "lead_rad", &ToolAxis::lead, -steepest, steepest,
+            {BURIN_TEXT("EditParameterLabels", "Lead"),
+             BURIN_TEXT("EditParameterLabels", "Angle in the direction of motion; above 0: the holder leans ahead")}),
+        number("tilt_rad", &ToolAxis::tilt, -steepest, steepest,
+               {BURIN_TEXT("EditParameterLabels", "Side tilt"),
+                BURIN_TEXT("EditParameterLabels",
+                           "Angle across the direction of motion; above 0: the holder leans to the left")}),
+        number("inclination_rad", &ToolAxis::inclination, 0.0, steepest,
+               {BURIN_TEXT("EditParameterLabels", "Inclination"),
+                BURIN_TEXT("EditParameterLabels", "Of a fixed direction: its angle from +Z")}),
+        number("azimuth_rad", &ToolAxis::azimuth, -6.3, 6.3,
+               {BURIN_TEXT("EditParameterLabels", "Towards"),
+                BURIN_TEXT("EditParameterLabels",
+                           "Of a fixed direction: where the holder leans in plan, anticlockwise from +X")}),
+        number("blend_mm", &ToolAxis::blend, 0.1, 1000.0,
+               {BURIN_TEXT("EditParameterLabels", "Blend"),
+                BURIN_TEXT("EditParameterLabels",
+                           "Length over which the axis turns at the borders of the part of the path, and over which "
+                           "direction and normal are averaged")}),
+        choice("ends", &ToolAxis::ends, ends,
+               {BURIN_TEXT("EditParameterLabels", "At ends of strokes"),
+                BURIN_TEXT("EditParameterLabels",
+                           "Where the axis turns: in the rapids before and after the stroke, or inside it")}),
+        choice("keep", &ToolAxis::keep, kept,
+               {BURIN_TEXT("EditParameterLabels", "Keep"),
+                BURIN_TEXT("EditParameterLabels",
+                           "The contact with the part while the tool tilts: the centre of a ball, or the plane that "
+                           "another tool touches; or the tip")})};
 };
 
 } // namespace burin

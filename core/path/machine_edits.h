@@ -42,7 +42,13 @@ EditResult apply(const Link& edit, PathUnderEdit& state, const PathContext& cont
 /// coolant advised for the material is ignored if the machine lacks it; a coolant that was requested by name is then
 /// refused.
 struct SetFeed {
-    enum class Cooling { advised, off, mist, flood };
+    enum class Cooling {
+        advised,
+        off,
+        mist,
+        flood,
+        program ///< as stated by the program that the path is made from, move by move; as advised where there is none
+    };
     enum class Spindle {
         one,       ///< one speed for the path: the lowest of what its materials allow
         byMaterial ///< a speed for each material: it changes at the borders (spindleSchedule)
@@ -107,7 +113,41 @@ struct SpindleAndCoolant {
 /// range), notSupported (a coolant that the machine lacks).
 EditResult apply(const SpindleAndCoolant& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
 
+/// Tilts the tool on part of a path, on a machine whose rotary axes can do so. The tool is tilted from +Z, or from the
+/// normal of the part, by `lead` in the direction of motion and by `tilt` to its left; or it has a fixed direction; or
+/// that which a program states. Direction and normal are averaged over `blend` along the stroke. At borders of the part
+/// of the path within a stroke, the axis turns evenly over `blend` inside the part (half of a shorter part); so it does
+/// at ends of strokes, or it turns in the rapids before and after them.
+///
+/// The tool keeps its contact: a ball its centre, any other cutter the plane that it touches, normal to the part, or
+/// beside the part to the motion; or it keeps its tip. Arcs become lines, and moves are divided so that the axis turns
+/// by at most 1° on each. At every pose, as the machine moves between the points, the whole tool keeps the clearance
+/// from the part that it had upright, or the allowance if that is less, and the margin of each fixture.
+struct ToolAxis {
+    enum class From {
+        upright,
+        normal, ///< of the part where the tool is nearest to it
+        fixed,
+        program ///< of each move, as stated by the program that the path is made from
+    };
+    enum class Ends { links, blend };
+    enum class Keep { contact, tip };
+    SourceInterval interval;
+    From from = From::upright;
+    double lead = 0.0;        ///< rad; above 0: the holder leans ahead
+    double tilt = 0.0;        ///< rad; above 0: the holder leans to the left
+    double inclination = 0.0; ///< rad from +Z, of a fixed direction
+    double azimuth = 0.0;     ///< rad, anticlockwise from +X, of a fixed direction in plan
+    double blend = 5.0;       ///< mm
+    Ends ends = Ends::links;
+    Keep keep = Keep::contact;
+};
+/// Errors: argumentInvalid (not linked yet, no axes stated by a program), notSupported (a machine without rotary axes,
+/// a tool that cuts as a solid), programLimit (the rotary axes can't reach the direction), checkFailed (the tool would
+/// enter the part or a fixture).
+EditResult apply(const ToolAxis& edit, PathUnderEdit& state, const PathContext& context, Progress& progress);
+
 /// In the order in which they may follow each other.
-using MachineEdits = EditKinds<Link, SetFeed, FeedOptimisation, AreaFeed, ScaleFeed, SpindleAndCoolant>;
+using MachineEdits = EditKinds<Link, SetFeed, FeedOptimisation, AreaFeed, ScaleFeed, SpindleAndCoolant, ToolAxis>;
 
 } // namespace burin

@@ -3,6 +3,7 @@
 #include "core/path/milling_side.h"
 
 #include "core/geometry/arc.h"
+#include "core/geometry/upright.h"
 #include "core/path/part_guard.h"
 
 #include <cmath>
@@ -36,7 +37,10 @@ public:
         if (context.cleared) left_.include(*context.cleared);
     }
 
-    MillingSide cut(const glm::dvec3& from, const PathPoint& to) {
+    /// What a tilted tool clears is not known from above: it counts as standing.
+    MillingSide cut(const ToolPose& start, const PathPoint& to) {
+        if (!isUpright(start.axis) || !isUpright(to.pose.axis)) return MillingSide::neither;
+        const glm::dvec3& from = start.tip;
         const MillingSide side = look(from, to);
         if (to.kind != MoveKind::rapid && to.arc)
             left_.cut(Arc{from, to.pose.tip, to.arc->centre, to.arc->axis, to.arc->clockwise});
@@ -91,7 +95,7 @@ Result<MilledSides> millingSides(const Path& path, const PathContext& context, P
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, path.name, "", ""};
         progress.report(static_cast<double>(i) / static_cast<double>(path.points.size()));
-        const MillingSide side = finder.cut(path.points[i - 1].pose.tip, path.points[i]);
+        const MillingSide side = finder.cut(path.points[i - 1].pose, path.points[i]);
         if (intervals.empty() || intervals.back().side != side) intervals.push_back({i, i, side});
         intervals.back().last = i;
     }

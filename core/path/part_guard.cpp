@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/path/part_guard.h"
 
+#include "core/geometry/upright.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,10 @@ namespace burin {
 PartGuard::PartGuard(const MeshDistance& part, const Tool& tool) : PartGuard(part, burin::pieces(tool.cutter)) {}
 
 PartGuard::PartGuard(const MeshDistance& part, std::vector<RevolvedPiece> pieces)
-    : part_(&part), pieces_(std::move(pieces)), top_(part.bounds().high.z) {}
+    : part_(&part), pieces_(std::move(pieces)), top_(part.bounds().high.z) {
+    for (const RevolvedPiece& piece : pieces_)
+        reach_ = std::max(reach_, std::hypot(std::max(std::abs(piece.bottom), piece.top), piece.widestRadius()));
+}
 
 Result<PartGuard> PartGuard::of(const PathContext& context) {
     if (context.part == nullptr)
@@ -20,6 +25,10 @@ Result<PartGuard> PartGuard::of(const PathContext& context) {
 
 ToolClearance PartGuard::clearance(const glm::dvec3& tip, double within) const {
     return part_->clearance(pieces_, ToolPose{tip, {0.0, 0.0, 1.0}}, within);
+}
+
+ToolClearance PartGuard::clearance(const ToolPose& pose, double within) const {
+    return part_->clearance(pieces_, pose, within);
 }
 
 std::optional<PartGuard::Dip> PartGuard::deepestDip(const glm::dvec3& from, const glm::dvec3& to, double required,
@@ -100,6 +109,63 @@ private:
     bool firstIsEnough_;
     std::optional<Dip> dip_;
 };
+
+/// Samples the clearance along a move on which the tool turns.
+class PartGuard::TurningScan {
+public:
+    TurningScan(const PartGuard& guard, const ToolPose& from, const ToolPose& to, double required)
+        : guard_(guard)
+        , from_(from)
+        , to_(to)
+        , length_(glm::distance(from.tip, to.tip) +
+                  guard.reach_ * std::atan2(glm::length(glm::cross(from.axis, to.axis)), glm::dot(from.axis, to.axis)))
+        , required_(required) {}
+
+    std::optional<Dip> run(double sampling) {
+        const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(length_ / sampling)));
+        double before = look(0.0);
+        for (std::size_t i = 1; i <= steps; ++i) {
+            const double last = static_cast<double>(i - 1) / static_cast<double>(steps);
+            const double here = static_cast<double>(i) / static_cast<double>(steps), found = look(here);
+            between(last, before, here, found);
+            before = found;
+        }
+        return dip_;
+    }
+
+private:
+    double look(double part) {
+        const glm::dvec3 axis = glm::mix(from_.axis, to_.axis, part);
+        const ToolPose pose{glm::mix(from_.tip, to_.tip, part), glm::normalize(axis)};
+        const double found = guard_.clearance(pose, required_ + length_ + sameAxis).clearance;
+        if (found < required_ && (!dip_ || found < dip_->clearance)) dip_ = Dip{part, found};
+        return found;
+    }
+
+    /// No point of the tool moves farther than `gap`, so that the clearance between is above the mean less half of it.
+    void between(double a, double atA, double b, double atB) {
+        const double gap = (b - a) * length_;
+        if (gap < finestTurningGap || atA < required_ || atB < required_) return;
+        if (0.5 * (atA + atB - gap) >= required_) return;
+        const double middle = 0.5 * (a + b), found = look(middle);
+        between(a, atA, middle, found);
+        between(middle, found, b, atB);
+    }
+
+    static constexpr double finestTurningGap = 0.01; // mm
+    static constexpr double sameAxis = 1e-6;         // mm: a tool that rests has to be near as well
+
+    const PartGuard& guard_;
+    ToolPose from_, to_;
+    double length_, required_; // mm
+    std::optional<Dip> dip_;
+};
+
+std::optional<PartGuard::Dip> PartGuard::deepestDip(const ToolPose& from, const ToolPose& to, double required,
+                                                    double sampling) const {
+    if (isUpright(from.axis) && isUpright(to.axis)) return scan(from.tip, to.tip, required, sampling, false);
+    return TurningScan(*this, from, to, required).run(sampling);
+}
 
 std::optional<PartGuard::Dip> PartGuard::scan(const glm::dvec3& from, const glm::dvec3& to, double required,
                                               double sampling, bool firstIsEnough) const {

@@ -11,7 +11,7 @@
 
 namespace burin {
 
-/// Distance queries for the whole upright tool against the part. Thread-safe.
+/// Distance queries for the whole tool against the part; where only tips are given, it is upright. Thread-safe.
 class PartGuard {
 public:
     /// Keeps a reference to the part.
@@ -23,6 +23,7 @@ public:
     static Result<PartGuard> of(const PathContext& context);
 
     ToolClearance clearance(const glm::dvec3& tip, double within) const;
+    ToolClearance clearance(const ToolPose& pose, double within) const;
 
     /// The point at which a straight move comes nearest to the part, among its points that are nearer than allowed.
     struct Dip {
@@ -33,6 +34,9 @@ public:
     /// `required`, because the tool was far enough away just before, are skipped: clearance changes by no more than the
     /// tool moves. Corners that a move may cut between two samples are sampled more finely.
     std::optional<Dip> deepestDip(const glm::dvec3& from, const glm::dvec3& to, double required, double sampling) const;
+    /// The same with any axis, which turns evenly on the move. Between two samples no point of the tool moves farther
+    /// than `sampling`, and than 0.01 mm where it may come nearer than required in between: 0.005 mm may be missed.
+    std::optional<Dip> deepestDip(const ToolPose& from, const ToolPose& to, double required, double sampling) const;
     bool isClear(const glm::dvec3& from, const glm::dvec3& to, double required, double sampling) const {
         return !scan(from, to, required, sampling, true);
     }
@@ -46,12 +50,14 @@ public:
 
 private:
     class Scan;
+    class TurningScan;
     std::optional<Dip> scan(const glm::dvec3& from, const glm::dvec3& to, double required, double sampling,
                             bool firstIsEnough) const;
 
     const MeshDistance* part_;
     std::vector<RevolvedPiece> pieces_;
     double top_;
+    double reach_ = 0.0; ///< mm: largest distance of the tool from its tip
 };
 
 /// Sampling distance of the checks that Burin makes unless another one is given, mm.

@@ -4,6 +4,10 @@
 
 #include "core/cutting/removal.h"
 #include "core/geometry/arc.h"
+#include "core/geometry/upright.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace burin {
 
@@ -11,6 +15,20 @@ namespace {
 
 Error fullMemory(const RunVolume& stock) {
     return {ErrorCode::volumeOutOfMemory, std::to_string(stock.reservedBytes()), "", ""};
+}
+
+/// A straight move on which the tool turns, in steps of a voxel.
+Result<void> cutTilted(const ToolPose& from, const ToolPose& to, MaterialRemoval& removal, RunVolume& stock) {
+    const double length = glm::distance(from.tip, to.tip);
+    const auto steps = static_cast<int>(std::max(1.0, std::ceil(length / stock.grid().edge())));
+    ToolPose at = from;
+    for (int k = 1; k <= steps; ++k) {
+        const double share = static_cast<double>(k) / steps;
+        const ToolPose next{glm::mix(from.tip, to.tip, share), glm::normalize(glm::mix(from.axis, to.axis, share))};
+        if (removal.cut(stock, at, next).outOfMemory) return fullMemory(stock);
+        at = next;
+    }
+    return {};
 }
 
 Result<void> cutMoves(const Path& path, MaterialRemoval& removal, RunVolume& stock, Progress& progress) {
@@ -25,6 +43,11 @@ Result<void> cutMoves(const Path& path, MaterialRemoval& removal, RunVolume& sto
         places = {point.pose.tip};
         if (point.arc)
             flatten({from, point.pose.tip, point.arc->centre, point.arc->axis, point.arc->clockwise}, chord, places);
+        const ToolPose& start = path.points[i - 1].pose;
+        if (!isUpright(start.axis) || !isUpright(point.pose.axis)) {
+            if (Result<void> done = cutTilted(start, point.pose, removal, stock); !done) return done;
+            continue;
+        }
         for (const glm::dvec3& to : places) {
             if (removal.cut(stock, from, to).outOfMemory) return fullMemory(stock);
             from = to;

@@ -141,8 +141,45 @@ private:
     std::vector<bool> stated_;   ///< per point: its program states its feed
 };
 
+/// Gives moves the coolant that their program states. Moves made by links get that of the move that they lead to, or,
+/// behind the last, of the one that they come from; those of other sources keep that of the path.
+/// Errors: notSupported (a coolant that the machine lacks).
+Result<void> takeStatedCoolants(PathUnderEdit& state, const PathContext& context) {
+    std::vector<std::optional<Coolant>> coolants(state.points.size());
+    Moment from{};
+    for (std::size_t i = 0; i < state.points.size(); ++i) {
+        const PathPoint& point = state.points[i];
+        const Moment to = momentOf(point);
+        if (point.kind != MoveKind::rapid) {
+            const auto stated = state.stated->between(from, to);
+            if (stated && stated->coolant)
+                coolants[i] = stated->coolant;
+            else if (hasMoment(point) && !state.stated->holds(point.source))
+                coolants[i] = state.coolant;
+        }
+        from = to;
+    }
+    std::optional<Coolant> next;
+    const auto fill = [&](std::size_t i) {
+        if (state.points[i].kind == MoveKind::rapid) return;
+        if (!coolants[i]) coolants[i] = next;
+        next = coolants[i];
+    };
+    for (std::size_t i = coolants.size(); i-- > 0;) fill(i);
+    for (std::size_t i = 0; i < coolants.size(); ++i) fill(i);
+    const auto first = std::ranges::find_if(coolants, [](const auto& coolant) { return coolant.has_value(); });
+    if (first == coolants.end()) return {};
+    state.coolant = **first;
+    for (std::size_t i = 0; i < coolants.size(); ++i) {
+        if (!coolants[i]) continue;
+        if (Result<void> has = checkCoolant(*coolants[i], context.machine); !has) return has;
+        if (*coolants[i] != state.coolant) state.points[i].coolant = coolants[i];
+    }
+    return {};
+}
+
 Result<Coolant> wantedCoolant(SetFeed::Cooling cooling, const PathContext& context) {
-    if (cooling == SetFeed::Cooling::advised)
+    if (cooling == SetFeed::Cooling::advised || cooling == SetFeed::Cooling::program)
         return context.machine.has(context.advisedCoolant) ? context.advisedCoolant : Coolant::off;
     const auto wanted = static_cast<Coolant>(static_cast<int>(cooling) - static_cast<int>(SetFeed::Cooling::off));
     if (Result<void> has = checkCoolant(wanted, context.machine); !has) return has.error();
@@ -192,6 +229,8 @@ Result<Deviation> apply(const SetFeed& edit, PathUnderEdit& state, const PathCon
             return std::move(done).error();
     }
     if (stated) StatedMoves(edit, state, context).apply();
+    if (edit.cooling == SetFeed::Cooling::program && state.stated && !state.stated->empty())
+        if (Result<void> done = takeStatedCoolants(state, context); !done) return std::move(done).error();
     return Deviation{};
 }
 

@@ -23,10 +23,22 @@ std::optional<StatedFeed> StatedFeeds::between(const Moment& from, const Moment&
     const std::int64_t first = within ? std::min(from.tick, to.tick) + 1 : to.tick;
     const std::int64_t last = within ? std::max({from.tick, to.tick, first}) : to.tick;
     std::optional<StatedFeed> least;
+    std::optional<Coolant> coolant;
     for (auto at = std::ranges::lower_bound(all, first, {}, &StatedFeed::moment); at != all.end() && at->moment <= last;
-         ++at)
+         ++at) {
+        coolant = std::max(coolant, at->coolant); // none of all is the least
         if (!least || at->feed < least->feed) least = *at;
+    }
+    if (least) least->coolant = coolant;
     return least;
+}
+
+bool StatedFeeds::coolantChangesAt(const Moment& moment) const {
+    const auto source = stated_.find(moment.source);
+    if (source == stated_.end()) return false;
+    const auto at = std::ranges::lower_bound(source->second, moment.tick, {}, &StatedFeed::moment);
+    return at != source->second.end() && at->moment == moment.tick && at + 1 != source->second.end() &&
+           (at + 1)->coolant != at->coolant;
 }
 
 std::size_t StatedFeeds::bytes() const noexcept {

@@ -153,13 +153,12 @@ Result<SourceStrokes> strokesOf(const GeneratedMoves& moves) {
             PathStroke{moves.info.id, moves.info.allowance, moves.info.allowance, made.info.tickPeriod, {}});
         last.points.reserve(stroke.size());
         for (const GeneratedPoint& point : stroke) {
-            if (!isUpright(point.pose.axis))
-                return Error{ErrorCode::notSupported, "tilted tool axis",
-                             "moves for an axis fixed at +Z, unlike \"" + moves.info.name + "\"",
-                             "move " + std::to_string(point.moment)};
-            last.points.push_back(
-                {{point.pose.tip, uprightAxis}, point.moment, point.removes, point.onBoundary, std::nullopt});
-            if (point.feed > 0.0) made.stated.push_back({point.moment, point.feed, point.spindleSpeed});
+            last.points.push_back({{point.pose.tip, isUpright(point.pose.axis) ? uprightAxis : point.pose.axis},
+                                   point.moment,
+                                   point.removes,
+                                   point.onBoundary,
+                                   std::nullopt});
+            if (point.feed > 0.0) made.stated.push_back({point.moment, point.feed, point.spindleSpeed, point.coolant});
         }
     }
     std::ranges::sort(made.stated, {}, &StatedFeed::moment);

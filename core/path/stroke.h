@@ -7,12 +7,14 @@
 #include "core/path/omission.h"
 #include "core/path/path.h"
 #include "core/path/path_source.h"
+#include "core/path/stated_axes.h"
 #include "core/path/stated_feeds.h"
 #include "core/path/stroke_entry.h"
 #include "core/recording/generated_moves.h"
 #include "core/recording/sample.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -56,8 +58,9 @@ bool holds(const PathStroke& stroke, const Moment& moment) noexcept;
 /// The stroke in the opposite direction: flags and arc of a motion stay with it, though it then ends at its other end.
 PathStroke reversed(const PathStroke& stroke);
 
-/// A path between two edits: strokes until they are linked, points from then on. Edits support upright tools only: all
-/// poses have `uprightAxis`, which is checked when the sources are read.
+/// A path between two edits: strokes until they are linked, points from then on. Until ToolAxis, the last step, all
+/// poses have `uprightAxis`, which is checked when the sources are read; a ball that a program tilts stands upright
+/// about the same centre, and `axes` keeps its axes.
 struct PathUnderEdit {
     std::vector<PathStroke> strokes;
     std::vector<PathPoint> points; ///< created by Link from the strokes
@@ -67,6 +70,8 @@ struct PathUnderEdit {
     double leastFeed = 0.0;                    ///< mm/min, as Path::leastFeed
     std::shared_ptr<const HandTrail> hand;     ///< of its sources; null: not known
     std::shared_ptr<const StatedFeeds> stated; ///< stated by programs among its sources; null: none is known
+    std::shared_ptr<const StatedAxes> axes;    ///< stated by programs among its sources; null: none is known
+    std::map<std::int64_t, double> allowances; ///< mm, by source
     bool rampsIn = false;                      ///< its links descend by ramps, which have their own feed
     std::vector<StrokeEntry> entries;          ///< into material, by the edit that is applied now
     std::vector<Omission> omissions;           ///< by the edit that is applied now
@@ -83,7 +88,8 @@ struct SourceStrokes {
     std::vector<StatedFeed> stated{}; ///< by a program; moments ascend
 };
 
-/// The strokes of generated moves or of a program's moves. Errors: notSupported (an axis that is not +Z).
+/// The strokes of generated moves or of a program's moves, with their axes: `evaluate` refuses tilted ones unless they
+/// are those of a ball.
 Result<SourceStrokes> strokesOf(const GeneratedMoves& moves);
 
 /// Makes the strokes of a take while its samples are read in order: the proxy's tip at every tick. Where the loop was

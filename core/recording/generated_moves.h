@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "core/base/coolant.h"
 #include "core/base/result.h"
 #include "core/base/setup_id.h"
 #include "core/geometry/pose.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +22,10 @@ struct GeneratedPoint {
     std::int64_t moment = 0;
     bool removes = true;     ///< the motion that ends here is meant to remove material
     bool onBoundary = false; ///< the part is meant to limit the tool here
-    /// Values that a program states for the motion that ends here; 0: not stated, edits determine them.
+    /// Values that a program states for the motion that ends here; 0 or empty: not stated, edits determine them.
     double feed = 0.0;         ///< mm/min
     double spindleSpeed = 0.0; ///< 1/min
+    std::optional<Coolant> coolant{};
 };
 
 /// Properties common to all of a planner's moves.

@@ -19,6 +19,7 @@ bool isOfPlace(FindingKind kind) noexcept {
     case FindingKind::shankCollision:
     case FindingKind::holderCollision:
     case FindingKind::travelLimit:
+    case FindingKind::rotaryLimit:
     case FindingKind::unknownStart:
     case FindingKind::obstacleCollision:
     case FindingKind::centrePlunge:

@@ -23,6 +23,7 @@ constexpr double towardsPart = 0.2; // mm: pushed on by this much, a tool meets 
 /// A corner and the parabola that cuts it, tangent to both blocks.
 struct Cut {
     glm::dvec3 from{0.0}, corner{0.0}, to{0.0};
+    glm::dvec3 axis{uprightAxis}; ///< of the tool at the corner
 
     glm::dvec3 at(double share) const noexcept {
         return glm::mix(glm::mix(from, corner, share), glm::mix(corner, to, share), share);
@@ -94,13 +95,18 @@ private:
             if (!follows(next)) return false;
             if (moves_[next].motion == moves_[first].motion) return true; // an arc, or a rapid with corners
             const NcMotion& other = motions_[moves_[next].motion];
-            return merges(motion) && merges(other) && other.feed == motion.feed &&
+            return merges(motion) && merges(other) && keepsAxis(first, next) && other.feed == motion.feed &&
                    other.mergeTolerance == motion.mergeTolerance && next - first < most &&
                    farthest({first, next, true}) <= motion.mergeTolerance;
         };
         while (block.last + 1 < moves_.size() && extends(block.last + 1)) ++block.last;
         block.merged = moves_[block.last].motion != moves_[first].motion;
         return block;
+    }
+    /// Lines are not merged where a rotary axis turns (`see_segment` of LinuxCNC's emccanon.cc).
+    bool keepsAxis(std::size_t first, std::size_t next) const noexcept {
+        const glm::dvec3& axis = moves_[first].to.axis;
+        return moves_[first].from.axis == axis && moves_[next].from.axis == axis && moves_[next].to.axis == axis;
     }
     /// The largest distance of the inner ends from the line that replaces a block, mm.
     double farthest(const ControlBlock& block) const {
@@ -131,7 +137,7 @@ private:
         const double blocks = 0.5 * std::min(lengthOfBlock(before), lengthOfBlock(behind));
         const double leg = std::min(2.0 * tolerance / half, blocks);
         if (!(0.5 * half * leg > request_.gougeTolerance)) return std::nullopt;
-        return Cut{pointBefore(before, leg), corner, pointBehind(behind, leg)};
+        return Cut{pointBefore(before, leg), corner, pointBehind(behind, leg), moves_[before.last].to.axis};
     }
     /// The point at a distance before the end of a block, or after its start.
     glm::dvec3 pointBefore(const ControlBlock& block, double way) const {
@@ -160,19 +166,20 @@ private:
         if (farthest(block) <= request_.gougeTolerance) return;
         ClearanceAsker& part = *parts_[moves_[block.first].tool];
         const glm::dvec3 &from = moves_[block.first].from.tip, &to = moves_[block.last].to.tip;
-        judgeGouge(part, glm::distance(from, to), [&](double share) { return glm::mix(from, to, share); });
+        const glm::dvec3& axis = moves_[block.first].to.axis;
+        judgeGouge(part, glm::distance(from, to), axis, [&](double share) { return glm::mix(from, to, share); });
         for (std::size_t i = block.first; i < block.last; ++i)
-            judgeExcess(part, moves_[i].to.tip, onLine(block, moves_[i].to.tip));
+            judgeExcess(part, moves_[i].to, onLine(block, moves_[i].to.tip));
     }
 
     /// @param length approximate length, mm, of the path that `at` describes from 0 to 1
     template <class Way>
-    void judgeGouge(ClearanceAsker& part, double length, const Way& at) {
+    void judgeGouge(ClearanceAsker& part, double length, const glm::dvec3& axis, const Way& at) {
         const auto steps = static_cast<int>(std::ceil(length / request_.sampling)) + 4;
         ToolClearance deepest;
         deepest.clearance = std::numeric_limits<double>::infinity();
         for (int i = 0; i <= steps; ++i) {
-            const ToolClearance here = part.ask(at(static_cast<double>(i) / steps), 0.5, cornerAnswers);
+            const ToolClearance here = part.ask(ToolPose{at(static_cast<double>(i) / steps), axis}, 0.5, cornerAnswers);
             if (here.clearance < deepest.clearance) deepest = here;
         }
         if (-deepest.clearance > request_.gougeTolerance)
@@ -180,21 +187,22 @@ private:
     }
 
     /// Stock stays on the side of a point that the tool no longer reaches; it matters if the part is behind it.
-    void judgeExcess(ClearanceAsker& part, const glm::dvec3& place, const glm::dvec3& instead) {
+    void judgeExcess(ClearanceAsker& part, const ToolPose& pose, const glm::dvec3& instead) {
+        const glm::dvec3& place = pose.tip;
         const double leaves = glm::distance(place, instead);
         if (!(request_.excessTolerance > 0.0) || leaves <= request_.excessTolerance) return;
         const double reach = leaves + towardsPart + onPartDistance;
-        const ToolClearance there = part.ask(place, reach, cornerAnswers);
+        const ToolClearance there = part.ask(pose, reach, cornerAnswers);
         if (there.clearance > onPartDistance) return;
         const glm::dvec3 outward = (place - instead) / leaves;
-        const ToolClearance on = part.ask(place + towardsPart * outward, reach, cornerAnswers);
+        const ToolClearance on = part.ask(ToolPose{place + towardsPart * outward, pose.axis}, reach, cornerAnswers);
         if (on.clearance < there.clearance - 0.5 * towardsPart) add(FindingKind::cornerExcess, place, leaves);
     }
 
     void judge(std::uint16_t tool, const Cut& cut) {
         ClearanceAsker& part = *parts_[tool];
-        judgeGouge(part, glm::distance(cut.from, cut.to), [&](double share) { return cut.at(share); });
-        judgeExcess(part, cut.corner, cut.at(0.5));
+        judgeGouge(part, glm::distance(cut.from, cut.to), cut.axis, [&](double share) { return cut.at(share); });
+        judgeExcess(part, {cut.corner, cut.axis}, cut.at(0.5));
     }
 
     void add(FindingKind kind, const glm::dvec3& place, double amount) {

@@ -48,6 +48,8 @@ const char* idOf(FindingKind kind) {
         return "feed_limit";
     case FindingKind::spindleLimit:
         return "spindle_limit";
+    case FindingKind::rotaryLimit:
+        return "rotary_limit";
     case FindingKind::unknownStart:
         return "unknown_start";
     case FindingKind::obstacleCollision:
@@ -123,6 +125,8 @@ const char* unitOf(FindingKind kind) {
     case FindingKind::spindleLimit:
     case FindingKind::spindleReversed:
         return "1/min";
+    case FindingKind::rotaryLimit:
+        return "deg";
     case FindingKind::unknownStart:
     case FindingKind::toolUnknown:
     case FindingKind::toolNotLoaded:
@@ -155,6 +159,8 @@ TextId remedyOf(FindingKind kind) {
         return BURIN_TEXT("Finding", "lower the feed to the machine's maximum");
     case FindingKind::spindleLimit:
         return BURIN_TEXT("Finding", "use a spindle speed within the machine's range");
+    case FindingKind::rotaryLimit:
+        return BURIN_TEXT("Finding", "tilt the tool less, or use a machine whose rotary axes turn farther");
     case FindingKind::unknownStart:
         return BURIN_TEXT("Finding", "state X, Y and Z before this move");
     case FindingKind::obstacleCollision:

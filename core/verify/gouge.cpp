@@ -20,9 +20,10 @@ struct ExactQuestion {
 ExactQuestion questionFor(const GougeSample& sample, const Cutter& cutter) {
     // A ball is judged by its centre, wherever it touches. Other shapes are judged at the tool's own point that is
     // nearest to the part or deepest in it.
+    const ToolPose& pose = sample.pose;
     if (cutter.type == CutterType::ball && sample.clearance.piece == 0 &&
-        sample.clearance.meshPoint.z <= sample.tip.z + cutter.radius())
-        return {sample.tip + glm::dvec3(0.0, 0.0, cutter.radius()), cutter.radius()};
+        glm::dot(sample.clearance.meshPoint - pose.tip, pose.axis) <= cutter.radius())
+        return {pose.tip + cutter.radius() * pose.axis, cutter.radius()};
     return {sample.clearance.meshPoint + sample.clearance.away * sample.clearance.clearance, 0.0};
 }
 

@@ -5,6 +5,7 @@
 #include "core/base/parallel.h"
 #include "core/base/parallel_progress.h"
 #include "core/geometry/piece_minimum.h"
+#include "core/geometry/upright.h"
 #include "core/verify/gouge.h"
 
 #include <algorithm>
@@ -26,7 +27,9 @@ constexpr double limitSteps = 1.0 / 2048.0;
 
 struct Place {
     std::uint32_t move = 0;
-    glm::dvec3 tip{0.0};
+    ToolPose pose;
+
+    bool tilted() const noexcept { return !isUpright(pose.axis); }
 };
 
 } // namespace
@@ -65,22 +68,24 @@ double besideChord(const glm::dvec3& point, const glm::dvec3& from, const glm::d
     return glm::length(point - from - share * way);
 }
 
-/// The longest sequence of samples from `first` on that lie on one chord.
+/// The longest sequence of samples of an upright tool from `first` on that lie on one chord; a sample of a tilted one
+/// alone.
 SampleInterval intervalFrom(std::size_t first, const std::vector<Place>& places, const std::vector<ToolMove>& moves) {
     SampleInterval interval{first, first + 1, 0.0, 0.0, {}};
     const std::size_t most = std::min(first + longestInterval, places.size());
     const std::uint16_t tool = moves[places[first].move].tool;
     for (std::size_t last = first + 1; last < most && moves[places[last].move].tool == tool; ++last) {
+        if (places[first].tilted() || places[last].tilted()) break;
         double beside = 0.0;
         for (std::size_t i = first + 1; i < last && beside <= straight; ++i)
-            beside = std::max(beside, besideChord(places[i].tip, places[first].tip, places[last].tip));
+            beside = std::max(beside, besideChord(places[i].pose.tip, places[first].pose.tip, places[last].pose.tip));
         if (beside > straight) break;
         interval.end = last + 1;
         interval.beside = beside;
     }
-    const glm::dvec3& middle = places[interval.middle()].tip;
+    const glm::dvec3& middle = places[interval.middle()].pose.tip;
     for (std::size_t i = interval.first; i < interval.end; ++i)
-        interval.reach = std::max(interval.reach, glm::length(places[i].tip - middle));
+        interval.reach = std::max(interval.reach, glm::length(places[i].pose.tip - middle));
     return interval;
 }
 
@@ -98,14 +103,15 @@ public:
         tool_ = tool;
         spare_ = -1.0;
     }
-    /// Whether the tips queried so far make certain that no tip within `reach` of this one is near the part.
-    bool isFar(const glm::dvec3& tip, double reach) const noexcept {
-        return glm::length(tip - last_) + reach <= spare_;
+    /// Whether the poses queried so far make certain that no tip within `reach` of this one, with the same axis, is
+    /// near the part.
+    bool isFar(const ToolPose& pose, double reach) const noexcept {
+        return pose.axis == last_.axis && glm::length(pose.tip - last_.tip) + reach <= spare_;
     }
-    ToolClearance ask(const glm::dvec3& tip, double reach) {
+    ToolClearance ask(const ToolPose& pose, double reach) {
         const double within = std::max(within_, reach + 2.0 * onPartDistance);
-        const ToolClearance found = asker_->ask(tip, within, answers);
-        last_ = tip;
+        const ToolClearance found = asker_->ask(pose, within, answers);
+        last_ = pose;
         spare_ = found.clearance - onPartDistance;
         within_ = found.clearance < within ? leastSearch : std::min(2.0 * within_, greatestSearch);
         return found;
@@ -119,8 +125,9 @@ private:
     std::span<const std::vector<RevolvedPiece>> stacks_;
     std::optional<ClearanceAsker> asker_;
     std::uint16_t tool_ = 0;
-    glm::dvec3 last_{0.0};
-    double spare_ = -1.0, within_ = leastSearch; // mm: radius around `last_` without anything near; search distance
+    ToolPose last_;
+    double spare_ = -1.0,
+           within_ = leastSearch; // mm: radius around the tip of `last_` without anything near; search distance
 };
 
 /// Samples one batch after the other.
@@ -144,7 +151,7 @@ public:
     Places placesOf(const MoveSamples& samples, std::size_t first, std::size_t end) const {
         Places places;
         places.reserve(end - first);
-        samples.forEach(first, end, [&](std::uint32_t move, const glm::dvec3& tip) { places.push_back({move, tip}); });
+        samples.forEach(first, end, [&](std::uint32_t move, const ToolPose& pose) { places.push_back({move, pose}); });
         return places;
     }
 
@@ -158,9 +165,9 @@ public:
             at = interval.end;
             const Place& middle = places[interval.middle()];
             asking.take(toolOf(middle));
-            if (asking.isFar(middle.tip, interval.reach)) continue;
-            interval.clearance = asking.ask(middle.tip, interval.reach);
-            if (!asking.isFar(middle.tip, interval.reach)) batch.near.push_back(interval);
+            if (asking.isFar(middle.pose, interval.reach)) continue;
+            interval.clearance = asking.ask(middle.pose, interval.reach);
+            if (!asking.isFar(middle.pose, interval.reach)) batch.near.push_back(interval);
         }
         batch.begun = true;
     }
@@ -196,9 +203,12 @@ private:
     /// Examines an interval as a whole, then by halves, then sample by sample.
     void divide(Search& search, std::size_t first, std::size_t end) const {
         const SampleInterval& interval = search.interval;
-        const glm::dvec3 &from = search.places[first].tip, &to = search.places[end - 1].tip;
-        if (interval.clearance.clearance - answers.ordinary - interval.reach >= search.limit ||
-            search.asking.keeps(from, to, search.limit + interval.beside)) {
+        const glm::dvec3 &from = search.places[first].pose.tip, &to = search.places[end - 1].pose.tip;
+        if (interval.clearance.clearance - answers.ordinary - interval.reach >= search.limit) {
+            countOnPart(search, first, end);
+        } else if (search.places[first].tilted()) {
+            judgeEach(search, first, end);
+        } else if (search.asking.keeps(from, to, search.limit + interval.beside)) {
             countOnPart(search, first, end);
         } else if (end - first <= 2) {
             judgeEach(search, first, end);
@@ -225,28 +235,27 @@ private:
     }
 
     void judge(Search& search, const Place& place) const {
-        if (search.asking.isFar(place.tip, 0.0)) return;
-        const ToolClearance found = search.asking.ask(place.tip, 0.0);
+        if (search.asking.isFar(place.pose, 0.0)) return;
+        const ToolClearance found = search.asking.ask(place.pose, 0.0);
         if (found.clearance > onPartDistance) return;
-        search.batch.worst.push_back({place.move, place.tip, found});
+        search.batch.worst.push_back({place.move, place.pose, found});
         if (isFinishing(place) && isByFlutes(found, place)) ++search.batch.onPart;
     }
 
     std::uint16_t toolOf(const Place& place) const noexcept { return moves_[place.move].tool; }
     bool isFinishing(const Place& place) const noexcept {
         const ToolMove& move = moves_[place.move];
-        return isAtCuttingFeed(move) && outlines_[move.tool].contains(place.tip.x, place.tip.y);
+        return isAtCuttingFeed(move) && outlines_[move.tool].contains(place.pose.tip.x, place.pose.tip.y);
     }
     bool touchesFlutes(const Place& place, const glm::dvec3& point) const noexcept {
         return std::ranges::any_of(flutes_[toolOf(place)], [&](const RevolvedPiece& piece) {
-            return PlacedPiece(piece, {place.tip, {0.0, 0.0, 1.0}}).at(point).distance <= onPartDistance;
+            return PlacedPiece(piece, place.pose).at(point).distance <= onPartDistance;
         });
     }
     bool isByFlutes(const ToolClearance& found, const Place& place) const {
         const std::vector<RevolvedPiece>& flutes = flutes_[toolOf(place)];
         if (found.piece < flutes.size()) return true;
-        const ToolPose pose{place.tip, {0.0, 0.0, 1.0}};
-        return part_.clearance(flutes, pose, 2.0 * onPartDistance).clearance <= onPartDistance;
+        return part_.clearance(flutes, place.pose, 2.0 * onPartDistance).clearance <= onPartDistance;
     }
 
     const std::vector<ToolMove>& moves_;

@@ -19,7 +19,7 @@ namespace burin {
 /// A sample along the moves, with the clearance of the tool there.
 struct GougeSample {
     std::uint32_t move = 0;
-    glm::dvec3 tip{0.0};
+    ToolPose pose;
     ToolClearance clearance;
 };
 

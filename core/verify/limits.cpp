@@ -7,6 +7,12 @@
 
 namespace burin {
 
+namespace {
+
+constexpr double angleRounding = 1e-4; // degrees, of a program's numbers
+
+} // namespace
+
 Result<void> judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const MachineProfile& machine,
                          const Box& travel, Findings& findings) {
     const std::unique_ptr<const Kinematics> kinematics = kinematicsOf(machine, glm::dvec3(0.0));
@@ -17,10 +23,10 @@ Result<void> judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed
         if (!move.rapid && move.feed > machine.maximumFeed)
             findings.add(FindingKind::feedLimit, move.line, move.to.tip, move.feed);
         if (!move.endKnown) continue;
-        const Result<AxisValues> values = kinematics->axesOf(move.to);
+        const Result<AxisValues> values = kinematics->axesOf({move.to.tip}); // rotary axes: judgeRotaryAxes
         if (!values) return values.error();
-        axes.goTo(kinematics->axes(), *values);
-        for (const Axis axis : kinematics->axes())
+        axes.goTo(linearAxes, *values);
+        for (const Axis axis : linearAxes)
             if (const std::optional<double> way = axes.wayBeyond(axis))
                 findings.add(FindingKind::travelLimit, move.line, move.to.tip, *way);
     }
@@ -28,6 +34,17 @@ Result<void> judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed
                            (spindleSpeed > 0.0 && spindleSpeed < machine.minimumSpindleSpeed)))
         findings.add(FindingKind::spindleLimit, moves.front().line, moves.front().to.tip, spindleSpeed);
     return {};
+}
+
+void judgeRotaryAxes(const ParsedProgram& program, const MachineProfile& machine, Findings& findings) {
+    const std::unique_ptr<const Kinematics> kinematics = kinematicsOf(machine, glm::dvec3(0.0));
+    for (const NcMotion& motion : program.motions)
+        for (const RotaryAxis& rotary : machine.rotaryAxes) {
+            if (!motion.takes(rotary.axis)) continue;
+            const double value = motion.to[rotary.axis];
+            if (value < rotary.low - angleRounding || value > rotary.high + angleRounding)
+                findings.add(FindingKind::rotaryLimit, motion.line, kinematics->poseOf(motion.to).tip, value);
+        }
 }
 
 } // namespace burin

@@ -15,4 +15,7 @@ namespace burin {
 Result<void> judgeLimits(const std::vector<ToolMove>& moves, double spindleSpeed, const MachineProfile& machine,
                          const Box& travel, Findings& findings);
 
+/// Reports rotary axes that turn beyond their limits.
+void judgeRotaryAxes(const ParsedProgram& program, const MachineProfile& machine, Findings& findings);
+
 } // namespace burin

@@ -130,7 +130,7 @@ private:
         Block block;
         block.motion = i;
         block.length = lengthOf(motion);
-        if (!(block.length > 0.0)) return;
+        if (!(block.length > 0.0)) return addRotation(i);
         double asked = motion.rapid() ? unlimited : motion.feed / secondsPerMinute;
         if (motion.rapid() && (machine_.rapids == RapidMode::tip || motion.kind == NcMotionKind::arc))
             asked = machine_.rapidFeed / secondsPerMinute;
@@ -138,6 +138,7 @@ private:
             limitArc(motion, block);
         else
             limitStraight(motion, block);
+        if (machine_.tilts()) limitRotation(motion, block);
         block.speed = std::min(block.speed, asked);
         if (machine_.blocksPerSecond > 0.0)
             block.speed = std::min(block.speed, block.length * machine_.blocksPerSecond);
@@ -149,6 +150,35 @@ private:
         atRest_ = false;
         blocks_.push_back(block);
         time_.withoutAcceleration += block.length / (motion.rapid() ? block.speed : motion.feed / secondsPerMinute);
+    }
+
+    /// Only rotary axes move, from rest to rest.
+    void addRotation(std::size_t i) {
+        const NcMotion& motion = program_.motions[i];
+        double longest = 0.0, atRates = 0.0;
+        for (const RotaryAxis& axis : machine_.rotaryAxes) {
+            const double way = std::abs(motion.to[axis.axis] - motion.from[axis.axis]);
+            const double rate =
+                std::min(axis.rate > 0.0 ? axis.rate : unlimited, motion.rapid() ? unlimited : motion.feed);
+            if (!(way > 0.0) || !std::isfinite(rate) || !(rate > 0.0)) continue;
+            const double acceleration = axis.acceleration > 0.0 ? axis.acceleration : unlimited;
+            longest = std::max(longest, trapezoid(way, 0.0, 0.0, rate / secondsPerMinute, acceleration).seconds);
+            atRates = std::max(atRates, way / (rate / secondsPerMinute));
+        }
+        if (!(longest > 0.0)) return;
+        alone_[i] = longest;
+        time_.withoutAcceleration += atRates;
+        atRest_ = true;
+    }
+
+    /// Speed and acceleration at which no rotary axis exceeds its own.
+    void limitRotation(const NcMotion& motion, Block& block) const {
+        for (const RotaryAxis& axis : machine_.rotaryAxes) {
+            const double turn = std::abs(motion.to[axis.axis] - motion.from[axis.axis]) / block.length; // degrees/mm
+            if (!(turn > 1e-12)) continue;
+            if (axis.rate > 0.0) block.speed = std::min(block.speed, axis.rate / secondsPerMinute / turn);
+            if (axis.acceleration > 0.0) block.acceleration = std::min(block.acceleration, axis.acceleration / turn);
+        }
     }
 
     void limitStraight(const NcMotion& motion, Block& block) const {

@@ -32,7 +32,7 @@ public:
         return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), sample) - first_.begin()) - 1;
     }
 
-    /// Calls `visit(index of the move, tip)` for samples `first` … `end` - 1.
+    /// Calls `visit(index of the move, pose)` for samples `first` … `end` - 1.
     template <class Visit>
     void forEach(std::size_t first, std::size_t end, const Visit& visit) const {
         if (first >= end) return;
@@ -42,8 +42,7 @@ public:
             const ToolMove& move = moves_[at];
             const std::size_t begins = first_[at] == 0 ? 0 : 1, steps = first_[at + 1] - first_[at] - 1 + begins;
             const double share = static_cast<double>(i - first_[at] + begins) / static_cast<double>(steps);
-            visit(static_cast<std::uint32_t>(at),
-                  share < 1.0 ? glm::mix(move.begin().tip, move.to.tip, share) : move.to.tip);
+            visit(static_cast<std::uint32_t>(at), share < 1.0 ? move.poseAt(share) : move.to);
         }
     }
 

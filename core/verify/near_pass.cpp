@@ -52,8 +52,8 @@ public:
                 const ToolMove& move = moves_[i];
                 if (move.endKnown) known.keep(numbers_[i], dips[i]);
                 if (!dips[i] || dips[i]->clearance < -request_.gougeTolerance) continue;
-                const glm::dvec3 tip = glm::mix(move.begin().tip, move.to.tip, dips[i]->part);
-                const ToolClearance nearest = sections[move.tool].guard.clearance(tip, 2.0 * request_.nearDistance);
+                const ToolClearance nearest =
+                    sections[move.tool].guard.clearance(move.poseAt(dips[i]->part), 2.0 * request_.nearDistance);
                 passes.add({which, to, move.line, nearest.meshPoint, std::max(0.0, dips[i]->clearance)});
             }
         }
@@ -70,11 +70,11 @@ private:
                 const ToolMove& move = moves_[i];
                 const Section& section = sections[move.tool];
                 if (progress.cancelled() || !move.endKnown || known.find(numbers_[i], dips[i])) continue;
-                if (std::min(move.begin().tip.z, move.to.tip.z) + section.bottom - request_.nearDistance >
-                    section.guard.top())
+                if (!move.tilted() &&
+                    std::min(move.begin().tip.z, move.to.tip.z) + section.bottom - request_.nearDistance >
+                        section.guard.top())
                     continue;
-                dips[i] =
-                    section.guard.deepestDip(move.begin().tip, move.to.tip, request_.nearDistance, request_.sampling);
+                dips[i] = section.guard.deepestDip(move.begin(), move.to, request_.nearDistance, request_.sampling);
             }
         });
         return dips;

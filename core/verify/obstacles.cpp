@@ -22,16 +22,14 @@ Result<void> judgeObstacles(const std::vector<ToolMove>& moves, std::span<const 
         parallelFor(std::size_t{0}, moves.size(), [&](std::size_t i) {
             const ToolMove& move = moves[i];
             if (progress.cancelled() || !move.endKnown || known.find(numbers[i], dips[i])) return;
-            dips[i] =
-                guards[move.tool].deepestDip(move.begin().tip, move.to.tip, -request.gougeTolerance, request.sampling);
+            dips[i] = guards[move.tool].deepestDip(move.begin(), move.to, -request.gougeTolerance, request.sampling);
         });
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "verification", {}, {}};
         for (std::size_t i = 0; i < moves.size(); ++i) {
             const ToolMove& move = moves[i];
             if (move.endKnown) known.keep(numbers[i], dips[i]);
             if (!dips[i]) continue;
-            const glm::dvec3 tip = glm::mix(move.begin().tip, move.to.tip, dips[i]->part);
-            const ToolClearance deepest = guards[move.tool].clearance(tip, 1.0);
+            const ToolClearance deepest = guards[move.tool].clearance(move.poseAt(dips[i]->part), 1.0);
             findings.add(FindingKind::obstacleCollision, move.line, deepest.meshPoint, -dips[i]->clearance);
         }
     }

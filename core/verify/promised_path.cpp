@@ -117,8 +117,7 @@ public:
             if (move.rapid || !move.endKnown || paths_[move.tool].empty()) continue;
             const auto steps = static_cast<int>(glm::distance(move.begin().tip, move.to.tip) / betweenLooks) + 1;
             bool off = false;
-            for (int k = 1; k <= steps; ++k)
-                off = look(move, glm::mix(move.begin().tip, move.to.tip, static_cast<double>(k) / steps));
+            for (int k = 1; k <= steps; ++k) off = look(move, move.poseAt(static_cast<double>(k) / steps));
             comparison.ends[move.motion] = off ? PathSide::off : PathSide::on;
         }
         return comparison;
@@ -132,7 +131,8 @@ private:
         return std::hypot(way.x, way.y) < steepest * std::abs(way.z);
     }
     /// @return whether the tip is off the paths
-    bool look(const ToolMove& move, const glm::dvec3& tip) {
+    bool look(const ToolMove& move, const ToolPose& pose) {
+        const glm::dvec3& tip = pose.tip;
         const SegmentCells& paths = paths_[move.tool];
         const std::optional<glm::dvec3> nearest = paths.nearest(tip, nearestPath);
         if (!nearest) return true;
@@ -140,9 +140,9 @@ private:
         const double tolerance = request_.excessTolerance;
         if (tolerance > 0.0 && away > tolerance && !isAlongAxis(move)) {
             ClearanceAsker& part = *parts_[move.tool];
-            const ToolClearance promised = part.ask(*nearest, pathNearPart, pathAnswers);
+            const ToolClearance promised = part.ask(ToolPose{*nearest, pose.axis}, pathNearPart, pathAnswers);
             if (promised.clearance < pathNearPart) {
-                const ToolClearance left = part.ask(tip, pathNearPart + nearestPath, pathAnswers);
+                const ToolClearance left = part.ask(pose, pathNearPart + nearestPath, pathAnswers);
                 const double difference = std::abs(left.clearance - promised.clearance);
                 if (difference > tolerance && left.clearance >= -request_.gougeTolerance) // otherwise it is a gouge
                     findings_.add({FindingKind::allowanceDiffers, move.line, promised.meshPoint,

@@ -63,8 +63,11 @@ public:
     }
     void add(const ToolMove& move, const Pieces& pieces, double radius, std::uint32_t order) {
         if (!move.endKnown) return;
-        const glm::dvec3 low = glm::min(move.begin().tip, move.to.tip) - radius,
-                         high = glm::max(move.begin().tip, move.to.tip) + radius;
+        double reach = radius; // in plan
+        for (const RevolvedPiece& piece : pieces)
+            if (move.tilted()) reach = std::max(reach, std::hypot(piece.top, piece.widestRadius()));
+        const glm::dvec3 low = glm::min(move.begin().tip, move.to.tip) - reach,
+                         high = glm::max(move.begin().tip, move.to.tip) + reach;
         const double brick = grid_.edge() * brickSide;
         const glm::dvec3 origin = grid_.low();
         const auto at = [&](double place, double from) {
@@ -137,7 +140,9 @@ private:
             while (at != moves.begin() && !left.empty()) {
                 --at;
                 for (const RevolvedPiece& piece : *at->pieces)
-                    if (const auto away = SweptPiece(piece, at->move->begin().tip, at->move->to.tip).along(x, y))
+                    if (const auto away =
+                            SweptPiece(piece, at->move->begin().tip, at->move->to.tip, at->move->middleAxis())
+                                .along(x, y))
                         left.take(*away);
             }
             if (left.empty()) continue;

@@ -69,8 +69,9 @@ private:
     LineInterval rowsOf(const ToolMove& move, const ReplayTool& tool, double top) const {
         if (!move.endKnown) return {};
         const glm::dvec3 from = inLineFrame(grid_, move.begin().tip), to = inLineFrame(grid_, move.to.tip);
-        const glm::dvec3 axis = inLineFrame(grid_, glm::dvec3(0.0, 0.0, 1.0));
-        const bool guards = std::min(from.z, to.z) + tool.guardBottom - tool.near < top;
+        const glm::dvec3 axis = inLineFrame(grid_, move.middleAxis());
+        const double bottom = move.tilted() ? tool.guardBottomAt(axis) : tool.guardBottom;
+        const bool guards = std::min(from.z, to.z) + bottom - tool.near < top;
         Box reach;
         for (std::size_t i = 0; i < (guards ? tool.stack.size() : tool.fluteCount); ++i) {
             Box piece = SweptPiece(tool.stack[i], from, to, axis).bounds();

@@ -5,6 +5,7 @@
 #include "core/cutting/line_frame.h"
 #include "core/cutting/solid_contact.h"
 #include "core/geometry/grown_pieces.h"
+#include "core/geometry/upright.h"
 
 #include <algorithm>
 #include <bit>
@@ -15,7 +16,6 @@ namespace burin {
 
 namespace {
 
-constexpr glm::dvec3 toolAxis(0.0, 0.0, 1.0); // setup frame
 constexpr std::size_t movesBetweenLooks = 256;
 
 /// The part of a straight move whose position along one axis lies in an interval, as fractions of the move; low > high
@@ -32,7 +32,6 @@ Span shareWithin(double from, double to, const Span& interval) noexcept {
 ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistance)
     : stack(pieces(cutter))
     , fluteCount(flutePieces(cutter).size())
-    , guardBottom(std::numeric_limits<double>::infinity())
     , upright(grid.axis() == RunAxis::z)
     , near(nearDistance)
     , filter(std::span(stack).first(fluteCount), grid) {
@@ -41,23 +40,31 @@ ReplayTool::ReplayTool(const Cutter& cutter, const Grid& grid, double nearDistan
         turns = cutter.turns();
         section = oriented(cutter.solid->section);
     }
-    const glm::dvec3 axis = inLineFrame(grid, toolAxis);
     for (std::size_t i = 0; i < stack.size(); ++i) {
         if (i < fluteCount) {
             wider.push_back(thickened(stack[i], 0.75 * grid.edge())); // to the corners of a line's square
             fluteRadius = std::max(fluteRadius, stack[i].widestRadius());
-            continue;
+        } else if (sectionOf(cutter, i) == ToolSection::shank) {
+            ++shankCount;
         }
-        if (sectionOf(cutter, i) == ToolSection::shank) ++shankCount;
-        const double across = stack[i].widestRadius() * std::sqrt(std::max(0.0, 1.0 - axis.z * axis.z));
-        guardBottom = std::min(guardBottom, std::min(stack[i].bottom * axis.z, stack[i].top * axis.z) - across);
     }
+    const glm::dvec3 axis = inLineFrame(grid, uprightAxis);
+    guardBottom = guardBottomAt(axis);
     if (hasSolidShank()) { // it may begin within the flutes, and be wider there than the pieces of the shank
         const Box shank = boundingBox(cutter.solid->shank);
         const double widest = glm::length(glm::max(glm::abs(glm::dvec2(shank.low)), glm::abs(glm::dvec2(shank.high))));
         const double across = widest * std::sqrt(std::max(0.0, 1.0 - axis.z * axis.z));
         guardBottom = std::min(guardBottom, std::min(shank.low.z * axis.z, shank.high.z * axis.z) - across);
     }
+}
+
+double ReplayTool::guardBottomAt(const glm::dvec3& axis) const noexcept {
+    double bottom = std::numeric_limits<double>::infinity();
+    for (std::size_t i = fluteCount; i < stack.size(); ++i) {
+        const double across = stack[i].widestRadius() * std::sqrt(std::max(0.0, 1.0 - axis.z * axis.z));
+        bottom = std::min(bottom, std::min(stack[i].bottom * axis.z, stack[i].top * axis.z) - across);
+    }
+    return bottom;
 }
 
 std::uint32_t stepsOf(const ToolMove& move, double edge) noexcept {
@@ -78,14 +85,15 @@ RowResult RowReplay::run(std::span<const std::uint32_t> turns, const Progress& p
 void RowReplay::make(const ToolMove& move, std::uint32_t number) {
     const ReplayTool& tool = tools_[move.tool];
     const glm::dvec3 from = inLineFrame(grid_, move.begin().tip), to = inLineFrame(grid_, move.to.tip);
+    const bool tilted = move.tilted();
+    axis_ = inLineFrame(grid_, move.middleAxis());
+    guardBottom_ = tilted ? tool.guardBottomAt(axis_) : tool.guardBottom;
     UnitSum removed;
     metered_ = meters_ && !move.rapid && tool.turns;
-    if (metered_)
-        meter_.begin(number, std::span(tool.stack).first(tool.fluteCount), tool.section, from, to,
-                     inLineFrame(grid_, toolAxis));
+    if (metered_) meter_.begin(number, std::span(tool.stack).first(tool.fluteCount), tool.section, from, to, axis_);
     const std::size_t contacts = result_.contacts.size();
     if (!mayTouch(tool, from, to)) {
-        if (tool.upright && !tool.solid)
+        if (tool.upright && !tilted && !tool.solid)
             cutUpright(tool, from, to, removed);
         else
             cutSwept(tool, from, to, removed);
@@ -99,7 +107,7 @@ void RowReplay::make(const ToolMove& move, std::uint32_t number) {
             tip = next;
         }
     }
-    if (grazes_ && move.rapid && tool.upright && !tool.solid) lookGrazed(tool, from, to, number);
+    if (grazes_ && move.rapid && tool.upright && !tilted && !tool.solid) lookGrazed(tool, from, to, number);
     if (removed.units > 0) result_.cuts.push_back({number, removed});
     if (metered_) meter_.finish(result_.steps);
     if (tool.near > 0.0 && result_.contacts.size() == contacts) lookNear(tool, from, to, number);
@@ -174,7 +182,6 @@ void RowReplay::cutBrick(std::int32_t brick, std::uint64_t lines, UnitSum& remov
 
 void RowReplay::cutSwept(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, UnitSum& removed) {
     if (tool.solid) return cutSolid(*tool.solid, from, to, removed);
-    const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
     for (std::size_t i = 0; i < tool.fluteCount; ++i) {
         std::int32_t brick = -1;
         const auto cut = [&](LineIndex line, RunPosition low, RunPosition high) {
@@ -185,7 +192,7 @@ void RowReplay::cutSwept(const ReplayTool& tool, const glm::dvec3& from, const g
             brick = line.u / brickSide;
             return true;
         };
-        forEachSpanInRows(SweptPiece(tool.stack[i], from, to, axis), grid_, rows(), cut);
+        forEachSpanInRows(SweptPiece(tool.stack[i], from, to, axis_), grid_, rows(), cut);
         if (brick >= 0) stock_.settle(brick);
     }
 }
@@ -204,12 +211,11 @@ void RowReplay::lookGrazed(const ReplayTool& tool, const glm::dvec3& from, const
 }
 
 bool RowReplay::mayTouch(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to) const {
-    const double lowest = std::min(from.z, to.z) + tool.guardBottom - inLineFrame(grid_, grid_.low()).z;
+    const double lowest = std::min(from.z, to.z) + guardBottom_ - inLineFrame(grid_, grid_.low()).z;
     if (lowest >= reach_ * grid_.edge() / unitsPerVoxel) return false;
-    const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
     if (tool.hasSolidShank() && shankTouches(*tool.solid, from, to)) return true;
     for (std::size_t i = tool.guardFirst(); i < tool.stack.size(); ++i)
-        if (touches(SweptPiece(tool.stack[i], from, to, axis), contactTolerance(tool.stack[i], grid_))) return true;
+        if (touches(SweptPiece(tool.stack[i], from, to, axis_), contactTolerance(tool.stack[i], grid_))) return true;
     return false;
 }
 
@@ -225,7 +231,7 @@ bool RowReplay::touches(const SweptPiece& piece, RunPosition tolerance) const {
 }
 
 void RowReplay::lookNear(const ReplayTool& tool, const glm::dvec3& from, const glm::dvec3& to, std::uint32_t number) {
-    const double lowest = std::min(from.z, to.z) + tool.guardBottom - tool.near - inLineFrame(grid_, grid_.low()).z;
+    const double lowest = std::min(from.z, to.z) + guardBottom_ - tool.near - inLineFrame(grid_, grid_.low()).z;
     if (lowest >= reach_ * grid_.edge() / unitsPerVoxel) return;
     const auto guards = std::span(tool.stack).subspan(tool.fluteCount);
     if (!tool.hasSolidShank()) lookNear(guards.first(tool.shankCount), ToolSection::shank, tool.near, from, to, number);
@@ -253,10 +259,9 @@ void RowReplay::lookNear(std::span<const RevolvedPiece> section, ToolSection whi
 /// Whether anything is within a distance of the sweep of a section; adds it to `sum`.
 bool RowReplay::isNear(std::span<const RevolvedPiece> section, double by, const glm::dvec3& from, const glm::dvec3& to,
                        UnitSum& sum) const {
-    const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
     for (const RevolvedPiece& piece : section)
         for (const RevolvedPiece& grown : grownPieces(piece, by))
-            forEachSpanInRows(SweptPiece(grown, from, to, axis), grid_, rows(),
+            forEachSpanInRows(SweptPiece(grown, from, to, axis_), grid_, rows(),
                               [&](LineIndex line, RunPosition low, RunPosition high) {
                                   UnitSum here;
                                   if (static_cast<std::int32_t>(low) < stock_.brickReach(line.u / brickSide) &&
@@ -269,10 +274,9 @@ bool RowReplay::isNear(std::span<const RevolvedPiece> section, double by, const 
 
 void RowReplay::lookAt(const ReplayTool& tool, const glm::dvec3& tip, std::uint32_t number, std::uint32_t step) {
     if (tool.hasSolidShank()) lookAtShank(tool, tip, number, step);
-    const glm::dvec3 axis = inLineFrame(grid_, toolAxis);
     for (std::size_t i = tool.guardFirst(); i < tool.stack.size(); ++i) {
         UnitSum touched;
-        const SweptPiece piece(tool.stack[i], tip, tip, axis);
+        const SweptPiece piece(tool.stack[i], tip, tip, axis_);
         const RunPosition tolerance = contactTolerance(tool.stack[i], grid_);
         forEachSpanInRows(piece, grid_, rows(), [&](LineIndex line, RunPosition from, RunPosition to) {
             UnitSum here;

@@ -26,8 +26,8 @@ struct ReplayTool {
     std::size_t fluteCount = 0;       ///< number of them that cut, counted from the tip
     std::vector<RevolvedPiece> wider; ///< the flutes, grown by up to a voxel
     double fluteRadius = 0.0;         ///< mm, widest
-    double guardBottom = 0.0;         ///< mm along the runs from the tip: lower limit of shank and holder
-    bool upright = true;              ///< the axis is parallel to the runs
+    double guardBottom = 0.0;         ///< mm along the runs from the tip of an upright tool: as guardBottomAt
+    bool upright = true;              ///< the axis of an upright tool is parallel to the runs
     std::size_t shankCount = 0;       ///< number of pieces after the flutes that belong to the shank
     double near = 0.0;                ///< mm; 0: not requested
     CutFilter filter;
@@ -39,6 +39,8 @@ struct ReplayTool {
     /// shank that has a model of its own.
     std::size_t guardFirst() const noexcept { return fluteCount + (hasSolidShank() ? shankCount : 0); }
     bool hasSolidShank() const noexcept { return solid && solid->hasShank(); }
+    /// mm along the runs from the tip: lower limit of shank and holder. @param axis of the tool, line frame
+    double guardBottomAt(const glm::dvec3& axis) const noexcept;
 };
 
 // Results in one row of bricks name a move by its place among the moves that come near the row (`turns`): where these
@@ -126,6 +128,8 @@ private:
     const Grid& grid_;
     std::span<const ToolMove> moves_;
     std::span<const ReplayTool> tools_;
+    glm::dvec3 axis_{0.0};      ///< of the tool on the current move, line frame
+    double guardBottom_ = 0.0;  ///< of the current move, as ReplayTool::guardBottom
     std::int32_t reach_;        ///< run units: upper limit of everything in the row
     std::vector<Flute> flutes_; ///< of the current move
     StepMeter meter_;

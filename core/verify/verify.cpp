@@ -111,6 +111,16 @@ void judgeLoads(const ReplayedProgram& replayed, const VerifyRequest& request, c
     report.feedLimits = judge.feedLimits();
 }
 
+/// A tool that cuts as a solid does so upright only.
+Result<void> checkTilts(const std::vector<ToolMove>& moves, const std::vector<Tool>& tools) {
+    for (const ToolMove& move : moves)
+        if (move.tilted() && tools[move.tool].cutter.solid != nullptr)
+            return Error{ErrorCode::notSupported, "tilted tool axis",
+                         "tools that turn and are not hollow, unlike " + tools[move.tool].name,
+                         "line " + std::to_string(move.line)};
+    return {};
+}
+
 /// Height of material that a tool which does not cut at its centre may meet straight from above, mm: crumbs.
 constexpr double plungeAllowed = 0.15;
 
@@ -143,7 +153,7 @@ void judgePlunges(const ReplayedProgram& replayed, Findings& findings) {
         const ToolMove& move = (*replayed.moves)[i];
         const Tool& tool = replayed.tools[move.tool];
         const glm::dvec3 way = move.to.tip - move.begin().tip;
-        const bool down = way.z < 0.0 && std::hypot(way.x, way.y) < -steepest * way.z;
+        const bool down = !move.tilted() && way.z < 0.0 && std::hypot(way.x, way.y) < -steepest * way.z;
         if (tool.centreCutting || !tool.cutter.turns() || move.rapid || !down) {
             depth = 0.0;
             continue;
@@ -193,6 +203,7 @@ Result<PathComparison> judgeMoves(const CheckGround& ground, Findings& findings,
             judgeLimits(moves, request.program->maximumSpindleSpeed, request.machine, request.travel, findings);
         !judged)
         return std::move(judged).error();
+    judgeRotaryAxes(*request.program, request.machine, findings);
     if (Result<void> judged = judgeObstacles(moves, tools, request, numbers, memory.obstacles, findings, progress);
         !judged)
         return std::move(judged).error();
@@ -259,6 +270,7 @@ Result<VerifyReport> check(const VerifyRequest& request, const ProgramTools& too
     std::vector<ToolMove> moves =
         toolMoves(*request.program, request.setup.workOffset, request.machine, tools.ofMotion);
     std::erase_if(moves, [&](const ToolMove& move) { return move.motion >= tools.known; });
+    if (Result<void> cut = checkTilts(moves, tools.tools); !cut) return std::move(cut).error();
     const std::vector<std::uint32_t> numbers = memory.moves.numbersOf(moves);
     memory.movesOfProgram = moves.size();
     const CheckGround ground{request, embedded, moves, tools.tools, numbers, memory};

@@ -66,6 +66,7 @@ enum class FindingKind : std::uint8_t {
     travelLimit,       ///< amount: mm of travel that an axis would need
     feedLimit,         ///< amount: mm/min
     spindleLimit,      ///< amount: 1/min
+    rotaryLimit,       ///< amount: degrees, the value of a rotary axis beyond its limits
     unknownStart,      ///< a feed move from a position that the program has not set; amount: 0
     obstacleCollision, ///< the tool enters a fixture or a keep-out volume; amount: mm of depth
     // Load of the cut on spindle and tool, beyond `Finding::limit`:

@@ -71,6 +71,7 @@ void CanonicalProgram::readCalls(const QString& output) {
         if (name == "STRAIGHT_TRAVERSE" || name == "STRAIGHT_FEED") {
             now.kind = name == "STRAIGHT_FEED" ? CanonicalKind::line : CanonicalKind::rapid;
             place = {n[0], n[1], n[2]};
+            now.rotary = {n[3], n[4], n[5]};
         } else if (name == "ARC_FEED") {
             now.kind = CanonicalKind::arc;
             const int u = (axis + 1) % 3, v = (axis + 2) % 3;

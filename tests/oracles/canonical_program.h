@@ -16,6 +16,7 @@ enum class CanonicalKind { rapid, line, arc, dwell };
 struct CanonicalMove {
     CanonicalKind kind = CanonicalKind::rapid;
     glm::dvec3 to{0.0};               ///< including the shifts of G92 and G52, as in NcMotion
+    glm::dvec3 rotary{0.0};           ///< A, B, C, degrees
     glm::dvec3 centre{0.0};           ///< arc; its component along the axis is 0
     int axis = 2;                     ///< arc
     int turns = 0;                    ///< arc: number of turns begun, negative for clockwise

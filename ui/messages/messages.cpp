@@ -213,6 +213,9 @@ QString Messages::sentence(const Error& error) {
         return tr("The machine's limit of \"%1\" is exceeded (%2); change the path or choose another machine.")
             .arg(subject, place);
     case ErrorCode::checkFailed:
+        if (error.subject == "tool axis")
+            return tr("The tool can't be tilted like this (%1); tilt it less, or on another part of the path.")
+                .arg(place);
         return tr("\"%1\" did not pass the check (%2); correct the path and check it again.").arg(file, place);
     }
     return tr("An unknown fault occurred in \"%1\"; report this.").arg(subject); // not a valid code

@@ -46,6 +46,7 @@ namespace {
     QT_TRANSLATE_NOOP("Resource", "Desktop router with GRBL 1.1 (Shapeoko 3 settings)"),
     QT_TRANSLATE_NOOP("Resource", "Haas mill"),
     QT_TRANSLATE_NOOP("Resource", "Hobby mill with Mach3 (typical)"),
+    QT_TRANSLATE_NOOP("Resource", "Five-axis mill with LinuxCNC, tilting rotary table (example)"),
     QT_TRANSLATE_NOOP("Resource", "Three-axis mill with LinuxCNC (example)"),
     QT_TRANSLATE_NOOP("Resource", "Vertical machining centre with a Fanuc control (typical)"),
     QT_TRANSLATE_NOOP("Resource", "Vertical machining centre with a Haas control (typical)"),

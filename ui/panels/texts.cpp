@@ -282,6 +282,8 @@ QString kindText(const Finding& finding, LengthUnit unit) {
         return PanelLabels::tr("Feed of %1 mm/min").arg(QLocale().toString(finding.amount, 'f', 0));
     case FindingKind::spindleLimit:
         return PanelLabels::tr("Spindle at %1 rpm").arg(QLocale().toString(finding.amount, 'f', 0));
+    case FindingKind::rotaryLimit:
+        return PanelLabels::tr("Rotary axis at %1°, beyond its limits").arg(QLocale().toString(finding.amount, 'f', 2));
     case FindingKind::unknownStart:
         return PanelLabels::tr("Cuts from an unknown position");
     case FindingKind::obstacleCollision:

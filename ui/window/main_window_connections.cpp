@@ -155,12 +155,6 @@ QString MainWindow::programPathText(const ProgramPasses& passes) const {
         text << (passes.startless == 1 ? tr("1 move was left out: the program does not state where it begins.")
                                        : tr("%n moves were left out: the program does not state where they begin.",
                                             nullptr, count(passes.startless)));
-    if (const std::size_t changes = passes.coolantChanges(); changes > 0)
-        text << (changes == 1 ? tr("The coolant changes within 1 pass; its first coolant (mist or flood) applies to "
-                                   "the whole pass.")
-                              : tr("The coolant changes within %n passes; the first coolant (mist or flood) of each "
-                                   "applies to the whole pass.",
-                                   nullptr, count(changes)));
     return text.join(QLatin1Char(' '));
 }
 

@@ -45,8 +45,8 @@ void PathController::addProgram(const std::vector<ProgramPass>& passes) {
     std::vector<NewSource> added;
     for (const ProgramPass& pass : passes)
         added.push_back({pass.moves, pass.tool,
-                         [coolant = pass.coolant, name = pass.moves.info.name](StoredPath path, std::int64_t source) {
-                             return withProgram(std::move(path), name, coolant, source);
+                         [use = useOf(pass), name = pass.moves.info.name](StoredPath path, std::int64_t source) {
+                             return withProgram(std::move(path), name, use, source);
                          }});
     addSources(tr("path of a program"), std::move(added));
 }

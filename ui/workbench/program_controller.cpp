@@ -323,7 +323,8 @@ void ProgramController::openText(const QString& text) {
 void ProgramController::lintText() {
     const auto& milling = workpiece_.milling();
     lint_ = burin::lint(storedText_.toStdString(),
-                        {&controlOfDialect(target_.dialect()), milling ? &milling->machine : nullptr});
+                        {&controlOfDialect(target_.dialect(), milling ? milling->machine.axes() : linearAxes),
+                         milling ? &milling->machine : nullptr});
 }
 
 void ProgramController::checkText(const QString& name) {

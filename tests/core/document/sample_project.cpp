@@ -265,6 +265,7 @@ GeneratedMoves generatedMoves(int version) {
             points.push_back({{noiseVector(seed, 10.0)}, 100 * stroke + 7 * i, i > 0, i == 2});
             if (version >= 11 && stroke == 1 && i > 0) points.back().feed = 600.0 + 0.1 * static_cast<double>(i);
             if (version >= 11 && stroke == 1 && i > 0) points.back().spindleSpeed = 12'000.0;
+            if (version >= 13 && stroke == 1 && i > 0) points.back().coolant = i == 1 ? Coolant::mist : Coolant::off;
         }
     }
     return moves;
@@ -274,7 +275,7 @@ bool identical(const GeneratedMoves& one, const GeneratedMoves& other) {
     const auto same = [](const GeneratedPoint& a, const GeneratedPoint& b) {
         return a.pose.tip == b.pose.tip && a.pose.axis == b.pose.axis && a.moment == b.moment &&
                a.removes == b.removes && a.onBoundary == b.onBoundary && a.feed == b.feed &&
-               a.spindleSpeed == b.spindleSpeed;
+               a.spindleSpeed == b.spindleSpeed && a.coolant == b.coolant;
     };
     return one.info.name == other.info.name && one.info.toolId == other.info.toolId &&
            one.info.allowance == other.info.allowance && one.info.request == other.info.request &&

@@ -21,7 +21,7 @@ Model modelNamed(const std::string& name);
 /// That name in a project; "none" and the reason if there is no model.
 std::string nameIn(const Project& project);
 /// @param version the file version: before 5 every body was a part in a box of one material
-Setup setup(int version = 12);
+Setup setup(int version = 13);
 /// Equal in everything that a project stores of it.
 bool identical(const Setup& one, const Setup& other);
 std::vector<Property> materials();
@@ -34,12 +34,12 @@ TravelPlacement travelPlacement();
 KeptGuides guides();
 /// Two strokes of three points each, with gaps in their moments; no id yet.
 /// @param version the file version: before 9 the request was not stored
-GeneratedMoves generatedMoves(int version = 12);
+GeneratedMoves generatedMoves(int version = 13);
 
 /// A saved project with one of everything, and whether a project contains exactly that (whole_project.cpp).
 bool fillProject(const std::filesystem::path& file);
 /// @param version the version that wrote it: an old one stored less
-bool holdsFixture(const Project& project, int version = 12);
+bool holdsFixture(const Project& project, int version = 13);
 /// The samples of its first take that `fillProject` undoes, since version 2.
 inline constexpr SampleRange undoneInFixture{100, 50};
 inline constexpr SampleRange offInFixture{300, 50}; ///< switched off, since version 10

@@ -82,7 +82,7 @@ private slots:
     }
 
     void everyFormerProjectIsOne() {
-        for (const char* version : {"v1", "v2", "v3", "v4", "v5", "v6", "v7", "v8", "v9", "v10", "v11", "v12"}) {
+        for (const char* version : {"v1", "v2", "v3", "v4", "v5", "v6", "v7", "v8", "v9", "v10", "v11", "v12", "v13"}) {
             const QDir folder(QStringLiteral(BURIN_FIXTURES "/projects/") + version);
             const QStringList files = folder.entryList({"*.burin"}, QDir::Files);
             QVERIFY(!files.isEmpty());

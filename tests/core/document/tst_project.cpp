@@ -89,6 +89,7 @@ private slots:
         QTest::newRow("with a stretch switched off, a marker and a kept workpiece") << 10;
         QTest::newRow("with moves of a program") << 11;
         QTest::newRow("with the torque of a device") << 12;
+        QTest::newRow("with the coolant of a program's moves") << 13;
     }
     void aProjectOfEachVersionOpens() {
         QFETCH(int, version);
@@ -107,7 +108,7 @@ private slots:
         QVERIFY(*project->obstacles() == fixture::obstacles());
         // The original file is kept for users who still have the version that wrote it.
         const fs::path kept = project->keptEarlier();
-        QCOMPARE(kept.empty(), version == 12);
+        QCOMPARE(kept.empty(), version == 13);
         if (!kept.empty()) QCOMPARE(kept.filename().string(), "p.format-" + std::to_string(version) + ".burin");
         if (!kept.empty()) QCOMPARE(contentOf(kept), written);
         QVERIFY(project->setAxisMode({}) && project->save());

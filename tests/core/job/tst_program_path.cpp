@@ -6,6 +6,7 @@
 #include "core/nc/parser.h"
 #include "core/path/hand_interval.h"
 #include "tests/core/job/session_milling.h"
+#include "tests/oracles/canonical_program.h"
 #include "tests/test_program.h"
 
 #include <QtTest>
@@ -85,7 +86,7 @@ private slots:
         const double way = 3.5 + 22.0 + 0.5 * std::acos(-1.0) * 8.0 + 14.0 + 5.5 + 28.0;
         QVERIFY2(passes.passes.front().length < way && passes.passes.front().length > way - 0.02,
                  qPrintable(QString::number(passes.passes.front().length - way)));
-        const StoredPath stored = withProgram({}, "slot.ngc", Coolant::off, -1);
+        const StoredPath stored = withProgram({}, "slot.ngc", PassUse{}, -1);
         const EvaluatedPath path = evaluated(passes, stored.edits, milling_);
         ProgramRequest request;
         request.name = "slot";
@@ -240,9 +241,59 @@ private slots:
         QCOMPARE(unknown.error().place, std::string("T7"));
     }
 
-    /// Passes with one coolant, or with none, have nothing to tell; a pass that cuts dry, with mist and with flood is
-    /// one. Coolant that is switched while the tool moves at rapid, and switched back, changes nothing.
-    void aLostChangeOfCoolantIsCounted() {
+    /// A path made of a program that cuts dry, with mist and with flood switches the coolant at the same positions, as
+    /// LinuxCNC's interpreter reads it from the program posted; a link has the coolant of the cut that follows it.
+    void eachCutKeepsItsCoolant() {
+        if (!CanonicalProgram::available()) QSKIP("rs274 (package linuxcnc-uspace) is not installed");
+        const std::string text = "G21 G90 G94 G54\nT4 M6\nS9000 M3\nG0 X-14 Y0 Z2\nG1 Z-1 F200\nX-10\nM7\nX-2\nM9\nM8\n"
+                                 "X6\nG0 Z5\nX-14 Y6\nM9\nG1 Z-1\nX3\nM7\nX9\nM2\n";
+        const ProgramPasses passes = passesOf(text, milling_);
+        const StoredPath stored = withProgram({}, "slot.ngc", useOf(passes.passes.front()), -1);
+        const EvaluatedPath path = evaluated(passes, stored.edits, milling_);
+        ProgramRequest request;
+        request.name = "slot";
+        Progress progress;
+        const Result<CheckedProgram> posted = makeProgram(milling_, path.path, request, progress);
+        QVERIFY2(posted, posted ? "" : posted.error().subject.c_str());
+        const CanonicalProgram truth = CanonicalProgram::ofText(posted->text);
+        QVERIFY2(truth.exitCode == 0, qPrintable(truth.complaint));
+        std::vector<std::pair<double, Coolant>> ends; // X at the end of each level cut, and its coolant
+        glm::dvec3 at(0.0);
+        for (const CanonicalMove& move : truth.moves) {
+            if (move.kind == CanonicalKind::dwell) continue;
+            if (move.kind == CanonicalKind::line && std::abs(move.to.z - at.z) < 1e-6 && move.to.z < 0.0)
+                ends.emplace_back(move.to.x, move.flood ? Coolant::flood : move.mist ? Coolant::mist : Coolant::off);
+            at = move.to;
+        }
+        const std::vector<std::pair<double, Coolant>> wanted{{-10.0, Coolant::off},
+                                                             {-2.0, Coolant::mist},
+                                                             {6.0, Coolant::flood},
+                                                             {3.0, Coolant::off},
+                                                             {9.0, Coolant::mist}};
+        QCOMPARE(ends.size(), wanted.size());
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            QVERIFY(std::abs(ends[i].first - wanted[i].first) < 0.002);
+            QCOMPARE(static_cast<int>(ends[i].second), static_cast<int>(wanted[i].second));
+        }
+    }
+
+    /// A coolant that the machine lacks is refused, as one that was requested by its name is.
+    void aCoolantThatTheMachineLacksIsRefused() {
+        const ProgramPasses passes =
+            passesOf("G21 G90 G94 G54\nS9000 M3\nG0 X-14 Y0 Z2\nM8\nG1 Z-1 F200\nX0\nM9\nM7\nX8\nM2\n", milling_);
+        MillingContext dry = blockMilling();
+        dry.machine.coolants = std::vector<Coolant>{Coolant::flood};
+        GeneratedMoves moves = passes.passes.front().moves;
+        moves.info.id = -1;
+        const StoredPath stored = withProgram({}, "slot.ngc", useOf(passes.passes.front()), -1);
+        Progress progress;
+        const auto made = evaluateStored({*strokesOf(moves)}, dry, dry.tool, stored, {}, progress);
+        QCOMPARE(made.error().code, ErrorCode::notSupported);
+    }
+
+    /// A pass that cuts dry, with mist and with flood counts once. Coolant that is switched while the tool moves at
+    /// rapid, and switched back, changes nothing.
+    void changesOfCoolantAreCounted() {
         const auto changes = [&](const std::string& cut) {
             const ProgramPasses passes =
                 passesOf("G21 G90 G94 G54\nS9000 M3\nG0 X-14 Y0 Z2\n" + cut + "M2\n", milling_);

@@ -4,6 +4,8 @@
 #include "core/machine/kinematics.h"
 #include "tests/test_program.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <rapidcheck.h>
 
 #include <QtTest>
@@ -36,6 +38,29 @@ MachineProfile mill() {
     MachineProfile machine;
     machine.travel = {300.0, 200.0, 100.0};
     return machine;
+}
+
+/// A machine with these rotary axes, in order from the workpiece.
+MachineProfile tilting(std::vector<RotaryAxis> axes) {
+    MachineProfile machine = mill();
+    machine.rotaryAxes = std::move(axes);
+    return machine;
+}
+RotaryAxis about(Axis axis, bool reversed = false) {
+    RotaryAxis rotary;
+    rotary.axis = axis;
+    rotary.reversed = reversed;
+    return rotary;
+}
+/// The tool's direction by matrices of GLM: Z turned about the last axis first.
+glm::dvec3 directionBy(const std::vector<RotaryAxis>& axes, const AxisValues& values) {
+    glm::dmat4 turn(1.0);
+    for (const RotaryAxis& axis : axes) {
+        glm::dvec3 of(0.0);
+        of[static_cast<int>(axis.axis) - 3] = 1.0;
+        turn = glm::rotate(turn, (axis.reversed ? -1.0 : 1.0) * values[axis.axis] * pi / 180.0, of);
+    }
+    return glm::dvec3(turn * glm::dvec4(0.0, 0.0, 1.0, 0.0));
 }
 
 } // namespace
@@ -111,6 +136,111 @@ private slots:
             RC_ASSERT(glm::distance(back->linear(), values.linear()) <= rounding);
             RC_ASSERT(kinematics->poseOf(more).tip == kinematics->poseOf(values).tip);
         }));
+    }
+
+    /// Angles of trunnions as LinuxCNC's kinematics have them (trtfuncs.c), of heads as its 5axiskins: the table or
+    /// head turns by these for a tool along a direction.
+    void rotaryAxesHaveTheValuesOfLinuxCnc() {
+        struct Case {
+            std::vector<RotaryAxis> axes;
+            glm::dvec3 direction;
+            double first, second; // degrees
+        };
+        const auto table = [](Axis tilt) { return std::vector{about(Axis::c, true), about(tilt, true)}; };
+        const auto head = std::vector{about(Axis::c), about(Axis::b)};
+        const glm::dvec3 v1(0.5, 0.0, std::sqrt(0.75)), v2 = glm::normalize(glm::dvec3(1.0)), v3(-0.36, 0.48, 0.8);
+        for (const Case& each :
+             {Case{table(Axis::a), v1, 90.0, 30.0}, Case{table(Axis::a), v2, 45.0, 54.735610317245346},
+              Case{table(Axis::a), v3, -36.86989764584402, 36.86989764584402}, Case{table(Axis::b), v1, 0.0, -30.0},
+              Case{table(Axis::b), v2, -45.0, -54.735610317245346}, Case{head, v1, 0.0, 30.0},
+              Case{head, v3, -53.13010235415598, -36.86989764584402}}) {
+            const auto kinematics = kinematicsOf(tilting(each.axes), {});
+            AxisValues near; // of both solutions the one that is listed
+            near.set(each.axes[0].axis, each.first);
+            near.set(each.axes[1].axis, each.second);
+            const Result<AxisValues> values = kinematics->axesNear({{}, each.direction}, near);
+            QVERIFY(values);
+            QVERIFY2(std::abs((*values)[each.axes[0].axis] - each.first) < 1e-9,
+                     qPrintable(QString::number((*values)[each.axes[0].axis])));
+            QVERIFY(std::abs((*values)[each.axes[1].axis] - each.second) < 1e-9);
+        }
+    }
+
+    /// Whatever axes a machine has: their values give the tool's direction, by matrices, and no axis turns by more than
+    /// half a turn from where it was.
+    void rotaryAxesReachAPoseFromWhereTheyAre() {
+        const std::vector<std::vector<RotaryAxis>> machines{{about(Axis::c, true), about(Axis::a, true)},
+                                                            {about(Axis::c), about(Axis::b)},
+                                                            {about(Axis::a), about(Axis::b, true)},
+                                                            {about(Axis::b), about(Axis::a)},
+                                                            {about(Axis::c, true), about(Axis::b)}};
+        QVERIFY(rc::check("a direction and back", [&] {
+            const std::vector<RotaryAxis>& axes = machines[*rc::gen::inRange<std::size_t>(0, machines.size())];
+            const glm::dvec3 zero = anyPlace();
+            const ToolPose pose{anyPlace(), leaning(*rc::gen::inRange(0, 1'790'000) / 1e6 * 0.5 * pi)};
+            AxisValues before;
+            for (const RotaryAxis& axis : axes) before.set(axis.axis, anyNumber());
+            const auto kinematics = kinematicsOf(tilting(axes), zero);
+            const Result<AxisValues> values = kinematics->axesNear(pose, before);
+            RC_ASSERT(bool(values));
+            RC_ASSERT(glm::distance(values->linear(), pose.tip - zero) <= rounding);
+            RC_ASSERT(glm::distance(directionBy(axes, *values), pose.axis) < 2e-6);
+            RC_ASSERT(glm::distance(kinematics->poseOf(*values).axis, directionBy(axes, *values)) < 1e-9);
+            double way = 0.0;
+            for (const RotaryAxis& axis : axes) {
+                RC_ASSERT(std::abs((*values)[axis.axis] - before[axis.axis]) <= 180.0 + 1e-6);
+                way += std::abs((*values)[axis.axis] - before[axis.axis]);
+            }
+            RC_ASSERT(way <= 270.0 + 1e-6);
+        }));
+    }
+
+    void aSingleRotaryAxisTiltsInItsPlane() {
+        const auto kinematics = kinematicsOf(tilting({about(Axis::a)}), {});
+        const double angle = 25.0 * pi / 180.0;
+        const auto values = kinematics->axesOf({{}, {0.0, -std::sin(angle), std::cos(angle)}});
+        QVERIFY(values && std::abs((*values)[Axis::a] - 25.0) < 1e-9);
+        const auto across = kinematics->axesOf({{}, {std::sin(angle), 0.0, std::cos(angle)}});
+        QCOMPARE(across.error().code, ErrorCode::programLimit);
+    }
+
+    void limitsOfRotaryAxesChooseTheSolution() {
+        RotaryAxis tilt = about(Axis::a);
+        tilt.low = -10.0;
+        tilt.high = 100.0;
+        const auto kinematics = kinematicsOf(tilting({about(Axis::c), tilt}), {});
+        const double angle = 40.0 * pi / 180.0;
+        AxisValues near;
+        near.set(Axis::a, -40.0); // the solution that is nearer is beyond the limit
+        const auto values = kinematics->axesNear({{}, {0.0, std::sin(angle), std::cos(angle)}}, near);
+        QVERIFY(values);
+        QVERIFY(std::abs((*values)[Axis::a] - 40.0) < 1e-9 && std::abs(std::abs((*values)[Axis::c]) - 180.0) < 1e-9);
+        tilt.high = 30.0;
+        const auto narrow = kinematicsOf(tilting({about(Axis::c), tilt}), {});
+        QCOMPARE(narrow->axesOf({{}, {0.0, std::sin(angle), std::cos(angle)}}).error().code, ErrorCode::programLimit);
+    }
+
+    /// An upright tool leaves C free: it turns in the last rapid before it is needed, not while the tool tilts in a
+    /// cut.
+    void aFreeAxisTurnsInTheRapidBefore() {
+        const auto kinematics = kinematicsOf(tilting({about(Axis::c), about(Axis::b)}), {});
+        using By = CoursePose::By;
+        const auto leans = [](double degrees) {
+            const double angle = degrees * pi / 180.0;
+            return glm::dvec3(0.0, std::sin(angle), std::cos(angle));
+        };
+        const std::vector<CoursePose> poses{{{{0, 0, 9}}, By::rapid},
+                                            {{{5, 0, 9}}, By::rapid},
+                                            {{{5, 0, 0}}, By::line},
+                                            {{{6, 0, 0}, leans(10.0)}, By::line},
+                                            {{{7, 0, 0}, leans(0.0)}, By::line},
+                                            {{{8, 0, 0}, leans(-20.0)}, By::line}};
+        const auto values = axesAlong(*kinematics, poses, AxisValues());
+        QVERIFY(values);
+        const auto c = [&](std::size_t i) { return (*values)[i][Axis::c]; };
+        QCOMPARE(c(0), 0.0);
+        for (std::size_t i = 1; i < 4; ++i) QVERIFY(std::abs(c(i) - 90.0) < 1e-9);
+        QVERIFY(std::abs((*values)[5][Axis::b] + 20.0) < 1e-9 && std::abs(c(5) - 90.0) < 1e-9); // through upright
     }
 
     void aTiltedToolIsRefusedWithItsTilt() {

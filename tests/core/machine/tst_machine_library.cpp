@@ -35,6 +35,8 @@ const char* const fullProfile = R"({
   "spindle_torque": [{"speed_rpm": 500, "torque_nm": 12.5}, {"speed_rpm": 8000, "torque_nm": 0.9}],
   "tool_change_height_mm": 20, "tool_change_s": 7.5, "home_mm": [-10, 201.5, 0],
   "arcs": {"largest_sweep_deg": 355, "smallest_radius_mm": 0.05, "largest_radius_mm": 900, "radius_mismatch_mm": 0.004},
+  "rotary_axes": [{"axis": "C", "reversed": true, "rate_deg_per_min": 7200},
+                  {"axis": "B", "low_deg": -30.5, "high_deg": 110, "acceleration_deg_per_s2": 250}],
   "coolant": {"mist": true, "flood": false}, "coordinate_decimals": 4, "maximum_line_length": 80})";
 
 /// A file as plain JSON, parsed only by the JSON library.
@@ -70,8 +72,8 @@ private slots:
 
     void thereIsOneToStartFromForEveryKindOfControl() {
         const std::vector<std::string> ids = machineIds();
-        for (const char* id :
-             {"linuxcnc-mill", "grbl-router", "grblhal-router", "haas-mill", "fanuc-mill", "mach-mill"})
+        for (const char* id : {"linuxcnc-mill", "grbl-router", "grblhal-router", "haas-mill", "fanuc-mill", "mach-mill",
+                               "linuxcnc-five-axis"})
             QVERIFY2(std::find(ids.begin(), ids.end(), id) != ids.end(), id);
     }
 

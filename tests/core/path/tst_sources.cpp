@@ -128,14 +128,23 @@ private slots:
         QVERIFY(std::ranges::any_of(path->path.points, [](const PathPoint& point) { return point.source == 1; }));
     }
 
-    /// Edits are for upright tools.
-    void aTiltedMoveIsRefused() {
+    /// Edits are for upright tools: a tilted ball stands upright about the same centre; other tools are refused.
+    void onlyABallMayBeTilted() {
         GeneratedMoves moves = facing();
-        moves.strokes[2][3].pose.axis = {0.0, 0.6, 0.8};
-        const Result<SourceStrokes> strokes = strokesOf(moves);
-        QVERIFY(!strokes);
-        QCOMPARE(strokes.error().code, ErrorCode::notSupported);
-        QCOMPARE(strokes.error().detail, std::string("move 2003"));
+        const glm::dvec3 axis(0.0, 0.6, 0.8);
+        moves.strokes[2][3].pose.axis = axis;
+        Progress progress;
+        const auto flat = evaluate("path", {*strokesOf(moves)}, {}, blockContext(flatTool(4.0)), progress);
+        QVERIFY(!flat);
+        QCOMPARE(flat.error().code, ErrorCode::notSupported);
+        QCOMPARE(flat.error().detail, std::string("pass 4"));
+        moves.info.toolId = "ball";
+        const auto ball = evaluate("path", {*strokesOf(moves)}, {}, blockContext(ballTool(4.0)), progress);
+        QVERIFY(ball);
+        const auto found = std::ranges::find(ball->path.points, 2003, &PathPoint::sample);
+        QCOMPARE(found->pose.axis, glm::dvec3(0.0, 0.0, 1.0));
+        const glm::dvec3 centre = moves.strokes[2][3].pose.tip + 2.0 * axis;
+        QVERIFY(glm::distance(found->pose.tip + glm::dvec3(0.0, 0.0, 2.0), centre) < 1e-12);
     }
 
     void movesOfAnotherToolAreRefused() {

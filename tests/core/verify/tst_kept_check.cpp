@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Burin authors
 // SPDX-License-Identifier: Apache-2.0
 #include "core/base/numbers.h"
+#include "core/nc/control.h"
 #include "core/verify/kept_check.h"
 #include "core/verify/report_json.h"
 #include "core/verify/verify.h"
@@ -35,8 +36,9 @@ struct Step {
     int feed = 800;
 };
 
-std::string wordsOf(const std::vector<Step>& steps) {
-    std::string text = "G21 G90 G17 G54\nT1 M6\nS10000 M3\nG0 X0 Y0 Z20\n";
+/// @param turn words of rotary axes, at the start
+std::string wordsOf(const std::vector<Step>& steps, const std::string& turn = {}) {
+    std::string text = "G21 G90 G17 G54\nT1 M6\nS10000 M3\nG0 X0 Y0 Z20" + turn + "\n";
     for (const Step& step : steps) {
         text += (step.rapid ? "G0 X" : "G1 X") + formatFixed(step.to.x, 3) + " Y" + formatFixed(step.to.y, 3) + " Z" +
                 formatFixed(step.to.z, 3);
@@ -141,8 +143,9 @@ struct Plate {
         std::size_t findings = 0;
         bool operator==(const Judged&) const = default;
     };
-    Judged judge(const std::vector<Step>& steps, KeptCheck* kept) {
-        const ParsedProgram program = parseProgram(wordsOf(steps), "test.ngc").value();
+    Judged judge(const std::vector<Step>& steps, KeptCheck* kept, const std::string& turn = {}) {
+        const Control& control = withRotaryAxes(defaultControl(), request.machine.axes());
+        const ParsedProgram program = parseProgram(wordsOf(steps, turn), "test.ngc", control).value();
         request.program = &program;
         Progress progress;
         VolumeSnapshot machined;
@@ -197,6 +200,7 @@ class KeptCheckTest : public QObject {
 private slots:
     void aCheckAfterEditsReportsWhatAFullOneDoes();
     void anotherToolOrObstacleBeginsAnew();
+    void anotherTiltIsExaminedAnew();
     void aCancelledCheckLeavesNothingWrong();
     void memoryIsBounded();
 };
@@ -233,6 +237,24 @@ void KeptCheckTest::anotherToolOrObstacleBeginsAnew() {
     QCOMPARE(plate.judge(steps, &kept), plate.judge(steps, nullptr));
     plate.request.gougeTolerance = 0.2;
     QCOMPARE(plate.judge(steps, &kept), plate.judge(steps, nullptr));
+}
+
+/// Moves of the same tips with another axis of the tool are other moves.
+void KeptCheckTest::anotherTiltIsExaminedAnew() {
+    Plate plate;
+    RotaryAxis c, a;
+    c.axis = Axis::c;
+    a.axis = Axis::a;
+    plate.request.machine.rotaryAxes = {c, a};
+    KeptCheck kept;
+    std::vector<Step> steps = rows();
+    steps.resize(25);
+    std::vector<Plate::Judged> judged;
+    for (const char* turn : {" A0 C0", " A30 C0", " A30 C90", " A0 C0"}) {
+        judged.push_back(plate.judge(steps, &kept, turn));
+        QCOMPARE(judged.back(), plate.judge(steps, nullptr, turn));
+    }
+    QVERIFY(judged[0].workpiece != judged[1].workpiece && judged[1].workpiece != judged[2].workpiece);
 }
 
 void KeptCheckTest::aCancelledCheckLeavesNothingWrong() {
