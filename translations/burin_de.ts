@@ -2330,14 +2330,6 @@
         <translation>0 bis %1</translation>
     </message>
     <message>
-        <source>The coolant changes within %1 pass; its first coolant (mist or flood) applies to the whole pass.</source>
-        <translation>%1 Durchgang wechselt das Kühlmittel; das erste außer „aus“ gilt nun für den ganzen Durchgang.</translation>
-    </message>
-    <message>
-        <source>The coolant changes within %1 passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
-        <translation>%1 Durchgänge wechseln das Kühlmittel; das erste außer „aus“ gilt nun jeweils für den ganzen Durchgang.</translation>
-    </message>
-    <message>
         <source>assembly %2: %1 body, %3 mm^3</source>
         <translation>Baugruppe %2: %1 Körper, %3 mm^3</translation>
     </message>
@@ -4476,6 +4468,70 @@
         <source>above 0, or the holes or studs of the thread</source>
         <translation>über 0, oder die Bohrungen oder Zapfen des Gewindes</translation>
     </message>
+    <message>
+        <source>has to be above low_deg</source>
+        <translation>muss über low_deg liegen</translation>
+    </message>
+    <message>
+        <source>has to leave 0 within the limits</source>
+        <translation>muss 0 innerhalb der Grenzen lassen</translation>
+    </message>
+    <message>
+        <source>has to be A or B, or two different axes of which A or B is the second</source>
+        <translation>muss A oder B sein oder zwei verschiedene Achsen, deren zweite A oder B ist</translation>
+    </message>
+    <message>
+        <source>has to be synchronised or tip with rotary_axes</source>
+        <translation>muss mit rotary_axes synchronised oder tip sein</translation>
+    </message>
+    <message>
+        <source>link, then tool-axis</source>
+        <translation>link, dann tool-axis</translation>
+    </message>
+    <message>
+        <source>a machine with rotary axes</source>
+        <translation>eine Maschine mit Drehachsen</translation>
+    </message>
+    <message>
+        <source>programs of X, Y and Z</source>
+        <translation>Programme mit X, Y und Z</translation>
+    </message>
+    <message>
+        <source>tools that turn and are not hollow, unlike %1</source>
+        <translation>Werkzeuge, die sich drehen und nicht hohl sind, anders als %1</translation>
+    </message>
+    <message>
+        <source>moves of a ball end mill, or upright ones</source>
+        <translation>Bewegungen eines Kugelfräsers oder senkrechte</translation>
+    </message>
+    <message>
+        <source>a path of a program that tilts the tool</source>
+        <translation>eine Bahn aus einem Programm, das das Werkzeug neigt</translation>
+    </message>
+    <message>
+        <source>a part of the path that is no farther than 2 mm from the part</source>
+        <translation>ein Teil der Bahn, der höchstens 2 mm vom Werkstück entfernt ist</translation>
+    </message>
+    <message>
+        <source>the tool comes %1 too near to the part at %2</source>
+        <translation>das Werkzeug kommt dem Werkstück bei %2 um %1 zu nahe</translation>
+    </message>
+    <message>
+        <source>the tool comes %1 too near to a fixture at %2</source>
+        <translation>das Werkzeug kommt einer Vorrichtung bei %2 um %1 zu nahe</translation>
+    </message>
+    <message>
+        <source>a tool axis that the machine can&apos;t reach</source>
+        <translation>eine Werkzeugachse, die die Maschine nicht erreicht</translation>
+    </message>
+    <message>
+        <source>a tool axis that is not of unit length</source>
+        <translation>eine Werkzeugachse, die nicht die Länge eins hat</translation>
+    </message>
+    <message>
+        <source>a tilted tool axis; paths tilt ball end mills only</source>
+        <translation>eine geneigte Werkzeugachse; Bahnen neigen nur Kugelfräser</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -5116,6 +5172,10 @@
         <source>Insert a point</source>
         <translation>Punkt einfügen</translation>
     </message>
+    <message>
+        <source>Tool axis</source>
+        <translation>Werkzeugachse</translation>
+    </message>
 </context>
 <context>
     <name>EditParameterLabels</name>
@@ -5603,10 +5663,6 @@
         <translation>Kühlung</translation>
     </message>
     <message>
-        <source>As advised for the material if the machine has it, or as chosen here</source>
-        <translation>Wie für den Werkstoff geraten, wenn die Maschine es hat, oder wie hier gewählt</translation>
-    </message>
-    <message>
         <source>as advised</source>
         <translation>wie geraten</translation>
     </message>
@@ -5873,6 +5929,102 @@
     <message>
         <source>How the stroke leads to the point: in a smooth curve, or in straight lines to a corner</source>
         <translation>Wie der Zug zum Punkt führt: in einer glatten Kurve, oder in Geraden zu einer Ecke</translation>
+    </message>
+    <message>
+        <source>as the program states it</source>
+        <translation>wie im Programm angegeben</translation>
+    </message>
+    <message>
+        <source>As advised for the material if the machine has it, as chosen here, or as the program that the path is made of switches it</source>
+        <translation>Wie für den Werkstoff empfohlen, falls die Maschine sie hat, wie hier gewählt, oder wie das Programm sie schaltet, aus dem die Bahn gemacht ist</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>a fixed direction</source>
+        <translation>eine feste Richtung</translation>
+    </message>
+    <message>
+        <source>the program</source>
+        <translation>das Programm</translation>
+    </message>
+    <message>
+        <source>turned in the links</source>
+        <translation>in den Verbindungen gedreht</translation>
+    </message>
+    <message>
+        <source>turned in the stroke</source>
+        <translation>im Zug gedreht</translation>
+    </message>
+    <message>
+        <source>the contact</source>
+        <translation>die Berührung</translation>
+    </message>
+    <message>
+        <source>the tip</source>
+        <translation>die Spitze</translation>
+    </message>
+    <message>
+        <source>Axis from</source>
+        <translation>Achse von</translation>
+    </message>
+    <message>
+        <source>Direction from which lead and tilt are counted: upright, or the normal of the part; or a fixed direction; or the axis that the program states of which the path is made</source>
+        <translation>Richtung, von der aus Voreilwinkel und Neigung gezählt werden: senkrecht oder die Normale des Teils; oder eine feste Richtung; oder die Achse, die das Programm angibt, aus dem die Bahn gemacht ist</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>Voreilwinkel</translation>
+    </message>
+    <message>
+        <source>Angle in the direction of motion; above 0: the holder leans ahead</source>
+        <translation>Winkel in Bewegungsrichtung; über 0: Der Halter neigt sich nach vorn</translation>
+    </message>
+    <message>
+        <source>Side tilt</source>
+        <translation>Seitliche Neigung</translation>
+    </message>
+    <message>
+        <source>Angle across the direction of motion; above 0: the holder leans to the left</source>
+        <translation>Winkel quer zur Bewegungsrichtung; über 0: Der Halter neigt sich nach links</translation>
+    </message>
+    <message>
+        <source>Inclination</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>Of a fixed direction: its angle from +Z</source>
+        <translation>Einer festen Richtung: ihr Winkel zu +Z</translation>
+    </message>
+    <message>
+        <source>Towards</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Of a fixed direction: where the holder leans in plan, anticlockwise from +X</source>
+        <translation>Einer festen Richtung: wohin sich der Halter im Grundriss neigt, gegen den Uhrzeigersinn ab +X</translation>
+    </message>
+    <message>
+        <source>Length over which the axis turns at the borders of the part of the path, and over which direction and normal are averaged</source>
+        <translation>Länge, über die sich die Achse an den Grenzen des Bahnteils dreht und über die Richtung und Normale gemittelt werden</translation>
+    </message>
+    <message>
+        <source>At ends of strokes</source>
+        <translation>An Enden von Zügen</translation>
+    </message>
+    <message>
+        <source>Where the axis turns: in the rapids before and after the stroke, or inside it</source>
+        <translation>Wo sich die Achse dreht: in den Eilgängen vor und nach dem Zug oder in ihm</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Beibehalten</translation>
+    </message>
+    <message>
+        <source>The contact with the part while the tool tilts: the centre of a ball, or the plane that another tool touches; or the tip</source>
+        <translation>Die Berührung mit dem Teil, während sich das Werkzeug neigt: die Mitte einer Kugel oder die Ebene, die ein anderes Werkzeug berührt; oder die Spitze</translation>
     </message>
 </context>
 <context>
@@ -6233,6 +6385,10 @@
     <message>
         <source>stop the spindle before this move, and hold it: the tool doesn&apos;t turn</source>
         <translation>die Spindel vor dieser Bewegung anhalten und festhalten: das Werkzeug dreht sich nicht</translation>
+    </message>
+    <message>
+        <source>tilt the tool less, or use a machine whose rotary axes turn farther</source>
+        <translation>das Werkzeug weniger neigen oder eine Maschine wählen, deren Drehachsen weiter drehen</translation>
     </message>
 </context>
 <context>
@@ -9064,6 +9220,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
         <source>The trace &quot;%1&quot; could not be written (%2) and was discarded; milling goes on without it.</source>
         <translation>Die Spur „%1“ konnte nicht geschrieben werden (%2) und wurde verworfen; das Fräsen geht ohne sie weiter.</translation>
     </message>
+    <message>
+        <source>The tool can&apos;t be tilted like this (%1); tilt it less, or on another part of the path.</source>
+        <translation>So lässt sich das Werkzeug nicht neigen (%1); neigen Sie es weniger oder auf einem anderen Teil der Bahn.</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -9110,6 +9270,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>Recordings keep the torque that a device gave.</source>
         <translation>Aufnahmen behalten das Drehmoment, das ein Gerät ausgeübt hat.</translation>
+    </message>
+    <message>
+        <source>Paths of programs keep the coolant of each move.</source>
+        <translation>Bahnen aus Programmen behalten die Kühlung jeder Bewegung.</translation>
     </message>
 </context>
 <context>
@@ -9512,6 +9676,10 @@ Kräfte sind Mittelwerte über ganze Umdrehungen; die Achse zeigt von der Spitze
     <message>
         <source>hollow Ø %1 × %2</source>
         <translation>hohl Ø %1 × %2</translation>
+    </message>
+    <message>
+        <source>Rotary axis at %1°, beyond its limits</source>
+        <translation>Drehachse bei %1°, jenseits ihrer Grenzen</translation>
     </message>
 </context>
 <context>
@@ -10462,6 +10630,10 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
         <source>Thread mill M12 × 1.75</source>
         <translation>Gewindefräser M12 × 1,75</translation>
     </message>
+    <message>
+        <source>Five-axis mill with LinuxCNC, tilting rotary table (example)</source>
+        <translation>Fünfachsige Fräsmaschine mit LinuxCNC, Dreh-Schwenktisch (Beispiel)</translation>
+    </message>
 </context>
 <context>
     <name>RestartDialog</name>
@@ -11094,6 +11266,18 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>change of a fixture</source>
         <translation>Änderung einer Vorrichtung</translation>
+    </message>
+    <message>
+        <source>tool axis</source>
+        <translation>Werkzeugachse</translation>
+    </message>
+    <message>
+        <source>a tilted tool on %1</source>
+        <translation>ein geneigtes Werkzeug auf %1</translation>
+    </message>
+    <message>
+        <source>a restart of a program that tilts the tool</source>
+        <translation>ein Neustart eines Programms, das das Werkzeug neigt</translation>
     </message>
 </context>
 <context>
@@ -14177,17 +14361,6 @@ Freie Software unter der Apache-Lizenz 2.0. Gebaut mit Qt, VTK, OpenCASCADE, one
     <message>
         <source>The table of faces was written to “%1”.</source>
         <translation>Die Tabelle der Flächen wurde in „%1“ geschrieben.</translation>
-    </message>
-    <message>
-        <source>The coolant changes within 1 pass; its first coolant (mist or flood) applies to the whole pass.</source>
-        <translation>1 Durchgang wechselt das Kühlmittel; das erste außer „aus“ gilt nun für den ganzen Durchgang.</translation>
-    </message>
-    <message numerus="yes">
-        <source>The coolant changes within %n passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
-        <translation>
-            <numerusform>%n Durchgang wechselt das Kühlmittel; das erste außer „aus“ gilt nun für den ganzen Durchgang.</numerusform>
-            <numerusform>%n Durchgänge wechseln das Kühlmittel; das erste außer „aus“ gilt nun jeweils für den ganzen Durchgang.</numerusform>
-        </translation>
     </message>
     <message>
         <source>View of part and workpiece</source>

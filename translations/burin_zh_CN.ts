@@ -2329,14 +2329,6 @@
         <translation>0 到 %1</translation>
     </message>
     <message>
-        <source>The coolant changes within %1 pass; its first coolant (mist or flood) applies to the whole pass.</source>
-        <translation>%1 个走刀中途改变冷却；整个走刀采用第一种非关闭的冷却。</translation>
-    </message>
-    <message>
-        <source>The coolant changes within %1 passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
-        <translation>%1 个走刀中途改变冷却；每个走刀整体采用其第一种非关闭的冷却。</translation>
-    </message>
-    <message>
         <source>assembly %2: %1 body, %3 mm^3</source>
         <translation>装配体 %2：%1个实体，%3 mm^3</translation>
     </message>
@@ -4475,6 +4467,70 @@
         <source>above 0, or the holes or studs of the thread</source>
         <translation>大于 0，或指定螺纹的孔或凸台</translation>
     </message>
+    <message>
+        <source>has to be above low_deg</source>
+        <translation>必须大于 low_deg</translation>
+    </message>
+    <message>
+        <source>has to leave 0 within the limits</source>
+        <translation>必须使 0 位于极限之内</translation>
+    </message>
+    <message>
+        <source>has to be A or B, or two different axes of which A or B is the second</source>
+        <translation>必须是 A 或 B，或两个不同的轴，其中第二个为 A 或 B</translation>
+    </message>
+    <message>
+        <source>has to be synchronised or tip with rotary_axes</source>
+        <translation>有 rotary_axes 时必须是 synchronised 或 tip</translation>
+    </message>
+    <message>
+        <source>link, then tool-axis</source>
+        <translation>先 link，再 tool-axis</translation>
+    </message>
+    <message>
+        <source>a machine with rotary axes</source>
+        <translation>有旋转轴的机床</translation>
+    </message>
+    <message>
+        <source>programs of X, Y and Z</source>
+        <translation>只有 X、Y、Z 的程序</translation>
+    </message>
+    <message>
+        <source>tools that turn and are not hollow, unlike %1</source>
+        <translation>旋转且不是空心的刀具，与 %1 不同</translation>
+    </message>
+    <message>
+        <source>moves of a ball end mill, or upright ones</source>
+        <translation>球头铣刀的动作，或竖直的动作</translation>
+    </message>
+    <message>
+        <source>a path of a program that tilts the tool</source>
+        <translation>由使刀具倾斜的程序生成的刀路</translation>
+    </message>
+    <message>
+        <source>a part of the path that is no farther than 2 mm from the part</source>
+        <translation>距零件不超过 2 mm 的一段刀路</translation>
+    </message>
+    <message>
+        <source>the tool comes %1 too near to the part at %2</source>
+        <translation>刀具在 %2 处离零件过近，相差 %1</translation>
+    </message>
+    <message>
+        <source>the tool comes %1 too near to a fixture at %2</source>
+        <translation>刀具在 %2 处离夹具过近，相差 %1</translation>
+    </message>
+    <message>
+        <source>a tool axis that the machine can&apos;t reach</source>
+        <translation>机床无法达到的刀轴方向</translation>
+    </message>
+    <message>
+        <source>a tool axis that is not of unit length</source>
+        <translation>长度不为 1 的刀轴向量</translation>
+    </message>
+    <message>
+        <source>a tilted tool axis; paths tilt ball end mills only</source>
+        <translation>倾斜的刀轴；刀路只能倾斜球头铣刀</translation>
+    </message>
 </context>
 <context>
     <name>Device</name>
@@ -5115,6 +5171,10 @@
         <source>Insert a point</source>
         <translation>插入点</translation>
     </message>
+    <message>
+        <source>Tool axis</source>
+        <translation>刀轴</translation>
+    </message>
 </context>
 <context>
     <name>EditParameterLabels</name>
@@ -5601,10 +5661,6 @@
         <translation>冷却液</translation>
     </message>
     <message>
-        <source>As advised for the material if the machine has it, or as chosen here</source>
-        <translation>机床具备时按材料的建议，或按此处的选择</translation>
-    </message>
-    <message>
         <source>as advised</source>
         <translation>按建议</translation>
     </message>
@@ -5871,6 +5927,102 @@
     <message>
         <source>How the stroke leads to the point: in a smooth curve, or in straight lines to a corner</source>
         <translation>笔画如何通向该点：以平滑曲线，或以直线形成尖角</translation>
+    </message>
+    <message>
+        <source>as the program states it</source>
+        <translation>按程序所给</translation>
+    </message>
+    <message>
+        <source>As advised for the material if the machine has it, as chosen here, or as the program that the path is made of switches it</source>
+        <translation>机床具备时按材料建议，或按此处所选，或按生成该刀路的程序开关</translation>
+    </message>
+    <message>
+        <source>upright</source>
+        <translation>竖直</translation>
+    </message>
+    <message>
+        <source>a fixed direction</source>
+        <translation>固定方向</translation>
+    </message>
+    <message>
+        <source>the program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>turned in the links</source>
+        <translation>在连接中转动</translation>
+    </message>
+    <message>
+        <source>turned in the stroke</source>
+        <translation>在笔画中转动</translation>
+    </message>
+    <message>
+        <source>the contact</source>
+        <translation>接触</translation>
+    </message>
+    <message>
+        <source>the tip</source>
+        <translation>刀尖</translation>
+    </message>
+    <message>
+        <source>Axis from</source>
+        <translation>刀轴基准</translation>
+    </message>
+    <message>
+        <source>Direction from which lead and tilt are counted: upright, or the normal of the part; or a fixed direction; or the axis that the program states of which the path is made</source>
+        <translation>前倾角和侧倾角的基准方向：竖直或零件法线；或固定方向；或生成该刀路的程序给出的刀轴</translation>
+    </message>
+    <message>
+        <source>Lead</source>
+        <translation>前倾角</translation>
+    </message>
+    <message>
+        <source>Angle in the direction of motion; above 0: the holder leans ahead</source>
+        <translation>沿运动方向的角度；大于 0 时刀柄向前倾</translation>
+    </message>
+    <message>
+        <source>Side tilt</source>
+        <translation>侧倾角</translation>
+    </message>
+    <message>
+        <source>Angle across the direction of motion; above 0: the holder leans to the left</source>
+        <translation>垂直于运动方向的角度；大于 0 时刀柄向左倾</translation>
+    </message>
+    <message>
+        <source>Inclination</source>
+        <translation>倾斜角</translation>
+    </message>
+    <message>
+        <source>Of a fixed direction: its angle from +Z</source>
+        <translation>固定方向与 +Z 的夹角</translation>
+    </message>
+    <message>
+        <source>Towards</source>
+        <translation>朝向</translation>
+    </message>
+    <message>
+        <source>Of a fixed direction: where the holder leans in plan, anticlockwise from +X</source>
+        <translation>固定方向在俯视图中的倾斜方位，从 +X 起逆时针计</translation>
+    </message>
+    <message>
+        <source>Length over which the axis turns at the borders of the part of the path, and over which direction and normal are averaged</source>
+        <translation>刀轴在该段刀路边界处转动的长度，也是方向和法线取平均的长度</translation>
+    </message>
+    <message>
+        <source>At ends of strokes</source>
+        <translation>笔画端部</translation>
+    </message>
+    <message>
+        <source>Where the axis turns: in the rapids before and after the stroke, or inside it</source>
+        <translation>刀轴转动的位置：在笔画前后的快速移动中，或在笔画内</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>The contact with the part while the tool tilts: the centre of a ball, or the plane that another tool touches; or the tip</source>
+        <translation>刀具倾斜时与零件的接触：球头的球心，或其他刀具所接触的平面；或刀尖</translation>
     </message>
 </context>
 <context>
@@ -6231,6 +6383,10 @@
     <message>
         <source>stop the spindle before this move, and hold it: the tool doesn&apos;t turn</source>
         <translation>在此移动之前停止并锁住主轴：该刀具不旋转</translation>
+    </message>
+    <message>
+        <source>tilt the tool less, or use a machine whose rotary axes turn farther</source>
+        <translation>减小刀具倾斜，或使用旋转轴行程更大的机床</translation>
     </message>
 </context>
 <context>
@@ -9062,6 +9218,10 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
         <source>The trace &quot;%1&quot; could not be written (%2) and was discarded; milling goes on without it.</source>
         <translation>无法写入轨迹“%1”（%2），已将其丢弃；铣削继续，不再记录轨迹。</translation>
     </message>
+    <message>
+        <source>The tool can&apos;t be tilted like this (%1); tilt it less, or on another part of the path.</source>
+        <translation>刀具不能这样倾斜（%1）；请减小倾斜，或改在刀路的其他部分倾斜。</translation>
+    </message>
 </context>
 <context>
     <name>Migration</name>
@@ -9108,6 +9268,10 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>Recordings keep the torque that a device gave.</source>
         <translation>录制保存设备输出的扭矩。</translation>
+    </message>
+    <message>
+        <source>Paths of programs keep the coolant of each move.</source>
+        <translation>由程序生成的刀路保留每个动作的冷却液。</translation>
     </message>
 </context>
 <context>
@@ -9507,6 +9671,10 @@ Forces are means over whole revolutions; the axis points from tip to holder; any
     <message>
         <source>hollow Ø %1 × %2</source>
         <translation>空心 Ø %1 × %2</translation>
+    </message>
+    <message>
+        <source>Rotary axis at %1°, beyond its limits</source>
+        <translation>旋转轴位于 %1°，超出极限</translation>
     </message>
 </context>
 <context>
@@ -10456,6 +10624,10 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
         <source>Thread mill M12 × 1.75</source>
         <translation>螺纹铣刀 M12 × 1.75</translation>
     </message>
+    <message>
+        <source>Five-axis mill with LinuxCNC, tilting rotary table (example)</source>
+        <translation>LinuxCNC 五轴铣床，倾斜旋转工作台（示例）</translation>
+    </message>
 </context>
 <context>
     <name>RestartDialog</name>
@@ -11086,6 +11258,18 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>change of a fixture</source>
         <translation>夹具的更改</translation>
+    </message>
+    <message>
+        <source>tool axis</source>
+        <translation>刀轴</translation>
+    </message>
+    <message>
+        <source>a tilted tool on %1</source>
+        <translation>在“%1”上倾斜刀具</translation>
+    </message>
+    <message>
+        <source>a restart of a program that tilts the tool</source>
+        <translation>从中间重新启动使刀具倾斜的程序</translation>
     </message>
 </context>
 <context>
@@ -14161,16 +14345,6 @@ Free software under the Apache License 2.0. Made with Qt, VTK, OpenCASCADE, oneT
     <message>
         <source>The table of faces was written to “%1”.</source>
         <translation>面的表格已写入“%1”。</translation>
-    </message>
-    <message>
-        <source>The coolant changes within 1 pass; its first coolant (mist or flood) applies to the whole pass.</source>
-        <translation>1 个走刀中途改变冷却；整个走刀采用第一种非关闭的冷却。</translation>
-    </message>
-    <message numerus="yes">
-        <source>The coolant changes within %n passes; the first coolant (mist or flood) of each applies to the whole pass.</source>
-        <translation>
-            <numerusform>%n 个走刀中途改变冷却；每个走刀整体采用其第一种非关闭的冷却。</numerusform>
-        </translation>
     </message>
     <message>
         <source>View of part and workpiece</source>

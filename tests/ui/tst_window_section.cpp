@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QRegularExpression>
 #include <QtTest>
 
 #include <algorithm>
@@ -31,16 +32,25 @@ PathPoint pointAt(const Workbench& workbench, double x) {
     });
 }
 
-std::size_t placeOfSection(const Workbench& workbench) {
+/// Returns the place of an edit in the list, its end if there is none.
+std::size_t placeOf(const Workbench& workbench, std::string_view id) {
     const std::vector<Edit>& edits = workbench.path.stored()->edits;
     return static_cast<std::size_t>(
-        std::ranges::find(edits, std::string_view("section"), [](const Edit& edit) { return idOf(edit.parameters); }) -
-        edits.begin());
+        std::ranges::find(edits, id, [](const Edit& edit) { return idOf(edit.parameters); }) - edits.begin());
+}
+std::size_t placeOfSection(const Workbench& workbench) {
+    return placeOf(workbench, "section");
+}
+
+void select(WindowDriver& driver, const PathPoint& from, const PathPoint& to) {
+    auto* viewport = driver.visible<Viewport>("viewport");
+    QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.pose.tip).toPoint());
+    QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.pose.tip).toPoint());
 }
 
 } // namespace
 
-/// A part of the path gets its own spindle speed and coolant, by mouse and keys.
+/// A part of the path gets its own spindle speed and coolant, and its own tool axis, by mouse and keys.
 class TestWindowSection : public QObject {
     Q_OBJECT
 private slots:
@@ -58,8 +68,7 @@ private slots:
         QCOMPARE(workbench.path.evaluated()->path.coolant, Coolant::off);
 
         const PathPoint from = pointAt(workbench, -6.0), to = pointAt(workbench, 6.0);
-        QTest::mouseClick(viewport, Qt::LeftButton, {}, viewport->project(from.pose.tip).toPoint());
-        QTest::mouseClick(viewport, Qt::LeftButton, Qt::ShiftModifier, viewport->project(to.pose.tip).toPoint());
+        select(driver, from, to);
         QVERIFY(workbench.path.selection() && workbench.path.selection()->last > workbench.path.selection()->first);
         driver.window().findChild<QAction*>("add-section")->trigger();
         QVERIFY(driver.waitFor([&] { return placeOfSection(workbench) < workbench.path.stored()->edits.size(); }));
@@ -111,6 +120,51 @@ private slots:
         QVERIFY(evaluatedNow(driver, workbench));
         QVERIFY(postProgram(driver));
         QCOMPARE(workbench.program.storedText(), before);
+        tilt(driver, workbench, from, to);
+    }
+
+private:
+    /// On a machine with rotary axes the tool leans ahead by 15° between the two points and is upright elsewhere; the
+    /// program turns the axes. An angle at which the tool would be too near is refused; each step can be undone.
+    void tilt(WindowDriver& driver, Workbench& workbench, const PathPoint& from, const PathPoint& to) {
+        workbench.target.chooseMachine("linuxcnc-five-axis");
+        QVERIFY(driver.step(JobStep::path));
+        QVERIFY(evaluatedNow(driver, workbench));
+        const std::size_t edits = workbench.path.stored()->edits.size();
+        select(driver, from, to);
+        driver.window().findChild<QAction*>("add-tool-axis")->trigger();
+        QVERIFY(driver.waitFor([&] { return workbench.path.stored()->edits.size() == edits + 1; }));
+        QCOMPARE(placeOf(workbench, "tool-axis"), edits);
+        QVERIFY(evaluatedNow(driver, workbench));
+        const auto edit = [&] { return std::get<ToolAxis>(workbench.path.stored()->edits.back().parameters); };
+        QCOMPARE(edit().interval, *workbench.path.selection());
+        const QByteArray lead = QStringLiteral("edit%1_lead_rad").arg(edits).toLatin1();
+        QVERIFY(driver.enter(lead, QStringLiteral("15")));
+        const double angle = 15.0 * pi / 180.0;
+        QVERIFY(driver.waitFor([&] { return std::abs(edit().lead - angle) < 1e-9; }));
+        QVERIFY(evaluatedNow(driver, workbench));
+        driver.shoot("34-tool-axis");
+        const double radius = workbench.workpiece.milling()->tool.cutter.radius();
+        double most = 0.0;
+        for (const PathPoint& point : workbench.path.evaluated()->path.points) {
+            const glm::dvec3& axis = point.pose.axis;
+            QVERIFY(std::abs(axis.y) < 1e-9);
+            most = std::max(most, axis.x);
+            if (point.pose.tip.x < from.pose.tip.x - 2.0 * radius || point.pose.tip.x > to.pose.tip.x + 2.0 * radius)
+                QCOMPARE(axis, glm::dvec3(0.0, 0.0, 1.0));
+        }
+        QVERIFY2(std::abs(most - std::sin(angle)) < 1e-9, qPrintable(QString::number(most)));
+        QVERIFY(postProgram(driver));
+        QVERIFY(workbench.program.storedText().contains(QRegularExpression(" A-?15\\b")));
+        driver.shoot("35-tool-axis-program");
+        QVERIFY(driver.step(JobStep::path));
+        QVERIFY(driver.enter(lead, QStringLiteral("88")));
+        QVERIFY(driver.waitFor([&] { return workbench.path.problem().has_value(); }));
+        QCOMPARE(workbench.path.problem()->code, ErrorCode::checkFailed);
+        driver.shoot("36-tool-axis-refused");
+        for (int i = 0; i < 3; ++i) driver.key(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(driver.waitFor([&] { return workbench.path.stored()->edits.size() == edits; }));
+        QVERIFY(evaluatedNow(driver, workbench));
     }
 };
 
