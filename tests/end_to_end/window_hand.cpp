@@ -59,7 +59,7 @@ public:
         driver_.window().viewport().setStandardView(burin::StandardView::top);
         QTest::qWait(400); // the view turns
         for (const double y : {-8.0, 0.0})
-            if (!recordLine(driver_, {-15.0, y}, {15.0, y})) return false;
+            if (!recordLine(driver_, {-15.0, y}, {15.0, y}) || !driver_.settle()) return false;
         return driver_.step(burin::JobStep::mill) && save();
     }
     bool act() {
@@ -87,12 +87,19 @@ private:
 
     bool goTo(double part) {
         burin::TimeController& time = workbench().time;
-        if (!driver_.waitFor([&] { return time.possible() && time.recorded(); })) return false;
         tell("goes");
-        time.goTo(part * time.recorded()->seconds());
-        return driver_.waitFor([&] { return time.shown() && !time.arriving(); });
+        // Again if what is recorded was read anew meanwhile, as after a take-back.
+        return driver_.waitFor([&] {
+            if (!time.possible() || !time.recorded() || time.reading() || time.arriving()) return false;
+            const double seconds = part * time.recorded()->seconds();
+            if (time.shown() && time.shown()->moment == time.recorded()->momentAt(seconds)) return true;
+            time.goTo(seconds);
+            return false;
+        });
     }
     bool punchIn() {
+        const auto* button = driver_.visible("punchInButton");
+        if (button == nullptr || !button->isEnabled()) return true; // nothing can be recorded from here, as at the end
         if (!driver_.clickOn("punchInButton")) return false;
         if (!driver_.waitFor([&] { return workbench().mill.recording(); })) return false;
         tell("records");
