@@ -76,7 +76,7 @@ public:
             const ToolPose& before = station.point.pose;
             TiltedPoint point{station.point, before, station.inserted};
             if (share > 0.0) {
-                point.point.pose.axis = turnedTowards(before.axis, targets[i], share);
+                point.point.pose.axis = directionBetween(before.axis, targets[i], share);
                 if (rules_.edit.keep == ToolAxis::Keep::contact)
                     point.point.pose.tip = touching(i, before, point.point.pose.axis);
             }
@@ -97,7 +97,7 @@ private:
         const double share = (way - from.way) / (to.way - from.way);
         const ToolPose &start = from.point.pose, &end = to.point.pose;
         Station station = between(from.point, to.point,
-                                  {glm::mix(start.tip, end.tip, share), turnedTowards(start.axis, end.axis, share)});
+                                  {glm::mix(start.tip, end.tip, share), directionBetween(start.axis, end.axis, share)});
         station.way = way;
         stations_.insert(after, station);
     }
@@ -113,7 +113,7 @@ private:
         ToolPose at = start;
         for (std::size_t k = 0; k < ends.size(); ++k) {
             const double share = static_cast<double>(k + 1) / static_cast<double>(ends.size());
-            const ToolPose end{ends[k], turnedTowards(start.axis, to.pose.axis, share)};
+            const ToolPose end{ends[k], directionBetween(start.axis, to.pose.axis, share)};
             if (rules_.edit.from == ToolAxis::From::program && !chords)
                 addStated(from, to);
             else
@@ -144,7 +144,7 @@ private:
         for (std::size_t i = 1; i <= parts; ++i) {
             const double share = static_cast<double>(i) / static_cast<double>(parts);
             const glm::dvec3 tip = i == parts ? end.tip : glm::mix(at.tip, end.tip, share);
-            stations_.push_back(between(from, to, {tip, turnedTowards(at.axis, end.axis, share)}));
+            stations_.push_back(between(from, to, {tip, directionBetween(at.axis, end.axis, share)}));
         }
     }
     /// A line that an edit made of several moves of a program is divided again, evenly, as it states an axis for each.
@@ -277,7 +277,7 @@ private:
             for (std::size_t i = known[k - 1] + 1; i < known[k]; ++i) {
                 const double way = stations_[known[k]].way - stations_[known[k - 1]].way;
                 const double share = way > 0.0 ? (stations_[i].way - stations_[known[k - 1]].way) / way : 1.0;
-                axes[i] = turnedTowards(axes[known[k - 1]], axes[known[k]], share);
+                axes[i] = directionBetween(axes[known[k - 1]], axes[known[k]], share);
             }
         return axes;
     }
@@ -319,7 +319,7 @@ bool passesAll(const std::vector<TiltedPoint>& points, std::size_t from, std::si
         const ToolPose& pose = points[i].point.pose;
         const double share = length > 0.0 ? glm::dot(pose.tip - a.tip, b.tip - a.tip) / (length * length) : 0.0;
         if (share < 0.0 || share > 1.0 || glm::distance(pose.tip, glm::mix(a.tip, b.tip, share)) > keptTip ||
-            turnBetween(pose.axis, turnedTowards(a.axis, b.axis, share)) > keptAxis)
+            turnBetween(pose.axis, directionBetween(a.axis, b.axis, share)) > keptAxis)
             return false;
     }
     return true;
@@ -374,7 +374,7 @@ double fluteReach(std::span<const RevolvedPiece> flutes, const glm::dvec3& axis,
     return most;
 }
 
-glm::dvec3 turnedTowards(const glm::dvec3& from, const glm::dvec3& to, double share) noexcept {
+glm::dvec3 directionBetween(const glm::dvec3& from, const glm::dvec3& to, double share) noexcept {
     if (share >= 1.0 || from == to) return to;
     const double angle = turnBetween(from, to), sine = std::sin(angle);
     if (sine < 1e-9) return glm::normalize(glm::mix(from, to, share));

@@ -40,6 +40,6 @@ Result<std::vector<TiltedPoint>> tiltedCourse(std::span<const PathPoint> points,
 double fluteReach(std::span<const RevolvedPiece> flutes, const glm::dvec3& axis, const glm::dvec3& direction) noexcept;
 
 /// The direction at a share of the turn from one to another, both of unit length, on the shortest way.
-glm::dvec3 turnedTowards(const glm::dvec3& from, const glm::dvec3& to, double share) noexcept;
+glm::dvec3 directionBetween(const glm::dvec3& from, const glm::dvec3& to, double share) noexcept;
 
 } // namespace burin

@@ -68,7 +68,7 @@ private:
             if (const auto dip = solid.deepestDip(before, next, required, defaultSampling);
                 dip && (!worst || required - dip->clearance > worst->missing)) {
                 const ToolPose there{glm::mix(before.tip, next.tip, dip->part),
-                                     turnedTowards(before.axis, next.axis, dip->part)};
+                                     directionBetween(before.axis, next.axis, dip->part)};
                 worst = Breach{solid.clearance(there, 1e3).meshPoint, dip->clearance, required - dip->clearance};
             }
             before = next;
