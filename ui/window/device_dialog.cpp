@@ -15,12 +15,15 @@
 #include <QBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 
 namespace burin {
 
 namespace {
 
-constexpr QSize deviceDialogSize(860, 560);
+constexpr QSize deviceDialogSize(860, 920);
+constexpr int aroundDialog = 100; // pixels of the screen's height that a dialog leaves free
 constexpr double mostForce = 4.0; // N: a fifth of the strongest device's force
 
 QLabel* makeText(const QString& name, QWidget* parent) {
@@ -46,7 +49,8 @@ DeviceDialog::DeviceDialog(StylusController& styluses, DeviceTester& tester, Axi
     setObjectName(QStringLiteral("deviceDialog"));
     setWindowTitle(tr("Devices"));
     layOut();
-    resize(deviceDialogSize);
+    resize(
+        deviceDialogSize.boundedTo({deviceDialogSize.width(), screen()->availableGeometry().height() - aroundDialog}));
     tester_.forget();
     connect(&styluses_, &StylusController::changed, this, &DeviceDialog::showState);
     connect(&tester_, &DeviceTester::changed, this, &DeviceDialog::showState);
@@ -72,7 +76,15 @@ void DeviceDialog::layOut() {
     list_->setFillsHeight(true);
     list_->setTextsWrap(true);
     halves->addWidget(list_, 1);
-    auto* right = new QVBoxLayout;
+    auto* area = new QScrollArea(this); // a tested device has more to tell than a small screen is high
+    area->setObjectName(QStringLiteral("deviceSettings"));
+    area->setAccessibleName(windowTitle());
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidgetResizable(true);
+    auto* settings = new QWidget(area);
+    auto* right = new QVBoxLayout(settings);
+    right->setContentsMargins(0, 0, 8, 0); // beside the bar
     right->setSpacing(8);
     limits_ = makeText(QStringLiteral("deviceLimits"), this);
     figures_ = makeText(QStringLiteral("deviceFigures"), this);
@@ -99,7 +111,8 @@ void DeviceDialog::layOut() {
                           "joystick pushes only while a button is held, in the test the first one. 0: off"));
     addGains(*right);
     addStockDistance(*right);
-    halves->addLayout(right, 1);
+    area->setWidget(settings);
+    halves->addWidget(area, 1);
     column->addLayout(halves, 1);
     notice_ = new Notice(this);
     notice_->setObjectName(QStringLiteral("deviceNotice"));
